@@ -1,0 +1,1 @@
+"""From a model to CasADi functions, to C, and to the proof that the C is right."""

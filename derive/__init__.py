@@ -1,0 +1,1 @@
+"""Equations, derivations, papers and models as SymPy values.  Nothing here writes files."""

@@ -1,0 +1,1 @@
+"""The papers, one module each, named as the ledger names them."""

@@ -1,0 +1,125 @@
+"""An error-state Kalman filter over a model's functions: one run, or many side by side.
+
+Everything here broadcasts: P is (..., n, n), and what stands before the last axes are runs.  The same loop flies the
+compiled C of `boresight.runtime.library` and any object that offers the same functions in plain NumPy.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True)
+class Innovation:
+    """What one measurement said.  Rows that were masked or gated have used = False and add nothing to nis."""
+
+    nu: Array  # (..., m) measured minus predicted, row after row, each given the rows before it
+    S: Array  # (..., m) its predicted variance
+    used: Array  # (..., m) bool
+
+    @property
+    def nis(self) -> Array:
+        """(...,) sum of nu^2 / S over the rows used: chi-square with `used.sum(-1)` degrees of freedom."""
+        return np.sum(np.where(self.used, self.nu**2 / self.S, 0.0), axis=-1)
+
+
+class Filter:
+    """Predict, update by a named measurement, feed back.
+
+    model: offers `Phi`, `Q`, `NAME_z`, `NAME_H` (and `NAME_h` where H depends on x), `feedback`, `strapdown`; each is
+    called with the fields that it lists in `.fields`.
+    nav: the quantities that the strapdown carries and the feedback corrects, by field name, each (..., size).
+    P: (..., n, n) covariance of the error state, which is zero between a feedback and the next update.
+    """
+
+    def __init__(self, model: Any, nav: dict[str, Array], P: Array):
+        self.model = model
+        self.nav = {name: np.array(value, dtype=float) for name, value in nav.items()}
+        self.P = np.array(P, dtype=float)
+        if self.P.ndim < 2 or self.P.shape[-1] != self.P.shape[-2]:
+            raise BoresightError(f"P has shape {self.P.shape}; it must be (..., n, n)")
+        if not np.isfinite(self.P).all():
+            raise BoresightError("P holds a value that is not finite; start from a finite covariance")
+        self.x = np.zeros(self.P.shape[:-1])
+
+    def call(self, name: str, **inputs: Any) -> Any:
+        """The model's function NAME, fed from nav, the error state x and the inputs."""
+        unit = getattr(self.model, name)
+        known = {**self.nav, "x": self.x, **inputs}
+        missing = [field for field in unit.fields if field not in known]
+        if missing:
+            raise BoresightError(f"{name} needs {', '.join(missing)}; pass it as a keyword")
+        return unit(**{field: known[field] for field in unit.fields})
+
+    def strapdown(self, **inputs: Any) -> None:
+        """Carry nav over one interval of inertial data."""
+        self.nav.update(named(self.call("strapdown", **inputs), self.nav))
+
+    def predict(self, **inputs: Any) -> None:
+        """Carry x and P over `dt`."""
+        Phi, Q = self.call("Phi", **inputs), self.call("Q", **inputs)
+        self.x = np.einsum("...ij,...j->...i", Phi, self.x)
+        self.P = Phi @ self.P @ np.swapaxes(Phi, -1, -2) + Q
+
+    def update(
+        self, measurement: str, R: Any, *, rows: Any = True, gate: float | None = None, iterations: int = 1, **inputs: Any
+    ) -> Innovation:
+        """Take one measurement, row after row, in Joseph form.
+
+        R: (..., m) variances of the rows, which are independent.  rows: (..., m) bool, False for a row that is absent.
+        gate: a row whose |nu| exceeds this many sigmas is left out.  iterations: how often a nonlinear measurement is
+        linearised again about the estimate it gave; 1 is the plain extended filter.
+        """
+        z = self.call(f"{measurement}_z", **inputs)
+        R = np.broadcast_to(np.asarray(R, dtype=float), np.broadcast_shapes(z.shape, np.shape(R)))
+        if not (np.isfinite(R).all() and (R > 0).all()):
+            raise BoresightError(f"{measurement}: every variance in R must be finite and above zero")
+        if iterations < 1:
+            raise BoresightError(f"{measurement}: iterations is {iterations}; it must be at least 1")
+        nonlinear = "x" in getattr(self.model, f"{measurement}_H").fields
+        x = self.x
+        for _ in range(iterations if nonlinear else 1):
+            H = self.call(f"{measurement}_H", x=x, **inputs)
+            target = z
+            if nonlinear:  # h about x, so that the rows below may treat it as linear in the state
+                h = self.call(f"{measurement}_h", x=x, **inputs)
+                target = z - h + np.einsum("...ij,...j->...i", H, x)
+            x, P, innovation = self._rows(target, H, R, np.asarray(rows), gate)
+        self.x, self.P = x, P
+        return innovation
+
+    def _rows(
+        self, z: Array, H: Array, R: Array, rows: Array, gate: float | None
+    ) -> tuple[Array, Array, Innovation]:
+        x, P = self.x, self.P
+        rows = np.broadcast_to(rows, np.broadcast_shapes(rows.shape, x.shape[:-1] + z.shape[-1:]))
+        nus, Ss, used = [], [], []
+        for i in range(z.shape[-1]):
+            h = H[..., i, :]
+            Ph = np.einsum("...ij,...j->...i", P, h)
+            S = np.einsum("...i,...i->...", h, Ph) + R[..., i]
+            nu = z[..., i] - np.einsum("...i,...i->...", h, x)
+            use = rows[..., i] & (np.ones_like(S, bool) if gate is None else nu**2 <= gate**2 * S)
+            K = np.where(use[..., None], Ph / S[..., None], 0.0)
+            x = x + K * nu[..., None]
+            # Joseph form, multiplied out for one row: right for any gain, symmetric by construction.
+            KPh = K[..., :, None] * Ph[..., None, :]
+            P = P - KPh - np.swapaxes(KPh, -1, -2) + (K * S[..., None])[..., :, None] * K[..., None, :]
+            nus.append(nu), Ss.append(S), used.append(use)
+        stack = [np.stack(np.broadcast_arrays(*part), axis=-1) for part in (nus, Ss, used)]
+        return x, P, Innovation(*stack)
+
+    def feedback(self) -> None:
+        """Correct nav by the estimate and begin again from zero."""
+        self.nav.update(named(self.call("feedback"), self.nav))
+        self.x = np.zeros_like(self.x)
+
+
+def named(result: Any, nav: dict[str, Array]) -> dict[str, Array]:
+    """A function with several outputs returns them by name; one with a single output is nav's first entry."""
+    return result if isinstance(result, dict) else {next(iter(nav)): result}
