@@ -67,7 +67,14 @@ class Filter:
         self.P = Phi @ self.P @ np.swapaxes(Phi, -1, -2) + Q
 
     def update(
-        self, measurement: str, R: Any, *, rows: Any = True, gate: float | None = None, iterations: int = 1, **inputs: Any
+        self,
+        measurement: str,
+        R: Any,
+        *,
+        rows: Any = True,
+        gate: float | None = None,
+        iterations: int = 1,
+        **inputs: Any,
     ) -> Innovation:
         """Take one measurement, row after row, in Joseph form.
 
@@ -93,9 +100,7 @@ class Filter:
         self.x, self.P = x, P
         return innovation
 
-    def _rows(
-        self, z: Array, H: Array, R: Array, rows: Array, gate: float | None
-    ) -> tuple[Array, Array, Innovation]:
+    def _rows(self, z: Array, H: Array, R: Array, rows: Array, gate: float | None) -> tuple[Array, Array, Innovation]:
         x, P = self.x, self.P
         rows = np.broadcast_to(rows, np.broadcast_shapes(rows.shape, x.shape[:-1] + z.shape[-1:]))
         nus, Ss, used = [], [], []

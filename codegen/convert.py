@@ -1,0 +1,113 @@
+"""SymPy expressions to CasADi expressions: common subexpressions first, then a walk over the tree."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import casadi as ca
+import sympy as sp
+
+from boresight import BoresightError
+
+
+def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> list[Any]:
+    """Each matrix as a sparse SX of the same shape.  symbols: SX scalar for each free symbol.
+
+    Raises BoresightError on a function that flight C does not have; only sqrt, sin, cos, atan2 and fabs come from
+    outside, and a power must be whole or half.
+    """
+    replacements, reduced = sp.cse([sp.Matrix(matrix) for matrix in matrices], order="canonical")
+    known: dict[Any, Any] = dict(symbols)
+
+    def walk(expression: Any) -> Any:
+        if expression in known:
+            return known[expression]
+        known[expression] = result = build(expression)
+        return result
+
+    def build(e: Any) -> Any:
+        if e.is_Number or e.is_NumberSymbol:
+            return ca.SX(float(e))
+        if e is sp.true or e is sp.false:
+            return ca.SX(1.0 if e else 0.0)
+        if e.is_Add:
+            # what is subtracted is subtracted, not multiplied by -1 and added
+            positive = [a for a in e.args if not a.could_extract_minus_sign()]
+            negative = [-a for a in e.args if a.could_extract_minus_sign()]
+            if not positive:
+                return -chain(negative, lambda a, b: a + b)
+            total = chain(positive, lambda a, b: a + b)
+            for a in negative:
+                total = total - walk(a)
+            return total
+        if e.is_Mul:
+            if e.could_extract_minus_sign():
+                return -walk(-e)
+            over, under = sp.fraction(e, exact=True)
+            if under == 1:
+                return chain(list(e.args), lambda a, b: a * b)
+            return walk(over) / walk(under)
+        if e.is_Pow:
+            return power(e)
+        arguments = [walk(a) for a in e.args] if not isinstance(e, sp.Piecewise) else []
+        if isinstance(e, sp.sin):
+            return ca.sin(*arguments)
+        if isinstance(e, sp.cos):
+            return ca.cos(*arguments)
+        if isinstance(e, sp.tan):
+            return walk(sp.sin(*e.args)) / walk(sp.cos(*e.args))
+        if isinstance(e, sp.atan2):
+            return ca.atan2(*arguments)
+        if isinstance(e, sp.Abs):
+            return ca.fabs(*arguments)
+        if isinstance(e, sp.Piecewise):
+            *cases, (last, condition) = e.args
+            if condition != sp.true:
+                raise BoresightError(f"a Piecewise must end in an otherwise: {e}")
+            result = walk(last)
+            for value, test in reversed(cases):
+                result = ca.if_else(walk(test), walk(value), result)
+            return result
+        if isinstance(e, sp.StrictLessThan):
+            return arguments[0] < arguments[1]
+        if isinstance(e, sp.LessThan):
+            return arguments[0] <= arguments[1]
+        if isinstance(e, sp.StrictGreaterThan):
+            return arguments[1] < arguments[0]
+        if isinstance(e, sp.GreaterThan):
+            return arguments[1] <= arguments[0]
+        if e.is_Symbol:
+            raise BoresightError(f"the symbol {e} has no value here; name it among the model's inputs or states")
+        raise BoresightError(
+            f"{type(e).__name__} in {e} is no operation of flight C; write it with + - * /, sqrt, sin, cos, tan, atan2"
+        )
+
+    def chain(terms: list[Any], operation: Any) -> Any:
+        total = walk(terms[0])
+        for term in terms[1:]:
+            total = operation(total, walk(term))
+        return total
+
+    def power(e: Any) -> Any:
+        base, exponent = e.args
+        if exponent.is_Integer and abs(int(exponent)) <= 8:
+            if exponent < 0:
+                return 1 / walk(base**-exponent)
+            n = int(exponent)
+            half = walk(base ** (n // 2))
+            return half * half if n % 2 == 0 else half * half * walk(base)
+        if exponent.is_Rational and exponent.q == 2 and abs(exponent.p) <= 7:
+            if exponent < 0:
+                return 1 / walk(base**-exponent)
+            root = ca.sqrt(walk(base))
+            return root if exponent.p == 1 else walk(base ** (exponent.p // 2)) * root
+        raise BoresightError(f"{e}: a power must be whole or half; write it with sqrt")
+
+    for symbol, expression in replacements:
+        known[symbol] = walk(expression)
+    result = []
+    for matrix in reduced:
+        out = ca.SX(*matrix.shape)
+        for (row, column), value in matrix.todok().items():
+            out[row, column] = walk(value)
+        result.append(out)
+    return result

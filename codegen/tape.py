@@ -1,0 +1,223 @@
+"""A CasADi function as the list of operations that both C prints follow, in single assignment.
+
+The list is taken from CasADi's public instruction interface.  `evaluate` runs it on numbers together with a bound on
+the rounding error of each result, which is what the generated C is held against.
+"""
+
+import hashlib
+from collections import Counter
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from boresight import BoresightError
+
+OPERATIONS = {
+    getattr(ca, f"OP_{name.upper()}"): name
+    for name in ["assign", "add", "sub", "mul", "div", "neg", "sq", "twice", "inv", "sqrt", "sin", "cos", "atan2", "fabs", "lt", "le", "eq", "ne", "not", "and", "or", "if_else_zero", "const", "input", "output"]
+}
+FREE = {"const", "input"}  # no work at run time
+UNIT_ROUNDOFF = 2.0**-53
+
+
+@dataclass(frozen=True)
+class Step:
+    """One value: an operation on earlier values (`args` are positions in the tape), a constant, or an input."""
+
+    op: str
+    args: tuple[int, ...] = ()
+    constant: float = 0.0
+    source: tuple[int, int] = (0, 0)  # which input, which of its components
+
+
+@dataclass(frozen=True)
+class Tape:
+    """steps in order; results: (output, non-zero, position of its value in steps)."""
+
+    steps: tuple[Step, ...]
+    results: tuple[tuple[int, int, int], ...]
+
+    @property
+    def operations(self) -> int:
+        return sum(step.op not in FREE for step in self.steps)
+
+    def hash(self) -> str:
+        """Of the operations alone: the same list, the same hash, whatever the words around it."""
+        text = "\n".join(
+            [f"{s.op} {s.args} {s.constant.hex()} {s.source}" for s in self.steps] + [str(r) for r in self.results]
+        )
+        return hashlib.sha256(text.encode()).hexdigest()
+
+
+def tape(function: Any) -> Tape:
+    """The instruction list of an SX function.  Raises BoresightError on an operation that flight C does not have."""
+    steps: list[Step] = []
+    results: list[tuple[int, int, int]] = []
+    seen: dict[Step, int] = {}
+    work: dict[int, int] = {}
+    for k in range(function.n_instructions()):
+        code, into, out = function.instruction_id(k), function.instruction_input(k), function.instruction_output(k)
+        op = OPERATIONS.get(code)
+        if op is None:
+            names = [n for n in dir(ca) if n.startswith("OP_") and getattr(ca, n) == code]
+            raise BoresightError(
+                f"{function.name()}: flight C has no {names[0] if names else code}; rewrite the equation"
+            )
+        if op == "output":
+            results.append((out[0], out[1], work[into[0]]))
+            continue
+        if op == "input":
+            step = Step("input", source=(into[0], into[1]))
+        elif op == "const":
+            step = Step("const", constant=function.instruction_constant(k))
+        elif op == "assign":
+            work[out[0]] = work[into[0]]
+            continue
+        else:
+            step = Step(op, tuple(work[i] for i in into[: 1 if op in UNARY else 2]))
+        if step not in seen:
+            seen[step] = len(steps)
+            steps.append(step)
+        work[out[0]] = seen[step]
+    return Tape(tuple(steps), tuple(results))
+
+
+UNARY = {"neg", "sq", "twice", "inv", "sqrt", "sin", "cos", "fabs", "not"}
+BUILD = {
+    "add": lambda a, b: a + b,
+    "sub": lambda a, b: a - b,
+    "mul": lambda a, b: a * b,
+    "div": lambda a, b: a / b,
+    "neg": lambda a: -a,
+    "sq": lambda a: a * a,
+    "twice": lambda a: 2 * a,
+    "inv": lambda a: 1 / a,
+    "sqrt": ca.sqrt,
+    "sin": ca.sin,
+    "cos": ca.cos,
+    "atan2": ca.atan2,
+    "fabs": ca.fabs,
+    "lt": lambda a, b: a < b,
+    "le": lambda a, b: a <= b,
+    "eq": lambda a, b: a == b,
+    "ne": lambda a, b: a != b,
+    "not": ca.logic_not,
+    "and": ca.logic_and,
+    "or": ca.logic_or,
+    "if_else_zero": lambda c, a: ca.if_else(c, a, 0),
+}
+
+
+def share_reciprocals(function: Any) -> Any:
+    """The same function with one reciprocal for each divisor that several quotients share.
+
+    CasADi rewrites x * (1 / y) to x / y as an expression is built, so the list is rebuilt with that switched off.
+    """
+    source = tape(function)
+    divisors = Counter(step.args[-1] for step in source.steps if step.op in ("div", "inv"))
+    if not any(count > 1 for count in divisors.values()):
+        return function
+    inputs = [ca.SX.sym(function.name_in(i), function.sparsity_in(i)) for i in range(function.n_in())]
+    outputs = [ca.SX(function.sparsity_out(i)) for i in range(function.n_out())]
+    simplifying = ca.GlobalOptions.getSimplificationOnTheFly()
+    ca.GlobalOptions.setSimplificationOnTheFly(False)
+    try:
+        values: list[Any] = []
+        reciprocals: dict[int, Any] = {}
+        for step in source.steps:
+            if step.op == "input":
+                values.append(inputs[step.source[0]].nz[step.source[1]])
+            elif step.op == "const":
+                values.append(ca.SX(step.constant))
+            elif step.op in ("div", "inv") and divisors[step.args[-1]] > 1:
+                if step.args[-1] not in reciprocals:
+                    reciprocals[step.args[-1]] = 1 / values[step.args[-1]]
+                r = reciprocals[step.args[-1]]
+                values.append(r if step.op == "inv" else values[step.args[0]] * r)
+            else:
+                # A choice is rebuilt with simplification on: off, each would become two.
+                ca.GlobalOptions.setSimplificationOnTheFly(step.op == "if_else_zero")
+                values.append(BUILD[step.op](*(values[a] for a in step.args)))
+                ca.GlobalOptions.setSimplificationOnTheFly(False)
+        for output, k, position in source.results:
+            outputs[output].nz[k] = values[position]
+        return ca.Function(function.name(), inputs, outputs, function.name_in(), function.name_out())
+    finally:
+        ca.GlobalOptions.setSimplificationOnTheFly(simplifying)
+
+
+@np.errstate(over="ignore", divide="ignore", invalid="ignore")  # where nothing bounds the error, it is infinite
+def evaluate(
+    program: Tape, inputs: list[np.ndarray], libm_ulps: float = 1.0
+) -> tuple[list[np.ndarray], list[np.ndarray]]:
+    """Each result of the tape in double and a bound on its error against exact arithmetic, at many points at once.
+
+    inputs: one (points, size) array an argument, taken as exact.  libm_ulps: what sin, cos and atan2 may err by.
+    Returns values and bounds, (points,) each, in the order of `program.results`.  A running error analysis: each
+    operation adds its own rounding to what its operands bring; second-order products of errors are covered by the
+    factor at the end.
+    """
+    u = UNIT_ROUNDOFF
+    zero = np.zeros(inputs[0].shape[0] if inputs else 1)
+    value: list[np.ndarray] = []
+    error: list[np.ndarray] = []
+    for step in program.steps:
+        a, b = (step.args + step.args)[:2] if step.args else (0, 0)
+        if step.op == "input":
+            v, e = inputs[step.source[0]][:, step.source[1]], zero
+        elif step.op == "const":
+            # A constant that is no small dyadic number was rounded once when it was printed.
+            exact = float(step.constant * 2**20).is_integer()
+            v = zero + step.constant
+            e = zero if exact else abs(v) * u
+        else:
+            x, ex = value[a], error[a]
+            y, ey = value[b], error[b]
+            if step.op in ("add", "sub"):
+                v = x + y if step.op == "add" else x - y
+                e = ex + ey + u * abs(v)
+            elif step.op == "mul":
+                v = x * y
+                e = abs(x) * ey + abs(y) * ex + ex * ey + u * abs(v)
+            elif step.op == "sq":
+                v = x * x
+                e = 2 * abs(x) * ex + ex * ex + u * abs(v)
+            elif step.op == "div":
+                v = x / y
+                e = (ex + abs(v) * ey) / np.maximum(abs(y) - ey, 1e-300) + u * abs(v)
+            elif step.op == "inv":
+                v = 1 / x
+                e = abs(v) * ex / np.maximum(abs(x) - ex, 1e-300) + u * abs(v)
+            elif step.op == "sqrt":
+                v = np.sqrt(x)
+                # |sqrt(x+e) - sqrt(x)| <= e / (sqrt(x) + sqrt(max(x-e, 0)))
+                below = v + np.sqrt(np.maximum(x - ex, 0))
+                e = np.where(ex > 0, ex / np.maximum(below, 1e-300), 0) + u * v
+            elif step.op in ("sin", "cos"):
+                v, slope = (np.sin(x), np.cos(x)) if step.op == "sin" else (np.cos(x), np.sin(x))
+                e = ex * np.minimum(abs(slope) + ex, 1) + 2 * u * libm_ulps * abs(v)
+            elif step.op == "atan2":
+                v = np.arctan2(x, y)
+                r = np.hypot(x, y)
+                e = np.hypot(ex, ey) / np.maximum(r - np.hypot(ex, ey), 1e-300) + 2 * u * libm_ulps * abs(v)
+            elif step.op in ("neg", "twice", "fabs"):
+                v, e = {"neg": (-x, ex), "twice": (2 * x, 2 * ex), "fabs": (abs(x), ex)}[step.op]
+            elif step.op == "if_else_zero":
+                v, e = np.where(x != 0, y, 0), np.where(x != 0, ey, 0)
+            else:
+                tests = {
+                    "lt": lambda: x < y, "le": lambda: x <= y, "eq": lambda: x == y, "ne": lambda: x != y,
+                    "not": lambda: x == 0, "and": lambda: (x != 0) & (y != 0), "or": lambda: (x != 0) | (y != 0),
+                }  # fmt: skip
+                v, e = tests[step.op]().astype(float), zero
+        value.append(v + zero)
+        error.append(e + zero)
+    # 1 + 1e-9 covers the rounding of the bounds themselves; the smallest number covers underflow.
+    slack = 1 + 1e-9
+    tiny = np.finfo(float).tiny
+    return (
+        [value[position] for _, _, position in program.results],
+        [error[position] * slack + tiny for _, _, position in program.results],
+    )

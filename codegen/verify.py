@@ -1,0 +1,167 @@
+"""Proof that the generated C is what the model says, computed on the C itself.
+
+For every printed unit, at random points of its box and at its corners: our C and CasADi's C give the same bits; both
+lie within a running bound on rounding errors of the SymPy expressions in 50 digits; what the C leaves out as zero is
+zero.  For a measurement matrix that is a first order of an exact measurement: it is its Jacobian in the limit, and the
+difference falls linearly.
+"""
+
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+
+from boresight.codegen.emit import exact
+from boresight.codegen.generate import load_model
+from boresight.codegen.samples import answered, generator, sample
+from boresight.codegen.tape import evaluate
+from boresight.codegen.units import DIGITS, Unit, UnitMaker, units
+from boresight.derive.model import Measurement, Model
+from boresight.runtime.library import Library, load
+
+POINTS, CORNERS = 1000, 64
+LIMIT = 1e-12  # (19) and the Jacobian of the exact measurement, where nothing is neglected
+
+
+@dataclass(frozen=True)
+class UnitCheck:
+    """largest_error: of any output, against 50 digits.  looseness: how many times the bound was larger than the error,
+    where it came closest; below 1 the bound is broken."""
+
+    model: str
+    unit: str
+    points: int
+    outputs: int
+    same_bits: bool
+    largest_error: float
+    looseness: float
+    zeros_are_zero: bool
+
+    @property
+    def ok(self) -> bool:
+        return self.same_bits and self.looseness >= 1 and self.zeros_are_zero
+
+
+@dataclass(frozen=True)
+class FirstOrderCheck:
+    """limit: largest difference where the neglected input is zero.  ratio: by what the difference falls when it is
+    halved.  coefficient: the difference over the neglected input, as it becomes small."""
+
+    model: str
+    unit: str
+    limit: float
+    ratio: float
+    coefficient: float
+
+    @property
+    def ok(self) -> bool:
+        return self.limit <= LIMIT and abs(self.ratio - 0.5) < 0.01
+
+
+def verify(
+    target: str, folder: str | Path | None = None, points: int = POINTS, progress: Callable[[str], None] | None = None
+) -> list[UnitCheck | FirstOrderCheck]:
+    """Every check of one model: a built-in name, or FILE.py:NAME with the folder that was generated from it."""
+    model = load_model(target)
+    flight, casadi = (load(folder or target, backend) for backend in ("flight", "casadi"))
+    checks: list[UnitCheck | FirstOrderCheck] = []
+    for unit in units(model):
+        if progress:
+            progress(f"{model.name}: {unit.name}")
+        checks.append(check_unit(model, unit, flight, casadi, points))
+    checks += [check_first_order(model, m, flight) for m in model.measurements if m.first_order is not None]
+    return checks
+
+
+def check_unit(model: Model, unit: Unit, flight: Library, casadi: Library, points: int) -> UnitCheck:
+    inputs = answered(unit, CORNERS, points + CORNERS, generator("verify", model.name, unit.name))
+    fields = {a.name: values if a.size > 1 else values[:, 0] for a, values in zip(unit.args, inputs, strict=True)}
+    ours, theirs = (as_dict(unit, getattr(library, unit.name)(**fields)) for library in (flight, casadi))
+    same = all(ours[r.name].tobytes() == theirs[r.name].tobytes() for r in unit.results)
+
+    _, bounds = evaluate(unit.tape, inputs)
+    bound = {(output, nz): bounds[i] for i, (output, nz, _) in enumerate(unit.tape.results)}
+    count = len(inputs[0])
+    largest, looseness = 0.0, np.inf
+    turn = 2 * mp.pi
+    for k in range(count):
+        for o, values in enumerate(exact(unit, inputs, k)):
+            result = unit.results[o]
+            for nz, value in enumerate(values):
+                got = ours[result.name].reshape(count, *result.shape)[(k, *result.nonzeros[nz])]
+                with mp.workdps(DIGITS):
+                    difference = mp.mpf(float(got)) - value
+                    if result.angle:
+                        difference -= turn * mp.nint(difference / turn)
+                    error = float(abs(difference))
+                largest = max(largest, error)
+                if error > 0 or not np.isfinite(got):
+                    looseness = min(looseness, bound[o, nz][k] / error) if np.isfinite(got) else 0.0
+    return UnitCheck(
+        model.name,
+        unit.name,
+        count,
+        sum(len(r.nonzeros) for r in unit.results),
+        same,
+        largest,
+        float(looseness),
+        zeros_are_zero(unit, inputs),
+    )
+
+
+def as_dict(unit: Unit, result: Any) -> dict[str, np.ndarray]:
+    return result if isinstance(result, dict) else {unit.results[0].name: result}
+
+
+def zeros_are_zero(unit: Unit, inputs: list[np.ndarray]) -> bool:
+    """Elements that the kernel does not write vanish in the reference too, to 30 digits of its largest element."""
+    for k in range(0, len(inputs[0]), max(1, len(inputs[0]) // 20)):
+        matrices = unit.reference({a.name: [mp.mpf(float(v)) for v in inputs[i][k]] for i, a in enumerate(unit.args)})
+        for matrix, result in zip(matrices, unit.results, strict=True):
+            printed = set(result.nonzeros)
+            scale = max([abs(v) for v in matrix] + [mp.mpf(1)])
+            for row in range(result.shape[0]):
+                for column in range(result.shape[1]):
+                    if (row, column) not in printed and abs(matrix[row, column]) > scale * mp.mpf(10) ** -20:
+                        return False
+    return True
+
+
+def check_first_order(model: Model, m: Measurement, library: Library) -> FirstOrderCheck:
+    """Hold the compiled H against the compiled Jacobian of the exact measurement, as the neglected input shrinks."""
+    law = m.first_order
+    assert law is not None
+    unit, full = (next(u for u in units(model) if u.name == f"{name}_H") for name in (m.name, law.of))
+    read = {a.name: a for a in (*unit.args, *full.args)}
+    rng = generator("first order", model.name, m.name)
+    values = {a.name: v / 2 for a, v in zip(read.values(), sample(tuple(read.values()), 0, 200, rng), strict=True)}
+    values["x"] = np.zeros((200, model.n))
+    directions = rng.standard_normal(values[law.small].shape)
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    tied = [(name, UnitMaker(model).numeric(expression)) for name, expression in law.tied]
+
+    def difference(scale: float) -> float:
+        values[law.small] = scale * directions
+        for name, expression in tied:
+            rows = []
+            for k in range(200):
+                point = {key: [mp.mpf(float(v)) for v in value[k]] for key, value in values.items()}
+                rows.append([float(v) for v in expression(point)[0]])
+            values[name] = np.array(rows)
+        first, whole = (
+            getattr(library, u.name)(**{a.name: values[a.name] if a.size > 1 else values[a.name][:, 0] for a in u.args})
+            for u in (unit, full)
+        )
+        return float(np.abs(first - whole).max())
+
+    small = 1e-3
+    at_zero, at_small, at_half = difference(0.0), difference(small), difference(small / 2)
+    return FirstOrderCheck(model.name, unit.name, at_zero, at_half / at_small, at_half / (small / 2))
+
+
+def to_json(checks: list[UnitCheck | FirstOrderCheck]) -> list[dict[str, Any]]:
+    """One object a check, with its fields and `ok`."""
+    return [{**asdict(c), "ok": c.ok} for c in checks]

@@ -1,0 +1,295 @@
+"""A model: one description of a filter, from which everything else is made.
+
+A model is a value.  It names states, inputs, noise, measurements and functions once; indices, Jacobians, C, headers,
+documents and tests are derived from it.  Nothing here assumes navigation.
+"""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from sympy import ImmutableMatrix, Matrix, Symbol
+
+from boresight import BoresightError
+
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A scalar or a vector: its symbols, its meaning and where it is valid.
+
+    symbols: one SymPy symbol a component; their names appear in enums and in comments.
+    unit: SI, angles in rad.  frame: where the components are resolved, or what the variable maps between.
+    low, high: the valid box, inclusive, the same for each component or one value each.
+    norm: where the Euclidean norm must lie (for a quaternion), or None.
+    """
+
+    name: str
+    symbols: tuple[Symbol, ...]
+    unit: str
+    meaning: str
+    low: tuple[float, ...]
+    high: tuple[float, ...]
+    frame: str = ""
+    norm: tuple[float, float] | None = None
+
+    def __post_init__(self) -> None:
+        for bound in (self.low, self.high):
+            if len(bound) != len(self.symbols):
+                raise BoresightError(f"{self.name}: {len(self.symbols)} components, but a box of {len(bound)}")
+        if not all(a < b for a, b in zip(self.low, self.high, strict=True)):
+            raise BoresightError(f"{self.name}: each lower bound of the box must lie below the upper one")
+
+    @property
+    def vector(self) -> Matrix:
+        """Column of the symbols."""
+        return Matrix(self.symbols)
+
+    @property
+    def scalar(self) -> Symbol:
+        """The symbol of a variable with one component."""
+        (symbol,) = self.symbols
+        return symbol
+
+    @property
+    def size(self) -> int:
+        return len(self.symbols)
+
+
+def variable(
+    name: str,
+    components: str,
+    unit: str,
+    meaning: str,
+    low: float | Iterable[float],
+    high: float | Iterable[float],
+    *,
+    frame: str = "",
+    norm: tuple[float, float] | None = None,
+) -> Variable:
+    """A Variable from its components' names, as in `variable("mu", "mu_x mu_y mu_z", "rad", "...", -0.5, 0.5)`."""
+    symbols = tuple(Symbol(component, real=True) for component in components.split())
+
+    def bound(value: float | Iterable[float]) -> tuple[float, ...]:
+        return tuple(value) if isinstance(value, Iterable) else (float(value),) * len(symbols)
+
+    return Variable(name, symbols, unit, meaning, bound(low), bound(high), frame, norm)
+
+
+@dataclass(frozen=True)
+class Struct:
+    """Inputs that travel together: one C struct."""
+
+    name: str
+    meaning: str
+    fields: tuple[Variable, ...]
+
+
+@dataclass(frozen=True)
+class FirstOrder:
+    """How a linear H is tied to an exact measurement: it is that one's Jacobian once `small` is zero.
+
+    of: name of the measurement with the exact h.  small: the input that H neglects.  tied: inputs of H that follow from
+    the others where the state is right, as (name, expression).
+    """
+
+    of: str
+    small: str
+    tied: tuple[tuple[str, Matrix], ...] = ()
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """A named measurement of `len(rows)` scalars, any of which a filter may leave out.
+
+    z: (m) measured minus predicted at zero error, from the inputs; None if the caller brings it.
+    h: (m) what z is expected to be for an error state x, from states and inputs; its Jacobian is printed as H.
+    H: (m, n) a linear measurement matrix instead of h.  first_order: what this H approximates, for verify to hold it to.
+    angle: z and h are angles, and are wrapped to [-pi, pi).
+    """
+
+    name: str
+    rows: tuple[str, ...]
+    unit: str
+    meaning: str
+    z: Matrix | None = None
+    h: Matrix | None = None
+    H: Matrix | None = None
+    first_order: FirstOrder | None = None
+    angle: bool = False
+    equations: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Output:
+    """low, high: where every component must lie for the function to answer, or () for anywhere."""
+
+    name: str
+    value: Matrix
+    unit: str
+    meaning: str
+    frame: str = ""
+    low: tuple[float, ...] = ()
+    high: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class Function:
+    """Any other function of the inputs and the error state: strapdown, feedback, a change of coordinates."""
+
+    name: str
+    meaning: str
+    outputs: tuple[Output, ...]
+    equations: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Model:
+    """x' = F x + G w with white noise w of root power spectral densities `noise`, over steps of `dt`.
+
+    states: the error state, block after block.  Either F (n, n) is given or f (n), whose Jacobian at the state is F.
+    G: (n, m).  noise: (m) root power spectral densities.  dt: symbol of the step.  Phi is taken to the second power of
+    F dt and Q to the third of dt.  structs: the inputs.  equations: the source of F, as `song-lee-2001 (20)`.
+    """
+
+    name: str
+    c_prefix: str
+    title: str
+    frame: str
+    states: tuple[Variable, ...]
+    structs: tuple[Struct, ...]
+    G: Matrix
+    noise: Matrix
+    dt: Symbol
+    F: Matrix | None = None
+    f: Matrix | None = None
+    measurements: tuple[Measurement, ...] = ()
+    functions: tuple[Function, ...] = ()
+    equations: tuple[str, ...] = ()
+    card: tuple[str, ...] = ()  # its conventions, a line each, printed at the head of what is generated
+
+    def __post_init__(self) -> None:
+        check(self)
+
+    @property
+    def x(self) -> Matrix:
+        """Column of all state symbols."""
+        return Matrix([symbol for block in self.states for symbol in block.symbols])
+
+    @property
+    def n(self) -> int:
+        return sum(block.size for block in self.states)
+
+    @property
+    def inputs(self) -> tuple[Variable, ...]:
+        """Every input, struct after struct."""
+        return tuple(item for struct in self.structs for item in struct.fields)
+
+    def extend(
+        self,
+        *,
+        name: str,
+        c_prefix: str,
+        title: str | None = None,
+        states: tuple[Variable, ...] = (),
+        structs: tuple[Struct, ...] = (),
+        F: Matrix | None = None,
+        G: Matrix | None = None,
+        noise: Matrix | None = None,
+        measurements: tuple[Measurement, ...] = (),
+        functions: tuple[Function, ...] = (),
+        equations: tuple[str, ...] = (),
+    ) -> "Model":
+        """A larger model: new states behind the old ones; what carries a known name replaces it.
+
+        F: (n + k, n + k) to be added to the old F, whose new rows and columns are zero.  G: (n + k, m + j), whose new
+        columns belong to `noise`.  A measurement with an H that is not replaced sees none of the new states.
+        """
+        grown = sum(block.size for block in states)
+        if self.F is None:
+            raise BoresightError(f"{self.name}: extend works on a model that states F")
+
+        def pad(matrix: Matrix, rows: int, columns: int) -> Matrix:
+            out = Matrix.zeros(matrix.rows + rows, matrix.cols + columns)
+            out[: matrix.rows, : matrix.cols] = matrix
+            return out
+
+        extra = 0 if noise is None else noise.rows
+        wide_F, wide_G = pad(self.F, grown, grown), pad(self.G, grown, extra)
+        kept = tuple(
+            replace(m, H=pad(m.H, 0, grown)) if m.H is not None else m
+            for m in self.measurements
+            if m.name not in {new.name for new in measurements}
+        )
+        return Model(
+            name=name,
+            c_prefix=c_prefix,
+            title=title or self.title,
+            frame=self.frame,
+            states=self.states + states,
+            structs=tuple(s for s in self.structs if s.name not in {new.name for new in structs}) + structs,
+            F=wide_F if F is None else wide_F + F,
+            G=wide_G if G is None else wide_G + G,
+            noise=self.noise if noise is None else Matrix.vstack(self.noise, noise),
+            dt=self.dt,
+            measurements=kept + measurements,
+            functions=tuple(f for f in self.functions if f.name not in {new.name for new in functions}) + functions,
+            equations=self.equations + equations,
+            card=self.card,
+        )
+
+
+def check(model: Model) -> None:
+    """Raise BoresightError on a model whose parts do not fit: shapes, names, symbols that are neither state nor input."""
+
+    def fail(text: str) -> None:
+        raise BoresightError(f"model {model.name}: {text}")
+
+    if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", model.name):
+        fail("a name is lower-case words joined by '-'")
+    if not re.fullmatch(r"[a-z][a-z0-9]*", model.c_prefix):
+        fail(f"c_prefix {model.c_prefix!r} must be lower-case letters and digits")
+    names = [item.name for item in (*model.states, *model.inputs)]
+    units = [m.name for m in model.measurements] + [f.name for f in model.functions]
+    symbols = [symbol for item in (*model.states, *model.inputs) for symbol in item.symbols]
+    for kind, listed in (("field", names), ("measurement or function", units), ("symbol", [s.name for s in symbols])):
+        for item in listed:
+            if listed.count(item) > 1:
+                fail(f"the {kind} name {item!r} is used twice")
+            if not NAME.match(item):
+                fail(f"{item!r} cannot be a name in C")
+
+    n = model.n
+    if (model.F is None) == (model.f is None):
+        fail("give either F or f")
+    shapes = [("F", model.F, (n, n)), ("f", model.f, (n, 1)), ("G", model.G, (n, model.noise.rows))]
+    for m in model.measurements:
+        if (m.H is None) == (m.h is None):
+            fail(f"measurement {m.name}: give either h or H")
+        rows = len(m.rows)
+        shapes += [(f"{m.name}: z", m.z, (rows, 1)), (f"{m.name}: h", m.h, (rows, 1)), (f"{m.name}: H", m.H, (rows, n))]
+        if m.first_order is not None:
+            if m.first_order.of not in {other.name for other in model.measurements if other.h is not None}:
+                fail(f"measurement {m.name}: first_order names {m.first_order.of!r}, which is no measurement with an h")
+            for item in (m.first_order.small, *(name for name, _ in m.first_order.tied)):
+                if item not in {v.name for v in model.inputs}:
+                    fail(f"measurement {m.name}: first_order names {item!r}, which is no input")
+    for label, matrix, shape in shapes:
+        if matrix is not None and matrix.shape != shape:
+            fail(f"{label} has shape {matrix.shape}, not {shape}")
+
+    states, inputs = set(model.x), {s for item in model.inputs for s in item.symbols}
+    linear = [("G", model.G), ("noise", model.noise)] + ([("F", model.F)] if model.F is not None else [])
+    linear += [(f"{m.name}: z", m.z) for m in model.measurements if m.z is not None]
+    linear += [(f"{m.name}: H", m.H) for m in model.measurements if m.H is not None]
+    general = [("f", model.f)] if model.f is not None else []
+    general += [(f"{m.name}: h", m.h) for m in model.measurements if m.h is not None]
+    general += [(f.name, output.value) for f in model.functions for output in f.outputs]
+    for parts, known in ((linear, inputs), (general, inputs | states)):
+        for label, matrix in parts:
+            unknown = sorted(symbol.name for symbol in ImmutableMatrix(matrix).free_symbols - known)
+            if unknown:
+                fail(f"{label} uses {', '.join(unknown)}, which is no input" + ("" if known is inputs else " or state"))
+    if model.dt not in inputs:
+        fail(f"dt is {model.dt}, which is no input")

@@ -1,0 +1,277 @@
+"""The generated C of a model, compiled once and called from Python.
+
+`load` takes a built-in model's name or the folder of a generated one, compiles its C on first use into a cache, and
+refuses a library that is not that of the files on disk.
+"""
+
+import ctypes
+import functools
+import hashlib
+import json
+import os
+import shlex
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.runtime.manifest import cache_folder, folder_of, read_manifest
+
+FLAGS = ("-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror")
+BACKENDS = ("flight", "casadi")
+STATUS = {1: "a null pointer", 2: "not finite", 3: "outside its box"}
+
+
+def compiler() -> list[str]:
+    """The C compiler as a command: CC, or cc, or gcc."""
+    command = shlex.split(os.environ.get("CC", "")) or ["cc" if shutil.which("cc") else "gcc"]
+    if shutil.which(command[0]) is None:
+        raise BoresightError(f"no C compiler: {command[0]!r} is not found; install gcc or clang, or set CC")
+    return command
+
+
+@functools.cache
+def compiler_version(command: tuple[str, ...]) -> str:
+    return subprocess.run([*command, "--version"], capture_output=True, text=True, check=False).stdout
+
+
+def build(folder: Path, manifest: dict[str, Any], backend: str) -> tuple[Path, str]:
+    """Path of the compiled library, made if the cache has none, and the hash that it must carry."""
+    command = compiler()
+    key = hashlib.sha256()
+    for part in (json.dumps(manifest["files"], sort_keys=True), " ".join(FLAGS), " ".join(command), backend):
+        key.update(part.encode() + b"\0")
+    key.update(compiler_version(tuple(command)).encode())
+    digest = key.hexdigest()
+    target = cache_folder() / f"{folder.name}-{backend}-{digest[:32]}.so"
+    if not target.exists():
+        compile_library(folder, manifest, backend, command, digest, target)
+    return target, digest
+
+
+def compile_library(
+    folder: Path, manifest: dict[str, Any], backend: str, command: list[str], digest: str, target: Path
+) -> None:
+    """Compile aside, then move into place: no other process ever sees half a library."""
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        work = tempfile.TemporaryDirectory(dir=target.parent)
+    except OSError as error:
+        raise BoresightError(
+            f"cannot write to {target.parent} ({error.strerror}); set BORESIGHT_CACHE to a folder that you can write to"
+        ) from None
+    with work as name:
+        include, objects = ["-I", str(folder / "include")], []
+        stamp = Path(name) / "stamp.c"
+        stamp.write_text(
+            f'const char *boresight_build(void);\nconst char *boresight_build(void) {{ return "{digest}"; }}\n'
+        )
+        jobs: list[tuple[Path, list[str]]] = [(stamp, [])]
+        jobs += [(folder / "batch" / f"{manifest['c_prefix']}_batch.c", [])]
+        for stem in (unit["file"] for unit in manifest["units"].values()):
+            # CasADi's kernel has the include guard of ours: seen first, it is the one that the wrapper calls
+            instead = ["-include", str(folder / "casadi" / f"{stem}_kernel.h")] if backend == "casadi" else []
+            jobs.append((folder / "src" / f"{stem}.c", instead))
+            if backend == "casadi":
+                jobs.append((folder / "casadi" / f"{stem}_casadi.c", ["-Wno-unused-parameter"]))
+        for source, extra in jobs:
+            out = Path(name) / f"{source.stem}.o"
+            run_compiler([*command, *FLAGS, *include, *extra, "-c", str(source), "-o", str(out)])
+            objects.append(str(out))
+        aside = Path(name) / "library.so"
+        run_compiler([*command, "-shared", *objects, "-lm", "-o", str(aside)])
+        os.replace(aside, target)
+
+
+def run_compiler(command: list[str]) -> None:
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        first = next((line for line in done.stderr.splitlines() if "error" in line), done.stderr.strip()[:200])
+        raise BoresightError(f"the C compiler failed: {first}")
+
+
+class Unit:
+    """One generated function.
+
+    Called with its fields as keywords, each (..., size), or (...) if it has one component; the leading axes are runs
+    and broadcast.  Returns the output, (..., rows) or (..., rows, columns), or a dict of them if there are several.
+    Raises BoresightError on an input that is not finite or outside its box.
+    """
+
+    def __init__(self, library: "Library", name: str, described: dict[str, Any]):
+        self.name = name
+        self.described = described
+        self.fields: tuple[str, ...] = tuple(described["fields"])
+        self.structs: tuple[str, ...] = tuple(described["structs"])
+        self._library = library
+        dll = library.dll
+        self._one = getattr(dll, described["c_name"])
+        self._one.restype = ctypes.c_int
+        self._many = getattr(dll, described["c_name"] + "_batch")
+        self._many.restype = ctypes.c_size_t
+
+    def __call__(self, **fields: Any) -> Any:
+        library, given = self._library, {}
+        if set(fields) != set(self.fields):
+            raise BoresightError(
+                f"{self.name} takes {', '.join(self.fields)}; it was given {', '.join(fields) or 'nothing'}"
+            )
+        shapes = []
+        for name, value in fields.items():
+            size = library.field[name]["size"]
+            array = np.asarray(value, dtype=float)
+            if size > 1 and (array.ndim == 0 or array.shape[-1] != size):
+                raise BoresightError(f"{self.name}: {name} has shape {array.shape}; its last axis must be {size} long")
+            given[name] = array if size > 1 else array[..., None]
+            shapes.append(given[name].shape[:-1])
+        try:
+            runs = np.broadcast_shapes(*shapes)
+        except ValueError:
+            listed = ", ".join(f"{name} {np.shape(value)}" for name, value in fields.items())
+            raise BoresightError(f"{self.name}: these shapes do not go together: {listed}") from None
+        n = int(np.prod(runs, dtype=int))
+
+        arguments: list[Any] = [ctypes.c_size_t(n)]
+        kept = []
+        for struct in self.structs:
+            layout = library.layout[struct]
+            used = [(name, part) for name, part in layout.items() if name in given]
+            shared = all(given[name].ndim == 1 for name, _ in used)
+            packed = np.zeros((() if shared else runs) + (library.width[struct],))
+            for name, part in used:
+                packed[..., part] = given[name]
+            kept.append(packed)
+            # x is a plain array, whose stride counts numbers; a struct's counts structs
+            stride = 0 if shared else (library.width[struct] if struct == "x" else 1)
+            arguments += [ctypes.c_void_p(packed.ctypes.data), ctypes.c_size_t(stride)]
+        results = {r["name"]: np.empty((n, r["shape"][0] * r["shape"][1])) for r in self.described["results"]}
+        status = np.empty(n, dtype=np.uint8)
+        arguments += [ctypes.c_void_p(out.ctypes.data) for out in (*results.values(), status)]
+        if self._many(*arguments):
+            self._explain(given, runs, status.reshape(runs))
+        shaped = {}
+        for r in self.described["results"]:
+            rows, columns = r["shape"]
+            shaped[r["name"]] = results[r["name"]].reshape((*runs, rows) if r["vector"] else (*runs, rows, columns))
+        return shaped if len(shaped) > 1 else next(iter(shaped.values()))
+
+    def _explain(self, given: dict[str, np.ndarray], runs: tuple[int, ...], status: np.ndarray) -> None:
+        """Raise BoresightError that names the first field, component and run that was refused."""
+        where = tuple(int(i) for i in np.argwhere(status != 0)[0])
+        at = f" of run {where[0] if len(where) == 1 else where}" if where else ""
+        for name, array in given.items():
+            value = np.broadcast_to(array, (*runs, array.shape[-1]))[where]
+            box = self._library.field[name]
+            for i, v in enumerate(value):
+                label = f"{name}[{i}]" if len(value) > 1 else name
+                if not np.isfinite(v):
+                    raise BoresightError(f"{self.name}: {label}{at} is {v}; give a finite number")
+                if not box["low"][i] <= v <= box["high"][i]:
+                    raise BoresightError(
+                        f"{self.name}: {label}{at} is {v:.6g} {box['unit']}; it must lie within "
+                        f"{box['low'][i]:.6g} to {box['high'][i]:.6g}"
+                    )
+            if box["norm"] and not box["norm"][0] <= np.linalg.norm(value) <= box["norm"][1]:
+                raise BoresightError(
+                    f"{self.name}: {name}{at} has the norm {np.linalg.norm(value):.6g}; it must lie within "
+                    f"{box['norm'][0]:.6g} to {box['norm'][1]:.6g}"
+                )
+        raise BoresightError(
+            f"{self.name}: an input{at} was refused ({STATUS.get(int(status[where]), 'unknown status')})"
+        )
+
+    def bind(self) -> "Bound":
+        """The function for one run, bound to its own arrays: for loops where a microsecond counts."""
+        return Bound(self)
+
+    def __repr__(self) -> str:
+        return f"<{self.described['c_name']}({', '.join(self.fields)})>"
+
+
+class Bound:
+    """A function with its pointers taken once.  Write `inputs`, call, read `outputs`.
+
+    inputs: field -> (size,) view.  outputs: name -> (rows,) or (rows, columns).  The call returns the C status, which
+    the caller must look at: 0 is success, and with any other the outputs are as they were.
+    """
+
+    def __init__(self, unit: Unit):
+        library = unit._library
+        self._arrays = {struct: np.zeros(library.width[struct]) for struct in unit.structs}
+        self.inputs = {
+            name: self._arrays[struct][part]
+            for struct in unit.structs
+            for name, part in library.layout[struct].items()
+            if name in unit.fields
+        }
+        self.outputs = {
+            r["name"]: np.zeros(r["shape"][0] if r["vector"] else tuple(r["shape"])) for r in unit.described["results"]
+        }
+        pointers = [ctypes.c_void_p(a.ctypes.data) for a in (*self._arrays.values(), *self.outputs.values())]
+        self.call: Callable[[], int] = functools.partial(unit._one, *pointers)
+
+    def __call__(self) -> int:
+        return self.call()
+
+
+class Library:
+    """The functions of one model as attributes: `load("euler-matching").euler_H(euler_b=..., euler_r=...)`.
+
+    states: names of the error state's components.  manifest: what was generated, and the hash of each function.
+    """
+
+    def __init__(self, manifest: dict[str, Any], path: Path, digest: str, backend: str):
+        self.manifest, self.path, self.backend = manifest, path, backend
+        self.name: str = manifest["model"]
+        self.states: tuple[str, ...] = tuple(manifest["states"])
+        try:
+            # PyDLL keeps the interpreter's lock: a call is shorter than letting go of it and taking it again.
+            self.dll = ctypes.PyDLL(str(path))
+            self.dll.boresight_build.restype = ctypes.c_char_p
+            carried = self.dll.boresight_build().decode()
+        except (OSError, AttributeError) as error:
+            raise BoresightError(f"{path} is no library of Boresight ({error}); delete it and load again") from None
+        if carried != digest:
+            raise BoresightError(f"{path} was compiled from other sources than those on disk; delete it and load again")
+        self.field: dict[str, dict[str, Any]] = {}
+        self.layout: dict[str, dict[str, slice]] = {}
+        self.width: dict[str, int] = {}
+        for struct, fields in manifest["structs"].items():
+            start = 0
+            self.layout[struct] = {}
+            for field in fields:
+                self.field[field["name"]] = field
+                self.layout[struct][field["name"]] = slice(start, start + field["size"])
+                start += field["size"]
+            self.width[struct] = start
+        self.units = {name: Unit(self, name, described) for name, described in manifest["units"].items()}
+
+    def __getattr__(self, name: str) -> Unit:
+        units = self.__dict__.get("units", {})
+        if name in units:
+            return units[name]
+        if name.startswith("__") or not units:
+            raise AttributeError(name)
+        raise BoresightError(f"{self.name} has no function {name!r}; it has {', '.join(units)}")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.units]
+
+
+def load(model: str | Path, backend: str = "flight") -> Library:
+    """The compiled functions of a model: a built-in name, or a folder that `boresight generate` wrote.
+
+    backend: "flight" for our C, "casadi" for CasADi's own; both have the same functions and give the same bits.
+    Raises BoresightError on an unknown model, an edited file, a missing compiler, or a library that is out of date.
+    """
+    if backend not in BACKENDS:
+        raise BoresightError(f"no backend {backend!r}; there are {', '.join(BACKENDS)}")
+    folder = folder_of(model)
+    manifest = read_manifest(folder)
+    path, digest = build(folder, manifest, backend)
+    return Library(manifest, path, digest, backend)

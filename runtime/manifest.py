@@ -1,0 +1,55 @@
+"""What `boresight generate` leaves in a model's folder, read without NumPy: names, files and their hashes."""
+
+import hashlib
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from boresight import BoresightError
+
+GENERATED = Path(__file__).parent.parent / "generated"
+
+
+def built_in() -> list[str]:
+    """Names of the models that are generated with the package."""
+    return sorted(path.parent.name.replace("_", "-") for path in GENERATED.glob("*/manifest.json"))
+
+
+def folder_of(model: str | Path) -> Path:
+    """The generated folder of a built-in model's name, or the folder given."""
+    if isinstance(model, str) and (GENERATED / model.replace("-", "_") / "manifest.json").is_file():
+        return GENERATED / model.replace("-", "_")
+    if (Path(model) / "manifest.json").is_file():
+        return Path(model)
+    raise BoresightError(
+        f"no generated model {str(model)!r}; built in are {', '.join(built_in())}; for your own, give the folder that "
+        "'boresight generate' wrote"
+    )
+
+
+def read_manifest(folder: Path) -> dict[str, Any]:
+    """The folder's manifest, once every file it lists is found unchanged."""
+    try:
+        manifest = json.loads((folder / "manifest.json").read_text())
+        files = manifest["files"]
+    except (ValueError, KeyError, OSError) as error:
+        raise BoresightError(f"{folder}/manifest.json cannot be read ({error}); run 'boresight generate'") from None
+    for path, digest in files.items():
+        try:
+            content = (folder / path).read_bytes()
+        except OSError:
+            raise BoresightError(f"{folder / path} is missing; run 'boresight generate'") from None
+        if hashlib.sha256(content).hexdigest() != digest:
+            raise BoresightError(
+                f"{folder / path} was edited since it was generated; change the model instead, delete the file, and run "
+                "'boresight generate'"
+            )
+    return manifest
+
+
+def cache_folder() -> Path:
+    """Where compiled libraries are kept: BORESIGHT_CACHE, or the user's cache folder."""
+    given = os.environ.get("BORESIGHT_CACHE")
+    base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    return Path(given) if given else base / "boresight"
