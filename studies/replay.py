@@ -1,0 +1,561 @@
+"""Transfer alignment on a recording: Euler-angle matching of a slave's strapdown to its master's attitude.
+
+The slave's attitude begins as the master's, so its first error *is* the misalignment: P0 carries eps(0) = -C dmu(0).
+The model has no gyro-bias state; a calibrated bias is an input.  What is found on a real recording: docs/recordings.md.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.runtime import frames
+from boresight.runtime.filter import Filter
+from boresight.runtime.recording import Inertial, Master, Recording, best_delay, check, read, shifted
+
+Array = np.ndarray
+
+ARCMIN = np.pi / 180 / 60
+DEG_H = np.pi / 180 / 3600
+DEG_SQRT_H = np.pi / 180 / 60  # rad/sqrt(s) of 1 deg/sqrt(h)
+AXES = ("roll", "pitch", "yaw")
+MU_PRIOR = np.radians(1.0)  # rad, one sigma of each misalignment before the first update
+NOISE_RANGE = (1e-7, 0.03)  # rad/sqrt(s) and rad: what `fit_noise` searches
+FIRST_GUESS = (0.5 * DEG_SQRT_H, 1.0 * ARCMIN)  # gyro and angle noise where it begins
+
+
+# ---------------------------------------------------------------- the filter on a recording
+
+
+@dataclass(frozen=True)
+class Leg:
+    """What the filter needs of a recording, interval after interval of the master."""
+
+    time: Array  # (K+1,) s, the instants of the master that the slave covers
+    euler: Array  # (K+1, 3) rad, the master's attitude then
+    omega_in_n: Array  # (K, 3) rad/s, held over each interval
+    pieces: tuple[tuple[Array, Array], ...]  # K of: dt (J,) s, dtheta (J, 3) rad, the slave's samples, bias removed
+    turns: Array  # (K, 3) rad, the same samples as one rotation vector
+
+
+def prepare(recording: Recording, model: Any, gyro_bias: Array, rate_hz: float | None = None) -> Leg:
+    """Cut a recording into the master's intervals.  rate_hz: use the master no more often than this."""
+    imu, master = recording.imu, recording.master
+    if master is None:
+        raise BoresightError(f"{recording.name}: it has no master, and matching needs one; add [master] to its description")
+    if master.position is None:
+        raise BoresightError(f"{recording.name}: the master has no position; Earth rate needs its latitude, add master.position")
+    start, end = imu.intervals()
+    inside = (master.time >= start[0] - 0.01 * imu.dt) & (master.time <= end[-1] + 0.01 * imu.dt)
+    master = thinned(master.cut(inside), rate_hz)
+    if len(master.time) < 3:
+        raise BoresightError(f"{recording.name}: {len(master.time)} master samples fall into the slave's data; it needs 3")
+    v_n = np.zeros((len(master.time), 3)) if master.v_n is None else master.v_n
+    assert master.position is not None
+    omega = model.omega_in_n(lat=master.position[:, 0], height=master.position[:, 2], v_n=v_n)
+    pieces = []
+    for t0, t1 in zip(master.time[:-1], master.time[1:], strict=True):
+        dt, dtheta = imu.between(t0, t1)
+        pieces.append((dt, dtheta - gyro_bias * dt[:, None]))
+    turns = []
+    for _, dtheta in pieces:
+        C = np.eye(3)
+        for piece in frames.C_from_rotation_vector(dtheta):
+            C = C @ piece
+        turns.append(frames.rotation_vector(C))
+    return Leg(master.time, master.euler, omega[:-1], tuple(pieces), np.array(turns))
+
+
+def thinned(master: Master, rate_hz: float | None) -> Master:
+    """Every n-th sample of the master, so that it comes at rate_hz or just above."""
+    if rate_hz is None:
+        return master
+    if not rate_hz > 0:
+        raise BoresightError(f"the master's rate is {rate_hz} Hz; it must be above zero")
+    usual = float(np.median(np.diff(master.time)))
+    return master.cut(slice(None, None, max(1, int(1 / (rate_hz * usual) + 1e-9))))
+
+
+def fly(
+    leg: Leg, model: Any, gyro_noise: Array, angle_noise: Array, measurement: str = "euler", *, every_sample: bool = True
+) -> dict[str, Array]:
+    """One pass of the filter; leading axes of the noises are runs side by side.
+
+    gyro_noise: (..., 3) rad/sqrt(s).  angle_noise: (..., 3) rad, of the master's roll, pitch and yaw.
+    every_sample: the strapdown takes each sample of the slave; otherwise one turn an interval, which is the same rotation
+    to rounding while omega_in_n is held (it acts from the left, the samples from the right), and much faster.
+    Returns arrays by name, first axis the K updates: mu, nu, S (K, ..., 3), sigma (K, ..., 6); P (..., 6, 6) at the end.
+    """
+    runs = np.broadcast_shapes(np.shape(gyro_noise), np.shape(angle_noise))[:-1]
+    euler = leg.euler[0]
+    C, B = frames.C_b2n_from_euler(euler), body_D_euler(euler)
+    # eps = -C dmu for the misalignment that was taken to be zero; the master's own angle error adds to eps alone and
+    # keeps P0 positive definite.
+    couple = np.vstack([C, -np.eye(3)])
+    P = np.zeros((*runs, 6, 6)) + MU_PRIOR**2 * couple @ couple.T
+    P[..., :3, :3] += (C @ B) @ (np.asarray(angle_noise)[..., :, None] ** 2 * (C @ B).T)
+    nav = {"q_b2n_wxyz": np.tile(frames.wxyz_from_euler(euler), (*runs, 1)), "mu": np.zeros((*runs, 3))}
+    ekf = Filter(model, nav, P)
+    history: dict[str, list[Array]] = {"mu": [], "sigma": [], "nu": [], "S": []}
+    for k, (dts, dthetas) in enumerate(leg.pieces):
+        omega_in_n, interval = leg.omega_in_n[k], leg.time[k + 1] - leg.time[k]
+        ekf.predict(omega_in_n=omega_in_n, gyro_noise=gyro_noise, dt=interval)
+        for dt, dtheta in zip(dts, dthetas, strict=True) if every_sample else [(interval, leg.turns[k])]:
+            ekf.strapdown(dtheta_ib_b=dtheta, omega_in_n=omega_in_n, dt=dt)
+        euler_b = ekf.call("euler_angles")
+        innovation = ekf.update(measurement, angle_noise**2, euler_b=euler_b, euler_r=leg.euler[k + 1] + 0 * euler_b)
+        ekf.feedback()
+        history["mu"].append(ekf.nav["mu"])
+        history["sigma"].append(np.sqrt(np.diagonal(ekf.P, axis1=-2, axis2=-1)))
+        history["nu"].append(innovation.nu)
+        history["S"].append(innovation.S)
+    return {name: np.array(values) for name, values in history.items()} | {"P": ekf.P, "q_b2n_wxyz": ekf.nav["q_b2n_wxyz"]}
+
+
+def body_D_euler(euler: Array) -> Array:
+    """(3, 3) small rotation of the body, in body axes, for small changes of roll, pitch and yaw: Song-Lee (12)."""
+    (sr, sp, _), (cr, cp, _) = np.sin(euler), np.cos(euler)
+    return np.array([[1, 0, -sp], [0, cr, sr * cp], [0, -sr, cr * cp]])
+
+
+# ---------------------------------------------------------------- choosing the noises
+
+
+def minus_log_likelihood(track: dict[str, Array]) -> Array:
+    """(...,) of the innovations, up to a constant: what the noises are chosen by."""
+    cost: Array = 0.5 * np.sum(np.log(track["S"]) + track["nu"] ** 2 / track["S"], axis=(0, -1))
+    return cost
+
+
+def fit_noise(
+    leg: Leg, model: Any, measurement: str, gyro_noise: Array | None = None, angle_noise: Array | None = None
+) -> tuple[Array, Array, int]:
+    """The noises under which the innovations are most likely: three of the gyro (white rate), three of the master (white angle).
+
+    Fisher scoring on their logarithms, from FIRST_GUESS; the derivatives of nu and S are differences of runs flown side by
+    side.  What is given is kept.  Returns gyro_noise (3,) rad/sqrt(s), angle_noise (3,) rad, and the passes it took.
+    Raises BoresightError if it does not settle in 40 passes.
+    """
+    first = np.log(np.repeat(FIRST_GUESS, 3))
+    given = np.zeros(6, dtype=bool)
+    for part, value in ((slice(0, 3), gyro_noise), (slice(3, 6), angle_noise)):
+        if value is not None:
+            first[part], given[part] = np.log(value), True
+    free = np.flatnonzero(~given)
+    if len(free) == 0:
+        return np.exp(first[:3]), np.exp(first[3:]), 0
+
+    h = 0.05
+    bump = h * np.eye(6)[free]
+    centre, best, trial, fresh = first, np.inf, first, None
+    for passes in range(1, 41):
+        points = np.exp(np.clip(np.vstack([trial, trial + bump, trial - bump]), *np.log(NOISE_RANGE)))
+        track = fly(leg, model, points[:, :3], points[:, 3:], measurement, every_sample=False)
+        cost = minus_log_likelihood(track)
+        if cost[0] > best and fresh is not None:  # too far: go back and take half the step
+            fresh = fresh / 2
+            trial = centre + fresh
+            continue
+        centre, best = trial, cost[0]
+        n = len(free)
+        gradient = (cost[1 : n + 1] - cost[n + 1 :]) / (2 * h)
+        S = track["S"][:, 0]
+        dS = (track["S"][:, 1 : n + 1] - track["S"][:, n + 1 :]) / (2 * h)
+        dnu = (track["nu"][:, 1 : n + 1] - track["nu"][:, n + 1 :]) / (2 * h)
+        information = 0.5 * np.einsum("kim,kjm,km->ij", dS, dS, 1 / S**2) + np.einsum("kim,kjm,km->ij", dnu, dnu, 1 / S)
+        # A noise that the data says nothing of (it is far below the other) would make this singular.
+        information += 1e-3 * np.eye(n)
+        step = -np.linalg.solve(information, gradient)
+        if -gradient @ step < 0.02:  # the likelihood would change by a hundredth: settled
+            return np.exp(centre[:3]), np.exp(centre[3:]), passes
+        fresh = np.zeros(6)
+        fresh[free] = np.clip(step, -1.5, 1.5)
+        trial = np.clip(centre + fresh, *np.log(NOISE_RANGE))
+        fresh = trial - centre
+    raise BoresightError(
+        "the choice of noises did not settle in 40 passes; give gyro_noise and angle_noise, or look at --check"
+    )
+
+
+# ---------------------------------------------------------------- one replay
+
+
+def run(
+    recording: Recording,
+    model: Any,
+    *,
+    gyro_bias: Sequence[float] | Array | None = None,
+    gyro_noise: Sequence[float] | Array | None = None,
+    angle_noise: Sequence[float] | Array | None = None,
+    delay: float = 0.0,
+    rate_hz: float | None = None,
+    measurement: str = "euler",
+) -> dict[str, Any]:
+    """Replay a recording through a filter and say what came out, as a dict that json can write.
+
+    gyro_bias: (3,) rad/s, measured = true + bias, in FRD; None takes the recording's own calibration, or zero if it has none.
+    gyro_noise: (3,) rad/sqrt(s), angle_noise: (3,) rad; what is None is chosen by `fit_noise`.
+    delay: s, how old the master's data is taken to be.  measurement: "euler" (the paper's) or "euler_exact".
+    Fields: docs/recordings.md.  Raises BoresightError if the recording cannot be replayed.
+    """
+    bias, origin = _bias(recording, gyro_bias)
+    leg = prepare(shifted(recording, delay), model, bias, rate_hz)
+    given = [None if part is None else np.broadcast_to(np.asarray(part, float), (3,)) for part in (gyro_noise, angle_noise)]
+    gyro, angle, passes = fit_noise(leg, model, measurement, *given)
+    track = fly(leg, model, gyro, angle, measurement)
+    estimate, sigma = track["mu"][-1], track["sigma"][-1]
+    reference = recording.reference.get("misalignment")
+    w = track["nu"] / np.sqrt(track["S"])
+    K = len(w)
+    out: dict[str, Any] = {
+        "recording": recording.name,
+        "title": recording.title,
+        "measurement": measurement,
+        "duration_s": float(leg.time[-1] - leg.time[0]),
+        "updates": K,
+        "delay_s": delay,
+        "gyro_bias_deg_h": (bias / DEG_H).tolist(),
+        "gyro_bias_from": origin,
+        "noise": {
+            "gyro_deg_sqrt_h": (gyro / DEG_SQRT_H).tolist(),
+            "angle_arcmin": (angle / ARCMIN).tolist(),
+            "passes": passes,
+        },
+        "minus_log_likelihood": float(minus_log_likelihood(track)),
+        "misalignment": {
+            "axes": list(AXES),
+            "estimate_arcmin": (estimate / ARCMIN).tolist(),
+            "sigma_arcmin": (sigma[3:] / ARCMIN).tolist(),
+            "reference_arcmin": None if reference is None else (reference / ARCMIN).tolist(),
+            "difference_arcmin": None if reference is None else ((estimate - reference) / ARCMIN).tolist(),
+            "difference_sigmas": None if reference is None else ((estimate - reference) / sigma[3:]).tolist(),
+        },
+        "nis": nis(w),
+        "observability": observability(leg, track["P"], track["q_b2n_wxyz"]),
+        "history": {
+            "time_s": leg.time[1:].tolist(),
+            "mu_arcmin": (track["mu"] / ARCMIN).tolist(),
+            "sigma_arcmin": (track["sigma"][:, 3:] / ARCMIN).tolist(),
+            "normalised_innovation": w.tolist(),
+            "master_deg": np.degrees(leg.euler[1:]).tolist(),
+        },
+    }
+    return out
+
+
+def _bias(recording: Recording, given: Any) -> tuple[Array, str]:
+    if given is not None:
+        bias = np.asarray(given, float)
+        if bias.shape != (3,) or not np.isfinite(bias).all():
+            raise BoresightError(f"gyro_bias must be three finite numbers in rad/s; it has shape {bias.shape}")
+        return bias, "given"
+    if "gyro_bias" in recording.reference:
+        return recording.reference["gyro_bias"], "recording"
+    return np.zeros(3), "none: taken as zero"
+
+
+def nis(w: Array) -> dict[str, Any]:
+    """Consistency of (K, 3) normalised innovations: their mean square and how far they are from white.
+
+    per_angle, mean: 1 if consistent; band: the 95 % band of mean.  by_quarter: the mean over each quarter of the time, which
+    a choice of noises does not make 1.  lag1: correlation of neighbours per angle; lag1_bound: two sigmas of white noise.
+    """
+    K = len(w)
+    half = 1.96 * np.sqrt(2 / (3 * K))
+    white = [float(w[1:, i] @ w[:-1, i] / (w[:, i] @ w[:, i])) for i in range(3)]
+    mean = float(np.mean(w**2))
+    return {
+        "per_angle": np.mean(w**2, axis=0).tolist(),
+        "mean": mean,
+        "band": [1 - half, 1 + half],
+        "consistent": bool(abs(mean - 1) <= half),
+        "by_quarter": [float(np.mean(part**2)) for part in np.array_split(w, 4)],
+        "lag1": white,
+        "lag1_bound": 2 / np.sqrt(K),
+        "white": bool(np.max(np.abs(white)) <= 2 / np.sqrt(K)),
+    }
+
+
+def observability(leg: Leg, P: Array, q_b2n_wxyz: Array) -> dict[str, Any]:
+    """Why some misalignment is well known and some not: from the last covariance, and from the motion.
+
+    The measurement sees the sum of the slave's attitude error about a body axis and the misalignment about it.  Only motion
+    that turns this axis in space tells the two apart; their correlation stays at -1 otherwise.
+    """
+    T = np.eye(6)
+    T[:3, :3] = frames.C_from_wxyz(q_b2n_wxyz).T  # attitude error in body axes
+    body = T @ P @ T.T
+    sd = np.sqrt(np.diag(body))
+    C = frames.C_b2n_from_euler(leg.euler)
+    mean = C.mean(axis=0)
+    # How far each body axis strays in space: the rms angle from its own mean direction.
+    length = np.linalg.norm(mean, axis=0)
+    stray = np.sqrt(2 * (1 - np.minimum(length, 1.0)))
+    return {
+        "axes": ["front", "right", "down"],
+        "correlation": [float(body[i, i + 3] / (sd[i] * sd[i + 3])) for i in range(3)],
+        "attitude_sigma_arcmin": (sd[:3] / ARCMIN).tolist(),
+        "misalignment_sigma_arcmin": (sd[3:] / ARCMIN).tolist(),
+        "axis_stray_deg": np.degrees(stray).tolist(),
+        "turned_rms_deg": np.degrees(np.std(leg.euler, axis=0)).tolist(),
+    }
+
+
+# ---------------------------------------------------------------- saying it
+
+
+def report(result: dict[str, Any], without_bias: dict[str, Any] | None = None) -> str:
+    """The result as a text for a terminal; without_bias: the same run with gyro_bias zero, to be set beside it."""
+    lines = [
+        f"{result['title'] or result['recording']}: {result['updates']} updates in {result['duration_s']:.1f} s, "
+        f"measurement {result['measurement']}, master taken as {result['delay_s'] * 1e3:.1f} ms old",
+        f"gyro bias removed ({result['gyro_bias_from']}): {_row(result['gyro_bias_deg_h'], '.1f')} deg/h",
+        f"noises of greatest likelihood ({result['noise']['passes']} passes): "
+        f"gyro {_row(result['noise']['gyro_deg_sqrt_h'], '.3f')} deg/sqrt(h), "
+        f"master's roll, pitch, yaw {_row(result['noise']['angle_arcmin'], '.3f')} arcmin"
+        if result["noise"]["passes"]
+        else f"noises as given: gyro {_row(result['noise']['gyro_deg_sqrt_h'], '.3f')} deg/sqrt(h), "
+        f"master's roll, pitch, yaw {_row(result['noise']['angle_arcmin'], '.3f')} arcmin",
+        "",
+        _table(result),
+        "",
+        _consistency(result["nis"]),
+        "",
+        _observability(result),
+    ]
+    if without_bias is not None:
+        m = without_bias["misalignment"]
+        lines += [
+            "",
+            "Without the bias calibration, same noises:",
+            f"  misalignment {_row(m['estimate_arcmin'], '.1f')} arcmin, which it takes to be known to "
+            f"{_row(m['sigma_arcmin'], '.1f')}; mean NIS {without_bias['nis']['mean']:.1f} for each row, not 1",
+        ]
+    return "\n".join(lines)
+
+
+def _row(values: Sequence[float], spec: str) -> str:
+    return "[" + ", ".join(format(value, spec) for value in values) + "]"
+
+
+def _table(result: dict[str, Any]) -> str:
+    m = result["misalignment"]
+    known = m["reference_arcmin"] is not None
+    lines = ["misalignment   estimate   1 sigma" + ("   reference   difference   in sigmas" if known else "") + "  [arcmin]"]
+    for i, axis in enumerate(m["axes"]):
+        line = f"{axis:<12} {m['estimate_arcmin'][i]:10.3f} {m['sigma_arcmin'][i]:9.3f}"
+        if known:
+            line += f" {m['reference_arcmin'][i]:11.3f} {m['difference_arcmin'][i]:+12.3f} {m['difference_sigmas'][i]:+11.2f}"
+        lines.append(line)
+    return "\n".join(lines)
+
+
+def _consistency(nis: dict[str, Any]) -> str:
+    inside = "inside" if nis["consistent"] else "OUTSIDE"
+    white = "white" if nis["white"] else "NOT white: something is not modelled, as a delay or a bias"
+    return (
+        f"NIS for each row {_row(nis['per_angle'], '.3f')}, mean {nis['mean']:.3f}, "
+        f"{inside} its 95 % band {_row(nis['band'], '.3f')}; by quarter of the time {_row(nis['by_quarter'], '.2f')}\n"
+        f"correlation of neighbours {_row(nis['lag1'], '+.3f')}, bound {nis['lag1_bound']:.3f}: {white}"
+    )
+
+
+def _observability(result: dict[str, Any]) -> str:
+    o = result["observability"]
+    worst = int(np.argmax(o["misalignment_sigma_arcmin"]))
+    lines = ["body axis   strays in space   correlation of attitude error and misalignment about it"]
+    for i, axis in enumerate(o["axes"]):
+        lines.append(f"{axis:<9} {o['axis_stray_deg'][i]:12.2f} deg   {o['correlation'][i]:+.4f}")
+    lines.append(
+        f"Worst known: {AXES[worst]}, {o['misalignment_sigma_arcmin'][worst]:.2f} arcmin.  What is measured is the sum of "
+        f"attitude error and misalignment about an axis,\nand only turning that axis in space tells them apart."
+    )
+    return "\n".join(lines)
+
+
+def figures(result: dict[str, Any], folder: str | Path) -> list[Path]:
+    """Draw the motion, the three estimates with their sigmas, and the innovations; returns the files written."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    folder = Path(folder)
+    history = {name: np.array(values) for name, values in result["history"].items()}
+    t, reference = history["time_s"], result["misalignment"]["reference_arcmin"]
+    figure = Figure(figsize=(12, 8), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.subplots(3, 3, sharex=True)
+    for i, name in enumerate(AXES):
+        motion, estimate, innovation = axes[:, i]
+        motion.plot(t, history["master_deg"][:, i], color="0.3", lw=1)
+        motion.set_title(name)
+        mu, sigma = history["mu_arcmin"][:, i], history["sigma_arcmin"][:, i]
+        estimate.fill_between(t, mu - sigma, mu + sigma, color="C0", alpha=0.25, lw=0, label="1 sigma")
+        estimate.plot(t, mu, color="C0", lw=1.2, label="estimate")
+        centre = mu[-1]
+        if reference is not None:
+            estimate.axhline(reference[i], color="C3", lw=1.2, ls="--", label="reference")
+            centre = (mu[-1] + reference[i]) / 2
+        # The first seconds are off the scale by design: the prior is a degree.
+        reach = max(6 * sigma[-1], 3.0) + abs(mu[-1] - centre)
+        estimate.set_ylim(centre - reach, centre + reach)
+        innovation.plot(t, history["normalised_innovation"][:, i], ".", ms=2, color="C0")
+        for bound in (-2, 2):
+            innovation.axhline(bound, color="0.5", lw=0.8, ls=":")
+        innovation.set_ylim(-6, 6)
+        innovation.set_xlabel("time [s]")
+    for row, label in enumerate(("master's angle [deg]", "misalignment [arcmin]", "innovation / sigma")):
+        axes[row, 0].set_ylabel(label)
+    axes[1, 0].legend(loc="upper right", fontsize=8)
+    nis_text = f"mean NIS {result['nis']['mean']:.2f} for each row"
+    figure.suptitle(f"{result['title'] or result['recording']}; delay {result['delay_s'] * 1e3:.1f} ms; {nis_text}")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        path = folder / f"replay_{result['recording']}.png"
+        figure.savefig(path, dpi=110)
+    except OSError as error:
+        raise BoresightError(f"{folder}: cannot write the figure: {error.strerror}; choose another folder with -o") from None
+    return [path]
+
+
+def main(
+    path: str,
+    model_name: str = "euler-matching",
+    *,
+    only_check: bool = False,
+    folder: str | None = None,
+    as_json: bool = False,
+    delay: float = 0.0,
+    rate_hz: float | None = None,
+    measurement: str = "euler",
+) -> int:
+    """What `boresight replay` does; returns the exit status: 0 if nothing is wrong and NIS is consistent, else 1."""
+    import json
+
+    if only_check:
+        findings = check(read(path, strict=False))
+        if as_json:
+            print(json.dumps({"findings": [vars(finding) for finding in findings]}, indent=1))
+        else:
+            for finding in findings:
+                print(f"{finding.level:<8} {finding.where:<16} {finding.text}")
+        return int(any(finding.level == "error" for finding in findings))
+
+    if model_name != "euler-matching":
+        raise BoresightError(f"no replay for the model {model_name!r}; there is one for: euler-matching")
+    recording = read(path)
+    from boresight.runtime.library import load
+
+    model = load(model_name)
+    result = run(recording, model, delay=delay, rate_hz=rate_hz, measurement=measurement)
+    without_bias = None
+    if any(result["gyro_bias_deg_h"]):
+        noise = result["noise"]
+        without_bias = run(
+            recording,
+            model,
+            gyro_bias=np.zeros(3),
+            gyro_noise=np.array(noise["gyro_deg_sqrt_h"]) * DEG_SQRT_H,
+            angle_noise=np.array(noise["angle_arcmin"]) * ARCMIN,
+            delay=delay,
+            rate_hz=rate_hz,
+            measurement=measurement,
+        )
+    written = figures(result, folder) if folder else []
+    assert recording.master is not None
+    seen, gain = best_delay(recording.imu, recording.master)
+    if as_json:
+        out = {"result": _short(result), "without_bias": without_bias and _short(without_bias)}
+        print(json.dumps({**out, "delay_seen_s": seen, "figures": [str(file) for file in written]}, indent=1))
+    else:
+        print(report(result, without_bias))
+        print(f"\nThe turns fit best if the master is {seen * 1e3:.1f} ms old: {gain:.1f} times better than at 0 ms.")
+        for file in written:
+            print(f"figure: {file}")
+    return int(not result["nis"]["consistent"])
+
+
+def _short(result: dict[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in result.items() if name != "history"}
+
+
+# ---------------------------------------------------------------- a recording whose truth is known
+
+
+def simulate(path: str | Path, seed: int, *, duration: float = 60.0, delay: float = 0.0) -> Path:
+    """Write a recording like the real one: PATH.npz in RFU and ENU with degrees and increments, and PATH.toml that says so.
+
+    The motion is a drive at constant velocity: half a minute of small angles, then roll to 30 deg.  Truth stands under
+    [reference] in the file.  The slave samples at 100 Hz with white noise and a constant bias, the master at 10 Hz with white
+    angle noise and, if delay is not zero, old by it.  Returns the path of the description.
+    """
+    rng = np.random.default_rng(seed)
+    base = Path(path).with_suffix("")
+    dt, steps, lat, height = 0.01, round(duration / 0.01), np.radians(34.4), 170.0
+    v_n = np.array([12.0, -0.7, 0.0])
+    bias = np.radians(rng.normal(0, 200, 3)) / 3600
+    mu = rng.normal(0, 8, 3) * ARCMIN
+    gyro_noise, angle_noise = 0.2 * DEG_SQRT_H, 0.2 * ARCMIN
+
+    def euler_at(t: Array) -> Array:
+        swell = 1 / (1 + np.exp(-(t - duration / 3)))
+        roll = np.radians(2 * np.sin(0.5 * t) + 28 * swell * np.sin(0.4 * t))
+        pitch = np.radians(-1.5 + 2.0 * np.sin(0.11 * t + 1))
+        return np.stack([roll, pitch, np.radians(-1 + 1.5 * np.sin(0.17 * t + 2))], axis=-1)
+
+    radius = 6371e3  # enough for a transport rate that is the same on both sides of the simulation
+    omega = 7.292115e-5 * np.array([np.cos(lat), 0, -np.sin(lat)]) + np.array([v_n[1], -v_n[0], 0]) / radius
+    t = np.arange(steps + 1) * dt
+    C_r = frames.C_b2n_from_euler(euler_at(t))
+    C_b = C_r @ frames.C_from_rotation_vector(mu)
+    turn = np.swapaxes(C_b[:-1], -1, -2) @ frames.C_from_rotation_vector(omega * dt) @ C_b[1:]
+    dtheta = frames.rotation_vector(turn) + bias * dt + gyro_noise * np.sqrt(dt) * rng.standard_normal((steps, 3))
+    force = np.einsum("kji,j->ki", C_b, np.array([0, 0, -9.797]))
+    dvel = (force[1:] + force[:-1]) / 2 * dt
+    every = np.arange(10, steps + 1, 10)
+    euler = euler_at(t[every] - delay) + angle_noise * rng.standard_normal((len(every), 3))
+    position = np.column_stack([lat + v_n[0] / radius * t[every], 1.9 + 0 * t[every], height + 0 * t[every]])
+
+    to_rfu = frames.body_to_frd("RFU").T
+    np.savez(
+        base.with_suffix(".npz"),
+        t_imu=t[1:],
+        dtheta=np.degrees(dtheta @ to_rfu.T),
+        dvel=dvel @ to_rfu.T,
+        t_ins=t[every],
+        attitude=np.degrees(frames.angles_from_euler(euler, ("pitch", "roll", "yaw"), "counter-clockwise")),
+        velocity=np.tile(frames.navigation_to_ned("ENU").T @ v_n, (len(every), 1)),
+        position=np.column_stack([np.degrees(position[:, :2]), position[:, 2]]),
+        true_gyro_bias=np.degrees(to_rfu @ bias) * 3600,
+        true_misalignment=to_rfu @ mu / ARCMIN,
+    )
+    toml = base.with_suffix(".toml")
+    toml.write_text(SIMULATED.format(file=base.with_suffix(".npz").name, seed=seed), encoding="utf-8")
+    return toml
+
+
+SIMULATED = """title = "simulated master and slave, seed {seed}"
+file = "{file}"
+
+[imu]
+kind = "increments"
+time_marks = "end"
+body = "RFU"
+time = {{ columns = "t_imu", unit = "s" }}
+gyro = {{ columns = "dtheta", unit = "deg" }}
+accel = {{ columns = "dvel", unit = "m/s" }}
+
+[master]
+body = "RFU"
+navigation = "ENU"
+time = {{ columns = "t_ins", unit = "s" }}
+attitude = {{ columns = "attitude", unit = "deg", order = "pitch roll yaw", yaw_positive = "counter-clockwise" }}
+velocity = {{ columns = "velocity", unit = "m/s" }}
+position = {{ columns = "position", unit = "deg" }}
+
+[reference]
+gyro_bias = {{ columns = "true_gyro_bias", unit = "deg/h" }}
+misalignment = {{ columns = "true_misalignment", unit = "arcmin" }}
+"""
