@@ -626,8 +626,8 @@ def _check_gravity(imu: Inertial, master: Master) -> list[Finding]:
 def best_delay(imu: Inertial, master: Master, span: float = 0.1, step: float = 0.0025) -> tuple[float, float]:
     """s, how old the master's data seems (within +-span), and how many times smaller the misfit is than at zero.
 
-    The slave's turns are regressed on the master's (all three axes and a bias, so misalignment and scale do not matter) for
-    each trial delay; the misfit's minimum is refined by a parabola.  A look at the data, without uncertainty.
+    The slave's turns are regressed on the master's (all three axes and a bias, so misalignment and scale do not matter)
+    for each trial delay; the misfit's minimum is refined by a parabola.  A look at the data, without uncertainty.
     """
     start, end, dtheta, _ = imu.increments
     edges, angle = np.append(start[:1], end), np.vstack([np.zeros(3), np.cumsum(dtheta, axis=0)])

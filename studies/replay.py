@@ -14,7 +14,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import frames
 from boresight.runtime.filter import Filter
-from boresight.runtime.recording import Inertial, Master, Recording, best_delay, check, read, shifted
+from boresight.runtime.recording import Master, Recording, best_delay, check, read, shifted
 
 Array = np.ndarray
 
@@ -22,6 +22,7 @@ ARCMIN = np.pi / 180 / 60
 DEG_H = np.pi / 180 / 3600
 DEG_SQRT_H = np.pi / 180 / 60  # rad/sqrt(s) of 1 deg/sqrt(h)
 AXES = ("roll", "pitch", "yaw")
+MEASUREMENTS = ("euler_exact", "euler")
 MU_PRIOR = np.radians(1.0)  # rad, one sigma of each misalignment before the first update
 NOISE_RANGE = (1e-7, 0.03)  # rad/sqrt(s) and rad: what `fit_noise` searches
 FIRST_GUESS = (0.5 * DEG_SQRT_H, 1.0 * ARCMIN)  # gyro and angle noise where it begins
@@ -45,14 +46,15 @@ def prepare(recording: Recording, model: Any, gyro_bias: Array, rate_hz: float |
     """Cut a recording into the master's intervals.  rate_hz: use the master no more often than this."""
     imu, master = recording.imu, recording.master
     if master is None:
-        raise BoresightError(f"{recording.name}: it has no master, and matching needs one; add [master] to its description")
+        raise BoresightError(f"{recording.name}: it has no master, and matching needs one; describe it in [master]")
     if master.position is None:
-        raise BoresightError(f"{recording.name}: the master has no position; Earth rate needs its latitude, add master.position")
+        raise BoresightError(f"{recording.name}: Earth rate needs the latitude; describe master.position")
     start, end = imu.intervals()
     inside = (master.time >= start[0] - 0.01 * imu.dt) & (master.time <= end[-1] + 0.01 * imu.dt)
     master = thinned(master.cut(inside), rate_hz)
     if len(master.time) < 3:
-        raise BoresightError(f"{recording.name}: {len(master.time)} master samples fall into the slave's data; it needs 3")
+        count = len(master.time)
+        raise BoresightError(f"{recording.name}: {count} samples of the master fall into the slave's data; it needs 3")
     v_n = np.zeros((len(master.time), 3)) if master.v_n is None else master.v_n
     assert master.position is not None
     omega = model.omega_in_n(lat=master.position[:, 0], height=master.position[:, 2], v_n=v_n)
@@ -80,14 +82,15 @@ def thinned(master: Master, rate_hz: float | None) -> Master:
 
 
 def fly(
-    leg: Leg, model: Any, gyro_noise: Array, angle_noise: Array, measurement: str = "euler", *, every_sample: bool = True
+    leg: Leg, model: Any, gyro_noise: Array, angle_noise: Array, measurement: str, *, every_sample: bool = True
 ) -> dict[str, Array]:
     """One pass of the filter; leading axes of the noises are runs side by side.
 
     gyro_noise: (..., 3) rad/sqrt(s).  angle_noise: (..., 3) rad, of the master's roll, pitch and yaw.
-    every_sample: the strapdown takes each sample of the slave; otherwise one turn an interval, which is the same rotation
-    to rounding while omega_in_n is held (it acts from the left, the samples from the right), and much faster.
-    Returns arrays by name, first axis the K updates: mu, nu, S (K, ..., 3), sigma (K, ..., 6); P (..., 6, 6) at the end.
+    every_sample: the strapdown takes each sample of the slave; otherwise one turn an interval, which is the same
+    rotation to rounding while omega_in_n is held (it acts from the left, the samples from the right), and much faster.
+    Returns arrays by name, first axis the K updates: mu, nu, S (K, ..., 3), sigma (K, ..., 6); and at the end
+    P (..., 6, 6), q_b2n_wxyz (..., 4).
     """
     runs = np.broadcast_shapes(np.shape(gyro_noise), np.shape(angle_noise))[:-1]
     euler = leg.euler[0]
@@ -112,7 +115,8 @@ def fly(
         history["sigma"].append(np.sqrt(np.diagonal(ekf.P, axis1=-2, axis2=-1)))
         history["nu"].append(innovation.nu)
         history["S"].append(innovation.S)
-    return {name: np.array(values) for name, values in history.items()} | {"P": ekf.P, "q_b2n_wxyz": ekf.nav["q_b2n_wxyz"]}
+    track = {name: np.array(values) for name, values in history.items()}
+    return track | {"P": ekf.P, "q_b2n_wxyz": ekf.nav["q_b2n_wxyz"]}
 
 
 def body_D_euler(euler: Array) -> Array:
@@ -133,10 +137,11 @@ def minus_log_likelihood(track: dict[str, Array]) -> Array:
 def fit_noise(
     leg: Leg, model: Any, measurement: str, gyro_noise: Array | None = None, angle_noise: Array | None = None
 ) -> tuple[Array, Array, int]:
-    """The noises under which the innovations are most likely: three of the gyro (white rate), three of the master (white angle).
+    """The noises under which the innovations are most likely: of the gyro (white rate), of the master (white angle).
 
-    Fisher scoring on their logarithms, from FIRST_GUESS; the derivatives of nu and S are differences of runs flown side by
-    side.  What is given is kept.  Returns gyro_noise (3,) rad/sqrt(s), angle_noise (3,) rad, and the passes it took.
+    Fisher scoring on the logarithms of all six, from FIRST_GUESS; the derivatives of nu and S are differences of runs
+    flown side by side.  What is given is kept.
+    Returns gyro_noise (3,) rad/sqrt(s), angle_noise (3,) rad, and the passes it took.
     Raises BoresightError if it does not settle in 40 passes.
     """
     first = np.log(np.repeat(FIRST_GUESS, 3))
@@ -192,19 +197,23 @@ def run(
     angle_noise: Sequence[float] | Array | None = None,
     delay: float = 0.0,
     rate_hz: float | None = None,
-    measurement: str = "euler",
+    measurement: str = "euler_exact",
 ) -> dict[str, Any]:
     """Replay a recording through a filter and say what came out, as a dict that json can write.
 
-    gyro_bias: (3,) rad/s, measured = true + bias, in FRD; None takes the recording's own calibration, or zero if it has none.
+    gyro_bias: (3,) rad/s, measured = true + bias, in FRD; None takes the recording's own, or zero if it has none.
     gyro_noise: (3,) rad/sqrt(s), angle_noise: (3,) rad; what is None is chosen by `fit_noise`.
-    delay: s, how old the master's data is taken to be.  measurement: "euler" (the paper's) or "euler_exact".
+    delay: s, how old the master's data is taken to be.  measurement: "euler_exact", or "euler" as the
+    paper has it, whose second-order error shows in a misalignment that is known badly.
     Fields: docs/recordings.md.  Raises BoresightError if the recording cannot be replayed.
     """
+    if measurement not in MEASUREMENTS:
+        raise BoresightError(f"measurement {measurement!r} is not known; use {' or '.join(MEASUREMENTS)}")
     bias, origin = _bias(recording, gyro_bias)
     leg = prepare(shifted(recording, delay), model, bias, rate_hz)
-    given = [None if part is None else np.broadcast_to(np.asarray(part, float), (3,)) for part in (gyro_noise, angle_noise)]
-    gyro, angle, passes = fit_noise(leg, model, measurement, *given)
+    gyro, angle, passes = fit_noise(
+        leg, model, measurement, _noise("gyro_noise", gyro_noise), _noise("angle_noise", angle_noise)
+    )
     track = fly(leg, model, gyro, angle, measurement)
     estimate, sigma = track["mu"][-1], track["sigma"][-1]
     reference = recording.reference.get("misalignment")
@@ -257,11 +266,22 @@ def _bias(recording: Recording, given: Any) -> tuple[Array, str]:
     return np.zeros(3), "none: taken as zero"
 
 
+def _noise(name: str, given: Any) -> Array | None:
+    if given is None:
+        return None
+    noise = np.asarray(given, float)
+    if noise.shape != (3,) or not ((noise >= NOISE_RANGE[0]) & (noise <= NOISE_RANGE[1])).all():
+        low, high = NOISE_RANGE
+        raise BoresightError(f"{name} must be three numbers from {low} to {high}, in rad and s; it is {noise.tolist()}")
+    return noise
+
+
 def nis(w: Array) -> dict[str, Any]:
     """Consistency of (K, 3) normalised innovations: their mean square and how far they are from white.
 
-    per_angle, mean: 1 if consistent; band: the 95 % band of mean.  by_quarter: the mean over each quarter of the time, which
-    a choice of noises does not make 1.  lag1: correlation of neighbours per angle; lag1_bound: two sigmas of white noise.
+    per_angle, mean: 1 if consistent; band: the 95 % band of mean.  by_quarter: the mean over each quarter of the time,
+    which a choice of noises does not make 1.  lag1: correlation of neighbours per angle; lag1_bound: two sigmas of
+    white noise.
     """
     K = len(w)
     half = 1.96 * np.sqrt(2 / (3 * K))
@@ -282,8 +302,8 @@ def nis(w: Array) -> dict[str, Any]:
 def observability(leg: Leg, P: Array, q_b2n_wxyz: Array) -> dict[str, Any]:
     """Why some misalignment is well known and some not: from the last covariance, and from the motion.
 
-    The measurement sees the sum of the slave's attitude error about a body axis and the misalignment about it.  Only motion
-    that turns this axis in space tells the two apart; their correlation stays at -1 otherwise.
+    The measurement sees the sum of the slave's attitude error about a body axis and the misalignment about it.  Only
+    motion that turns this axis in space tells the two apart; their correlation stays at -1 otherwise.
     """
     T = np.eye(6)
     T[:3, :3] = frames.C_from_wxyz(q_b2n_wxyz).T  # attitude error in body axes
@@ -344,11 +364,12 @@ def _row(values: Sequence[float], spec: str) -> str:
 def _table(result: dict[str, Any]) -> str:
     m = result["misalignment"]
     known = m["reference_arcmin"] is not None
-    lines = ["misalignment   estimate   1 sigma" + ("   reference   difference   in sigmas" if known else "") + "  [arcmin]"]
+    lines = ["arcmin         estimate   1 sigma" + ("   reference   difference   in sigmas" if known else "")]
     for i, axis in enumerate(m["axes"]):
         line = f"{axis:<12} {m['estimate_arcmin'][i]:10.3f} {m['sigma_arcmin'][i]:9.3f}"
         if known:
-            line += f" {m['reference_arcmin'][i]:11.3f} {m['difference_arcmin'][i]:+12.3f} {m['difference_sigmas'][i]:+11.2f}"
+            line += f" {m['reference_arcmin'][i]:11.3f} {m['difference_arcmin'][i]:+12.3f}"
+            line += f" {m['difference_sigmas'][i]:+11.2f}"
         lines.append(line)
     return "\n".join(lines)
 
@@ -370,8 +391,8 @@ def _observability(result: dict[str, Any]) -> str:
     for i, axis in enumerate(o["axes"]):
         lines.append(f"{axis:<9} {o['axis_stray_deg'][i]:12.2f} deg   {o['correlation'][i]:+.4f}")
     lines.append(
-        f"Worst known: {AXES[worst]}, {o['misalignment_sigma_arcmin'][worst]:.2f} arcmin.  What is measured is the sum of "
-        f"attitude error and misalignment about an axis,\nand only turning that axis in space tells them apart."
+        f"Worst known: {AXES[worst]}, to {o['misalignment_sigma_arcmin'][worst]:.2f} arcmin.  Measured is the sum of "
+        "attitude error and\nmisalignment about an axis, and only turning that axis in space tells them apart."
     )
     return "\n".join(lines)
 
@@ -416,7 +437,8 @@ def figures(result: dict[str, Any], folder: str | Path) -> list[Path]:
         path = folder / f"replay_{result['recording']}.png"
         figure.savefig(path, dpi=110)
     except OSError as error:
-        raise BoresightError(f"{folder}: cannot write the figure: {error.strerror}; choose another folder with -o") from None
+        text = f"{folder}: cannot write the figure: {error.strerror}; choose another folder with -o"
+        raise BoresightError(text) from None
     return [path]
 
 
@@ -429,7 +451,7 @@ def main(
     as_json: bool = False,
     delay: float = 0.0,
     rate_hz: float | None = None,
-    measurement: str = "euler",
+    measurement: str = "euler_exact",
 ) -> int:
     """What `boresight replay` does; returns the exit status: 0 if nothing is wrong and NIS is consistent, else 1."""
     import json
@@ -485,11 +507,11 @@ def _short(result: dict[str, Any]) -> dict[str, Any]:
 
 
 def simulate(path: str | Path, seed: int, *, duration: float = 60.0, delay: float = 0.0) -> Path:
-    """Write a recording like the real one: PATH.npz in RFU and ENU with degrees and increments, and PATH.toml that says so.
+    """Write a recording like the real one: PATH.npz in RFU and ENU with degrees and increments, PATH.toml says so.
 
-    The motion is a drive at constant velocity: half a minute of small angles, then roll to 30 deg.  Truth stands under
-    [reference] in the file.  The slave samples at 100 Hz with white noise and a constant bias, the master at 10 Hz with white
-    angle noise and, if delay is not zero, old by it.  Returns the path of the description.
+    The motion is a drive at constant velocity, small angles first, then roll to 30 deg.  Truth stands under [reference]
+    in the file.  The slave samples at 100 Hz with white noise and a constant bias, the master at 10 Hz with white angle
+    noise and, if delay is not zero, old by it.  Returns the path of the description.
     """
     rng = np.random.default_rng(seed)
     base = Path(path).with_suffix("")
