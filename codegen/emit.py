@@ -98,7 +98,7 @@ def statements(unit: Unit, columns: tuple[str, ...]) -> list[str]:
 
 
 def temporaries(unit: Unit, tape: Tape) -> list[str]:
-    """What each value of the tape is called: inputs and constants as they are, sines by their angle, the rest counted."""
+    """What each value of the tape is called: inputs and constants as they are, sines by their angle, others counted."""
     taken: set[str] = set()
     names: list[str] = []
     for position, step in enumerate(tape.steps):
@@ -152,7 +152,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
 
     args = []
     for a in unit.args:
-        struct, path = reach.get(a.name, ("", "x"))
+        _, path = reach.get(a.name, ("", "x"))
         pointer = path if a.size > 1 else f"&{path}"
         local = path.replace("->", ".")
         args.append(
@@ -169,7 +169,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
                 "text": f"{path}: {a.meaning} ({a.unit}{', ' + a.frame if a.frame else ''}); {ranges(a)}",
             }
         )
-    results = []
+    results: list[dict[str, Any]] = []
     for r in unit.results:
         positions = [row * r.shape[1] + column for row, column in r.nonzeros]
         total = r.shape[0] * r.shape[1]
@@ -226,7 +226,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         + [{"declaration": f"{prefix}_{s} {s} = {{0}}"} for s in structs],
         "reads": (["x"] if reads_x else []) + structs,
         "call": f"{c_name}({', '.join(call[0] + call[1])})",
-        "null_call": f"{c_name}({', '.join(['0'] + (call[0] + call[1])[1:])})",
+        "null_call": f"{c_name}({', '.join(['0', *(call[0] + call[1])[1:]])})",
         "batch_parameters": ", ".join(
             (["const bs_real *x, size_t x_stride"] if reads_x else [])
             + [f"const {prefix}_{s} *{s}, size_t {s}_stride" for s in structs]
@@ -423,7 +423,8 @@ def manifest(model: Model, made: list[Unit], files: dict[str, str], versions: di
         "c_prefix": model.c_prefix,
         "states": [s.name for s in model.x],
         "blocks": [field(v) for v in model.states],
-        "structs": {"x": [field(state_variable(model))]} | {s.name: [field(v) for v in s.fields] for s in model.structs},
+        "structs": {"x": [field(state_variable(model))]}
+        | {s.name: [field(v) for v in s.fields] for s in model.structs},
         "measurements": {
             m.name: {"rows": m.rows, "unit": m.unit, "meaning": m.meaning, "angle": m.angle, "equations": m.equations}
             for m in model.measurements

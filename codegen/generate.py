@@ -71,7 +71,7 @@ def default_folder(target: str) -> Path:
 
 
 def load_model(target: str) -> Any:
-    """The Model named by `target`: a built-in name, or FILE.py:NAME where NAME is a Model or a function that makes one."""
+    """The Model that `target` names: a built-in, or FILE.py:NAME with NAME a Model or a function that makes one."""
     from boresight.derive.model import Model
 
     if ":" not in target:
@@ -162,7 +162,7 @@ def edited(folder: Path, manifest: dict[str, Any]) -> list[str]:
 def old_manifest(folder: Path) -> dict[str, Any]:
     try:
         return dict(json.loads((folder / "manifest.json").read_text()))
-    except FileNotFoundError:
+    except (FileNotFoundError, NotADirectoryError):
         return {}
     except (OSError, ValueError) as error:
         raise BoresightError(f"{folder}/manifest.json cannot be read ({error}); delete it and generate again") from None

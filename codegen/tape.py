@@ -14,10 +14,11 @@ import numpy as np
 
 from boresight import BoresightError
 
-OPERATIONS = {
-    getattr(ca, f"OP_{name.upper()}"): name
-    for name in ["assign", "add", "sub", "mul", "div", "neg", "sq", "twice", "inv", "sqrt", "sin", "cos", "atan2", "fabs", "lt", "le", "eq", "ne", "not", "and", "or", "if_else_zero", "const", "input", "output"]
-}
+NAMES = (
+    "assign add sub mul div neg sq twice inv sqrt sin cos atan2 fabs lt le eq ne not and or if_else_zero "
+    "const input output"
+)
+OPERATIONS = {getattr(ca, f"OP_{name.upper()}"): name for name in NAMES.split()}
 FREE = {"const", "input"}  # no work at run time
 UNIT_ROUNDOFF = 2.0**-53
 
@@ -85,7 +86,7 @@ def tape(function: Any) -> Tape:
 
 
 UNARY = {"neg", "sq", "twice", "inv", "sqrt", "sin", "cos", "fabs", "not"}
-BUILD = {
+BUILD: dict[str, Any] = {
     "add": lambda a, b: a + b,
     "sub": lambda a, b: a - b,
     "mul": lambda a, b: a * b,
@@ -148,6 +149,17 @@ def share_reciprocals(function: Any) -> Any:
         ca.GlobalOptions.setSimplificationOnTheFly(simplifying)
 
 
+TESTS = {
+    "lt": lambda x, y: x < y,
+    "le": lambda x, y: x <= y,
+    "eq": lambda x, y: x == y,
+    "ne": lambda x, y: x != y,
+    "not": lambda x, y: x == 0,
+    "and": lambda x, y: (x != 0) & (y != 0),
+    "or": lambda x, y: (x != 0) | (y != 0),
+}
+
+
 @np.errstate(over="ignore", divide="ignore", invalid="ignore")  # where nothing bounds the error, it is infinite
 def evaluate(
     program: Tape, inputs: list[np.ndarray], libm_ulps: float = 1.0
@@ -207,11 +219,7 @@ def evaluate(
             elif step.op == "if_else_zero":
                 v, e = np.where(x != 0, y, 0), np.where(x != 0, ey, 0)
             else:
-                tests = {
-                    "lt": lambda: x < y, "le": lambda: x <= y, "eq": lambda: x == y, "ne": lambda: x != y,
-                    "not": lambda: x == 0, "and": lambda: (x != 0) & (y != 0), "or": lambda: (x != 0) | (y != 0),
-                }  # fmt: skip
-                v, e = tests[step.op]().astype(float), zero
+                v, e = TESTS[step.op](x, y).astype(float), zero
         value.append(v + zero)
         error.append(e + zero)
     # 1 + 1e-9 covers the rounding of the bounds themselves; the smallest number covers underflow.

@@ -23,6 +23,7 @@ from boresight.derive.model import Measurement, Model
 from boresight.runtime.library import Library, load
 
 POINTS, CORNERS = 1000, 64
+REFERENCE = 1e-30  # what the 50 digits are good for where they were differentiated numerically
 LIMIT = 1e-12  # (19) and the Jacobian of the exact measurement, where nothing is neglected
 
 
@@ -98,8 +99,10 @@ def check_unit(model: Model, unit: Unit, flight: Library, casadi: Library, point
                         difference -= turn * mp.nint(difference / turn)
                     error = float(abs(difference))
                 largest = max(largest, error)
-                if error > 0 or not np.isfinite(got):
-                    looseness = min(looseness, bound[o, nz][k] / error) if np.isfinite(got) else 0.0
+                if not np.isfinite(got):
+                    looseness = 0.0
+                elif error > REFERENCE * max(1.0, abs(float(got))):
+                    looseness = min(looseness, bound[o, nz][k] / error)
     return UnitCheck(
         model.name,
         unit.name,

@@ -105,7 +105,7 @@ class Measurement:
 
     z: (m) measured minus predicted at zero error, from the inputs; None if the caller brings it.
     h: (m) what z is expected to be for an error state x, from states and inputs; its Jacobian is printed as H.
-    H: (m, n) a linear measurement matrix instead of h.  first_order: what this H approximates, for verify to hold it to.
+    H: (m, n) a linear measurement matrix instead of h.  first_order: what this H approximates.
     angle: z and h are angles, and are wrapped to [-pi, pi).
     """
 
@@ -241,7 +241,7 @@ class Model:
 
 
 def check(model: Model) -> None:
-    """Raise BoresightError on a model whose parts do not fit: shapes, names, symbols that are neither state nor input."""
+    """Raise BoresightError on a model whose parts do not fit: shapes, names, symbols that nothing declares."""
 
     def fail(text: str) -> None:
         raise BoresightError(f"model {model.name}: {text}")

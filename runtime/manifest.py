@@ -42,8 +42,8 @@ def read_manifest(folder: Path) -> dict[str, Any]:
             raise BoresightError(f"{folder / path} is missing; run 'boresight generate'") from None
         if hashlib.sha256(content).hexdigest() != digest:
             raise BoresightError(
-                f"{folder / path} was edited since it was generated; change the model instead, delete the file, and run "
-                "'boresight generate'"
+                f"{folder / path} was edited since it was generated; change the model instead, delete the file, "
+                "and run 'boresight generate'"
             )
     return manifest
 

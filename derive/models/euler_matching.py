@@ -42,17 +42,18 @@ def euler_matching() -> Model:
     mu = variable("mu", "mu_x mu_y mu_z", "rad", "estimated misalignment, C_b2n = C_r2n exp([mu x])", -0.5, 0.5,
                   frame="master body")  # fmt: skip
     dtheta = variable("dtheta_ib_b", "dtheta_x dtheta_y dtheta_z", "rad",
-                      "rotation vector of the body over dt, gyro bias removed", -0.5, 0.5, frame="slave body")  # fmt: skip
+                      "rotation vector of the body over dt, gyro bias removed", -0.5, 0.5,
+                      frame="slave body")  # fmt: skip
     omega_in = variable("omega_in_n", "omega_in_n omega_in_e omega_in_d", "rad/s",
                         "rate of the local level against inertial space", -0.01, 0.01, frame="NED")  # fmt: skip
     dt = variable("dt", "dt", "s", "length of the step", 1e-6, 10.0)
     gyro_noise = variable("gyro_noise", "gyro_noise_x gyro_noise_y gyro_noise_z", "rad/sqrt(s)",
                           "root power spectral density of the gyros", 0.0, 0.1, frame="slave body")  # fmt: skip
-    euler_b = variable("euler_b", "phi_b theta_b psi_b", "rad", "roll, pitch, yaw of the slave", ANGLES_LOW, ANGLES_HIGH,
-                       frame="NED to slave body")  # fmt: skip
+    euler_b = variable("euler_b", "phi_b theta_b psi_b", "rad", "roll, pitch, yaw of the slave", ANGLES_LOW,
+                       ANGLES_HIGH, frame="NED to slave body")  # fmt: skip
     euler_r = variable("euler_r", "phi_r theta_r psi_r", "rad",
-                       "roll, pitch, yaw of the master; where one is not measured, the slave's", ANGLES_LOW, ANGLES_HIGH,
-                       frame="NED to master body")  # fmt: skip
+                       "roll, pitch, yaw of the master; where one is not measured, the slave's", ANGLES_LOW,
+                       ANGLES_HIGH, frame="NED to master body")  # fmt: skip
     lat = variable("lat", "lat", "rad", "geodetic latitude", -radians(85), radians(85))
     height = variable("height", "height", "m", "height above the ellipsoid", -500.0, 30000.0)
     v_n = variable("v_n", "v_n v_e v_d", "m/s", "velocity over the ground", -1000.0, 1000.0, frame="NED")
@@ -116,7 +117,8 @@ def euler_matching() -> Model:
         ),
         functions=(
             Function("euler_angles", "roll, pitch, yaw of the slave from its quaternion", (
-                Output("euler_b", euler_from_dcm(C_b2n), "rad", "roll, pitch, yaw", "NED to slave body", ANGLES_LOW, ANGLES_HIGH),
+                Output("euler_b", euler_from_dcm(C_b2n), "rad", "roll, pitch, yaw", "NED to slave body",
+                       ANGLES_LOW, ANGLES_HIGH),
             )),
             Function("strapdown", "the slave's attitude after one interval of inertial data", (
                 Output("q_b2n_wxyz", q_next, "1", "attitude of the slave, of unit norm", "body to NED"),
@@ -126,7 +128,8 @@ def euler_matching() -> Model:
                 Output("mu", paper.corrected_misalignment(mu.vector, dmu.vector), "rad", "misalignment", "master body"),
             ), ("song-lee-2001 (23)", "song-lee-2001 (24)", "song-lee-2001 (25)")),
             Function("omega_in_n", "rate of the local level, WGS-84", (
-                Output("omega_in_n", earth.omega_ie_n(lat.scalar) + earth.omega_en_n(lat.scalar, height.scalar, v_n.vector),
+                Output("omega_in_n",
+                       earth.omega_ie_n(lat.scalar) + earth.omega_en_n(lat.scalar, height.scalar, v_n.vector),
                        "rad/s", "Earth's rate plus transport rate", "NED"),
             )),
         ),

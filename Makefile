@@ -1,0 +1,43 @@
+# run: make the environment, derive, generate, compile, verify, and fly the paper's Table 1.
+# test: the same, then every test and the checks of style and types.
+VENV := .venv
+BIN := $(VENV)/bin
+PYTHON ?= python3
+
+.PHONY: run test check docs bench clean tools
+
+run: $(VENV)/.installed
+	$(BIN)/boresight generate
+	$(BIN)/boresight equations
+	$(BIN)/boresight verify
+	$(BIN)/boresight study euler-table -o out/euler-table
+
+test: run $(VENV)/.tested check
+	$(BIN)/boresight generate --check
+	$(BIN)/python -m pytest -n auto tests
+
+check: $(VENV)/.tested
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+bench: $(VENV)/.installed
+	$(BIN)/python -m benchmarks.call
+
+tools:
+	@command -v $(PYTHON) >/dev/null || { echo "make: $(PYTHON) is missing; install python3 (3.11 or newer)"; exit 1; }
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "make: $(PYTHON) is older than 3.11; set PYTHON to a newer one"; exit 1; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || { echo "make: the venv module is missing; install python3-venv"; exit 1; }
+	@command -v $${CC:-cc} >/dev/null || { echo "make: no C compiler; install gcc, or set CC"; exit 1; }
+
+$(VENV)/.installed: pyproject.toml constraints.txt | tools
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e .
+	touch $@
+
+$(VENV)/.tested: $(VENV)/.installed
+	$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[test]'
+	touch $@
+
+clean:
+	rm -rf $(VENV) out build dist *.egg-info

@@ -1,0 +1,243 @@
+"""The command line.  Each command imports what it needs when it runs: start-up stays light."""
+
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from boresight import BoresightError, __version__
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+app = typer.Typer(no_args_is_help=True, add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False)
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document and nothing else.")]
+Out = Annotated[Path | None, typer.Option("-o", "--out", help="Folder for results.")]
+
+
+def console() -> "Console":
+    from rich.console import Console
+
+    return Console(highlight=False)
+
+
+def print_json(document: Any) -> None:
+    print(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def one_of(name: str, known: list[str], what: str) -> str:
+    if name not in known:
+        raise BoresightError(f"no {what} {name!r}; there are {', '.join(known)}")
+    return name
+
+
+@app.callback(invoke_without_command=True)
+def root(version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False) -> None:
+    """From the equations of an inertial-navigation filter to C that can be flown."""
+    if version:
+        print(f"boresight {__version__}")
+        raise typer.Exit
+
+
+@app.command()
+def models(as_json: AsJson = False) -> None:
+    """The built-in models: states, measurements, and what is generated for each."""
+    from boresight.runtime.manifest import built_in, folder_of, read_manifest
+
+    manifests = [read_manifest(folder_of(name)) for name in built_in()]
+    if as_json:
+        print_json(
+            [
+                {key: m[key] for key in ("model", "title", "frame", "c_prefix", "states", "measurements")}
+                | {"units": {name: unit["operations"] for name, unit in m["units"].items()}}
+                for m in manifests
+            ]
+        )
+        return
+    from rich.table import Table
+
+    for m in manifests:
+        print(f"{m['model']}: {m['title']}\n  frame {m['frame']}; C prefix {m['c_prefix']}_; states {' '.join(m['states'])}")
+        for name, measurement in m["measurements"].items():
+            print(f"  measurement {name} ({', '.join(measurement['rows'])}): {measurement['meaning']}")
+        table = Table("C function", "operations", "inputs", "outputs", box=None)
+        for unit in m["units"].values():
+            outputs = [f"{r['name']} {'x'.join(map(str, r['shape']))}" for r in unit["results"]]
+            table.add_row(unit["c_name"], str(unit["operations"]), ", ".join(unit["fields"]), ", ".join(outputs))
+        console().print(table)
+
+
+@app.command()
+def equations(
+    paper: Annotated[str | None, typer.Argument(help="A paper; all if left out.")] = None, as_json: AsJson = False
+) -> None:
+    """The ledger: each printed equation, its computed status, and every erratum with numbers."""
+    from boresight.derive.ledger import PAPERS, ledger
+    from boresight.derive.render import ledger_text
+
+    papers = [one_of(paper, list(PAPERS), "paper")] if paper else list(PAPERS)
+    entries = [entry for name in papers for entry in ledger(name)]
+    if as_json:
+        print_json([entry.to_dict() for entry in entries])
+    else:
+        print(ledger_text(entries))
+
+
+@app.command()
+def show(
+    name: Annotated[str, typer.Argument(metavar="MODEL|PAPER", help="A model or a paper.")],
+    equation: Annotated[str | None, typer.Argument(help="Number of an equation; all if left out.")] = None,
+    form: Annotated[str, typer.Option("--format", help="text, latex, html or pdf.")] = "text",
+    out: Annotated[Path | None, typer.Option("-o", "--out", help="File to write; needed for pdf.")] = None,
+) -> None:
+    """The derivation of a paper's equations, or of those that a model stands on, step by step."""
+    from boresight.codegen.generate import load_model, model_names
+    from boresight.derive.ledger import PAPERS
+    from boresight.derive.render import FORMATS, render, render_pdf
+
+    one_of(name, [*PAPERS, *model_names()], "paper or model")
+    one_of(form, [*FORMATS, "pdf"], "format")
+    chosen: list[tuple[str, str]] | None = None
+    paper = name
+    if name not in PAPERS:
+        sources = sorted(equation_sources(load_model(name)))
+        paper = sources[0][0]
+        chosen = [pair for pair in sources if equation in (None, pair[1])]
+        if not chosen:
+            raise BoresightError(f"{name} does not stand on ({equation}) but on {', '.join(n for _, n in sources)}")
+    numbers = [number for _, number in chosen] if chosen is not None else [equation] if equation else None
+    if form == "pdf":
+        if out is None:
+            raise BoresightError("a pdf needs a file to go to; add -o FILE.pdf")
+        content = render_pdf(paper, numbers)
+    else:
+        content = render(paper, numbers, form).encode()
+    if out is None:
+        sys.stdout.write(content.decode())
+        return
+    write(out, content)
+
+
+def equation_sources(model: Any) -> set[tuple[str, str]]:
+    """(paper, number) of every equation that a model refers to, as `song-lee-2001 (19)`."""
+    named = [*model.equations]
+    for part in (*model.measurements, *model.functions):
+        named += part.equations
+    return {(paper, number.strip("()")) for paper, number in (text.split(" ", 1) for text in named)}
+
+
+def write(path: Path, content: bytes) -> None:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+    except OSError as error:
+        raise BoresightError(f"cannot write {path} ({error.strerror}); choose another file with -o") from None
+
+
+@app.command()
+def generate(
+    targets: Annotated[list[str] | None, typer.Argument(metavar="[MODEL | FILE.py:NAME]...", show_default=False)] = None,
+    check: Annotated[bool, typer.Option("--check", help="Write nothing; exit 1 if anything would change.")] = False,
+    out: Annotated[Path | None, typer.Option("-o", "--out", help="Folder, if there is one model.")] = None,
+) -> None:
+    """Make the generated C agree with its models, and say which functions changed.
+
+    Exit status with --check: 0 no difference, 1 a difference, 3 other versions of SymPy or CasADi than those that the
+    committed files were made with, so that nothing can be said.
+    """
+    from boresight.codegen import generate as g
+
+    targets = targets or g.model_names()
+    if out is not None and len(targets) > 1:
+        raise BoresightError("-o names one folder; give one model with it")
+    status = 0
+    for target in targets:
+        report = g.generate(target, out, check)
+        label = f"{report.model} in {report.folder}"
+        if not report.comparable:
+            made = ", ".join(f"{k} {v}" for k, v in g.old_manifest(report.folder)["versions"].items())
+            here = ", ".join(f"{k} {v}" for k, v in g.versions().items())
+            print(f"{label}: not comparable; made with {made}, here are {here}")
+            status = max(status, 3)
+            continue
+        if report.up_to_date or not report.written:
+            print(f"{label}: nothing changed")
+            continue
+        for change in report.changes:
+            print(f"  {change}")
+        verb = "would change" if check else "written"
+        print(f"{label}: {len(report.changes)} functions differ, {len(report.written)} files {verb}")
+        if check:
+            for path in report.written:
+                print(f"  {path}")
+            status = max(status, 1)
+    raise typer.Exit(status)
+
+
+@app.command()
+def verify(
+    targets: Annotated[list[str] | None, typer.Argument(metavar="[MODEL | FILE.py:NAME]...", show_default=False)] = None,
+    folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Prove the compiled C: bit for bit against CasADi's C, and within rounding of 50-digit arithmetic."""
+    from rich.progress import Progress, SpinnerColumn, TextColumn
+    from rich.table import Table
+
+    from boresight.codegen import verify as v
+    from boresight.codegen.generate import default_folder, model_names
+
+    targets = targets or model_names()
+    if folder is not None and len(targets) > 1:
+        raise BoresightError("--generated names one folder; give one model with it")
+    checks = []
+    from rich.console import Console
+
+    with Progress(SpinnerColumn(), TextColumn("{task.description}"), transient=True, console=Console(stderr=True)) as bar:
+        task = bar.add_task("")
+        for target in targets:
+            where = folder or (default_folder(target) if ":" in target else None)
+            checks += v.verify(target, where, progress=lambda text: bar.update(task, description=text))
+    good = all(check.ok for check in checks)
+    if as_json:
+        print_json(v.to_json(checks))
+        raise typer.Exit(0 if good else 1)
+    table = Table(
+        "model", "function", "points", "outputs", "bits as CasADi", "largest error", "bound / error", "", box=None
+    )
+    for check in checks:
+        if isinstance(check, v.UnitCheck):
+            loose = "exact" if check.largest_error == 0 else f"{check.looseness:.1f}"
+            table.add_row(
+                check.model, check.unit, str(check.points), str(check.outputs), "yes" if check.same_bits else "NO",
+                f"{check.largest_error:.1e}", loose, "ok" if check.ok else "FAILED",
+            )  # fmt: skip
+    console().print(table)
+    for check in checks:
+        if isinstance(check, v.FirstOrderCheck):
+            print(
+                f"{check.model} {check.unit}: differs from the exact Jacobian by {check.limit:.1e} where nothing is "
+                f"neglected, then by {check.coefficient:.3f} a unit of what is; halved, the difference is "
+                f"{check.ratio:.4f} of it: {'ok' if check.ok else 'FAILED'}"
+            )
+    print(f"verify: {sum(c.ok for c in checks)} passed, {sum(not c.ok for c in checks)} failed")
+    raise typer.Exit(0 if good else 1)
+
+
+def main() -> None:
+    """The entry point: a BoresightError becomes one line on standard error and exit status 1."""
+    try:
+        app()
+    except BoresightError as error:
+        print(f"boresight: {error}", file=sys.stderr)
+        sys.exit(1)
+    except KeyboardInterrupt:
+        print("boresight: interrupted", file=sys.stderr)
+        sys.exit(130)
+
+
+if __name__ == "__main__":
+    main()

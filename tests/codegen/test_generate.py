@@ -1,0 +1,194 @@
+"""Generated means generated: deterministic, checked, never half written, and only what changed."""
+
+import hashlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from conftest import PENDULUM, ROOT
+
+from boresight import BoresightError
+from boresight.codegen.generate import generate, load_model
+from boresight.runtime.filter import Filter
+from boresight.runtime.library import load
+
+
+def contents(folder):
+    return {str(p.relative_to(folder)): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+def test_bytes_do_not_depend_on_the_hash_seed(tmp_path):
+    for seed in ("1", "77"):
+        env = {**os.environ, "PYTHONHASHSEED": seed, "BORESIGHT_CACHE": str(tmp_path / "cache" / seed)}
+        command = [sys.executable, "-m", "boresight.cli", "generate", PENDULUM, "-o", str(tmp_path / seed)]
+        subprocess.run(command, cwd=ROOT, env=env, check=True, capture_output=True)
+    assert contents(tmp_path / "1") == contents(tmp_path / "77")
+
+
+def test_no_date_host_or_path_in_what_is_generated():
+    for path, content in contents(ROOT / "generated").items():
+        text = content.decode()
+        assert str(ROOT) not in text, path
+        assert os.uname().nodename not in text, path
+        assert not any(f"{year}-" in text for year in range(2020, 2040)), path
+
+
+def test_the_committed_files_are_those_of_the_models():
+    report = generate("euler-matching", check=True)
+    assert report.comparable, "made with other versions; install with -c constraints.txt"
+    assert report.written == ()
+
+
+def test_an_edited_sign_changes_that_function_alone_and_moves_the_filter(checkout, library):
+    copy, run = checkout
+    source = copy / "derive" / "papers" / "song_lee_2001.py"
+    text = source.read_text()
+    right = "euler_D_eps(theta_b, psi_b), -euler_D_beta(phi_r, theta_r)"
+    assert text.count(right) == 1
+    source.write_text(text.replace(right, right.replace("-euler_D_beta", "euler_D_beta")))
+    folder = copy / "generated" / "euler_matching"
+    before = contents(folder)
+
+    checked = run("generate", "--check", "euler-matching")
+    assert checked.returncode == 1
+    assert "euler_H" in checked.stdout
+    assert contents(folder) == before, "--check wrote something"
+
+    done = run("generate", "euler-matching")
+    assert done.returncode == 0, done.stderr
+    assert "euler_H: 28 -> " in done.stdout
+    after = contents(folder)
+    changed = {path for path in before | after if before.get(path) != after.get(path)}
+    assert changed <= {
+        "manifest.json",
+        "src/em_euler_H.c", "src/em_euler_H_kernel.h",
+        "casadi/em_euler_H_casadi.c", "casadi/em_euler_H_kernel.h",
+        "selftest/test_em_euler_H.c",
+    }  # fmt: skip
+    assert "src/em_euler_H_kernel.h" in changed
+
+    estimates = []
+    for model in (library, load(folder)):
+        loop = Filter(model, {"q_b2n_wxyz": [1.0, 0, 0, 0], "mu": np.zeros(3)}, 1e-3 * np.eye(6))
+        loop.update("euler", np.full(3, 1e-6), euler_b=np.array([0.1, 0.05, 0.0]), euler_r=np.array([0.09, 0.06, 0.01]))
+        estimates.append(loop.x)
+    assert np.abs(estimates[0] - estimates[1]).max() > 1e-3
+
+    again = run("generate", "euler-matching")
+    assert "nothing changed" in again.stdout
+
+
+def test_a_comment_in_a_model_changes_no_file(checkout):
+    copy, run = checkout
+    source = copy / "derive" / "models" / "euler_matching.py"
+    source.write_text("# a remark\n" + source.read_text())
+    before = contents(copy / "generated")
+    assert "nothing changed" in run("generate").stdout
+    assert contents(copy / "generated") == before
+
+
+def test_nothing_changed_is_known_from_hashes_alone(checkout):
+    _, run = checkout
+    assert run("generate").returncode == 0
+    code = "import sys; from boresight.codegen.generate import generate; r = generate('euler-matching'); " \
+        "assert r.up_to_date; assert not {'sympy', 'casadi', 'numpy'} & set(sys.modules), 'imported'"  # fmt: skip
+    copy, _ = checkout
+    env = {**os.environ, "BORESIGHT_CACHE": str(copy.parent / "cache")}
+    subprocess.run([sys.executable, "-c", code], cwd=copy, env=env, check=True)
+
+
+def test_a_file_edited_by_hand_is_neither_overwritten_nor_flown(em_copy):
+    victim = em_copy / "src" / "em_F_kernel.h"
+    victim.write_text(victim.read_text() + "/* mine */\n")
+    for attempt in (lambda: generate("euler-matching", em_copy), lambda: load(em_copy)):
+        with pytest.raises(BoresightError, match=r"em_F_kernel\.h was edited"):
+            attempt()
+    assert victim.read_text().endswith("/* mine */\n")
+    victim.unlink()
+    generate("euler-matching", em_copy)
+    assert contents(em_copy) == contents(ROOT / "generated" / "euler_matching")
+
+
+def test_after_generate_the_new_c_is_loaded(tmp_path):
+    text = (ROOT / "tests" / "pendulum.py").read_text()
+    file = tmp_path / "mine.py"
+    results = []
+    for gravity in ("9.81", "1.62"):
+        file.write_text(text.replace('"9.81"', f'"{gravity}"'))
+        generate(f"{file}:PENDULUM", tmp_path / "out")
+        results.append(load(tmp_path / "out").energy(x=[1.0, 0.0], plant=[1.0, 0.0])[0])
+    np.testing.assert_allclose(results, [9.81 * (1 - np.cos(1)), 1.62 * (1 - np.cos(1))], rtol=1e-14)
+
+
+def test_a_model_of_ones_own_is_generated_where_one_stands(checkout):
+    copy, run = checkout
+    shutil.copy(ROOT / "tests" / "pendulum.py", copy)
+    assert run("generate", "pendulum.py:PENDULUM").returncode == 0
+    manifest = json.loads((copy / "generated" / "pendulum" / "manifest.json").read_text())
+    assert manifest["states"] == ["angle", "rate"]
+    verified = run("verify", "pendulum.py:PENDULUM", "--json")
+    assert verified.returncode == 0, verified.stdout + verified.stderr
+    assert {check["unit"] for check in json.loads(verified.stdout)} == set(manifest["units"])
+
+
+def test_other_versions_are_not_comparable(checkout):
+    copy, run = checkout
+    path = copy / "generated" / "euler_matching" / "manifest.json"
+    manifest = json.loads(path.read_text())
+    manifest["versions"]["casadi"] = "0.0.1"
+    path.write_text(json.dumps(manifest))
+    done = run("generate", "--check", "euler-matching")
+    assert done.returncode == 3
+    assert "not comparable" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("target", "said"),
+    [
+        ("eular-matching", "there are .*euler-matching"),
+        ("nowhere.py:MODEL", "not found"),
+        (f"{ROOT / 'tests' / 'pendulum.py'}:PENDULUM2", "its models are PENDULUM"),
+        (f"{ROOT / 'tests' / 'pendulum.py'}:GRAVITY", "not a Model"),
+    ],
+)
+def test_a_wrong_target_is_named_with_the_right_ones(target, said, tmp_path):
+    with pytest.raises(BoresightError, match=said):
+        generate(target, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_user_file_that_fails_is_one_line(tmp_path):
+    file = tmp_path / "broken.py"
+    file.write_text("1 / 0\n")
+    with pytest.raises(BoresightError, match=r"broken\.py cannot be run: ZeroDivisionError"):
+        load_model(f"{file}:MODEL")
+
+
+def test_a_folder_that_cannot_be_written_is_one_line_and_nothing_half_written(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(BoresightError, match="cannot write to"):
+        generate(PENDULUM, tmp_path / "file" / "below")
+    assert [p.name for p in tmp_path.iterdir()] == ["file"]
+
+
+def test_a_function_that_is_gone_leaves_no_file(tmp_path):
+    text = (ROOT / "tests" / "pendulum.py").read_text()
+    file = tmp_path / "mine.py"
+    file.write_text(text)
+    generate(f"{file}:PENDULUM", tmp_path / "out")
+    file.write_text(text.replace("functions=(Function", "functions=() and (Function"))
+    report = generate(f"{file}:PENDULUM", tmp_path / "out")
+    assert [str(c) for c in report.changes] == ["energy: removed, 9 operations"] or report.changes[0].after is None
+    assert not list((tmp_path / "out").rglob("*energy*"))
+
+
+def test_the_manifest_lists_every_file():
+    folder = ROOT / "generated" / "euler_matching"
+    manifest = json.loads((folder / "manifest.json").read_text())
+    found = {path: hashlib.sha256(content).hexdigest() for path, content in contents(folder).items()}
+    del found["manifest.json"]
+    assert found == manifest["files"]
