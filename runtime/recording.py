@@ -301,7 +301,9 @@ def _imu(said: "Description", path: Path, table: dict[str, Array]) -> Inertial:
     gyro = _column(path, table, "imu.gyro", part.gyro, quantities[0], 3)
     accel = _column(path, table, "imu.accel", part.accel, quantities[1], 3)
     _same_length(path, "imu", time, gyro=gyro, accel=accel)
-    return Inertial(part.kind, part.time_marks, time, gyro @ to_frd.T, accel @ to_frd.T)
+    with np.errstate(invalid="ignore"):  # an infinite value is `check`'s to report
+        gyro, accel = gyro @ to_frd.T, accel @ to_frd.T
+    return Inertial(part.kind, part.time_marks, time, gyro, accel)
 
 
 def _master(said: "Description", path: Path, table: dict[str, Array]) -> Master:
@@ -324,7 +326,8 @@ def _master(said: "Description", path: Path, table: dict[str, Array]) -> Master:
             raise BoresightError(f"{path}: master.attitude: {error}; or name a quaternion, wxyz or xyzw") from None
     v_n = position = None
     if part.velocity:
-        v_n = _column(path, table, "master.velocity", part.velocity, "velocity", 3) @ to_ned.T
+        with np.errstate(invalid="ignore"):
+            v_n = _column(path, table, "master.velocity", part.velocity, "velocity", 3) @ to_ned.T
     if part.position:
         position = _column(path, table, "master.position", part.position, "angle", 3)
         height_factor = _factor(path, "master.position", part.position.height_unit, "length")
