@@ -42,6 +42,9 @@ def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> li
         if e.is_Mul:
             if e.could_extract_minus_sign():
                 return -walk(-e)
+            coefficient, rest = e.as_coeff_Mul()
+            if coefficient != 1:
+                return ca.SX(float(coefficient)) * walk(rest)
             over, under = sp.fraction(e, exact=True)
             if under == 1:
                 return chain(list(e.args), lambda a, b: a * b)

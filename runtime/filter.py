@@ -114,7 +114,8 @@ class Filter:
             x = x + K * nu[..., None]
             # Joseph form, multiplied out for one row: right for any gain, symmetric by construction.
             KPh = K[..., :, None] * Ph[..., None, :]
-            P = P - KPh - np.swapaxes(KPh, -1, -2) + (K * S[..., None])[..., :, None] * K[..., None, :]
+            KK = K[..., :, None] * K[..., None, :]
+            P = P - (KPh + np.swapaxes(KPh, -1, -2)) + S[..., None, None] * KK
             nus.append(nu), Ss.append(S), used.append(use)
         stack = [np.stack(np.broadcast_arrays(*part), axis=-1) for part in (nus, Ss, used)]
         return x, P, Innovation(*stack)

@@ -88,7 +88,8 @@ def euler_z(euler_b, euler_r, mu):
 
 def euler_H(euler_b, euler_r):
     C_n2b = np.swapaxes(dcm(euler_b), -1, -2)
-    return np.concatenate([-rate_matrix(euler_b) @ C_n2b, -rate_matrix(euler_r)], -1)
+    parts = -rate_matrix(euler_b) @ C_n2b, -rate_matrix(euler_r)
+    return np.concatenate(np.broadcast_arrays(*parts), -1)
 
 
 def euler_exact_z(euler_b, euler_r, mu):

@@ -105,8 +105,8 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a09=(a27*a17);
   a28=(a09*a16);
   a26=(a26-a28);
-  a05=(2.*a05);
   a05=(a05*a00);
+  a05=(2.*a05);
   a02=(a02*a07);
   a07=(a05-a02);
   a00=(a07*a21);

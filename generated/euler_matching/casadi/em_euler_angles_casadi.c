@@ -77,8 +77,8 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a3=(a1*a6);
   a5=(a5-a3);
   a1=(a1*a4);
-  a2=(2.*a2);
   a2=(a2*a6);
+  a2=(2.*a2);
   a1=(a1+a2);
   a2=casadi_sq(a1);
   a0=(a0+a8);

@@ -12,7 +12,7 @@ static void em_euler_exact_H_kernel(const bs_real x[6], const bs_real mu[3], con
     const double *arg[3] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[136] = {0};
+    double w[129] = {0};
     arg[0] = x;
     arg[1] = mu;
     arg[2] = euler_b;

@@ -21,6 +21,7 @@
 #define casadi_f0 CASADI_PREFIX(f0)
 #define casadi_s0 CASADI_PREFIX(s0)
 #define casadi_s1 CASADI_PREFIX(s1)
+#define casadi_sq CASADI_PREFIX(sq)
 
 /* Symbol visibility in DLLs */
 #ifndef CASADI_SYMBOL_EXPORT
@@ -37,6 +38,8 @@
   #endif
 #endif
 
+static casadi_real casadi_sq(casadi_real x) { return x*x;}
+
 /* Configuration this file was compiled with */
 CASADI_SYMBOL_EXPORT void em_omega_in_n_casadi__casadi_version(int* major, int* minor, int* patch) {
   *major = 3;
@@ -51,46 +54,40 @@ static const casadi_int casadi_s1[3] = {3, 1, 1};
 
 /* em_omega_in_n_casadi:(lat,height,v_n[3])->(out_omega_in_n[3]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10;
-  a00=arg[2]? arg[2][1] : 0;
-  a01=arg[1]? arg[1][0] : 0;
-  a02=6378137.;
-  a03=1.;
-  a04=5.9551444712600004e+20;
-  a05=arg[0]? arg[0][0] : 0;
-  a06=sin(a05);
-  a07=(a06*a06);
-  a04=(a04*a07);
-  a07=8.8957371407509358e+22;
-  a04=(a04/a07);
-  a03=(a03-a04);
-  a04=sqrt(a03);
-  a02=(a02/a04);
-  a02=(a01+a02);
-  a00=(a00/a02);
-  a02=1458423.;
-  a05=cos(a05);
-  a08=(a02*a05);
-  a09=5.0000000000000002e-11;
-  a08=(a08*a09);
-  a08=(a00+a08);
-  if (res[0]!=0) res[0][0]=a08;
-  a08=arg[2]? arg[2][0] : 0;
-  a10=5.6358402926772867e+29;
-  a03=(a03*a04);
-  a07=(a07*a03);
-  a10=(a10/a07);
-  a01=(a01+a10);
-  a08=(a08/a01);
-  a08=(-a08);
-  if (res[0]!=0) res[0][1]=a08;
-  a02=(a02*a06);
-  a02=(a02*a09);
-  a06=(a06/a05);
-  a00=(a00*a06);
-  a02=(a02+a00);
-  a02=(-a02);
-  if (res[0]!=0) res[0][2]=a02;
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
+  a0=arg[2]? arg[2][1] : 0;
+  a1=arg[1]? arg[1][0] : 0;
+  a2=6378137.;
+  a3=1.;
+  a4=6.6943799901413173e-03;
+  a5=arg[0]? arg[0][0] : 0;
+  a6=sin(a5);
+  a7=casadi_sq(a6);
+  a4=(a4*a7);
+  a3=(a3-a4);
+  a4=sqrt(a3);
+  a2=(a2/a4);
+  a2=(a1+a2);
+  a0=(a0/a2);
+  a2=7.2921149999999999e-05;
+  a5=cos(a5);
+  a7=(a2*a5);
+  a7=(a0+a7);
+  if (res[0]!=0) res[0][0]=a7;
+  a7=arg[2]? arg[2][0] : 0;
+  a8=6.3354393272928204e+06;
+  a3=(a3*a4);
+  a8=(a8/a3);
+  a1=(a1+a8);
+  a7=(a7/a1);
+  a7=(-a7);
+  if (res[0]!=0) res[0][1]=a7;
+  a2=(a2*a6);
+  a6=(a6/a5);
+  a0=(a0*a6);
+  a2=(a2+a0);
+  a2=(-a2);
+  if (res[0]!=0) res[0][2]=a2;
   return 0;
 }
 

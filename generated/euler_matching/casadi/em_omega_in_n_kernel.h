@@ -12,7 +12,7 @@ static void em_omega_in_n_kernel(const bs_real lat[1], const bs_real height[1], 
     const double *arg[3] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[11] = {0};
+    double w[9] = {0};
     arg[0] = lat;
     arg[1] = height;
     arg[2] = v_n;

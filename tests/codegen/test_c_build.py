@@ -1,0 +1,97 @@
+"""The generated folder as an engineer takes it: no warning, its self-test, CMake both ways, all models in one binary."""
+
+import shutil
+import subprocess
+
+import pytest
+from conftest import ROOT
+
+FLAGS = (
+    "-std=c99 -O1 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wmissing-prototypes -Werror "
+    "-ffp-contract=off"
+).split()
+COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
+EM = ROOT / "generated" / "euler_matching"
+
+
+def run(*command, cwd=None):
+    done = subprocess.run([str(word) for word in command], cwd=cwd, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def sources(folder, *names):
+    return [path for name in names for path in sorted((folder / name).glob("*.c"))]
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("model", ["euler_matching", "pendulum"])
+def test_compiles_without_a_warning_and_passes_its_self_test(compiler, model, tmp_path, pendulum_folder):
+    folder = EM if model == "euler_matching" else pendulum_folder
+    program = tmp_path / "selftest"
+    run(compiler, *FLAGS, "-I", folder / "include", *sources(folder, "src", "selftest", "batch"), "-lm", "-o", program)
+    last = run(program).splitlines()[-1]
+    assert last == f"{len(sources(folder, 'src'))} passed, 0 failed"
+
+
+def test_the_self_test_can_fail(em_copy, tmp_path):
+    kernel = em_copy / "src" / "em_feedback_kernel.h"
+    text = kernel.read_text()
+    assert "mu[0] - x[3]" in text
+    kernel.write_text(text.replace("mu[0] - x[3]", "mu[0] + x[3]"))
+    program = tmp_path / "selftest"
+    run("cc", "-std=c99", "-I", em_copy / "include", *sources(em_copy, "src", "selftest"), "-lm", "-o", program)
+    done = subprocess.run([program], capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert "FAILED em_feedback" in done.stdout
+
+
+def test_fast_math_is_refused():
+    command = ["cc", "-std=c99", "-ffast-math", "-I", EM / "include", "-fsyntax-only", EM / "src" / "em_F.c"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode != 0
+    assert "ffast-math" in done.stderr
+
+
+def test_two_models_link_into_one_binary(tmp_path, pendulum_folder):
+    main = tmp_path / "main.c"
+    main.write_text(
+        '#include "euler_matching.h"\n#include "pendulum.h"\n'
+        "int main(void)\n{\n    em_step step = {{0}, {1e-5, 0, 0}, 1.0};\n    bs_real F[36];\n"
+        "    bs_real x[PD_N_STATES] = {0.1, 0.2};\n    pd_plant plant = {{1.0, 0.0}};\n    bs_real f[4];\n"
+        "    return (em_F(&step, F) == BS_OK && pd_F(x, &plant, f) == BS_OK && EM_IX_DMU_Z == 5) ? 0 : 1;\n}\n"
+    )
+    program = tmp_path / "both"
+    includes = ["-I", EM / "include", "-I", pendulum_folder / "include"]
+    run("cc", "-std=c99", *includes, main, *sources(EM, "src"), *sources(pendulum_folder, "src"), "-lm", "-o", program)
+    run(program)
+
+
+USER = (
+    '#include <stdio.h>\n#include "euler_matching.h"\nint main(void)\n{\n    em_nav nav = {{1, 0, 0, 0}, {0}};\n'
+    '    bs_real e[3];\n    return (int)em_euler_angles(&nav, e);\n}\n'
+)
+
+
+@pytest.mark.skipif(shutil.which("cmake") is None, reason="cmake is not installed")
+@pytest.mark.parametrize("way", ["add_subdirectory", "find_package"])
+def test_cmake_takes_the_folder_both_ways(way, tmp_path):
+    project = tmp_path / "project"
+    project.mkdir()
+    (project / "main.c").write_text(USER)
+    prefix = tmp_path / "prefix"
+    if way == "find_package":
+        run("cmake", "-S", EM, "-B", tmp_path / "em", f"-DCMAKE_INSTALL_PREFIX={prefix}")
+        run("cmake", "--build", tmp_path / "em", "--parallel", "2")
+        run("ctest", "--test-dir", tmp_path / "em", "--output-on-failure")
+        run("cmake", "--install", tmp_path / "em")
+        take = "find_package(euler_matching REQUIRED)"
+    else:
+        take = f"add_subdirectory({EM} em)"
+    (project / "CMakeLists.txt").write_text(
+        f"cmake_minimum_required(VERSION 3.16)\nproject(user C)\n{take}\nadd_executable(user main.c)\n"
+        "target_link_libraries(user PRIVATE boresight::euler_matching)\n"
+    )
+    run("cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "--build", project / "build")
+    run(project / "build" / "user")

@@ -1,0 +1,139 @@
+"""The filter loop: the same over C, over CasADi's C and over NumPy; right against textbook matrices."""
+
+import numpy as np
+import numpy_euler_matching
+import pytest
+
+from boresight import BoresightError
+from boresight.runtime.filter import Filter
+from boresight.runtime.library import load
+
+
+def fly(model, steps=30, **update):
+    """Three runs of a small alignment on a rocking platform; returns the filter."""
+    rng = np.random.default_rng(5)
+    mu = np.radians([[1.0, -2.0, 0.5], [0.1, 0.2, -0.3], [-3.0, 1.0, 2.0]])
+    witness = numpy_euler_matching
+    omega = np.array([5e-5, 0, -5e-5])
+
+    def platform(t):
+        return np.radians([3 * np.sin(0.7 * t), 2 * np.sin(0.5 * t + 1), 2 * np.cos(0.3 * t)])
+
+    loop = Filter(model, {"q_b2n_wxyz": np.tile(witness.quaternion(witness.dcm(platform(0.0))), (3, 1)), "mu": np.zeros((3, 3))},
+                  np.diag([3e-3] * 3 + [2e-3] * 3))  # fmt: skip
+    loop.P = np.tile(loop.P, (3, 1, 1))
+    for k in range(steps):
+        C0, C1 = (witness.dcm(platform(t)) @ witness.exp(mu) for t in (k * 1.0, k + 1.0))
+        turn = witness.exp(omega)
+        dtheta = np.array([numpy_rotvec(a.T @ turn @ b) for a, b in zip(C0, C1, strict=True)])
+        loop.strapdown(dtheta_ib_b=dtheta, omega_in_n=omega, dt=1.0)
+        loop.predict(omega_in_n=omega, gyro_noise=np.full(3, 1e-5), dt=1.0)
+        euler_r = platform(k + 1.0) + 3e-4 * rng.standard_normal(3)
+        loop.update(update.get("name", "euler"), np.full(3, 9e-8), euler_b=loop.call("euler_angles"), euler_r=euler_r,
+                    **{key: value for key, value in update.items() if key != "name"})  # fmt: skip
+        loop.feedback()
+    return loop, mu
+
+
+def numpy_rotvec(C):
+    from scipy.spatial.transform import Rotation
+
+    return Rotation.from_matrix(C).as_rotvec()
+
+
+def test_the_loop_flies_either_c_to_the_same_bits(library):
+    (a, _), (b, _) = fly(library), fly(load("euler-matching", "casadi"))
+    assert a.P.tobytes() == b.P.tobytes()
+    assert a.nav["mu"].tobytes() == b.nav["mu"].tobytes()
+
+
+@pytest.mark.parametrize("name", ["euler", "euler_exact"])
+def test_the_loop_flies_numpy_to_rounding(library, name):
+    (a, _), (b, _) = fly(library, name=name), fly(numpy_euler_matching.model(), name=name)
+    # the witness's numerical Jacobian is good to 1e-9
+    np.testing.assert_allclose(a.nav["mu"], b.nav["mu"], atol=1e-12 if name == "euler" else 1e-8)
+    np.testing.assert_allclose(a.P, b.P, atol=1e-15 if name == "euler" else 1e-10)
+
+
+def test_the_misalignment_is_found(library):
+    loop, mu = fly(library, steps=120, name="euler_exact", iterations=3)
+    assert np.abs(loop.nav["mu"] - mu).max() < np.radians(0.1)
+
+
+def reference(P, H, R, z, x):
+    """The textbook update with matrices."""
+    S = H @ P @ H.T + np.diag(R)
+    K = P @ H.T @ np.linalg.inv(S)
+    nu = z - H @ x
+    return x + K @ nu, (np.eye(len(x)) - K @ H) @ P, nu @ np.linalg.solve(S, nu)
+
+
+def test_row_after_row_equals_the_matrix_form(library):
+    rng = np.random.default_rng(3)
+    A = rng.standard_normal((6, 6))
+    P0 = A @ A.T * 1e-3
+    loop = Filter(library, {"q_b2n_wxyz": [1, 0, 0, 0], "mu": [0.01, 0.02, 0.03]}, (P0 + P0.T) / 2)
+    loop.x = rng.standard_normal(6) * 1e-3
+    euler = {"euler_b": np.array([0.1, 0.2, 0.3]), "euler_r": np.array([0.11, 0.18, 0.29])}
+    R = np.array([1e-4, 2e-4, 3e-4])
+    x, P, nis = reference(loop.P, library.euler_H(**euler), R, library.euler_z(**euler, mu=loop.nav["mu"]), loop.x)
+    innovation = loop.update("euler", R, **euler)
+    np.testing.assert_allclose(loop.x, x, rtol=1e-11)
+    np.testing.assert_allclose(loop.P, P, atol=1e-14)
+    np.testing.assert_allclose(innovation.nis, nis, rtol=1e-10)
+    np.testing.assert_array_equal(loop.P, loop.P.T)
+
+
+def test_a_masked_row_is_a_row_that_was_never_there(library):
+    euler = {"euler_b": np.array([0.1, 0.2, 0.3]), "euler_r": np.array([0.11, 0.18, 0.29])}
+    R = np.full(3, 1e-4)
+    P0 = np.diag(np.arange(1.0, 7.0)) * 1e-3
+    loop = Filter(library, {"q_b2n_wxyz": [1, 0, 0, 0], "mu": np.zeros(3)}, P0)
+    innovation = loop.update("euler", R, rows=[True, False, True], **euler)
+    keep = [0, 2]
+    H, z = library.euler_H(**euler)[keep], library.euler_z(**euler, mu=np.zeros(3))[keep]
+    x, P, nis = reference(P0, H, R[keep], z, np.zeros(6))
+    np.testing.assert_allclose(loop.x, x, rtol=1e-11)
+    np.testing.assert_allclose(loop.P, P, atol=1e-15)
+    np.testing.assert_allclose(innovation.nis, nis, rtol=1e-11)
+    assert innovation.used.tolist() == [True, False, True]
+
+
+def test_a_gate_leaves_out_what_lies_beyond(library):
+    nav = {"q_b2n_wxyz": [1, 0, 0, 0], "mu": np.zeros(3)}
+    loop = Filter(library, nav, 1e-6 * np.eye(6))
+    innovation = loop.update("euler", np.full(3, 1e-6), gate=5.0, euler_b=np.array([0.5, 1e-4, 0.0]), euler_r=np.zeros(3))
+    assert innovation.used.tolist() == [False, True, True]
+    assert np.abs(loop.x).max() < 1e-3
+
+
+def test_angles_wrap(library):
+    loop = Filter(library, {"q_b2n_wxyz": [0, 0, 0, 1], "mu": np.zeros(3)}, 1e-6 * np.eye(6))
+    innovation = loop.update("euler", np.full(3, 1e-6), euler_b=np.array([0, 0, 3.1415]), euler_r=np.array([0, 0, -3.1415]))
+    np.testing.assert_allclose(innovation.nu[2], 2 * 3.1415 - 2 * np.pi, atol=1e-12)
+
+
+def test_joseph_form_keeps_p_positive_over_a_long_run(library):
+    loop, _ = fly(library, steps=400)
+    assert np.linalg.eigvalsh(loop.P).min() > 0
+
+
+@pytest.mark.parametrize(
+    ("act", "said"),
+    [
+        (lambda f: f.update("euler", np.zeros(3), euler_b=np.zeros(3), euler_r=np.zeros(3)), "above zero"),
+        (lambda f: f.update("euler", np.full(3, np.nan), euler_b=np.zeros(3), euler_r=np.zeros(3)), "finite"),
+        (lambda f: f.update("euler", np.ones(3), iterations=0, euler_b=np.zeros(3), euler_r=np.zeros(3)), "at least 1"),
+        (lambda f: f.update("euler", np.ones(3), euler_b=np.zeros(3)), "euler_z needs euler_r"),
+        (lambda f: f.update("eular", np.ones(3)), "no function 'eular_z'"),
+        (lambda f: f.predict(dt=1.0, omega_in_n=np.zeros(3)), "Q needs gyro_noise"),
+        (lambda f: Filter(f.model, f.nav, np.ones((6, 5))), r"shape \(6, 5\)"),
+        (lambda f: Filter(f.model, f.nav, np.full((6, 6), np.nan)), "not finite"),
+    ],
+)
+def test_bad_input_is_one_line_and_leaves_the_filter_as_it_was(library, act, said):
+    loop = Filter(library, {"q_b2n_wxyz": [1, 0, 0, 0], "mu": np.zeros(3)}, np.eye(6))
+    with pytest.raises(BoresightError, match=said):
+        act(loop)
+    np.testing.assert_array_equal(loop.P, np.eye(6))
+    np.testing.assert_array_equal(loop.x, 0)

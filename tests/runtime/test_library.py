@@ -1,0 +1,174 @@
+"""The compiled library from Python: both backends the same bits, NumPy the same to rounding, and every refusal."""
+
+import os
+import shutil
+
+import numpy as np
+import numpy_euler_matching
+import pytest
+from conftest import ROOT
+
+from boresight import BoresightError
+from boresight.runtime.library import build, load
+from boresight.runtime.manifest import folder_of, read_manifest
+
+WITNESS = numpy_euler_matching.model()
+
+
+def call(model, name, points):
+    unit = getattr(model, name)
+    return unit(**{field: points[field] for field in unit.fields})
+
+
+def same_rotation(q):
+    """q and -q are one rotation: make the scalar part positive."""
+    return q * np.sign(q[..., :1])
+
+
+@pytest.mark.parametrize("name", sorted(vars(WITNESS)))
+def test_the_c_computes_what_finite_rotations_in_numpy_compute(library, points, name):
+    ours, theirs = call(library, name, points), call(WITNESS, name, points)
+    ours, theirs = (r if isinstance(r, dict) else {"q_b2n_wxyz" if name == "strapdown" else name: r} for r in (ours, theirs))
+    for key in ours:
+        a, b = (same_rotation(r[key]) if key == "q_b2n_wxyz" else r[key] for r in (ours, theirs))
+        # the witness differentiates numerically
+        np.testing.assert_allclose(a, b, rtol=0, atol=2e-9 if name == "euler_exact_H" else 5e-14)
+
+
+def test_both_backends_give_the_same_bits(library, points):
+    casadi = load("euler-matching", "casadi")
+    for name in vars(WITNESS):
+        ours, theirs = call(library, name, points), call(casadi, name, points)
+        ours, theirs = (r if isinstance(r, dict) else {name: r} for r in (ours, theirs))
+        for key in ours:
+            assert ours[key].tobytes() == theirs[key].tobytes(), (name, key)
+
+
+def test_one_run_is_one_of_many(library, points):
+    many = call(library, "strapdown", points)
+    for k in (0, 17, 39):
+        one = call(library, "strapdown", {key: value[k] for key, value in points.items()})
+        assert one.tobytes() == many[k].tobytes()
+
+
+def test_runs_broadcast(library, points):
+    q = points["q_b2n_wxyz"].reshape(8, 5, 4)
+    out = library.Q(q_b2n_wxyz=q, omega_in_n=np.zeros(3), gyro_noise=np.full((5, 3), 1e-3), dt=np.ones((8, 1)))
+    assert out.shape == (8, 5, 6, 6)
+
+
+def test_a_bound_call_gives_the_same(library, points):
+    bound = library.euler_H.bind()
+    bound.inputs["euler_b"][:] = points["euler_b"][3]
+    bound.inputs["euler_r"][:] = points["euler_r"][3]
+    assert bound() == 0
+    assert bound.outputs["H"].tobytes() == call(library, "euler_H", points)[3].tobytes()
+    bound.inputs["euler_b"][1] = 1.5
+    before = bound.outputs["H"].copy()
+    assert bound() == 3
+    assert (bound.outputs["H"] == before).all()
+
+
+def test_the_ends_of_the_box_are_inside(library):
+    pitch = np.radians(80)
+    assert np.isfinite(library.euler_H(euler_b=[0, pitch, np.pi], euler_r=[0, -pitch, -np.pi])).all()
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "said"),
+    [
+        ("euler_b", [0, np.radians(80.001), 0], r"euler_b\[1\] is 1\.3962\d* rad; it must lie within"),
+        ("euler_b", [0, np.nan, 0], r"euler_b\[1\] is nan; give a finite number"),
+        ("euler_r", [np.inf, 0, 0], r"euler_r\[0\] is inf"),
+        ("euler_r", [0, 0], r"euler_r has shape \(2,\); its last axis must be 3 long"),
+        ("euler_r", np.zeros((7, 3)), "do not go together"),
+    ],
+)
+def test_bad_input_is_one_line_that_says_where(library, field, value, said):
+    fields = {"euler_b": np.zeros((4, 3)), "euler_r": np.zeros((4, 3))}
+    fields[field] = np.array(value)
+    if np.ndim(value) == 1:
+        fields = {name: np.zeros(3) if name != field else fields[field] for name in fields}
+    with pytest.raises(BoresightError, match=said) as caught:
+        library.euler_H(**fields)
+    assert "\n" not in str(caught.value)
+
+
+def test_the_run_with_the_bad_input_is_named(library):
+    euler_b = np.zeros((4, 3))
+    euler_b[2, 1] = np.nan
+    with pytest.raises(BoresightError, match=r"euler_b\[1\] of run 2 is nan"):
+        library.euler_H(euler_b=euler_b, euler_r=np.zeros(3))
+
+
+def test_a_pitch_past_80_degrees_has_no_euler_angles(library):
+    half = np.radians(85) / 2
+    with pytest.raises(BoresightError, match="euler_angles"):
+        library.euler_angles(q_b2n_wxyz=[np.cos(half), 0, np.sin(half), 0])
+
+
+def test_a_quaternion_must_have_unit_norm(library):
+    with pytest.raises(BoresightError, match="norm 0.5"):
+        library.euler_angles(q_b2n_wxyz=[0.5, 0, 0, 0])
+
+
+def test_wrong_names_list_the_right_ones(library):
+    with pytest.raises(BoresightError, match="it has F, Phi"):
+        _ = library.euler_G
+    with pytest.raises(BoresightError, match="takes euler_b, euler_r"):
+        library.euler_H(euler_b=np.zeros(3))
+    with pytest.raises(BoresightError, match="built in are euler-matching"):
+        load("eular")
+    with pytest.raises(BoresightError, match="flight, casadi"):
+        load("euler-matching", "fortran")
+
+
+def test_no_compiler_is_one_line(em_copy, monkeypatch, tmp_path):
+    monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "empty"))
+    monkeypatch.setenv("CC", "no-such-compiler")
+    with pytest.raises(BoresightError, match="no C compiler: 'no-such-compiler' is not found; install gcc or clang"):
+        load(em_copy)
+
+
+def test_cc_is_honoured(em_copy, monkeypatch, tmp_path):
+    if shutil.which("clang") is None:
+        pytest.skip("clang is not installed")
+    monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "empty"))
+    monkeypatch.setenv("CC", "clang")
+    assert np.isfinite(load(em_copy).F(omega_in_n=np.zeros(3))).all()
+
+
+def test_a_cache_that_cannot_be_written_is_one_line(em_copy, monkeypatch, tmp_path):
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "file" / "below"))
+    with pytest.raises(BoresightError, match="set BORESIGHT_CACHE"):
+        load(em_copy)
+
+
+@pytest.mark.parametrize("spoilt", ["another", "broken"])
+def test_a_stale_library_is_refused(spoilt, em_copy, pendulum_folder, monkeypatch, tmp_path):
+    monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "cache"))
+    ours, _ = build(em_copy, read_manifest(em_copy), "flight")
+    if spoilt == "another":
+        other, _ = build(pendulum_folder, read_manifest(pendulum_folder), "flight")
+        os.replace(other, ours)
+    else:
+        ours.write_bytes(b"not a library")
+    with pytest.raises(BoresightError, match="compiled from other sources" if spoilt == "another" else "is no library"):
+        load(em_copy)
+
+
+def test_a_missing_generated_file_is_named(em_copy):
+    (em_copy / "src" / "em_Q.c").unlink()
+    with pytest.raises(BoresightError, match=r"em_Q\.c is missing; run 'boresight generate'"):
+        load(em_copy)
+
+
+def test_a_broken_manifest_is_one_line(em_copy):
+    (em_copy / "manifest.json").write_text("{")
+    with pytest.raises(BoresightError, match="cannot be read"):
+        load(em_copy)
+
+
+def test_the_built_in_folder_is_found_by_name():
+    assert folder_of("euler-matching").resolve() == ROOT / "generated" / "euler_matching"

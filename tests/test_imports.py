@@ -1,0 +1,76 @@
+"""The arrows between the layers, and what start-up may load."""
+
+import ast
+import subprocess
+import sys
+
+import pytest
+from conftest import ROOT
+
+LAYERS = ("derive", "codegen", "runtime", "studies")
+ARROWS = {
+    "derive": set(),
+    "runtime": set(),
+    "codegen": {"derive", "runtime"},
+    "studies": {"runtime"},
+}
+# SymPy and CasADi stop at codegen: what flies needs neither.
+FORBIDDEN = {"runtime": {"sympy", "casadi"}, "studies": {"sympy", "casadi"}, "derive": {"casadi", "numpy", "scipy"}}
+
+
+def imported(path):
+    """Dotted names of everything a file imports, at any depth."""
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}: relative import"
+            yield node.module
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+
+
+def files(layer):
+    return sorted((ROOT / layer).rglob("*.py"))
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_a_layer_imports_only_along_the_arrows(layer):
+    assert files(layer)
+    for path in files(layer):
+        for name in imported(path):
+            parts = name.split(".")
+            if parts[0] == "boresight" and len(parts) > 1 and parts[1] in (*LAYERS, "cli", "generated"):
+                assert parts[1] == layer or parts[1] in ARROWS[layer], f"{path} imports {name}"
+            assert parts[0] not in FORBIDDEN.get(layer, ()), f"{path} imports {name}"
+
+
+def test_codegen_takes_from_runtime_only_the_library_and_the_manifest():
+    for path in files("codegen"):
+        for name in imported(path):
+            if name.startswith("boresight.runtime."):
+                assert name.split(".")[2] in ("library", "manifest"), f"{path} imports {name}"
+
+
+def test_nobody_imports_the_folders_by_their_plain_names():
+    for folder in (*LAYERS, "boresight", "tests", "benchmarks", "examples"):
+        for path in files(folder):
+            for name in imported(path):
+                assert name.split(".")[0] not in LAYERS, f"{path} imports {name}; say boresight.{name}"
+
+
+@pytest.mark.parametrize(
+    ("statement", "kept_out"),
+    [
+        ("import boresight", {"numpy", "sympy", "casadi", "scipy"}),
+        ("import boresight.cli", {"numpy", "sympy", "casadi", "scipy", "matplotlib"}),
+        ("import boresight.derive.model", {"casadi", "numpy"}),
+        ("import boresight.runtime.library, boresight.runtime.filter", {"sympy", "casadi", "scipy", "matplotlib"}),
+        ("import boresight.runtime.recording", {"sympy", "casadi", "pandas", "pydantic", "matplotlib"}),
+        ("import boresight.studies.euler_table", {"sympy", "casadi", "matplotlib", "scipy.stats"}),
+        ("import boresight.codegen.generate", {"sympy", "casadi", "numpy"}),
+    ],
+)
+def test_start_up_stays_light(statement, kept_out):
+    code = f"{statement}\nimport sys\nprint(' '.join(sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert not kept_out & set(done.stdout.split())
