@@ -227,6 +227,14 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         "reads": (["x"] if reads_x else []) + structs,
         "call": f"{c_name}({', '.join(call[0] + call[1])})",
         "null_call": f"{c_name}({', '.join(['0', *(call[0] + call[1])[1:]])})",
+        "bound_arguments": ", ".join(
+            f"({kind} *)at[{i}]"
+            for i, kind in enumerate(
+                (["const bs_real"] if reads_x else [])
+                + [f"const {prefix}_{s}" for s in structs]
+                + ["bs_real"] * len(results)
+            )
+        ),
         "batch_parameters": ", ".join(
             (["const bs_real *x, size_t x_stride"] if reads_x else [])
             + [f"const {prefix}_{s} *{s}, size_t {s}_stride" for s in structs]

@@ -110,7 +110,7 @@ class Unit:
         self.structs: tuple[str, ...] = tuple(described["structs"])
         self._library = library
         dll = library.dll
-        self._one = getattr(dll, described["c_name"])
+        self._one = getattr(dll, described["c_name"] + "_bound")
         self._one.restype = ctypes.c_int
         self._many = getattr(dll, described["c_name"] + "_batch")
         self._many.restype = ctypes.c_size_t
@@ -212,8 +212,9 @@ class Bound:
         self.outputs = {
             r["name"]: np.zeros(r["shape"][0] if r["vector"] else tuple(r["shape"])) for r in unit.described["results"]
         }
-        pointers = [ctypes.c_void_p(a.ctypes.data) for a in (*self._arrays.values(), *self.outputs.values())]
-        self.call: Callable[[], int] = functools.partial(unit._one, *pointers)
+        addresses = [a.ctypes.data for a in (*self._arrays.values(), *self.outputs.values())]
+        self._pointers = (ctypes.c_void_p * len(addresses))(*addresses)
+        self.call: Callable[[], int] = functools.partial(unit._one, ctypes.byref(self._pointers))
 
     def __call__(self) -> int:
         return self.call()

@@ -1,0 +1,1 @@
+"""Side by side in one run, reported as ratios: nothing here is a test."""

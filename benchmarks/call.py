@@ -1,0 +1,66 @@
+"""What a call from Python costs over the C function itself: python -m benchmarks.call
+
+The C function alone is timed inside C, by the batch function over many runs; the bound call and the empty call are
+timed in the same interpreted loop, repeats interleaved, minima taken.
+"""
+
+import ctypes
+import time
+
+import numpy as np
+
+from boresight.runtime.library import load
+
+CALLS, REPEATS = 20_000, 15
+
+
+def per_call(function, calls=CALLS):
+    """Seconds of one call, the loop's own cost included."""
+    start = time.perf_counter()
+    for _ in range(calls):
+        function()
+    return (time.perf_counter() - start) / calls
+
+
+def main():
+    library = load("euler-matching")
+    rows = []
+    for name in ("F", "euler_H", "strapdown", "euler_exact_H"):
+        unit = library.units[name]
+        bound = unit.bind()
+        for field, view in bound.inputs.items():
+            box = library.field[field]
+            view[:] = 0.25 * (3 * np.array(box["low"]) + np.array(box["high"]))
+            if box["norm"]:
+                view[:] /= np.linalg.norm(view)
+        assert bound() == 0
+        widths = [library.width[s] for s in unit.structs]
+        arrays = [np.ascontiguousarray(bound._arrays[s]) for s in unit.structs]
+        outputs = [np.empty((CALLS, out.size)) for out in bound.outputs.values()]
+        status = np.empty(CALLS, np.uint8)
+        arguments = [ctypes.c_size_t(CALLS)]
+        for array, _ in zip(arrays, widths, strict=True):
+            arguments += [ctypes.c_void_p(array.ctypes.data), ctypes.c_size_t(0)]
+        arguments += [ctypes.c_void_p(a.ctypes.data) for a in (*outputs, status)]
+        def friendly(unit=unit, fields={key: value.copy() for key, value in bound.inputs.items()}, library=library):  # noqa: B006
+            return unit(**{key: value if library.field[key]["size"] > 1 else value[0] for key, value in fields.items()})
+
+        best = {"c": np.inf, "bound": np.inf, "loop": np.inf, "keywords": np.inf}
+        for _ in range(REPEATS):
+            start = time.perf_counter()
+            unit._many(*arguments)
+            best["c"] = min(best["c"], (time.perf_counter() - start) / CALLS)
+            best["bound"] = min(best["bound"], per_call(bound.call))
+            best["loop"] = min(best["loop"], per_call(int))
+            best["keywords"] = min(best["keywords"], per_call(friendly, 500))
+        rows.append((name, best))
+    print(f"{'function':<16}{'C alone, ns':>12}{'bound call, ns':>16}{'over C, ns':>12}{'ratio':>8}{'keywords, us':>14}")
+    loop = min(best["loop"] for _, best in rows) * 1e9
+    for name, best in rows:
+        c, call = best["c"] * 1e9, best["bound"] * 1e9
+        print(f"{name:<16}{c:12.0f}{call:16.0f}{call - c - loop:12.0f}{call / c:8.1f}{best['keywords'] * 1e6:14.1f}")
+    print(f"an empty built-in call in the same loop, taken off: {loop:.0f} ns")
+
+
+if __name__ == "__main__":
+    main()
