@@ -153,36 +153,45 @@ def fit_noise(
     if len(free) == 0:
         return np.exp(first[:3]), np.exp(first[3:]), 0
 
-    h = 0.05
+    h, radius, n = 0.05, 1.5, len(free)
     bump = h * np.eye(6)[free]
-    centre, best, trial, fresh = first, np.inf, first, None
+    centre, best, trial = first, np.inf, first
+    gradient, information = np.zeros(n), np.eye(n)
     for passes in range(1, 41):
         points = np.exp(np.clip(np.vstack([trial, trial + bump, trial - bump]), *np.log(NOISE_RANGE)))
         track = fly(leg, model, points[:, :3], points[:, 3:], measurement, every_sample=False)
         cost = minus_log_likelihood(track)
-        if cost[0] > best and fresh is not None:  # too far: go back and take half the step
-            fresh = fresh / 2
-            trial = centre + fresh
-            continue
-        centre, best = trial, cost[0]
-        n = len(free)
-        gradient = (cost[1 : n + 1] - cost[n + 1 :]) / (2 * h)
-        S = track["S"][:, 0]
-        dS = (track["S"][:, 1 : n + 1] - track["S"][:, n + 1 :]) / (2 * h)
-        dnu = (track["nu"][:, 1 : n + 1] - track["nu"][:, n + 1 :]) / (2 * h)
-        information = 0.5 * np.einsum("kim,kjm,km->ij", dS, dS, 1 / S**2) + np.einsum("kim,kjm,km->ij", dnu, dnu, 1 / S)
-        # A noise that the data says nothing of (it is far below the other) would make this singular.
-        information += 1e-3 * np.eye(n)
-        step = -np.linalg.solve(information, gradient)
-        if -gradient @ step < 0.02:  # the likelihood would change by a hundredth: settled
+        if cost[0] < best:
+            centre, best, radius = trial, cost[0], min(2 * radius, 1.5)
+            gradient = (cost[1 : n + 1] - cost[n + 1 :]) / (2 * h)
+            S = track["S"][:, 0]
+            dS = (track["S"][:, 1 : n + 1] - track["S"][:, n + 1 :]) / (2 * h)
+            dnu = (track["nu"][:, 1 : n + 1] - track["nu"][:, n + 1 :]) / (2 * h)
+            information = np.einsum("kim,kjm,km->ij", dS, dS, 0.5 / S**2) + np.einsum("kim,kjm,km->ij", dnu, dnu, 1 / S)
+        else:  # too far
+            radius /= 4
+        step = np.zeros(6)
+        step[free] = damped_step(gradient, information, radius)
+        trial = np.clip(centre + step, *np.log(NOISE_RANGE))
+        # Settled: the likelihood would change by a hundredth, or no step however small makes it better.
+        if -gradient @ (trial - centre)[free] < 0.02 or radius < 1e-3:
             return np.exp(centre[:3]), np.exp(centre[3:]), passes
-        fresh = np.zeros(6)
-        fresh[free] = np.clip(step, -1.5, 1.5)
-        trial = np.clip(centre + fresh, *np.log(NOISE_RANGE))
-        fresh = trial - centre
     raise BoresightError(
         "the choice of noises did not settle in 40 passes; give gyro_noise and angle_noise, or look at --check"
     )
+
+
+def damped_step(gradient: Array, information: Array, radius: float) -> Array:
+    """The step downhill, no component longer than RADIUS: damping turns a step that is too long towards the gradient.
+
+    Cutting the components instead would spoil the direction: where one noise hides another they must move together.
+    """
+    damping = 1e-3
+    while True:
+        step: Array = -np.linalg.solve(information + damping * np.eye(len(gradient)), gradient)
+        if np.abs(step).max() <= radius:
+            return step
+        damping *= 3
 
 
 # ---------------------------------------------------------------- one replay
@@ -347,14 +356,23 @@ def report(result: dict[str, Any], without_bias: dict[str, Any] | None = None) -
         _observability(result),
     ]
     if without_bias is not None:
-        m = without_bias["misalignment"]
+        final = result["misalignment"]["estimate_arcmin"]
+        off, t, axis, claimed = worst_excursion(without_bias, final)
         lines += [
             "",
-            "Without the bias calibration, same noises:",
-            f"  misalignment {_row(m['estimate_arcmin'], '.1f')} arcmin, which it takes to be known to "
-            f"{_row(m['sigma_arcmin'], '.1f')}; mean NIS {without_bias['nis']['mean']:.1f} for each row, not 1",
+            f"Without the bias calibration, same noises: mean NIS {without_bias['nis']['mean']:.1f}, not 1;",
+            f"misalignment at the end {_row(without_bias['misalignment']['estimate_arcmin'], '.1f')} arcmin,",
+            f"and at {t:.1f} s its {axis} is {off:+.1f} arcmin from the estimate above and claims {claimed:.1f}.",
         ]
     return "\n".join(lines)
+
+
+def worst_excursion(result: dict[str, Any], final: Sequence[float]) -> tuple[float, float, str, float]:
+    """Where the estimate was furthest, in its own sigmas, from FINAL: arcmin off, time in s, axis, the sigma then."""
+    history = result["history"]
+    off, sigma = np.array(history["mu_arcmin"]) - final, np.array(history["sigma_arcmin"])
+    k, axis = np.unravel_index(np.argmax(np.abs(off) / sigma), off.shape)
+    return float(off[k, axis]), history["time_s"][k], AXES[axis], float(sigma[k, axis])
 
 
 def _row(values: Sequence[float], spec: str) -> str:
