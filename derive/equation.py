@@ -1,0 +1,171 @@
+"""An equation of a paper as a value: how it is printed, how it is read, what is derived, and the steps between.
+
+A relation is a chain of SymPy expressions which are said to be equal.  Scalars and the entries of matrices are ordinary
+expressions; an explicit matrix is an ImmutableMatrix in MatMul and MatAdd; a matrix, vector or quaternion known by its
+letter alone is a noncommutative Symbol.  Terms keep the order of the page.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from sympy import Add, ImmutableMatrix, MatAdd, MatMul, Mul, S, Symbol
+from sympy.matrices import MatrixBase
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A letter of a paper: its SymPy symbol, its LaTeX as the paper writes it, and its kind.
+
+    kind: symbols of one kind have the same shape and unit, and could be mistaken for one another.
+    shape: () for a scalar, else (rows,) or (rows, columns); a quaternion is (4,).
+    function: the letter is written with arguments, C(phi, theta, psi).
+    """
+
+    symbol: Symbol
+    latex: str
+    kind: str
+    meaning: str
+    shape: tuple[int, ...] = ()
+    function: bool = False
+
+
+@dataclass(frozen=True)
+class Relation:
+    """sides[0] = sides[1] = ...; two or more."""
+
+    sides: tuple
+
+    def replaced(self, mapping: Mapping) -> "Relation":
+        """Each symbol of `mapping` replaced by another, the layout kept."""
+        return Relation(tuple(replaced(side, mapping) for side in self.sides))
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of a derivation: its name (substitute, perturb, invert, ...), what then stands, and why."""
+
+    name: str
+    formulas: tuple
+    why: str
+
+
+@dataclass(frozen=True)
+class Derivation:
+    steps: tuple[Step, ...] = ()
+
+
+@dataclass(frozen=True)
+class Reading:
+    """How a letter that cannot be read literally is read, and why: a dropped hat, a label.  It changes no number."""
+
+    printed: Symbol
+    meant: Symbol
+    why: str
+
+
+@dataclass(frozen=True)
+class Equation:
+    """One numbered equation.
+
+    latex: each display of the source text, verbatim without its number; lines: where it stands there, counted from 1.
+    printed: what `latex` says, symbol by symbol.  readings: what of it must be read otherwise to have a meaning at all.
+    derived: what follows from the derivation, in the layout of the print.
+    defines: the symbols to which it gives their meaning, if it is a definition.
+    leads_to: the equations which, as the text says, are made from this one.
+    small: the errors, parts of the witness's conditions, in which it is of first order; all of them if empty.
+    """
+
+    paper: str
+    number: str
+    latex: tuple[str, ...]
+    lines: tuple[int, int]
+    printed: tuple[Relation, ...]
+    derived: tuple[Relation, ...]
+    derivation: Derivation
+    readings: tuple[Reading, ...] = ()
+    defines: tuple[Symbol, ...] = ()
+    leads_to: tuple[str, ...] = ()
+    note: str = ""
+    unit: str = ""
+    small: tuple[str, ...] = ()
+    quantities: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
+
+    def read(self) -> tuple[Relation, ...]:
+        """The print after its readings."""
+        mapping = {reading.printed: reading.meant for reading in self.readings}
+        return tuple(relation.replaced(mapping) for relation in self.printed)
+
+
+def matrix(rows) -> ImmutableMatrix:
+    return ImmutableMatrix(rows)
+
+
+def column(*entries) -> ImmutableMatrix:
+    return ImmutableMatrix(len(entries), 1, list(entries))
+
+
+def total(*terms):
+    """The sum of the terms in this order: MatAdd if they are explicit matrices, Add if letters or scalars."""
+    if len(terms) == 1:
+        return terms[0]
+    if not any(is_explicit(term) for term in terms):
+        return Add(*terms, evaluate=False)
+    # A scalar beside a 1x1 matrix, as in Song-Lee (26), is a 1x1 matrix itself.
+    return MatAdd(*(term if is_explicit(term) else matrix([[term]]) for term in terms))
+
+
+def product(*factors):
+    """The product of the factors in this order: MatMul if one is an explicit matrix."""
+    factors = tuple(part for factor in factors for part in _parts(factor))
+    if len(factors) == 1:
+        return factors[0]
+    if any(is_explicit(factor) for factor in factors):
+        return MatMul(*factors)
+    if all(factor.is_commutative for factor in factors):
+        return Mul(*factors)
+    return Mul(*factors, evaluate=False)
+
+
+def _parts(factor) -> tuple:
+    """A product of letters within a product is one with it."""
+    return factor.args if isinstance(factor, Mul) and not factor.is_commutative else (factor,)
+
+
+def negative(term):
+    """-term, the layout kept."""
+    if isinstance(term, Mul | MatMul):
+        if term.args[0] == S.NegativeOne:
+            return product(*term.args[1:])
+        return product(S.NegativeOne, *term.args) if not term.is_commutative else -term
+    return product(S.NegativeOne, term)
+
+
+def is_explicit(expression) -> bool:
+    """Whether the expression is built on an explicit matrix."""
+    return isinstance(expression, MatrixBase | MatMul | MatAdd)
+
+
+def rebuild(expression, arguments):
+    """The node with other arguments, evaluated no further than the page is."""
+    if isinstance(expression, MatrixBase):
+        return ImmutableMatrix(*expression.shape, list(arguments))
+    if isinstance(expression, Add | MatAdd):
+        return total(*arguments)
+    if isinstance(expression, Mul | MatMul):
+        return product(*arguments)
+    return expression.func(*arguments)
+
+
+def children(expression) -> tuple:
+    """The arguments of a node; of an explicit matrix its entries, row by row."""
+    return tuple(expression) if isinstance(expression, MatrixBase) else expression.args
+
+
+def replaced(expression, mapping: Mapping):
+    """`expression` with each symbol of `mapping` replaced at the same time, the layout kept."""
+    if expression in mapping:
+        return mapping[expression]
+    arguments = children(expression)
+    if not arguments:
+        return expression
+    return rebuild(expression, [replaced(argument, mapping) for argument in arguments])

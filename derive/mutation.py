@@ -1,0 +1,104 @@
+"""Every single mutation of a relation: one sign, function, letter, transpose, order, term or factor changed.
+
+A status that is really computed changes with each of them, but for the mutants which say the same thing.
+"""
+
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+
+from sympy import Add, MatAdd, MatMul, Mul, Pow, S, Symbol, cos, sin, tan
+from sympy.functions.elementary.complexes import transpose
+from sympy.matrices import MatrixBase
+from sympy.matrices.exceptions import ShapeError
+
+from boresight.derive.equation import Quantity, Relation, children, negative, rebuild
+
+OTHER_FUNCTIONS = {sin: (cos, tan), cos: (sin, tan), tan: (sin, cos)}
+
+
+def mutants(relations: tuple[Relation, ...], quantities: Iterable[Quantity]) -> Iterator[tuple[str, tuple]]:
+    """What is changed, and all relations with that one change."""
+    letters = [quantity for quantity in quantities if not quantity.function]
+    alike = {
+        letter.symbol: tuple(o.symbol for o in letters if o.kind == letter.kind and o.symbol != letter.symbol)
+        + ((transpose(letter.symbol),) if len(letter.shape) == 2 else ())
+        for letter in letters
+    }
+    for r, relation in enumerate(relations):
+        for i, side in enumerate(relation.sides):
+            for what, changed in _side(side, alike):
+                sides = (*relation.sides[:i], changed, *relation.sides[i + 1 :])
+                yield what, (*relations[:r], Relation(sides), *relations[r + 1 :])
+
+
+def _side(side, alike) -> Iterator[tuple[str, object]]:
+    if side != 0 and not isinstance(side, Add | MatAdd | MatrixBase):
+        yield f"-({_short(side)})", negative(side)
+    yield from _inside(side, alike)
+
+
+def _inside(expression, alike) -> Iterator[tuple[str, object]]:
+    """The mutants of an expression and of everything in it."""
+    yield from _here(expression, alike)
+    arguments = children(expression)
+    for i, argument in enumerate(arguments):
+        for what, changed in _inside(argument, alike):
+            yield from _written(what, expression, (*arguments[:i], changed, *arguments[i + 1 :]))
+
+
+def _here(expression, alike) -> Iterator[tuple[str, object]]:
+    """The mutants of the node itself."""
+    if isinstance(expression, Symbol):
+        for other in alike.get(expression, ()):
+            yield f"{expression} -> {other}", other
+        return
+    arguments = children(expression)
+
+    def with_argument(what, i, *new):
+        return _written(what, expression, (*arguments[:i], *new, *arguments[i + 1 :]))
+
+    if isinstance(expression, MatrixBase):
+        for i, entry in enumerate(arguments):
+            place = f"entry {i // expression.cols + 1},{i % expression.cols + 1}"
+            if entry != 0:
+                yield from with_argument(f"{place}: {_short(entry)} -> its negative", i, -entry)
+            if entry in (0, 1, -1):
+                yield from with_argument(f"{place}: {entry} -> {1 - abs(entry)}", i, 1 - abs(entry))
+        if expression.rows == expression.cols > 1:
+            yield "matrix -> its transpose", expression.T
+    elif isinstance(expression, Add | MatAdd):
+        for i, term in enumerate(arguments):
+            yield from with_argument(f"sign of {_short(term)}", i, negative(term))
+            yield from with_argument(f"without {_short(term)}", i)
+    elif isinstance(expression, Mul | MatMul):
+        for i, factor in enumerate(arguments):
+            if factor != S.NegativeOne and not isinstance(factor, MatrixBase):
+                yield from with_argument(f"without factor {_short(factor)}", i)
+        for i in range(len(arguments) - 1):
+            a, b = arguments[i : i + 2]
+            if not (_commutes(a) or _commutes(b)):
+                swapped = (*arguments[:i], b, a, *arguments[i + 2 :])
+                yield from _written(f"{_short(a)} and {_short(b)} in the other order", expression, swapped)
+    elif isinstance(expression, Pow):
+        base, exponent = arguments
+        yield f"{_short(expression)} -> {_short(base)}", base
+        if exponent == 2:
+            yield f"{_short(expression)} -> cube", base**3
+    elif expression.func in OTHER_FUNCTIONS:
+        for other in OTHER_FUNCTIONS[expression.func]:
+            yield f"{_short(expression)} -> {other.__name__}", other(*arguments)
+
+
+def _written(what, expression, arguments) -> Iterator[tuple[str, object]]:
+    """The node with other arguments; nothing if their shapes forbid even to write it."""
+    with suppress(ShapeError):
+        yield what, rebuild(expression, arguments)
+
+
+def _commutes(factor) -> bool:
+    return not isinstance(factor, MatrixBase) and bool(factor.is_commutative)
+
+
+def _short(expression) -> str:
+    text = " ".join(str(expression).replace("Matrix", "").split())
+    return text if len(text) <= 40 else text[:37] + "..."

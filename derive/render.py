@@ -1,0 +1,389 @@
+"""Derivations for people: the terminal, LaTeX, HTML, PDF, made from the equations and the ledger."""
+
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable, Iterable
+from html import escape
+from pathlib import Path
+from textwrap import fill
+from unicodedata import name as name_of
+from unicodedata import normalize
+
+from sympy import MatAdd, S, Symbol
+from sympy.core.function import AppliedUndef
+from sympy.printing.latex import LatexPrinter
+from sympy.printing.mathml import MathMLPresentationPrinter
+from sympy.printing.pretty.pretty import PrettyPrinter
+from sympy.printing.pretty.stringpict import prettyForm, stringPict
+
+from boresight import BoresightError
+from boresight.derive.equation import Equation, Quantity, Relation, Step, negative
+from boresight.derive.ledger import Entry, equations, ledger
+
+WIDTH = 110
+FORMATS = ("text", "latex", "html")
+
+
+def render(paper: str, number: str | None = None, format: str = "text") -> str:
+    """One equation of a paper, or all of them, as text, as a LaTeX document or as an HTML page.
+
+    Raises BoresightError on a paper, a number or a format that does not exist.
+    """
+    chosen, entries = _chosen(paper, number)
+    return render_equations(paper, chosen, entries, format)
+
+
+def pdf(paper: str, number: str | None = None) -> bytes:
+    """The same as a PDF, by pdflatex.  Raises BoresightError if it is not installed or fails."""
+    return pdf_from_latex(render(paper, number, "latex"))
+
+
+def render_equations(title: str, chosen: Iterable[Equation], entries: Iterable[Entry], format: str) -> str:
+    """Equations with their entries of the ledger, in one of FORMATS: for a paper, or for a model made from papers."""
+    writers: dict[str, Callable[[str, list[tuple[Equation, Entry]]], str]] = {
+        "text": _text,
+        "latex": _latex,
+        "html": _html,
+    }
+    if format not in writers:
+        raise BoresightError(f"no format {format!r}: the formats are {', '.join(FORMATS)} and pdf")
+    return writers[format](title, list(zip(chosen, entries, strict=True)))
+
+
+def pdf_from_latex(document: str) -> bytes:
+    """A LaTeX document compiled by pdflatex in a folder of its own."""
+    if shutil.which("pdflatex") is None:
+        raise BoresightError("pdflatex is not installed: install texlive-latex-base, or use --format html")
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "document.tex").write_text(document, encoding="utf-8")
+        command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "document.tex"]
+        run = subprocess.run(command, cwd=folder, capture_output=True, timeout=120, check=False)
+        made = Path(folder) / "document.pdf"
+        if run.returncode or not made.exists():
+            errors = [line for line in run.stdout.decode(errors="replace").splitlines() if line.startswith("!")]
+            raise BoresightError(f"pdflatex failed: {errors[0] if errors else 'see its log'}")
+        return made.read_bytes()
+
+
+def errata_table(paper: str) -> str:
+    """The errata of a paper as a Markdown table."""
+    rows = [entry for entry in ledger(paper) if entry.status == "erratum"]
+    lines = ["| equation | kind | origin | printed | derived |", "|---|---|---|---|---|"]
+    for entry in rows:
+        by_number = {equation.number: equation for equation in equations(paper)}
+        equation = by_number[entry.number]
+        printed, derived = (_changed(equation, which) for which in ("printed", "derived"))
+        lines.append(f"| ({entry.number}) | {entry.kind} | {entry.origin} | {printed} | {derived} |")
+    return "\n".join(lines) + "\n"
+
+
+def _changed(equation: Equation, which: str) -> str:
+    from boresight.derive.ledger import differences
+
+    found = differences(equation.read(), equation.derived)
+    return ", ".join(f"`{text}`" for text in dict.fromkeys(str(getattr(difference, which)) for difference in found))
+
+
+def _chosen(paper: str, number: str | None) -> tuple[list[Equation], list[Entry]]:
+    every, entries = equations(paper), ledger(paper)
+    if number is None:
+        return list(every), entries
+    for equation, entry in zip(every, entries, strict=True):
+        if equation.number == str(number).strip("()"):
+            return [equation], [entry]
+    raise BoresightError(f"{paper} has no equation {number!r}: it has {every[0].number} to {every[-1].number}")
+
+
+# ---- Text ----------------------------------------------------------------------------------------------------------
+
+
+def _text(title: str, chosen: list[tuple[Equation, Entry]]) -> str:
+    parts = [] if len(chosen) == 1 else [f"{title}: {len(chosen)} equations, {_counts(entry for _, entry in chosen)}\n"]
+    return "\n".join([*parts, *(_text_equation(*pair) for pair in chosen)])
+
+
+def _text_equation(equation: Equation, entry: Entry) -> str:
+    head = f"{equation.paper} ({equation.number})  {_status(entry)}  [source line {_lines(equation)}]"
+    same = equation.read() == equation.derived
+    parts = [head, "=" * len(head), "printed" + (" and derived" if same else ""), _pretty_relations(equation.printed)]
+    if not same:
+        parts += ["derived", _pretty_relations(equation.derived)]
+    for i, step in enumerate(equation.derivation.steps, 1):
+        parts.append(_wrapped(f"{i}. {step.name}: {step.why}.", 3))
+        if step.formulas:
+            parts.append(_pretty_relations(step.formulas))
+    parts.append(_wrapped(f"evidence: {entry.evidence}.", 2))
+    if entry.note:
+        parts.append(_wrapped(f"note: {entry.note}", 2))
+    return "\n".join(parts) + "\n"
+
+
+def _wrapped(text: str, indent: int) -> str:
+    return fill(text, WIDTH, subsequent_indent=" " * indent, break_long_words=False)
+
+
+def _pretty_relations(relations: Iterable[Relation]) -> str:
+    return "\n".join(_pretty(relation) for relation in relations)
+
+
+class _Pretty(PrettyPrinter):
+    def _print_MatrixBase(self, expr):
+        # The 1x1 product of a row and a column is added to scalars: no brackets round those.
+        return self._print(expr[0]) if expr.shape == (1, 1) else super()._print_MatrixBase(expr)
+
+    _print_ImmutableDenseMatrix = _print_MatrixBase
+
+    def _print_Symbol(self, expr, bold_name=False):
+        return prettyForm(expr.name)  # names are as a reader wants them: C_b2n, not C with scripts that no font has
+
+    def _print_AppliedUndef(self, expr):
+        return prettyForm(f"{expr.func.__name__}({', '.join(str(argument) for argument in expr.args)})")
+
+    _print_Function = _print_AppliedUndef
+
+
+def _pretty(relation: Relation) -> str:
+    """The chain, broken before a term where a line would be too long."""
+    printer = _Pretty({"order": "none", "use_unicode": True, "wrap_line": False})
+    lines: list[stringPict] = []
+    line: stringPict | None = None
+    for sign, term in _terms(relation):
+        piece = printer._print(term)
+        piece = piece if not sign else prettyForm(*stringPict.next(prettyForm(f" {sign} "), piece))
+        joined = piece if line is None else prettyForm(*stringPict.next(line, piece))
+        if line is not None and joined.width() > WIDTH - 6:
+            lines.append(line)
+            joined = piece
+        line = joined
+    lines += [] if line is None else [line]
+    rows = [row.rstrip() for block in lines for row in block.render(wrap_line=False).splitlines()]
+    return "\n".join("      " + row for row in rows)
+
+
+def _terms(relation: Relation) -> Iterable[tuple[str, object]]:
+    """The terms of a chain in order, each with what stands before it: =, +, - or, at the start, nothing."""
+    for i, side in enumerate(relation.sides):
+        terms = side.args if isinstance(side, MatAdd) else (side,)
+        for j, term in enumerate(terms):
+            minus = isinstance(side, MatAdd) and term.args and term.args[0] == S.NegativeOne
+            if j == 0:
+                yield ("=" if i else ""), term
+            else:
+                yield ("-" if minus else "+"), (negative(term) if minus else term)
+
+
+# ---- LaTeX ---------------------------------------------------------------------------------------------------------
+
+PREAMBLE = r"""\documentclass[a4paper,10pt]{article}
+\usepackage[margin=20mm]{geometry}
+\usepackage{amsmath,amssymb,graphicx}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{4pt}
+% A display that is wider than the page is made smaller, and no other.
+\newsavebox{\formula}
+\newcommand{\fitted}[1]{\begin{center}\sbox{\formula}{$\displaystyle #1$}%
+\ifdim\wd\formula>\linewidth\resizebox{\linewidth}{!}{\usebox{\formula}}\else\usebox{\formula}\fi\end{center}}
+\begin{document}
+"""
+
+
+def _latex(title: str, chosen: list[tuple[Equation, Entry]]) -> str:
+    parts = [PREAMBLE, rf"\section*{{{_tex(title)}}}", _tex(_counts(entry for _, entry in chosen)) + "\n"]
+    return "\n".join([*parts, *(_latex_equation(*pair) for pair in chosen), r"\end{document}", ""])
+
+
+def _latex_equation(equation: Equation, entry: Entry) -> str:
+    def shown(relations) -> str:
+        return "\n".join(rf"\fitted{{{_latex_relation(r, equation.quantities)}}}" for r in relations)
+
+    parts = [
+        rf"\subsection*{{({equation.number})\quad {_tex(_status(entry))}}}",
+        rf"\textbf{{Printed}}, source line {_lines(equation)}:",
+        "\n".join(rf"\fitted{{{display.rstrip(', ')}}}" for display in _displays(equation)),
+        r"\textbf{Derived}:",
+        shown(equation.derived),
+    ]
+    for i, step in enumerate(equation.derivation.steps, 1):
+        parts.append(rf"{i}. \emph{{{_tex(step.name)}}}: {_tex(step.why)}." + "\n" + shown(step.formulas))
+    parts.append(rf"\textbf{{Evidence}}: {_tex(entry.evidence)}.")
+    if entry.note:
+        parts.append(rf"\textbf{{Note}}: {_tex(entry.note)}")
+    return "\n\n".join(part for part in parts if part) + "\n"
+
+
+def _displays(equation: Equation) -> list[str]:
+    """The displays as printed, those that go on joined to what they go on from."""
+    joined: list[str] = []
+    for display in equation.latex:
+        if joined and display[0] in "=+-":
+            joined[-1] += " " + display
+        else:
+            joined.append(display)
+    return joined
+
+
+def latex_relations(relations: Iterable[Relation], quantities: Iterable[Quantity]) -> str:
+    """LaTeX of relations, with the paper's letters."""
+    quantities = tuple(quantities)
+    return r" \\ ".join(_latex_relation(relation, quantities) for relation in relations)
+
+
+class _Latex(LatexPrinter):
+    def __init__(self, letters: dict[str, str]):
+        super().__init__({"order": "none", "mat_str": "bmatrix", "mat_delim": "", "fold_func_brackets": True})
+        self.letters = letters
+
+    def _print_Symbol(self, expr, style="plain"):
+        return self.letters.get(expr.name) or latex_name(expr.name)
+
+    def _print_Function(self, expr, exp=None):
+        if not isinstance(expr, AppliedUndef):
+            return super()._print_Function(expr, exp)
+        return self._print_call(expr)
+
+    def _print_call(self, expr):
+        name = expr.func.__name__
+        arguments = ", ".join(self._print(argument) for argument in expr.args)
+        head = r"\exp" if name == "exp" else self.letters.get(name + "(") or latex_name(name)
+        return rf"{head}\left({arguments}\right)"
+
+    def _print_MatrixBase(self, expr):
+        return self._print(expr[0]) if expr.shape == (1, 1) else super()._print_MatrixBase(expr)
+
+    _print_ImmutableDenseMatrix = _print_MatrixBase
+
+
+def _latex_relation(relation: Relation, quantities: Iterable[Quantity]) -> str:
+    letters = {quantity.symbol.name + ("(" if quantity.function else ""): quantity.latex for quantity in quantities}
+    printer = _Latex(letters)
+    text = ""
+    for sign, term in _terms(relation):
+        text += f" {sign} {printer.doprint(term)}" if sign else printer.doprint(term)
+    return text
+
+
+SIGNS = {"→": r"\to", "∂": r"\partial"}
+MARKS = {"\u0302": "hat", "\u0307": "dot"}
+
+
+def latex_name(name: str) -> str:
+    """LaTeX of a symbol's name: Greek letters, hats and dots, scripts, C_b2n, [v x]."""
+    transformation = re.fullmatch(r"(.*?)_(\w'?)2(\w'?)", name)
+    if transformation:
+        letter, source, target = transformation.groups()
+        return f"{latex_name(letter)}_{{{source}}}^{{{target}}}"
+    text = re.sub(r" x\]$", r"\\times]", name)
+    text, mark, scripts = text.partition("_")
+    result = ""
+    for character in normalize("NFD", text):
+        if character in MARKS:
+            letter = re.search(r"(\\[A-Za-z]+ |.)$", result)
+            assert letter is not None
+            result = result[: letter.start()] + rf"\{MARKS[character]}{{{letter.group().strip()}}}"
+        else:
+            result += _character(character)
+    return result.strip() + (f"_{{{scripts.replace('_', ',')}}}" if mark else "")
+
+
+def _character(character: str) -> str:
+    """LaTeX of one letter or sign, in a formula."""
+    greek = re.fullmatch(r"GREEK (SMALL|CAPITAL) LETTER (FINAL )?(\w+)", name_of(character, ""))
+    if greek:
+        word = greek[3].lower().replace("lamda", "lambda")
+        return "\\" + (word.capitalize() if greek[1] == "CAPITAL" else word) + " "
+    return SIGNS[character] + " " if character in SIGNS else character
+
+
+def _tex(text: str) -> str:
+    """Plain text for LaTeX: letters and names of quantities become formulas, what needs a backslash gets one."""
+
+    def word(part: str) -> str:
+        bare = part.strip("().,;:")
+        if not re.search(r"[^\x00-\x7f]|_", bare):
+            return re.sub(r"([&%$#{}])", r"\\\1", part).replace("^", r"\^{}")
+        return part.replace(bare, f"${latex_name(bare)}$")
+
+    return "".join(word(part) for part in re.split(r"(\s+)", text))
+
+
+# ---- HTML ----------------------------------------------------------------------------------------------------------
+
+STYLE = """body{font:16px/1.5 serif;max-width:70em;margin:2em auto;padding:0 1em;color:#111;background:#fff}
+section{border-top:1px solid #bbb;padding:.5em 0}
+.pair{display:flex;flex-wrap:wrap;gap:1em 3em}
+.pair>div{flex:1 1 30em;overflow-x:auto}
+math{display:block;margin:.6em 0;overflow-x:auto}
+.erratum{color:#a00000}
+pre{overflow-x:auto;background:#f4f4f4;padding:.5em}"""
+
+
+def _html(title: str, chosen: list[tuple[Equation, Entry]]) -> str:
+    body = "\n".join(_html_equation(*pair) for pair in chosen)
+    return (
+        f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title>\n'
+        f"<style>{STYLE}</style></head>\n<body><h1>{escape(title)}</h1>\n"
+        f"<p>{escape(_counts(entry for _, entry in chosen))}</p>\n{body}\n</body></html>\n"
+    )
+
+
+def _html_equation(equation: Equation, entry: Entry) -> str:
+    def formulas(relations: Iterable[Relation]) -> str:
+        return "".join(_mathml(relation) for relation in relations)
+
+    def step(one: Step) -> str:
+        return f"<li><em>{escape(one.name)}</em>: {escape(one.why)}.{formulas(one.formulas)}</li>"
+
+    steps = "".join(step(one) for one in equation.derivation.steps)
+    note = f"<p>Note: {escape(entry.note)}</p>" if entry.note else ""
+    return (
+        f'<section id="eq-{escape(equation.number)}"><h2>({escape(equation.number)}) '
+        f'<span class="{escape(entry.status)}">{escape(_status(entry))}</span></h2>\n'
+        f'<div class="pair"><div>Printed, source line {_lines(equation)}{formulas(equation.printed)}</div>\n'
+        f"<div>Derived{formulas(equation.derived)}</div></div>\n"
+        f"<ol>{steps}</ol>\n<p>Evidence: {escape(entry.evidence)}.</p>\n{note}"
+        f"<details><summary>LaTeX of the source</summary><pre>{escape(chr(10).join(equation.latex))}</pre></details>"
+        "</section>"
+    )
+
+
+class _MathML(MathMLPresentationPrinter):
+    def __init__(self) -> None:
+        super().__init__({"order": "none", "mat_delim": "["})
+
+    def _print_Symbol(self, sym, style="plain"):
+        return super()._print_Symbol(Symbol(re.sub(r"_(\w'?)2(\w'?)$", r"_\1^\2", sym.name)), style)
+
+    def _print_MatrixBase(self, m):
+        return self._print(m[0]) if m.shape == (1, 1) else super()._print_MatrixBase(m)
+
+    _print_ImmutableDenseMatrix = _print_MatrixBase
+
+
+def _mathml(relation: Relation) -> str:
+    printer = _MathML()
+    row = ""
+    for sign, term in _terms(relation):
+        if sign:
+            row += f"<mo>{'&#8722;' if sign == '-' else sign}</mo>"
+        row += printer._print(term).toxml()
+    return f'<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow>{row}</mrow></math>'
+
+
+# ---- Shared --------------------------------------------------------------------------------------------------------
+
+
+def _status(entry: Entry) -> str:
+    return f"{entry.status}: {entry.kind}, {entry.origin}" if entry.kind else entry.status
+
+
+def _lines(equation: Equation) -> str:
+    first, last = equation.lines
+    return str(first) if first == last else f"{first}-{last}"
+
+
+def _counts(entries: Iterable[Entry]) -> str:
+    statuses = [entry.status for entry in entries]
+    order = ("exact", "first-order", "definition", "erratum")
+    return ", ".join(f"{statuses.count(status)} {status}" for status in order if status in statuses)
