@@ -2,6 +2,7 @@
 
 import json
 import sys
+from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -60,7 +61,9 @@ def models(as_json: AsJson = False) -> None:
     from rich.table import Table
 
     for m in manifests:
-        print(f"{m['model']}: {m['title']}\n  frame {m['frame']}; C prefix {m['c_prefix']}_; states {' '.join(m['states'])}")
+        print(
+            f"{m['model']}: {m['title']}\n  frame {m['frame']}; C prefix {m['c_prefix']}_; states {' '.join(m['states'])}"
+        )
         for name, measurement in m["measurements"].items():
             print(f"  measurement {name} ({', '.join(measurement['rows'])}): {measurement['meaning']}")
         table = Table("C function", "operations", "inputs", "outputs", box=None)
@@ -139,7 +142,9 @@ def write(path: Path, content: bytes) -> None:
 
 @app.command()
 def generate(
-    targets: Annotated[list[str] | None, typer.Argument(metavar="[MODEL | FILE.py:NAME]...", show_default=False)] = None,
+    targets: Annotated[
+        list[str] | None, typer.Argument(metavar="[MODEL | FILE.py:NAME]...", show_default=False)
+    ] = None,
     check: Annotated[bool, typer.Option("--check", help="Write nothing; exit 1 if anything would change.")] = False,
     out: Annotated[Path | None, typer.Option("-o", "--out", help="Folder, if there is one model.")] = None,
 ) -> None:
@@ -179,7 +184,9 @@ def generate(
 
 @app.command()
 def verify(
-    targets: Annotated[list[str] | None, typer.Argument(metavar="[MODEL | FILE.py:NAME]...", show_default=False)] = None,
+    targets: Annotated[
+        list[str] | None, typer.Argument(metavar="[MODEL | FILE.py:NAME]...", show_default=False)
+    ] = None,
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
     as_json: AsJson = False,
 ) -> None:
@@ -196,7 +203,9 @@ def verify(
     checks = []
     from rich.console import Console
 
-    with Progress(SpinnerColumn(), TextColumn("{task.description}"), transient=True, console=Console(stderr=True)) as bar:
+    with Progress(
+        SpinnerColumn(), TextColumn("{task.description}"), transient=True, console=Console(stderr=True)
+    ) as bar:
         task = bar.add_task("")
         for target in targets:
             where = folder or (default_folder(target) if ":" in target else None)
@@ -210,7 +219,7 @@ def verify(
     )
     for check in checks:
         if isinstance(check, v.UnitCheck):
-            loose = "exact" if check.largest_error == 0 else f"{check.looseness:.1f}"
+            loose = f"{check.looseness:.1f}" if isfinite(check.looseness) else "exact"
             table.add_row(
                 check.model, check.unit, str(check.points), str(check.outputs), "yes" if check.same_bits else "NO",
                 f"{check.largest_error:.1e}", loose, "ok" if check.ok else "FAILED",

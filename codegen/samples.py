@@ -45,10 +45,13 @@ def sample(args: tuple[Variable, ...], corners: int, count: int, rng: np.random.
 
 
 def answered(unit: Unit, corners: int, count: int, rng: np.random.Generator) -> list[np.ndarray]:
-    """`count` points at which the unit answers: its results lie in their own boxes, and rounding errors are bounded.
+    """`count` points (none for a function without arguments) at which the unit answers.
 
-    Near a singularity, such as a pitch of 90 deg, the bound is infinite and proves nothing.
+    There its results lie in their own boxes and rounding errors are bounded.  Near a singularity, such as a pitch of
+    90 deg, the bound is infinite and proves nothing.
     """
+    if not unit.args:
+        return []  # a constant: one point without coordinates
     points = sample(unit.args, 2 * corners, 2 * count, rng)
     values, bounds = evaluate(unit.tape, points)
     keep = np.isfinite(np.array(bounds)).all(axis=0)

@@ -98,13 +98,19 @@ class UnitMaker:
         used = set().union(*(sp.Matrix(m).free_symbols for m in matrices))
         order = [s for s in symbols if s in used]
         where = {s: (v.name, i) for v in self.variables for i, s in enumerate(v.symbols)}
+        # A derivative may not depend on what its function reads; any value in the box will then do.
+        anywhere = {
+            v.name: [mp.mpf(lo / 4 + hi * 3 / 4) for lo, hi in zip(v.low, v.high, strict=True)] for v in self.variables
+        }
         compiled: list[Any] = []  # made on first use: a unit that did not change never needs it
 
         def evaluate(values: Values) -> list[Any]:
             if not compiled:
                 compiled.append(sp.lambdify(order, [sp.Matrix(m) for m in matrices], modules="mpmath", cse=True))
             with mp.workdps(max(mp.mp.dps, DIGITS)):
-                return list(compiled[0](*(values[where[s][0]][where[s][1]] for s in order)))
+                return list(
+                    compiled[0](*(values.get(name, anywhere[name])[i] for name, i in (where[s] for s in order)))
+                )
 
         return evaluate
 
@@ -238,13 +244,16 @@ class UnitMaker:
     def differentiate(self, function: Callable[[Values], list[Any]]) -> Callable[[Values], list[Any]]:
         """The Jacobian by the error state, by central differences in 80 digits: 50 of them survive."""
 
+        state = self.variables[0]
+        state_box = list(zip(state.low, state.high, strict=True))
+
         def jacobian(values: Values) -> list[Any]:
             with mp.workdps(80):
                 step, columns = mp.mpf(10) ** -27, []
                 for i in range(self.model.n):
                     sides = []
                     for sign in (1, -1):
-                        x = list(values["x"])
+                        x = list(values.get("x", [mp.mpf(lo / 4 + hi * 3 / 4) for lo, hi in state_box]))
                         x[i] = x[i] + sign * step
                         sides.append(function({**values, "x": x})[0])
                     columns.append((sides[0] - sides[1]) / (2 * step))

@@ -192,3 +192,13 @@ def test_the_manifest_lists_every_file():
     found = {path: hashlib.sha256(content).hexdigest() for path, content in contents(folder).items()}
     del found["manifest.json"]
     assert found == manifest["files"]
+
+
+def test_the_documented_example_of_a_model_works(tmp_path):
+    folder = tmp_path / "tank"
+    generate(f"{ROOT / 'examples' / 'own_model.py'}:TANK", folder)
+    tank = load(folder)
+    # Torricelli's law, differentiated: F = -drain / area * sqrt(g / (2 depth))
+    F = tank.F(x=[1.0, 0.2], tank=[2.0, 0.05])
+    np.testing.assert_allclose(F, [[-0.05 / 2 * np.sqrt(9.81 / 2), 0], [0, 0]], rtol=1e-14)
+    np.testing.assert_array_equal(tank.reading_H(), [[1, 1]])
