@@ -3,6 +3,7 @@
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -12,7 +13,7 @@ from scipy.io import savemat
 from scipy.spatial.transform import Rotation
 
 from boresight import BoresightError
-from boresight.runtime import frames
+from boresight.runtime import description, frames
 from boresight.runtime.recording import Inertial, Master, Recording, best_delay, check, gravity_in_ned, read, shifted
 
 DEG = np.pi / 180
@@ -348,3 +349,9 @@ def test_a_recording_made_by_hand_checks_its_shapes():
     imu = Inertial("rates", "end", np.arange(1, 101) * 0.01, np.zeros((100, 3)), np.tile([0, 0, -9.8], (100, 1)))
     still = Recording("bench", imu, Master(np.arange(10) * 0.1, np.zeros((10, 3))))
     assert levels(still, "error") == []
+
+
+def test_the_example_is_a_description():
+    said = description.load(Path(__file__).parents[2] / "examples" / "recording.toml")
+    assert said.master is not None
+    assert said.master.attitude.order == "yaw pitch roll"
