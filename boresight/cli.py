@@ -61,9 +61,8 @@ def models(as_json: AsJson = False) -> None:
     from rich.table import Table
 
     for m in manifests:
-        print(
-            f"{m['model']}: {m['title']}\n  frame {m['frame']}; C prefix {m['c_prefix']}_; states {' '.join(m['states'])}"
-        )
+        print(f"{m['model']}: {m['title']}")
+        print(f"  frame {m['frame']}; C prefix {m['c_prefix']}_; states {' '.join(m['states'])}")
         for name, measurement in m["measurements"].items():
             print(f"  measurement {name} ({', '.join(measurement['rows'])}): {measurement['meaning']}")
         table = Table("C function", "operations", "inputs", "outputs", box=None)
@@ -78,15 +77,24 @@ def equations(
     paper: Annotated[str | None, typer.Argument(help="A paper; all if left out.")] = None, as_json: AsJson = False
 ) -> None:
     """The ledger: each printed equation, its computed status, and every erratum with numbers."""
+    from collections import Counter
+
+    from rich.table import Table
+
     from boresight.derive.ledger import PAPERS, ledger
-    from boresight.derive.render import ledger_text
 
     papers = [one_of(paper, list(PAPERS), "paper")] if paper else list(PAPERS)
     entries = [entry for name in papers for entry in ledger(name)]
     if as_json:
         print_json([entry.to_dict() for entry in entries])
-    else:
-        print(ledger_text(entries))
+        return
+    table = Table("paper", "equation", "status", "kind", "origin", "evidence", box=None)
+    for entry in entries:
+        table.add_row(entry.paper, f"({entry.number})", entry.status, entry.kind, entry.origin, entry.evidence)
+    console().print(table)
+    for name in papers:
+        counts = Counter(entry.status for entry in entries if entry.paper == name)
+        print(f"{name}: " + ", ".join(f"{count} {status}" for status, count in sorted(counts.items())))
 
 
 @app.command()
@@ -97,39 +105,40 @@ def show(
     out: Annotated[Path | None, typer.Option("-o", "--out", help="File to write; needed for pdf.")] = None,
 ) -> None:
     """The derivation of a paper's equations, or of those that a model stands on, step by step."""
-    from boresight.codegen.generate import load_model, model_names
+    from boresight.codegen.generate import model_names
+    from boresight.derive import render as r
     from boresight.derive.ledger import PAPERS
-    from boresight.derive.render import FORMATS, render, render_pdf
 
     one_of(name, [*PAPERS, *model_names()], "paper or model")
-    one_of(form, [*FORMATS, "pdf"], "format")
-    chosen: list[tuple[str, str]] | None = None
-    paper = name
-    if name not in PAPERS:
-        sources = sorted(equation_sources(load_model(name)))
-        paper = sources[0][0]
-        chosen = [pair for pair in sources if equation in (None, pair[1])]
-        if not chosen:
-            raise BoresightError(f"{name} does not stand on ({equation}) but on {', '.join(n for _, n in sources)}")
-    numbers = [number for _, number in chosen] if chosen is not None else [equation] if equation else None
-    if form == "pdf":
-        if out is None:
-            raise BoresightError("a pdf needs a file to go to; add -o FILE.pdf")
-        content = render_pdf(paper, numbers)
-    else:
-        content = render(paper, numbers, form).encode()
+    one_of(form, [*r.FORMATS, "pdf"], "format")
+    if form == "pdf" and out is None:
+        raise BoresightError("a pdf needs a file to go to; add -o FILE.pdf")
+    kind = "latex" if form == "pdf" else form
+    text = r.render(name, equation, kind) if name in PAPERS else model_equations(name, equation, kind)
     if out is None:
-        sys.stdout.write(content.decode())
-        return
-    write(out, content)
+        sys.stdout.write(text)
+    else:
+        write(out, r.pdf_from_latex(text) if form == "pdf" else text.encode())
 
 
-def equation_sources(model: Any) -> set[tuple[str, str]]:
-    """(paper, number) of every equation that a model refers to, as `song-lee-2001 (19)`."""
-    named = [*model.equations]
-    for part in (*model.measurements, *model.functions):
-        named += part.equations
-    return {(paper, number.strip("()")) for paper, number in (text.split(" ", 1) for text in named)}
+def model_equations(name: str, number: str | None, form: str) -> str:
+    """The equations that a model refers to, as `song-lee-2001 (19)`, in one of the formats."""
+    from boresight.codegen.generate import load_model
+    from boresight.derive.ledger import equations, ledger
+    from boresight.derive.render import render_equations
+
+    model = load_model(name)
+    named = {*model.equations, *(e for part in (*model.measurements, *model.functions) for e in part.equations)}
+    known = {
+        f"{e.paper} ({e.number})": (e, entry)
+        for paper in sorted({text.split(" ")[0] for text in named})
+        for e, entry in zip(equations(paper), ledger(paper), strict=True)
+    }
+    chosen = [known[key] for key in known if key in named and number in (None, known[key][0].number)]
+    if not chosen:
+        raise BoresightError(f"{name} does not stand on ({number}), but on {', '.join(k for k in known if k in named)}")
+    named_equations, entries = zip(*chosen, strict=True)
+    return render_equations(f"{model.name}: {model.title}", named_equations, entries, form)
 
 
 def write(path: Path, content: bytes) -> None:
@@ -234,6 +243,103 @@ def verify(
             )
     print(f"verify: {sum(c.ok for c in checks)} passed, {sum(not c.ok for c in checks)} failed")
     raise typer.Exit(0 if good else 1)
+
+
+STUDIES = ["euler-table"]
+
+
+@app.command()
+def study(
+    name: Annotated[str, typer.Argument(help="euler-table: Table 1 of Song and Lee.")],
+    runs: Annotated[int, typer.Option(help="Monte Carlo runs of each case.")] = 20,
+    seed: Annotated[int, typer.Option(help="Of the random numbers; a run's depend on seed and run alone.")] = 0,
+    seconds: Annotated[float, typer.Option(help="Length of a run.")] = 120.0,
+    switch: Annotated[list[str] | None, typer.Option(help="A departure from the declared scenario; repeat it.")] = None,
+    explore: Annotated[bool, typer.Option("--explore", help="Everything the documentation counts; minutes.")] = False,
+    out: Out = None,
+    as_json: AsJson = False,
+) -> None:
+    """Run an experiment of a paper; exit 1 where it disagrees with the paper."""
+    one_of(name, STUDIES, "study")
+    from rich.console import Console
+
+    from boresight.runtime.library import load
+    from boresight.studies import euler_exploration, euler_table, figures
+
+    library = load("euler-matching")
+    with Console(stderr=True).status("") as status:
+
+        def progress(line: str) -> None:
+            status.update(line)
+
+        if explore:
+            result = euler_exploration.explore(library, runs=runs, seed=seed, progress=progress)
+            text, good = euler_exploration.report(result), result["finished"]
+        else:
+            result = euler_table.run(
+                library, runs=runs, seed=seed, seconds=seconds, switches=tuple(switch or ()), progress=progress
+            )
+            text = euler_table.report(result)
+            good = all(result[kind]["agree"] == result["cells"] for kind in ("linear", "monte_carlo"))
+        written = (
+            [] if out is None else (figures.euler_exploration if explore else figures.euler_figures)(result, make(out))
+        )
+    if as_json:
+        print_json(result)
+    else:
+        for path in written:
+            print(f"wrote {path}")
+        print(text)
+    raise typer.Exit(0 if good else 1)
+
+
+@app.command()
+def replay(
+    recording: Annotated[str, typer.Argument(help="A recording, or the TOML file that describes one.")],
+    model: Annotated[str, typer.Option("--model", help="The model to fly.")] = "euler-matching",
+    check: Annotated[bool, typer.Option("--check", help="Look at the recording and fly nothing.")] = False,
+    out: Out = None,
+    as_json: AsJson = False,
+) -> None:
+    """Fly a filter on a recording.  With --check: norms, gaps, rates and suspicious units; exit 1 on an error."""
+    from boresight.runtime import recording as r
+
+    one_of(model, ["euler-matching"], "model to replay with")
+    found = r.check(r.read(recording, strict=False))
+    bad = [finding for finding in found if finding.level == "error"]
+    if check:
+        if as_json:
+            print_json([vars(finding) for finding in found])
+        else:
+            for finding in found:
+                print(f"{finding.level:<8} {finding.where:<18} {finding.text}")
+        raise typer.Exit(1 if bad else 0)
+    if bad:
+        raise BoresightError(f"{recording}: {bad[0].where}: {bad[0].text}; see all with --check")
+    from rich.console import Console
+
+    from boresight.runtime.library import load
+    from boresight.studies import replay as flight
+
+    library, data = load(model), r.read(recording)
+    with Console(stderr=True).status(f"{model} on {recording}"):
+        result = flight.run(data, library)
+        plain = flight.run(data, library, gyro_bias=(0.0, 0.0, 0.0)) if any(result["gyro_bias_deg_h"]) else None
+        written = [] if out is None else flight.figures(result, make(out))
+    if as_json:
+        print_json(result | {"without_bias": plain})
+        return
+    for path in written:
+        print(f"wrote {path}")
+    print(flight.report(result, plain))
+
+
+def make(folder: Path) -> Path:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise BoresightError(f"cannot write to {folder} ({error.strerror}); choose another folder with -o") from None
+    return folder
 
 
 def main() -> None:

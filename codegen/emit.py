@@ -150,7 +150,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
     structs = [s.name for s in model.structs if any(reach.get(a.name, ("",))[0] == s.name for a in unit.args)]
     reads_x = any(a.name == "x" for a in unit.args)
 
-    args = []
+    args: list[dict[str, Any]] = []
     for a in unit.args:
         _, path = reach.get(a.name, ("", "x"))
         pointer = path if a.size > 1 else f"&{path}"

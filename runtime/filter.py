@@ -116,7 +116,9 @@ class Filter:
             KPh = K[..., :, None] * Ph[..., None, :]
             KK = K[..., :, None] * K[..., None, :]
             P = P - (KPh + np.swapaxes(KPh, -1, -2)) + S[..., None, None] * KK
-            nus.append(nu), Ss.append(S), used.append(use)
+            nus.append(nu)
+            Ss.append(S)
+            used.append(use)
         stack = [np.stack(np.broadcast_arrays(*part), axis=-1) for part in (nus, Ss, used)]
         return x, P, Innovation(*stack)
 
