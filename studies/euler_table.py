@@ -295,10 +295,16 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
         sigma.append(sigmas(loop.P, axes))
         return now
 
+    def lose(sample: int) -> None:
+        lost[outside(loop)] = True
+        if lost.any():  # a lost run waits at rest on the truth, so that the others can go on
+            loop.nav["q_b2n_wxyz"][lost] = simulation.turned(q_r[sample][:, None], mu)[lost]
+            loop.nav["mu"][lost], loop.x[lost], loop.P[lost] = 0.0, 0.0, P0[lost]
+
     keep(0)
     for k in range(1, updates + 1):
-        for sample in range((k - 1) * every, k * every):
-            dtheta = simulation.mounted(increments[sample][:, None], mu) + drift
+        turns = increments[(k - 1) * every : k * every, None, :, None]
+        for dtheta in simulation.mounted(turns, mu) + drift:
             loop.strapdown(dtheta_ib_b=dtheta, omega_in_n=omega_in_n, dt=scenario.strapdown_s)
         loop.predict(omega_in_n=omega_in_n, gyro_noise=gyro_noise(scenario), dt=scenario.update_s)
         euler_b = loop.call("euler_angles")
@@ -307,25 +313,23 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
         innovation = loop.update(
             scenario.measurement, R, rows=rows, iterations=scenario.iterations, euler_b=euler_b, euler_r=euler_r
         )
+        lose(k * every)
         if scenario.turn_covariance:
             turn_covariance(loop)
         loop.feedback()
         nis.append(innovation.nis)
         full = keep(k * every)
-        newly = outside(loop) & ~lost
-        if newly.any() or lost.any():  # a lost run waits at rest on the truth, so that the others can go on
-            lost |= newly
-            loop.nav["q_b2n_wxyz"][lost] = simulation.turned(q_r[k * every][:, None], mu)[lost]
-            loop.nav["mu"][lost], loop.P[lost] = 0.0, P0[lost]
+        lose(k * every)
     nees = np.einsum("...i,...i->...", full, np.linalg.solve(loop.P, full[..., None])[..., 0])
     return Flight(np.array(error), np.array(sigma), nees, np.array(nis), lost)
 
 
 def outside(loop: Filter) -> Array:
-    """(...,) bool: runs whose estimate is not finite, or outside the model's box (|mu| 0.5 rad, |pitch| 80 degrees)."""
-    C = simulation.matrix_from_quaternion(np.nan_to_num(loop.nav["q_b2n_wxyz"], nan=0.5))
-    finite = np.isfinite(loop.nav["mu"]).all(-1) & np.isfinite(loop.P).all((-1, -2))
-    return ~finite | (np.abs(loop.nav["mu"]) > 0.5).any(-1) | (np.abs(C[..., 2, 0]) > np.sin(80 * DEG))
+    """(...,) bool: runs whose estimate is not finite or has left the model's box (0.5 rad; a pitch of 80 degrees)."""
+    angles = np.concatenate([loop.nav["mu"], loop.x], axis=-1)
+    finite = np.isfinite(angles).all(-1) & np.isfinite(loop.P).all((-1, -2))
+    sin_pitch = simulation.matrix_from_quaternion(loop.nav["q_b2n_wxyz"])[..., 2, 0]
+    return ~finite | (np.abs(angles) > 0.5).any(-1) | (np.abs(sin_pitch) > np.sin(80 * DEG))
 
 
 def turn_covariance(loop: Filter) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-STYLE = {
+STYLE: Any = {
     "font.family": "sans-serif",
     "font.size": 9,
     "axes.titlesize": 9,
@@ -72,7 +72,7 @@ def euler_table(result: dict[str, Any], path: Path) -> None:
         ),
     )
     short = [", ".join(part[0] for part in name.split(", ")) for name in result["motions"]]
-    with figure(path, 9.6, 4.1, ncols=3, sharey=True) as (drawing, axes):
+    with figure(path, 9.6, 4.5, ncols=3, sharey=True) as (drawing, axes):
         for ax, (title, ratio) in zip(axes, panels, strict=True):
             for (i, j, k), value in np.ndenumerate(ratio):
                 x, y = j + 0.09 + 0.28 * k, i + 0.2
@@ -142,4 +142,70 @@ def euler_figures(result: dict[str, Any], folder: Path) -> list[Path]:
                 names = (result["matchings"][match], result["motions"][motion])
                 written.append(folder / f"figure_{2 + 3 * match + motion:02d}_{names[0]}_match_{names[1]}_motion.png")
                 euler_history(result, match, motion, written[-1])
+    return written
+
+
+def euler_durations(result: dict[str, Any], path: Path) -> None:
+    """How long Table 1 stays the paper's: the lowest sigma of its not estimated cells, with each cause switched off."""
+    with figure(path, 5.6, 3.4) as (_, ax):
+        for row in result["durations"]:
+            if not row["process_noise"] and not row["second_order"]:
+                continue  # lies on the line above it, or at 1
+            causes = [
+                word for key, word in (("earth_rate", "Earth rate"), ("second_order", "second order")) if row[key]
+            ]
+            label = f"{'Q of 1 deg/h' if row['process_noise'] else 'Q = 0'}; {' and '.join(causes) or 'neither'}"
+            ax.plot(
+                row["time_s"],
+                row["smallest"],
+                color=BLUE if row["process_noise"] else ORANGE,
+                linestyle={2: "-", 0: (0, (1, 1.5))}.get(len(causes), (0, (5, 2)) if row["earth_rate"] else "-."),
+                label=label,
+            )
+        ax.axhline(1 / 3, color="0.3", linewidth=0.8)
+        ax.text(1.1, 0.345, "threshold", fontsize=8, color="0.3")
+        ax.set(xscale="log", yscale="log", xlim=(1, 3600), ylim=(0.02, 1.3), xlabel="time [s]")
+        ax.set_ylabel("sigma, part of the start")
+        ax.set_yticks([0.02, 0.05, 0.1, 0.2, 0.5, 1.0], ["0.02", "0.05", "0.1", "0.2", "0.5", "1"])
+        ax.set_xticks([1, 10, 30, 120, 300, 1000, 3600], ["1", "10", "30", "120", "300", "1000", "3600"])
+        ax.minorticks_off()
+        ax.legend(loc="lower left")
+        ax.set_title("the best known of the errors that the paper calls not estimable", loc="left")
+
+
+def euler_consistency(result: dict[str, Any], path: Path) -> None:
+    """NEES against the misalignment: the paper's filter with and without a bias, and the exact one."""
+    kinds = (
+        (False, False, "no bias, Q = 0", ORANGE, "o"),
+        (True, False, "1 deg/h and its Q", BLUE, "s"),
+        (False, True, "exact residual, P turned; no bias", "0.25", "D"),
+    )
+    with figure(path, 5.6, 3.4) as (_, ax):
+        low, high = result["consistency"][0]["nees"]["band"]
+        ax.axhspan(low, high, color="0.85", linewidth=0, label="95 % band, 50 runs")
+        for bias, exact, label, color, marker in kinds:
+            rows = [
+                row
+                for row in result["consistency"]
+                if row["bias"] == bias and row["exact"] == exact and row["turn_covariance"] == exact
+                if row["iterations"] == (3 if exact else 1) and row["told_arcmin"] == [1.0, 1.0]
+            ]
+            size = np.array([row["misalignment_deg"] for row in rows])
+            mean, small, large = (np.array([row["nees"][k] for row in rows]) for k in ("mean", "smallest", "largest"))
+            shift = {"o": 0.97, "s": 1.0, "D": 1.03}[marker]
+            ax.errorbar(
+                size * shift, mean, (mean - small, large - mean), color=color, marker=marker, markersize=4, label=label
+            )
+        ax.set(xscale="log", yscale="log", xlabel="misalignment, 1 sigma an axis [deg]", ylabel="NEES of 6 states")
+        ax.set_xticks([0.1, 0.2, 0.3, 0.5, 1, 2, 3], ["0.1", "0.2", "0.3", "0.5", "1", "2", "3"])
+        ax.minorticks_off()
+        ax.legend(loc="upper left")
+        ax.set_title("mean of the 49 cases, bars to the smallest and the largest", loc="left")
+
+
+def euler_exploration(result: dict[str, Any], folder: Path) -> list[Path]:
+    """The figures of a finished exploration.  Returns the files written."""
+    written = [Path(folder) / "euler_durations.png", Path(folder) / "euler_consistency.png"]
+    euler_durations(result, written[0])
+    euler_consistency(result, written[1])
     return written
