@@ -111,7 +111,13 @@ def total(*terms):
     if not any(is_explicit(term) for term in terms):
         return Add(*terms, evaluate=False)
     # A scalar beside a 1x1 matrix, as in Song-Lee (26), is a 1x1 matrix itself.
-    return MatAdd(*(term if is_explicit(term) else matrix([[term]]) for term in terms))
+    return MatAdd(*(term if is_explicit(term) else _one_by_one(term) for term in terms))
+
+
+def _one_by_one(scalar):
+    if scalar.could_extract_minus_sign():
+        return MatMul(S.NegativeOne, matrix([[-scalar]]))
+    return matrix([[scalar]])
 
 
 def product(*factors):

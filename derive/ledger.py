@@ -81,6 +81,13 @@ def ledger(paper: str) -> list[Entry]:
         return [_entry(equation) for equation in equations(paper)]
 
 
+def findings(paper: str) -> tuple[str, ...]:
+    """What was computed about the paper's text and tables, beside its numbered equations."""
+    paper_module(paper)
+    with mp.workdps(DIGITS):
+        return import_module(PAPERS[paper] + "_world").findings()
+
+
 # ---- Status --------------------------------------------------------------------------------------------------------
 
 
@@ -306,6 +313,7 @@ def _entry(equation: Equation) -> Entry:
         evidence = "remainder falls fourfold when the errors are halved; " + _size(equation)
     else:
         evidence = f"both sides agree to 28 digits at finite rotations, {len(SEEDS)} points"
+    evidence += import_module(PAPERS[equation.paper] + "_world").evidence(equation.number)
     return Entry(
         paper=equation.paper,
         number=equation.number,

@@ -4,7 +4,7 @@ import re
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from html import escape
 from pathlib import Path
 from textwrap import fill
@@ -20,7 +20,7 @@ from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
 from boresight import BoresightError
 from boresight.derive.equation import Equation, Quantity, Relation, Step, negative
-from boresight.derive.ledger import Entry, equations, ledger
+from boresight.derive.ledger import Entry, equations, findings, ledger
 
 WIDTH = 110
 FORMATS = ("text", "latex", "html")
@@ -32,7 +32,7 @@ def render(paper: str, number: str | None = None, format: str = "text") -> str:
     Raises BoresightError on a paper, a number or a format that does not exist.
     """
     chosen, entries = _chosen(paper, number)
-    return render_equations(paper, chosen, entries, format)
+    return render_equations(paper, chosen, entries, format, () if number else findings(paper))
 
 
 def pdf(paper: str, number: str | None = None) -> bytes:
@@ -40,16 +40,17 @@ def pdf(paper: str, number: str | None = None) -> bytes:
     return pdf_from_latex(render(paper, number, "latex"))
 
 
-def render_equations(title: str, chosen: Iterable[Equation], entries: Iterable[Entry], format: str) -> str:
-    """Equations with their entries of the ledger, in one of FORMATS: for a paper, or for a model made from papers."""
-    writers: dict[str, Callable[[str, list[tuple[Equation, Entry]]], str]] = {
-        "text": _text,
-        "latex": _latex,
-        "html": _html,
-    }
+def render_equations(
+    title: str, chosen: Iterable[Equation], entries: Iterable[Entry], format: str, remarks: Iterable[str] = ()
+) -> str:
+    """Equations with their entries of the ledger, in one of FORMATS: for a paper, or for a model made from papers.
+
+    remarks: what else is to be said at the end.
+    """
+    writers = {"text": _text, "latex": _latex, "html": _html}
     if format not in writers:
         raise BoresightError(f"no format {format!r}: the formats are {', '.join(FORMATS)} and pdf")
-    return writers[format](title, list(zip(chosen, entries, strict=True)))
+    return writers[format](title, list(zip(chosen, entries, strict=True)), tuple(remarks))
 
 
 def pdf_from_latex(document: str) -> bytes:
@@ -99,9 +100,10 @@ def _chosen(paper: str, number: str | None) -> tuple[list[Equation], list[Entry]
 # ---- Text ----------------------------------------------------------------------------------------------------------
 
 
-def _text(title: str, chosen: list[tuple[Equation, Entry]]) -> str:
+def _text(title: str, chosen: list[tuple[Equation, Entry]], remarks: tuple[str, ...]) -> str:
     parts = [] if len(chosen) == 1 else [f"{title}: {len(chosen)} equations, {_counts(entry for _, entry in chosen)}\n"]
-    return "\n".join([*parts, *(_text_equation(*pair) for pair in chosen)])
+    parts += [_text_equation(*pair) for pair in chosen]
+    return "\n".join([*parts, *(_wrapped(remark, 2) + "\n" for remark in remarks)])
 
 
 def _text_equation(equation: Equation, entry: Entry) -> str:
@@ -179,6 +181,7 @@ def _terms(relation: Relation) -> Iterable[tuple[str, object]]:
 PREAMBLE = r"""\documentclass[a4paper,10pt]{article}
 \usepackage[margin=20mm]{geometry}
 \usepackage{amsmath,amssymb,graphicx}
+\renewcommand{\arraystretch}{1.3}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{4pt}
 % A display that is wider than the page is made smaller, and no other.
@@ -189,9 +192,12 @@ PREAMBLE = r"""\documentclass[a4paper,10pt]{article}
 """
 
 
-def _latex(title: str, chosen: list[tuple[Equation, Entry]]) -> str:
+def _latex(title: str, chosen: list[tuple[Equation, Entry]], remarks: tuple[str, ...]) -> str:
     parts = [PREAMBLE, rf"\section*{{{_tex(title)}}}", _tex(_counts(entry for _, entry in chosen)) + "\n"]
-    return "\n".join([*parts, *(_latex_equation(*pair) for pair in chosen), r"\end{document}", ""])
+    parts += [_latex_equation(*pair) for pair in chosen]
+    if remarks:
+        parts += [r"\subsection*{Beside the equations}", *(_tex(remark) + "\n" for remark in remarks)]
+    return "\n".join([*parts, r"\end{document}", ""])
 
 
 def _latex_equation(equation: Equation, entry: Entry) -> str:
@@ -274,8 +280,10 @@ def latex_name(name: str) -> str:
     if transformation:
         letter, source, target = transformation.groups()
         return f"{latex_name(letter)}_{{{source}}}^{{{target}}}"
-    text = re.sub(r" x\]$", r"\\times]", name)
-    text, mark, scripts = text.partition("_")
+    turning = re.fullmatch(r"\[(.*) x\]", name)
+    if turning:
+        return rf"[{latex_name(turning[1])}\times]"
+    text, _, scripts = name.partition("_")
     result = ""
     for character in normalize("NFD", text):
         if character in MARKS:
@@ -284,7 +292,8 @@ def latex_name(name: str) -> str:
             result = result[: letter.start()] + rf"\{MARKS[character]}{{{letter.group().strip()}}}"
         else:
             result += _character(character)
-    return result.strip() + (f"_{{{scripts.replace('_', ',')}}}" if mark else "")
+    below, _, above = scripts.partition("_")
+    return result.strip() + (f"_{{{below}}}" if below else "") + (f"^{{{above}}}" if above else "")
 
 
 def _character(character: str) -> str:
@@ -302,7 +311,7 @@ def _tex(text: str) -> str:
     def word(part: str) -> str:
         bare = part.strip("().,;:")
         if not re.search(r"[^\x00-\x7f]|_", bare):
-            return re.sub(r"([&%$#{}])", r"\\\1", part).replace("^", r"\^{}")
+            return re.sub(r"([&%$#{}])", r"\\\1", part).replace("^", r"\^{}").replace("--", "-{}-")
         return part.replace(bare, f"${latex_name(bare)}$")
 
     return "".join(word(part) for part in re.split(r"(\s+)", text))
@@ -319,8 +328,9 @@ math{display:block;margin:.6em 0;overflow-x:auto}
 pre{overflow-x:auto;background:#f4f4f4;padding:.5em}"""
 
 
-def _html(title: str, chosen: list[tuple[Equation, Entry]]) -> str:
+def _html(title: str, chosen: list[tuple[Equation, Entry]], remarks: tuple[str, ...]) -> str:
     body = "\n".join(_html_equation(*pair) for pair in chosen)
+    body += "".join(f"\n<p>{escape(remark)}</p>" for remark in remarks)
     return (
         f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title>\n'
         f"<style>{STYLE}</style></head>\n<body><h1>{escape(title)}</h1>\n"

@@ -13,7 +13,7 @@ The paper's conventions are those of Boresight: NED, front-right-down, error = c
 
 from functools import cache
 
-from sympy import Function, ImmutableMatrix, Matrix, S, Symbol, cos, eye, sin, sqrt
+from sympy import Function, ImmutableMatrix, Matrix, S, Symbol, cos, eye, sin, sqrt, symbols
 from sympy.simplify.fu import TR2i
 
 from boresight.derive.equation import Derivation, Equation, Reading, Relation, Step, column, negative, product, total
@@ -81,6 +81,19 @@ def relative_euler(euler_r, mu) -> Matrix:
     """
     phi_r, theta_r, _ = euler_r
     return euler_D_beta(phi_r, theta_r) * Matrix(mu)
+
+
+def relative_euler_second_order(euler_r, mu) -> Matrix:
+    """The term of second order which (15) and (18) drop, 3x1 rad.
+
+    The slave is reached from the master by turning about mu at a constant rate for a unit of time, along which the
+    angles change by euler_D_beta(angles) mu: half the second derivative at the start.  With the angles of the slave in
+    euler_D_beta, as in the text under (28), the term has the other sign and, to this order, the same size.
+    """
+    angles = symbols("phi theta psi", real=True)
+    rate = relative_euler(angles, mu)
+    second = rate.jacobian(Matrix(angles)) * rate / 2
+    return second.subs(dict(zip(angles, euler_r, strict=True)), simultaneous=True)
 
 
 def measurement(euler_b, euler_r, mu) -> Matrix:

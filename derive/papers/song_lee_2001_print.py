@@ -130,6 +130,25 @@ PRINTED: dict[str, tuple[tuple[int, int], tuple[str, ...]]] = {
     ),
 }
 
+# The formula of the text between (10) and (11), line 80.
+PROSE_FORMULA = (80, r"B = -C_n^{n'} E C_b^n")
+
+# Table 1, lines 210 to 216: a row for each set of matched angles, a column for each motion, both in the order of AXES;
+# o: estimable, X: not, for the errors about n, e, d.
+AXES = ("roll", "pitch", "yaw", "roll pitch", "roll yaw", "pitch yaw", "roll pitch yaw")
+TABLE_1 = (
+    "XXX XXo XoX XXo XoX Xoo Xoo",
+    "XXo XXX oXX XXo oXo oXX oXo",
+    "XoX oXX XXX ooX XoX oXX ooX",
+    "XXo XXo ooX XXo ooo ooo ooo",
+    "XoX oXo XoX ooo XoX ooo ooo",
+    "Xoo oXX oXX ooo ooo oXX ooo",
+    "Xoo oXo ooX ooo ooo ooo ooo",
+)
+TABLE_1_LINES = (210, 216)
+# Line 224 and 262: cells with three, two, one, none estimable; cells with d estimable.
+TABLE_1_COUNTS = ((13, 12, 21, 3), 28)
+
 
 @cache
 def quantities() -> tuple[Quantity, ...]:
