@@ -298,40 +298,29 @@ def replay(
     recording: Annotated[str, typer.Argument(help="A recording, or the TOML file that describes one.")],
     model: Annotated[str, typer.Option("--model", help="The model to fly.")] = "euler-matching",
     check: Annotated[bool, typer.Option("--check", help="Look at the recording and fly nothing.")] = False,
+    delay_ms: Annotated[float, typer.Option(help="How old the master's data is taken to be.")] = 0.0,
+    rate_hz: Annotated[float | None, typer.Option(help="Use the master no more often than this.")] = None,
+    measurement: Annotated[str, typer.Option(help="euler_exact, or euler as the paper has it.")] = "euler_exact",
     out: Out = None,
     as_json: AsJson = False,
 ) -> None:
-    """Fly a filter on a recording.  With --check: norms, gaps, rates and suspicious units; exit 1 on an error."""
-    from boresight.runtime import recording as r
+    """Fly a filter on a recording; exit 1 if its NIS is not consistent.
 
-    one_of(model, ["euler-matching"], "model to replay with")
-    found = r.check(r.read(recording, strict=False))
-    bad = [finding for finding in found if finding.level == "error"]
-    if check:
-        if as_json:
-            print_json([vars(finding) for finding in found])
-        else:
-            for finding in found:
-                print(f"{finding.level:<8} {finding.where:<18} {finding.text}")
-        raise typer.Exit(1 if bad else 0)
-    if bad:
-        raise BoresightError(f"{recording}: {bad[0].where}: {bad[0].text}; see all with --check")
-    from rich.console import Console
+    With --check: norms, gaps, rates and suspicious units; exit 1 if something is wrong.
+    """
+    from boresight.studies import replay as r
 
-    from boresight.runtime.library import load
-    from boresight.studies import replay as flight
-
-    library, data = load(model), r.read(recording)
-    with Console(stderr=True).status(f"{model} on {recording}"):
-        result = flight.run(data, library)
-        plain = flight.run(data, library, gyro_bias=(0.0, 0.0, 0.0)) if any(result["gyro_bias_deg_h"]) else None
-        written = [] if out is None else flight.figures(result, make(out))
-    if as_json:
-        print_json(result | {"without_bias": plain})
-        return
-    for path in written:
-        print(f"wrote {path}")
-    print(flight.report(result, plain))
+    status = r.main(
+        recording,
+        model,
+        only_check=check,
+        folder=None if out is None else str(make(out)),
+        as_json=as_json,
+        delay=delay_ms * 1e-3,
+        rate_hz=rate_hz,
+        measurement=measurement,
+    )
+    raise typer.Exit(status)
 
 
 def make(folder: Path) -> Path:
