@@ -5,6 +5,7 @@ timed in the same interpreted loop, repeats interleaved, minima taken.
 """
 
 import ctypes
+import functools
 import time
 
 import numpy as np
@@ -42,9 +43,9 @@ def main():
         for array, _ in zip(arrays, widths, strict=True):
             arguments += [ctypes.c_void_p(array.ctypes.data), ctypes.c_size_t(0)]
         arguments += [ctypes.c_void_p(a.ctypes.data) for a in (*outputs, status)]
-        def friendly(unit=unit, fields={key: value.copy() for key, value in bound.inputs.items()}, library=library):  # noqa: B006
-            return unit(**{key: value if library.field[key]["size"] > 1 else value[0] for key, value in fields.items()})
 
+        fields = {key: view.copy() if library.field[key]["size"] > 1 else view[0] for key, view in bound.inputs.items()}
+        friendly = functools.partial(unit, **fields)
         best = {"c": np.inf, "bound": np.inf, "loop": np.inf, "keywords": np.inf}
         for _ in range(REPEATS):
             start = time.perf_counter()
@@ -54,7 +55,9 @@ def main():
             best["loop"] = min(best["loop"], per_call(int))
             best["keywords"] = min(best["keywords"], per_call(friendly, 500))
         rows.append((name, best))
-    print(f"{'function':<16}{'C alone, ns':>12}{'bound call, ns':>16}{'over C, ns':>12}{'ratio':>8}{'keywords, us':>14}")
+    print(
+        f"{'function':<16}{'C alone, ns':>12}{'bound call, ns':>16}{'over C, ns':>12}{'ratio':>8}{'keywords, us':>14}"
+    )
     loop = min(best["loop"] for _, best in rows) * 1e9
     for name, best in rows:
         c, call = best["c"] * 1e9, best["bound"] * 1e9

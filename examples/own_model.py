@@ -1,7 +1,7 @@
 """A model of one's own: the level of a leaking tank, and the error of the meter that reads it.
 
-    boresight generate examples/own_model.py:TANK
-    boresight verify examples/own_model.py:TANK
+boresight generate examples/own_model.py:TANK
+boresight verify examples/own_model.py:TANK
 """
 
 from sympy import Matrix, Rational, sqrt

@@ -11,21 +11,21 @@ from scipy.spatial.transform import Rotation
 
 def matrix(q):
     q = np.asarray(q, float)
-    return Rotation.from_quat(q.reshape(-1, 4), scalar_first=True).as_matrix().reshape(q.shape[:-1] + (3, 3))
+    return Rotation.from_quat(q.reshape(-1, 4), scalar_first=True).as_matrix().reshape((*q.shape[:-1], 3, 3))
 
 
 def quaternion(C):
-    return Rotation.from_matrix(C.reshape(-1, 3, 3)).as_quat(scalar_first=True).reshape(C.shape[:-2] + (4,))
+    return Rotation.from_matrix(C.reshape(-1, 3, 3)).as_quat(scalar_first=True).reshape((*C.shape[:-2], 4))
 
 
 def exp(v):
     v = np.asarray(v, float)
-    return Rotation.from_rotvec(v.reshape(-1, 3)).as_matrix().reshape(v.shape[:-1] + (3, 3))
+    return Rotation.from_rotvec(v.reshape(-1, 3)).as_matrix().reshape((*v.shape[:-1], 3, 3))
 
 
 def dcm(euler):
     euler = np.asarray(euler, float)
-    return Rotation.from_euler("ZYX", euler.reshape(-1, 3)[:, ::-1]).as_matrix().reshape(euler.shape[:-1] + (3, 3))
+    return Rotation.from_euler("ZYX", euler.reshape(-1, 3)[:, ::-1]).as_matrix().reshape((*euler.shape[:-1], 3, 3))
 
 
 def angles(C):
@@ -42,11 +42,11 @@ def cross(v):
     v = np.asarray(v, float)
     zero = np.zeros(v.shape[:-1])
     x, y, z = v[..., 0], v[..., 1], v[..., 2]
-    return np.stack([zero, -z, y, z, zero, -x, -y, x, zero], -1).reshape(v.shape[:-1] + (3, 3))
+    return np.stack([zero, -z, y, z, zero, -x, -y, x, zero], -1).reshape((*v.shape[:-1], 3, 3))
 
 
 def rate_matrix(euler):
-    """d(Euler angles) / d(small rotation in body axes), by the inverse of its columns: the rotation of each angle alone."""
+    """d(Euler angles) / d(small rotation in body axes), inverting the rotation of each angle alone."""
     roll, pitch = np.asarray(euler, float)[..., 0], np.asarray(euler, float)[..., 1]
     zero, one = np.zeros_like(roll), np.ones_like(roll)
     columns = [
@@ -58,7 +58,7 @@ def rate_matrix(euler):
 
 
 def F(omega_in_n):
-    out = np.zeros(np.shape(omega_in_n)[:-1] + (6, 6))
+    out = np.zeros((*np.shape(omega_in_n)[:-1], 6, 6))
     out[..., :3, :3] = -cross(omega_in_n)
     return out
 
@@ -121,7 +121,19 @@ def feedback(q_b2n_wxyz, mu, x):
 
 def model():
     """The functions as one object; `.fields` names what each takes, as the compiled library does."""
-    functions = (F, Phi, Q, euler_angles, euler_z, euler_H, euler_exact_z, euler_exact_h, euler_exact_H, strapdown, feedback)
+    functions = (
+        F,
+        Phi,
+        Q,
+        euler_angles,
+        euler_z,
+        euler_H,
+        euler_exact_z,
+        euler_exact_h,
+        euler_exact_H,
+        strapdown,
+        feedback,
+    )
     for function in functions:
         function.fields = function.__code__.co_varnames[: function.__code__.co_argcount]
     return SimpleNamespace(**{function.__name__: function for function in functions})

@@ -14,6 +14,8 @@ GRAVITY = Rational("9.81")
 angle, rate = swing.symbols
 length, damping = plant.symbols
 
+ENERGY = Matrix([length**2 * rate**2 / 2 + 2 * GRAVITY * length * sin(angle / 2) ** 2])
+
 PENDULUM = Model(
     name="pendulum",
     c_prefix="pd",
@@ -32,7 +34,11 @@ PENDULUM = Model(
     measurements=(
         Measurement("tip", ("horizontal",), "m", "horizontal place of the tip", h=Matrix([length * sin(angle)])),
     ),
-    functions=(Function("energy", "energy of the swing", (
-        Output("energy", Matrix([length**2 * rate**2 / 2 + GRAVITY * length * 2 * sin(angle / 2) ** 2]), "J/kg", "energy"),
-    )),),
-)  # fmt: skip
+    functions=(
+        Function(
+            "energy",
+            "energy of the swing",
+            (Output("energy", ENERGY, "J/kg", "energy"),),
+        ),
+    ),
+)

@@ -1,4 +1,4 @@
-"""The generated folder as an engineer takes it: no warning, its self-test, CMake both ways, all models in one binary."""
+"""The generated folder as an engineer takes it: warnings, self-test, CMake both ways, models in one binary."""
 
 import shutil
 import subprocess
@@ -7,9 +7,9 @@ import pytest
 from conftest import ROOT
 
 FLAGS = (
-    "-std=c99 -O1 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wmissing-prototypes -Werror "
-    "-ffp-contract=off"
-).split()
+    *("-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow"),
+    *("-Wmissing-prototypes", "-Werror", "-ffp-contract=off"),
+)
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 EM = ROOT / "generated" / "euler_matching"
 
@@ -69,7 +69,7 @@ def test_two_models_link_into_one_binary(tmp_path, pendulum_folder):
 
 USER = (
     '#include <stdio.h>\n#include "euler_matching.h"\nint main(void)\n{\n    em_nav nav = {{1, 0, 0, 0}, {0}};\n'
-    '    bs_real e[3];\n    return (int)em_euler_angles(&nav, e);\n}\n'
+    "    bs_real e[3];\n    return (int)em_euler_angles(&nav, e);\n}\n"
 )
 
 

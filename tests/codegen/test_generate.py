@@ -180,7 +180,7 @@ def test_a_function_that_is_gone_leaves_no_file(tmp_path):
     file = tmp_path / "mine.py"
     file.write_text(text)
     generate(f"{file}:PENDULUM", tmp_path / "out")
-    file.write_text(text.replace("functions=(Function", "functions=() and (Function"))
+    file.write_text(text.replace("functions=(\n", "functions=() and (\n"))
     report = generate(f"{file}:PENDULUM", tmp_path / "out")
     assert [str(c) for c in report.changes] == ["energy: removed, 9 operations"] or report.changes[0].after is None
     assert not list((tmp_path / "out").rglob("*energy*"))

@@ -40,7 +40,9 @@ def test_a_box_upside_down_is_refused():
 def with_gyro_bias():
     """Euler matching with a constant gyro bias as three more states, as composition."""
     base = euler_matching()
-    bias = variable("gyro_bias", "bg_x bg_y bg_z", "rad/s", "gyro bias, measured - true", -0.01, 0.01, frame="slave body")
+    bias = variable(
+        "gyro_bias", "bg_x bg_y bg_z", "rad/s", "gyro bias, measured - true", -0.01, 0.01, frame="slave body"
+    )
     F = zeros(9, 9)
     F[:3, 6:] = base.G[:3, :]
     return base.extend(name="euler-matching-bias", c_prefix="emb", states=(bias,), F=F)

@@ -68,7 +68,7 @@ def test_simplification_is_left_switched_on():
 
 @pytest.mark.parametrize(
     ("expression", "said"),
-    [(sp.exp(x), "exp"), (x**sp.Rational(1, 3), "whole or half"), (x**y, "whole or half"), (sp.Symbol("w"), "w")],
+    [(sp.exp(x), "exp"), (x ** sp.Rational(1, 3), "whole or half"), (x**y, "whole or half"), (sp.Symbol("w"), "w")],
 )
 def test_what_flight_c_does_not_have_is_refused_by_name(expression, said):
     with pytest.raises(BoresightError, match=said):

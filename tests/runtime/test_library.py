@@ -28,7 +28,9 @@ def same_rotation(q):
 @pytest.mark.parametrize("name", sorted(vars(WITNESS)))
 def test_the_c_computes_what_finite_rotations_in_numpy_compute(library, points, name):
     ours, theirs = call(library, name, points), call(WITNESS, name, points)
-    ours, theirs = (r if isinstance(r, dict) else {"q_b2n_wxyz" if name == "strapdown" else name: r} for r in (ours, theirs))
+    ours, theirs = (
+        r if isinstance(r, dict) else {"q_b2n_wxyz" if name == "strapdown" else name: r} for r in (ours, theirs)
+    )
     for key in ours:
         a, b = (same_rotation(r[key]) if key == "q_b2n_wxyz" else r[key] for r in (ours, theirs))
         # the witness differentiates numerically
@@ -108,7 +110,7 @@ def test_a_pitch_past_80_degrees_has_no_euler_angles(library):
 
 
 def test_a_quaternion_must_have_unit_norm(library):
-    with pytest.raises(BoresightError, match="norm 0.5"):
+    with pytest.raises(BoresightError, match=r"norm 0\.5"):
         library.euler_angles(q_b2n_wxyz=[0.5, 0, 0, 0])
 
 
@@ -126,7 +128,7 @@ def test_wrong_names_list_the_right_ones(library):
 def test_no_compiler_is_one_line(em_copy, monkeypatch, tmp_path):
     monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "empty"))
     monkeypatch.setenv("CC", "no-such-compiler")
-    with pytest.raises(BoresightError, match="no C compiler: 'no-such-compiler' is not found; install gcc or clang"):
+    with pytest.raises(BoresightError, match="no C compiler: 'no-such-compiler' is not found; install gcc"):
         load(em_copy)
 
 
