@@ -95,7 +95,7 @@ def judge(equation: Equation, relations: tuple[Relation, ...]) -> Verdict:
     """The verdict on `relations` in the place of the equation's own."""
     if equation.defines:
         return _judge_definition(equation, relations)
-    return _judge_at(relations, lambda seed, scale: _point(equation.paper, seed, scale, equation.small))
+    return _judge_at(relations, lambda seed, scale: witness_point(equation.paper, seed, scale, equation.small))
 
 
 def _judge_at(relations, point, seeds=SEEDS) -> Verdict:
@@ -118,7 +118,7 @@ def _judge_definition(equation: Equation, relations: tuple[Relation, ...]) -> Ve
 
     paper, seed, changed = equation.paper, SEEDS[0], ((equation.number, relations),)
     try:
-        given, usual = _point(paper, seed, FULL, (), changed), _point(paper, seed, FULL)
+        given, usual = witness_point(paper, seed, FULL, (), changed), witness_point(paper, seed, FULL)
     except (ValueError, KeyError, ZeroDivisionError) as error:
         return Verdict("refuted", f"it does not define {', '.join(map(str, equation.defines))}: {error}")
     moved = {
@@ -132,7 +132,7 @@ def _judge_definition(equation: Equation, relations: tuple[Relation, ...]) -> Ve
     for user in users:
 
         def point(seed, scale, small=user.small):
-            return _point(paper, seed, scale, small, changed)
+            return witness_point(paper, seed, scale, small, changed)
 
         if _judge_at(user.derived, point, (seed,)).status == "refuted":
             return Verdict("refuted", f"contradicted by ({user.number})")
@@ -140,7 +140,7 @@ def _judge_definition(equation: Equation, relations: tuple[Relation, ...]) -> Ve
 
 
 @cache
-def _point(paper: str, seed: int, scale: float, small: tuple = (), changed: tuple = ()) -> Point:
+def witness_point(paper: str, seed: int, scale: float, small: tuple = (), changed: tuple = ()) -> Point:
     """The witness's values at a random point, the errors `small` times `scale`; `changed`: other definitions."""
     world = import_module(PAPERS[paper] + "_world")
     conditions = world.Conditions().scaled(scale, small)

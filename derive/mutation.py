@@ -1,17 +1,29 @@
 """Every single mutation of a relation: one sign, function, letter, transpose, order, term or factor changed.
 
-A status that is really computed changes with each of them, but for the mutants which say the same thing.
+A status that is really computed changes with each of them, but for the mutants which say the same thing; why a mutant
+survives is computed too.
 """
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from dataclasses import dataclass
+from functools import cache
+from random import Random
 
+import mpmath as mp
 from sympy import Add, MatAdd, MatMul, Mul, Pow, S, Symbol, cos, sin, tan
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
 from sympy.matrices.exceptions import ShapeError
 
-from boresight.derive.equation import Quantity, Relation, children, negative, rebuild
+from boresight.derive.equation import Equation, Quantity, Relation, children, negative, rebuild
+from boresight.derive.ledger import EXACT, FOURFOLD, FULL, HALF, SEEDS, SMALL, judge, witness_point
+from boresight.derive.witness import DIGITS, Point, residual
+
+SAME = "says the same: equal for any values of the letters"
+ALIAS = "puts another name of the same quantity"
+SECOND_ORDER = "differs in the second order alone, which the equation drops"
+UNEXPLAINED = "unexplained"
 
 OTHER_FUNCTIONS = {sin: (cos, tan), cos: (sin, tan), tan: (sin, cos)}
 
@@ -102,3 +114,68 @@ def _commutes(factor) -> bool:
 def _short(expression) -> str:
     text = " ".join(str(expression).replace("Matrix", "").split())
     return text if len(text) <= 40 else text[:37] + "..."
+
+
+# ---- Survivors -------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Survivor:
+    """A mutant that keeps the status, and why."""
+
+    number: str
+    what: str
+    reason: str
+
+
+def survivors(equation: Equation) -> tuple[int, list[Survivor]]:
+    """How many mutants the print of an equation has, of an erratum the corrected form, and those which survive."""
+    with mp.workdps(DIGITS):
+        form, verdict = equation.read(), judge(equation, equation.read())
+        if verdict.status == "refuted":
+            form, verdict = equation.derived, judge(equation, equation.derived)
+        count, found = 0, []
+        for what, mutant in mutants(form, equation.quantities):
+            count += 1
+            if judge(equation, mutant).status == verdict.status:
+                found.append(Survivor(equation.number, what, _reason(equation, form, mutant)))
+    return count, found
+
+
+def _reason(equation: Equation, form, mutant) -> str:
+    def at(point: Point) -> tuple[list, list]:
+        both = ([entry for relation in r for entry in residual(relation.sides, point)] for r in (form, mutant))
+        first, second = both
+        return first, second
+
+    def same(first, second) -> bool:
+        return any(all(abs(a - sign * b) < EXACT for a, b in zip(first, second, strict=True)) for sign in (1, -1))
+
+    if same(*at(_free_point(equation))):
+        return SAME
+    if same(*at(witness_point(equation.paper, SEEDS[0], FULL))):
+        return ALIAS
+    small, half = (
+        max(
+            abs(a - b) for a, b in zip(*at(witness_point(equation.paper, SEEDS[0], scale, equation.small)), strict=True)
+        )
+        for scale in (SMALL, HALF)
+    )
+    return SECOND_ORDER if half <= FOURFOLD * small else UNEXPLAINED
+
+
+@cache
+def _free_point(equation: Equation) -> Point:
+    """Values drawn for every letter by itself, as if no equation held; functions as the witness has them."""
+    generator = Random(7)
+    known = witness_point(equation.paper, SEEDS[0], FULL).values
+
+    def drawn(letter: Quantity):
+        if letter.function:
+            return known[letter.symbol.name]
+        if not letter.shape:
+            return mp.mpf(generator.uniform(0.2, 1.2))
+        rows, columns = (*letter.shape, 1)[:2]
+        return mp.matrix([[generator.uniform(0.2, 1.2) for _ in range(columns)] for _ in range(rows)])
+
+    return Point({letter.symbol.name: drawn(letter) for letter in equation.quantities})

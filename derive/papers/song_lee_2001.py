@@ -652,7 +652,7 @@ def equations() -> tuple[Equation, ...]:
         ],
         unit="1",
         leads_to=("24",),
-        note="The label ΔQ_b^n is that of a rotation from n' to n; it changes no number.",
+        note="The label ΔQ_b2n is that of a rotation from n' to n; it changes no number.",
     )
 
     # (24)  the correction of the attitude.

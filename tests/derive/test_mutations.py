@@ -1,0 +1,67 @@
+"""A status that is computed changes with every mutation: the survivors are listed, each with a computed reason."""
+
+from collections import Counter
+
+import pytest
+
+from boresight.derive.ledger import equations
+from boresight.derive.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED, mutants, survivors
+
+EQUATIONS = {equation.number: equation for equation in equations("song-lee-2001")}
+# number: (mutants, survivors that say the same, that put another name, that differ in second order).
+# (26) to (28) have a zero entry in each row: whatever it multiplies may change.
+EXPECTED = {
+    "1": (53, 0, 0, 0),
+    "2": (53, 0, 0, 0),
+    "3": (53, 0, 0, 0),
+    "4": (84, 0, 3, 0),
+    "5": (163, 0, 9, 6),
+    "6": (83, 0, 2, 0),
+    "7": (126, 0, 6, 6),
+    "8": (243, 0, 10, 14),
+    "9": (306, 0, 13, 20),
+    "10": (210, 0, 10, 0),
+    "11": (39, 0, 0, 0),
+    "12": (244, 0, 10, 14),
+    "13": (306, 0, 13, 20),
+    "14": (157, 0, 3, 0),
+    "15": (306, 0, 0, 20),
+    "16": (170, 0, 3, 0),
+    "17": (264, 0, 6, 0),
+    "18": (306, 0, 0, 20),
+    "19": (582, 0, 10, 90),
+    "20": (69, 0, 0, 3),
+    "21": (11, 1, 0, 0),
+    "22": (97, 0, 0, 0),
+    "23": (277, 0, 1, 0),
+    "24": (14, 0, 1, 0),
+    "25": (36, 0, 0, 0),
+    "26": (345, 16, 5, 36),
+    "27": (260, 32, 3, 18),
+    "28": (345, 16, 5, 36),
+}
+
+
+@pytest.mark.parametrize("number", list(EQUATIONS))
+def test_every_single_mutation_changes_the_status_or_says_the_same(number):
+    count, found = survivors(EQUATIONS[number])
+    reasons = Counter(survivor.reason for survivor in found)
+    assert not reasons[UNEXPLAINED], [survivor for survivor in found if survivor.reason == UNEXPLAINED]
+    assert (count, reasons[SAME], reasons[ALIAS], reasons[SECOND_ORDER]) == EXPECTED[number]
+
+
+def test_no_changed_sign_function_transpose_or_order_survives_but_of_what_is_zero_or_one():
+    for number in ("8", "9", "12", "13", "15", "18", "19", "20", "23", "24", "25"):
+        for survivor in survivors(EQUATIONS[number])[1]:
+            before, _, after = survivor.what.partition(" -> ")
+            assert after and len(before) <= 6, survivor  # one letter for another, nothing else
+
+
+def test_mutants_cover_each_class():
+    what = [text for number in ("7", "19", "20", "24") for text, _ in _mutants(number)]
+    for piece in ("its negative", "sign of", "without", "sin(ψ_b) -> cos", "ψ_b -> φ_b", "transpose", "other order"):
+        assert any(piece in text for text in what), piece
+
+
+def _mutants(number):
+    return mutants(EQUATIONS[number].read(), EQUATIONS[number].quantities)

@@ -1,0 +1,100 @@
+"""Derivations on the terminal, in LaTeX, HTML and PDF, and the page made from them."""
+
+import re
+import shutil
+import xml.dom.minidom
+from pathlib import Path
+
+import pytest
+
+from boresight import BoresightError
+from boresight.derive.ledger import ledger
+from boresight.derive.render import errata_table, latex_name, pdf, pdf_from_latex, render
+
+PAPER = "song-lee-2001"
+DOCUMENT = Path(__file__).resolve().parents[2] / "docs" / "derivations" / f"{PAPER}.md"
+needs_pdflatex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+
+
+def test_terminal_shows_print_derivation_steps_and_evidence_within_its_width():
+    text = render(PAPER, "9")
+    assert text.startswith("song-lee-2001 (9)  erratum: letter, transcription  [source line 74]")
+    for piece in ("printed", "cos(φ)", "derived", "cos(ψ)", "1. invert:", "evidence: ", "note: Origin transcription"):
+        assert piece in text
+    assert max(map(len, text.splitlines())) <= 110
+
+
+def test_all_equations_are_shown_with_the_counts_and_what_stands_beside_them():
+    text = render(PAPER)
+    assert text.startswith("song-lee-2001: 28 equations, 5 exact, 8 first-order, 6 definition, 9 erratum")
+    assert all(f"song-lee-2001 ({number})" in text for number in range(1, 29))
+    assert "Table 1: 13, 12, 21, 3 cells" in text
+
+
+def test_latex_carries_the_print_verbatim_and_no_letter_outside_ascii():
+    document = render(PAPER, None, "latex")
+    assert document.isascii()
+    assert r"\hat{C}_b^n(\hat{\phi}, \hat{\theta}, \hat{\psi}) = C_n^{n'} C_b^n" in document
+    assert document.count(r"\subsection*{(") == 28
+
+
+@needs_pdflatex
+def test_latex_of_every_equation_compiles():
+    assert pdf(PAPER).startswith(b"%PDF")
+
+
+@needs_pdflatex
+def test_latex_that_does_not_compile_is_one_line():
+    with pytest.raises(BoresightError, match=r"pdflatex failed: ! Undefined control sequence"):
+        pdf_from_latex("\\documentclass{article}\\begin{document}\\nothing\\end{document}")
+
+
+def test_without_pdflatex_one_line_says_what_to_install(monkeypatch):
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    with pytest.raises(BoresightError, match="pdflatex is not installed: install"):
+        pdf_from_latex("")
+
+
+def test_html_stands_alone_and_its_formulas_are_well_formed():
+    page = render(PAPER, None, "html")
+    assert "src=" not in page and "href=" not in page
+    formulas = re.findall(r"<math.*?</math>", page, re.DOTALL)
+    assert len(formulas) > 80
+    for formula in formulas:
+        xml.dom.minidom.parseString(formula.replace("&InvisibleTimes;", ""))
+    assert len(re.findall(r'<section id="eq-\d+">', page)) == 28
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (("song-lee",), "the papers are song-lee-2001"),
+        ((PAPER, "29"), "no equation '29': it has 1 to 28"),
+        ((PAPER, "9", "docx"), "the formats are text, latex, html and pdf"),
+    ],
+)
+def test_a_wrong_name_number_or_format_lists_the_right_ones(arguments, message):
+    with pytest.raises(BoresightError, match=re.escape(message)):
+        render(*arguments)
+
+
+@pytest.mark.parametrize(
+    "name, latex",
+    [
+        ("C_b2n'", "C_{b}^{n'}"),
+        ("δφ̂_b", r"\delta \hat{\phi}_{b}"),
+        ("[ω_ib_b x]", r"[\omega_{ib}^{b}\times]"),
+        ("Ċ_b2n", r"\dot{C}_{b}^{n}"),
+    ],
+)
+def test_latex_of_a_name(name, latex):
+    assert latex_name(name) == latex
+
+
+def test_ledger_holds_the_latex_of_print_and_derivation():
+    nine = next(entry for entry in ledger(PAPER) if entry.number == "9")
+    assert nine.derived.count(r"\psi") == 7 and nine.printed.count(r"\psi") == 1
+
+
+def test_the_errata_table_of_the_documentation_is_fresh():
+    assert errata_table(PAPER) in DOCUMENT.read_text(encoding="utf-8")

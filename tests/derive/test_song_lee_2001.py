@@ -1,0 +1,60 @@
+"""The functions of Song and Lee which the model is made of: small, without tangents, and exact inverses."""
+
+import subprocess
+import sys
+
+import pytest
+from sympy import Matrix, eye, simplify, symbols, tan, zeros
+
+from boresight.derive.papers import song_lee_2001 as paper
+from boresight.derive.rotation import dcm_from_euler, skew, vee
+
+phi, theta, psi = symbols("phi theta psi", real=True)
+
+
+def test_inverses_are_inverses():
+    assert simplify(paper.eps_D_euler(theta, psi) * paper.euler_D_eps(theta, psi)) == eye(3)
+    assert simplify(paper.beta_D_euler(phi, theta) * paper.euler_D_beta(phi, theta)) == eye(3)
+
+
+@pytest.mark.parametrize("column, angle", [(0, phi), (1, theta), (2, psi)])
+def test_columns_are_the_skew_parts_of_the_differentiated_matrix(column, angle):
+    C = dcm_from_euler(phi, theta, psi)
+    assert simplify(vee(-C.diff(angle) * C.T) - paper.eps_D_euler(theta, psi)[:, column]) == zeros(3, 1)
+    assert simplify(vee(C.T * C.diff(angle)) - paper.beta_D_euler(phi, theta)[:, column]) == zeros(3, 1)
+
+
+def test_body_and_navigation_forms_differ_by_the_attitude():
+    """(11): beta = -C_n2b eps."""
+    C = dcm_from_euler(phi, theta, psi)
+    assert simplify(paper.beta_D_euler(phi, theta) + C.T * paper.eps_D_euler(theta, psi)) == zeros(3, 3)
+
+
+def test_measurement_matrix_is_the_gradient_of_the_measurement():
+    """Through (9) for the slave's error; mu_hat = mu + dmu for the misalignment's."""
+    b, r, mu = (Matrix(symbols(names, real=True)) for names in ("p:3", "r:3", "m:3"))
+    z = paper.measurement(b, r, mu)
+    H = paper.measurement_matrix(b, r)
+    assert H[:, 3:] == z.jacobian(mu)
+    assert H[:, :3] == z.jacobian(b) * paper.euler_D_eps(b[1], b[2])
+
+
+def test_functions_hold_only_what_the_printed_c_knows():
+    b, r, mu = symbols("p:3"), symbols("r:3"), symbols("m:3")
+    assert not paper.measurement(b, r, mu).has(tan) and not paper.measurement_matrix(b, r).has(tan)
+
+
+def test_error_model_turns_back_with_the_navigation_axes():
+    omega, eps = symbols("w:3"), Matrix(symbols("e:3"))
+    assert paper.attitude_error_matrix(omega) == -skew(omega)
+    assert paper.attitude_error_matrix(omega) * eps == -Matrix(omega).cross(eps)
+
+
+def test_importing_the_paper_derives_nothing():
+    code = (
+        "import sys; from boresight.derive.papers import song_lee_2001 as p; "
+        "assert p.equations.cache_info().currsize == 0; "
+        "assert 'boresight.derive.ledger' not in sys.modules; "
+        "assert 'boresight.derive.papers.song_lee_2001_world' not in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=__file__.rsplit("/tests/", 1)[0])
