@@ -174,3 +174,36 @@ def test_a_broken_manifest_is_one_line(em_copy):
 
 def test_the_built_in_folder_is_found_by_name():
     assert folder_of("euler-matching").resolve() == ROOT / "generated" / "euler_matching"
+
+
+def test_phi_and_g_are_the_jacobians_of_the_strapdown(library):
+    """(20) on the C itself: what becomes of a difference in attitude and gyros through the exact kinematics."""
+    rng = np.random.default_rng(8)
+    exp, matrix = numpy_euler_matching.exp, numpy_euler_matching.matrix
+    q = rng.standard_normal((50, 4))
+    q /= np.linalg.norm(q, axis=1, keepdims=True)
+    move = {"omega_in_n": rng.uniform(-1e-3, 1e-3, (50, 3)), "dt": np.full(50, 0.5)}
+    dtheta = rng.uniform(-0.2, 0.2, (50, 3))
+    C = matrix(library.strapdown(q_b2n_wxyz=q, dtheta_ib_b=dtheta, **move))
+
+    def error(size):
+        """Largest difference between the linear model and the exact one, for errors of this size (rad)."""
+        eps, gyro = (size * rng.standard_normal((50, 3)) for _ in range(2))
+        q_hat = numpy_euler_matching.quaternion(exp(-eps) @ matrix(q))
+        # a wrong turn at the start of the step: C_hat' = C_hat exp(gyro error) exp(dtheta)
+        turn_hat = rotation_vector(exp(gyro) @ exp(dtheta))
+        C_hat = matrix(library.strapdown(q_b2n_wxyz=q_hat, dtheta_ib_b=turn_hat, **move))
+        after = rotation_vector(C @ np.swapaxes(C_hat, -1, -2))
+        Phi = library.Phi(**move)[:, :3, :3]
+        into = eps - np.einsum("kij,kj->ki", matrix(q), gyro)  # G = -C_b2n
+        return np.abs(after - np.einsum("kij,kj->ki", Phi, into)).max()
+
+    coarse, fine = error(1e-3), error(1e-4)
+    assert coarse < 2e-5
+    assert 50 < coarse / fine < 200  # second order: a tenth of the error leaves a hundredth
+
+
+def rotation_vector(C):
+    from scipy.spatial.transform import Rotation
+
+    return Rotation.from_matrix(C).as_rotvec()
