@@ -166,7 +166,7 @@ def equations() -> tuple[Equation, ...]:
     eps, beta, eps_rate, gyro_error = s("ε β ε̇ δω_b")
     eps_parts, mu_parts, dmu_parts = col("ε_n ε_e ε_d"), col("μ_x μ_y μ_z"), col("δμ_x δμ_y δμ_z")
     difference, computed_difference = col("Δφ Δθ Δψ"), col("Δφ̂ Δθ̂ Δψ̂")
-    M_r = _layout(euler_D_beta(*euler_r[:2]))
+    M_r = _layout(relative_euler(euler_r, mu_parts).jacobian(mu_parts))
     H = measurement_matrix(euler_b, euler_r)
     (Z,) = s("Z")
     I_minus_E, I_plus_B = total(I, negative(E)), total(I, B)
@@ -674,7 +674,15 @@ def equations() -> tuple[Equation, ...]:
     mu_after, mu_before, dmu_k = s("μ̂(k+) μ̂(k-) δμ(k)")
     add(
         25,
-        [Relation((mu_after, total(mu_before, negative(dmu_k))))],
+        # The function's own terms, in the order of the page.
+        [
+            Relation(
+                (
+                    mu_after,
+                    total(*sorted(corrected_misalignment(mu_before, dmu_k).args, key=lambda term: term != mu_before)),
+                )
+            )
+        ],
         [
             (
                 "define",

@@ -3,11 +3,14 @@
 import subprocess
 import sys
 
+import mpmath as mp
 import pytest
-from sympy import Matrix, eye, simplify, symbols, tan, zeros
+from sympy import Float, Matrix, eye, simplify, symbols, tan, zeros
 
 from boresight.derive.papers import song_lee_2001 as paper
+from boresight.derive.papers import song_lee_2001_world as world
 from boresight.derive.rotation import dcm_from_euler, skew, vee
+from boresight.derive.witness import DIGITS
 
 phi, theta, psi = symbols("phi theta psi", real=True)
 
@@ -37,6 +40,24 @@ def test_measurement_matrix_is_the_gradient_of_the_measurement():
     H = paper.measurement_matrix(b, r)
     assert H[:, 3:] == z.jacobian(mu)
     assert H[:, :3] == z.jacobian(b) * paper.euler_D_eps(b[1], b[2])
+
+
+def test_measurement_is_the_difference_of_the_angles_where_nothing_is_misaligned():
+    b, r = symbols("p:3"), symbols("r:3")
+    assert paper.measurement(b, r, (0, 0, 0)) == Matrix(b) - Matrix(r)
+
+
+def test_feedback_of_the_true_errors_ends_at_the_truth():
+    """(23), (24) and (25) in the model's own functions."""
+    with mp.workdps(DIGITS):
+        definitions = {e.number: e.read() for e in paper.equations() if e.defines}
+        values = world.world(world.draw(3, world.Conditions()), definitions)
+        q = paper.corrected_quaternion(
+            [Float(x, DIGITS) for x in values["Q̂(k-)"]], [Float(x, DIGITS) for x in values["ε"]]
+        )
+        assert max(abs(a.evalf(DIGITS) - b) for a, b in zip(q, values["Q̂(k+)"], strict=True)) < 1e-28
+        mu_hat, mu_error = (mp.matrix([values[f"{name}_{axis}"] for axis in "xyz"]) for name in ("μ̂", "δμ"))
+        assert paper.corrected_misalignment(mu_hat, mu_error) == mp.matrix([values[f"μ_{axis}"] for axis in "xyz"])
 
 
 def test_functions_hold_only_what_the_printed_c_knows():
