@@ -72,7 +72,7 @@ def euler_table(result: dict[str, Any], path: Path) -> None:
         ),
     )
     short = [", ".join(part[0] for part in name.split(", ")) for name in result["motions"]]
-    with figure(path, 9.6, 4.5, ncols=3, sharey=True) as (drawing, axes):
+    with figure(path, 9.6, 4.3, ncols=3, sharey=True) as (drawing, axes):
         for ax, (title, ratio) in zip(axes, panels, strict=True):
             for (i, j, k), value in np.ndenumerate(ratio):
                 x, y = j + 0.09 + 0.28 * k, i + 0.2
