@@ -221,8 +221,9 @@ def explore(
     """Everything that docs/euler-matching.md counts.  The result can be written as JSON:
 
     study, runs, seed; seeds, durations_monte_carlo, drawn, drawn_text_noises, alternatives, switches: lists of
-    {name, ..., linear, monte_carlo} as `counted` gives them; durations, second_order, consistency: lists, as the
-    functions give them; finished: false if it was interrupted, and then later parts are missing.
+    {name, ..., linear, monte_carlo} as `counted` gives them; durations, durations_text_noises, second_order,
+    consistency: lists, as the functions give them; finished: false if it was interrupted, and then
+    later parts are missing.
     """
     say, declared = progress or (lambda line: None), scenario or Scenario()
     result: dict[str, Any] = {"study": "euler-table", "runs": runs, "seed": seed, "finished": False}
@@ -239,6 +240,8 @@ def explore(
             count("durations_monte_carlo", f"{seconds:g} s", declared, seconds)
         say("durations, to an hour")
         result["durations"] = durations(model, declared)
+        as_text = replace(declared, **SWITCHES["text-noises"].changes)
+        result["durations_text_noises"] = durations(model, as_text, 1800.0)
         for number in range(drawn):
             drawn_set = drawn_motion(number)
             count("drawn", f"set {number}", replace(declared, **drawn_set))
@@ -301,9 +304,13 @@ def report(result: dict[str, Any]) -> str:
                 for way in ("linear", "monte_carlo")
             ]
             lines.append(f"  {row['name']:44}" + "  ".join(cells) + f"{row['lost_runs']:7d}")
-    if "durations" in result:
-        lines += ["", "All 147 cells by linear covariance, up to an hour"]
-        for row in result["durations"]:
+    for part, title in (
+        ("durations", "All 147 cells by linear covariance, up to an hour"),
+        ("durations_text_noises", "The same, filter told 1' and 1', up to half an hour"),
+    ):
+        if part in result:
+            lines += ["", title]
+        for row in result.get(part, []):
             parts = [
                 f"{word} {'on ' if row[key] else 'off'}"
                 for word, key in (

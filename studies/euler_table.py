@@ -470,6 +470,10 @@ def report(result: dict[str, Any]) -> str:
         lines += [f"    differs from the paper: {cell}" for cell in got["disagree"][:12]]
         if len(got["disagree"]) > 12:
             lines.append(f"    ... and {len(got['disagree']) - 12} more")
+    claimed = int(np.sum((np.array(result["monte_carlo"]["claimed"]) < threshold) & ~tables[0]))
+    lines.append(
+        f"    the filter's own sigma calls {claimed} of the {np.sum(~tables[0])} others estimated: it is no witness"
+    )
     if result["monte_carlo"]["lost_runs"]:
         lines.append(f"    {result['monte_carlo']['lost_runs']} of {49 * result['runs']} runs left the model's box")
     how = f"{result['runs']} runs, seed {result['seed']}, {result['seconds']:g} s"
