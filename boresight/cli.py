@@ -77,24 +77,31 @@ def equations(
     paper: Annotated[str | None, typer.Argument(help="A paper; all if left out.")] = None, as_json: AsJson = False
 ) -> None:
     """The ledger: each printed equation, its computed status, and every erratum with numbers."""
+    import textwrap
     from collections import Counter
 
-    from rich.table import Table
-
-    from boresight.derive.ledger import PAPERS, ledger
+    from boresight.derive.ledger import PAPERS, findings, ledger
 
     papers = [one_of(paper, list(PAPERS), "paper")] if paper else list(PAPERS)
     entries = [entry for name in papers for entry in ledger(name)]
     if as_json:
         print_json([entry.to_dict() for entry in entries])
         return
-    table = Table("paper", "equation", "status", "kind", "origin", "evidence", box=None)
-    for entry in entries:
-        table.add_row(entry.paper, f"({entry.number})", entry.status, entry.kind, entry.origin, entry.evidence)
-    console().print(table)
     for name in papers:
-        counts = Counter(entry.status for entry in entries if entry.paper == name)
-        print(f"{name}: " + ", ".join(f"{count} {status}" for status, count in sorted(counts.items())))
+        own = [entry for entry in entries if entry.paper == name]
+        print(name)
+        for entry in own:
+            head = f"{'(' + entry.number + ')':>6}  {entry.status:<12}"
+            if entry.status != "erratum":
+                print(textwrap.fill(head + entry.evidence.split("; ")[-1], 110, subsequent_indent=" " * 20))
+                continue
+            print(f"{head}{entry.kind}, {entry.origin}")
+            for text in (entry.note, entry.evidence):
+                print(textwrap.fill(text, 110, initial_indent=" " * 10, subsequent_indent=" " * 10))
+        for finding in findings(name):
+            print(textwrap.fill(str(finding), 110, subsequent_indent="  "))
+        counts = Counter(entry.status for entry in own)
+        print(f"{name}: " + ", ".join(f"{count} {status}" for status, count in sorted(counts.items())) + "\n")
 
 
 @app.command()

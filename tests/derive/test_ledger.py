@@ -1,5 +1,6 @@
 """The ledger of Song and Lee: statuses from finite rotations, errata with kind and origin, and what it refuses."""
 
+import os
 import re
 from pathlib import Path
 
@@ -217,7 +218,11 @@ def test_prose_formula_under_10_is_refuted_and_its_correction_exact():
 
 # ---- The print -------------------------------------------------------------------------------------------------------
 
-needs_source = pytest.mark.skipif(not SOURCE.exists(), reason="the paper's text is not beside the checkout")
+# Where CI is true the text must be there, and these tests fail without it.
+needs_source = pytest.mark.skipif(
+    not SOURCE.exists() and os.environ.get("CI", "").lower() != "true",
+    reason="the paper's text is not beside the checkout",
+)
 
 
 @needs_source
