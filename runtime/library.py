@@ -172,9 +172,10 @@ class Unit:
                 if not np.isfinite(v):
                     raise BoresightError(f"{self.name}: {label}{at} is {v}; give a finite number")
                 if not box["low"][i] <= v <= box["high"][i]:
+                    unit = box["unit"] if "," not in box["unit"] else ""  # a vector of several units names none
                     raise BoresightError(
-                        f"{self.name}: {label}{at} is {v:.6g} {box['unit']}; it must lie within "
-                        f"{box['low'][i]:.6g} to {box['high'][i]:.6g}"
+                        f"{self.name}: {label}{at} is {v:.6g} {unit}".rstrip()
+                        + f"; it must lie within {box['low'][i]:.6g} to {box['high'][i]:.6g}"
                     )
             if box["norm"] and not box["norm"][0] <= np.linalg.norm(value) <= box["norm"][1]:
                 raise BoresightError(
