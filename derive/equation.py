@@ -110,6 +110,8 @@ def total(*terms):
         return terms[0]
     if not any(is_explicit(term) for term in terms):
         return Add(*terms, evaluate=False)
+    if any(not is_explicit(term) and not term.is_commutative for term in terms):
+        return Add(*terms, evaluate=False)  # the letter of a matrix beside an explicit one
     # A scalar beside a 1x1 matrix, as in Song-Lee (26), is a 1x1 matrix itself.
     return MatAdd(*(term if is_explicit(term) else _one_by_one(term) for term in terms))
 

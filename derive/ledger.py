@@ -7,6 +7,7 @@
   stated point, `kind` from the comparison of the trees, and `origin` by the rule of `_origin`.
 """
 
+import re
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from functools import cache
@@ -29,7 +30,13 @@ FOURFOLD = mp.mpf("0.25025")  # a quarter; at errors of 5e-8 rad the next order 
 SEEDS = (1, 2, 3)
 FULL, SMALL, HALF = 1.0, 1e-6, 5e-7
 
-UNITS = {"rad": (10800 / mp.pi, "arcmin"), "rad/s": (3600 * 180 / mp.pi, "deg/h"), "1": (mp.mpf(1), "")}
+UNITS = {
+    "rad": (10800 / mp.pi, "arcmin"),
+    "rad/s": (3600 * 180 / mp.pi, "deg/h"),
+    "m/s": (mp.mpf(1), "m/s"),
+    "m/s^2": (mp.mpf(1), "m/s^2"),
+    "1": (mp.mpf(1), ""),
+}
 # Letters which a scanner, or a tired eye, takes for one another.
 LOOK_ALIKE = ({"φ", "ψ"}, {"ε", "e", "p", "o"})
 
@@ -206,7 +213,7 @@ def _compare(a, b) -> list[Difference]:
     if _equal(a, negative(b)):
         return [Difference("sign", a, b)]
     if isinstance(a, Symbol) and isinstance(b, Symbol):
-        return [Difference("letter", a, b)]
+        return [Difference("shape" if _sized(a) and _sized(b) else "letter", a, b)]
     letters = _swapped_letters(a, b)
     if letters:
         return [Difference("letter", x, y) for x, y in letters]
@@ -217,6 +224,11 @@ def _compare(a, b) -> list[Difference]:
 
 def _equal(a, b) -> bool:
     return a == b or (not is_explicit(a) and not is_explicit(b) and getattr(a - b, "is_zero", False) is True)
+
+
+def _sized(letter: Symbol) -> bool:
+    """Whether the letter is a block of zeros or ones that says its size, 0_3x18."""
+    return re.fullmatch(r"[0I]_\d+x\d+", letter.name) is not None
 
 
 def _swapped_letters(a, b) -> list[tuple[Symbol, Symbol]]:
@@ -353,6 +365,10 @@ def _side_by_side(equation: Equation) -> str:
         return "[" + ", ".join(mp.nstr(entry * factor, 5) for entry in entries) + "]"
 
     text = f"at {world.STATED_TEXT}: "
+    try:
+        _largest(equation.read(), point)
+    except (ValueError, KeyError) as error:
+        return text + f"printed has no value ({error}), derived leaves {mp.nstr(_largest(equation.derived, point), 3)}"
     if equation.unit == "1":  # matrices: how far the sides are from one another says more than 9 numbers
         printed, derived = (_largest(relations, point) for relations in (equation.read(), equation.derived))
         return text + f"sides differ by {mp.nstr(printed, 3)} as printed, by {mp.nstr(derived, 3)} as derived"

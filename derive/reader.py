@@ -1,28 +1,33 @@
 """From the LaTeX of a printed equation to relations, symbol by symbol: nobody types a printed form a second time.
 
-It knows fractions, roots, sines, cosines, tangents, bmatrix, vectors in brackets, sums and products; every letter must
-stand in the paper's table of quantities.  What it does not know it refuses by name.
+It knows fractions, roots, sines, cosines, tangents, bmatrix (of blocks too), vectors in brackets, transposes, inverses,
+norms, sums over a set of samples, an entry (i,j) of a product, sums and products; every letter must stand in the
+paper's table of quantities.  What it does not know it refuses by name.
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
-from sympy import Function, Integer, cos, sin, sqrt, tan
+from sympy import Function, Integer, StrictLessThan, cos, sin, sqrt, tan
+from sympy.functions.elementary.complexes import transpose
 
 from boresight import BoresightError
 from boresight.derive.equation import Quantity, Relation, column, matrix, negative, product, total
 
 FUNCTIONS = {r"\sin": sin, r"\cos": cos, r"\tan": tan}
+SUM = r"\sum_{k\in\Omega_n}"
+ENTRY = re.compile(r"\((\d),(\d)\)")
+ENDS = ("=", "<", "+", "-", "&", r"\\", r"\end", ")", "]", "}", r"\}", r"\|", r"\leq", ",", ";")  # of a product
 
 
 def read(displays: Iterable[str], quantities: Iterable[Quantity]) -> tuple[Relation, ...]:
     """The relations of an equation's displays; a display that begins with an operator continues the one before.
 
+    A side that must be less than something, a = b < c, is read as b < c.
     Raises BoresightError at the first piece of LaTeX that is neither structure nor a quantity of the table.
     """
     joined: list[str] = []
-    for display in displays:
-        text = _plain(display)
+    for text in (_plain(row) for display in displays for row in _rows(display)):
         if joined and text[0] in "=+-":
             joined[-1] += text
         else:
@@ -36,14 +41,28 @@ def read(displays: Iterable[str], quantities: Iterable[Quantity]) -> tuple[Relat
     return tuple(_Reader(text, table).relation() for text in joined)
 
 
+def _rows(display: str) -> Iterator[str]:
+    """The lines of a display: the rows of aligned, and what stands apart by a comma and a wide space."""
+    inside = re.fullmatch(r"\s*\\begin\{aligned\}(.*)\\end\{aligned\}\s*", display, re.DOTALL)
+    if not inside:
+        yield from re.split(r",\s*\\quad", display)
+        return
+    row, depth = "", 0
+    for piece in re.split(r"(\\begin\{bmatrix\}|\\end\{bmatrix\}|\\\\)", inside[1]):
+        depth += piece.startswith(r"\begin") - piece.startswith(r"\end")
+        if piece == r"\\" and not depth:
+            yield row
+            row = ""
+        else:
+            row += piece if depth or piece.startswith(r"\end") else piece.replace("&", "")
+    yield row
+
+
 def _plain(latex: str) -> str:
-    """LaTeX without what only sets it: spaces, alignment, the two shapes of epsilon."""
-    vector = re.search(r"\[([^\[\]]*\\ [^\[\]]*)\]\^T", latex)
-    if vector:  # [a \ b \ c]^T: the spaces separate
-        latex = latex.replace(vector.group(0), "[" + vector.group(1).replace(r"\ ", ";") + "]")
-    latex = re.sub(r"\\begin\{aligned\}|\\end\{aligned\}", "", latex)
-    latex = re.sub(r"\\\\\s*&\s*\\equiv|&\s*\\equiv|\\equiv", "=", latex)
-    latex = latex.replace(r"\varepsilon", r"\epsilon")
+    """LaTeX without what only sets it: spaces, the sizes of brackets and matrices, the two shapes of epsilon."""
+    latex = re.sub(r"(?<!\\)\\ |\\quad", ";", latex)  # [a \ b \ c]^T: the spaces separate
+    latex = re.sub(r"\\left|\\right|\\cdot|\\therefore|(?<=\))_\{\d \\times \d\}", "", latex)
+    latex = latex.replace(r"\equiv", "=").replace(r"\varepsilon", r"\epsilon")
     return re.sub(r"\s+", "", latex).rstrip(",")
 
 
@@ -75,7 +94,8 @@ class _Reader:
     def relation(self) -> Relation:
         sides = [self.sum()]
         while self.take("="):
-            sides.append(self.sum())
+            side = self.sum()
+            sides.append(StrictLessThan(side, self.sum(), evaluate=False) if self.take("<") else side)
         if self.at < len(self.text):
             self.refuse()
         return Relation(tuple(sides))
@@ -92,9 +112,13 @@ class _Reader:
 
     def product(self):
         factors = [self.factor()]
-        while self.at < len(self.text) and not self.ahead("=", "+", "-", "&", r"\\", r"\end", ")", "]", "}", ",", ";"):
+        while self.at < len(self.text) and not self.ahead(*ENDS):
+            entry = ENTRY.match(self.text, self.at)
             if self.take("/"):
                 factors[-1] = factors[-1] / self.factor()
+            elif entry:
+                self.at = entry.end()
+                factors = [Function("entry")(product(*factors), *map(Integer, entry.groups()))]
             else:
                 factors.append(self.factor())
         return product(*factors)
@@ -115,10 +139,17 @@ class _Reader:
             return sqrt(self.group("{", "}"))
         if self.take(r"\begin{bmatrix}"):
             return self.bmatrix()
+        if self.take(SUM):
+            return Function("Σ")(self.product())
+        if self.ahead(r"\|"):
+            return self.power(Function("norm")(self.group(r"\|", r"\|")))
+        if self.take(r"\{"):
+            return self.samples()
         if self.ahead("("):
-            return self.group("(", ")")
+            return self.power(self.group("(", ")"))
         if self.ahead("["):
-            return column(*self.list("[", "]", ";"))
+            items = self.list("[", "]", ";")
+            return column(*items) if self.take("^T") else items[0] if len(items) == 1 else self.refuse()
         number = re.compile(r"\d+").match(self.text, self.at)
         if number:
             self.at = number.end()
@@ -126,6 +157,10 @@ class _Reader:
         return self.refuse()
 
     def power(self, base):
+        if self.take("^T"):
+            return transpose(base)
+        if self.take("^{-1}"):
+            return base**-1
         return base ** self.factor() if self.take("^") else base
 
     def group(self, left: str, right: str):
@@ -143,14 +178,29 @@ class _Reader:
         return items
 
     def bmatrix(self):
-        rows = [[self.sum()]]
+        rows = [[self.cell()]]
         while not self.take(r"\end{bmatrix}"):
             if self.take("&"):
-                rows[-1].append(self.sum())
+                rows[-1].append(self.cell())
             else:
                 self.need(r"\\")
-                rows.append([self.sum()])
+                rows.append([self.cell()])
         return matrix(rows)
+
+    def cell(self):
+        """One entry, or a row of scalars apart by spaces as a block."""
+        entries = [self.sum()]
+        while self.take(";"):
+            entries.append(self.sum())
+        return entries[0] if len(entries) == 1 else Function("row")(*entries)
+
+    def samples(self):
+        """{a <= k <= b}, after its bracket."""
+        bounds = [self.sum()]
+        while self.take(r"\leq"):
+            bounds.append(self.sum())
+        self.need(r"\}")
+        return Function("samples")(*bounds)
 
     def call(self, quantity: Quantity):
         """C(a, b, c), or dC[(a, b, c), (d, e, f)] with its arguments in one row."""

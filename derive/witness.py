@@ -12,7 +12,7 @@ from itertools import pairwise
 from typing import Any
 
 import mpmath as mp
-from sympy import Add, Function, MatAdd, MatMul, Mul, Pow, Symbol, cos, sin, tan
+from sympy import Add, Function, MatAdd, MatMul, Mul, Pow, StrictLessThan, Symbol, cos, sin, tan
 from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
@@ -116,7 +116,11 @@ def _evaluate(expression, point: Point) -> Value:
         return mp.mpf(int(expression.p)) / int(expression.q)
     if isinstance(expression, MatrixBase):
         rows, columns = expression.shape
-        return mp.matrix([[evaluate(expression[i, j], point) for j in range(columns)] for i in range(rows)])
+        return _assembled([[evaluate(expression[i, j], point) for j in range(columns)] for i in range(rows)])
+    if isinstance(expression, AppliedUndef) and expression.func.__name__ == "Σ":
+        # The world's Σ gives the letters at each sample.
+        parts = [evaluate(expression.args[0], Point(values)) for values in point.values["Σ"](point.values)]
+        return reduce(_sum, parts)
     arguments = [evaluate(argument, point) for argument in expression.args]
     if isinstance(expression, AppliedUndef):
         return point.values[expression.func.__name__](*arguments)
@@ -127,8 +131,45 @@ def _evaluate(expression, point: Point) -> Value:
     if isinstance(expression, transpose):
         return arguments[0].T
     if isinstance(expression, Pow):
-        return arguments[0] ** arguments[1]
+        exponent = expression.exp
+        return arguments[0] ** (int(exponent) if exponent.is_Integer else arguments[1])
+    if isinstance(expression, StrictLessThan):
+        return _bounded(*arguments)
     return _ELEMENTARY[expression.func](*arguments)
+
+
+def _bounded(value, limit):
+    """The value, if it is a number below the limit."""
+    if _shape(_scalar(value)) is not None:
+        raise ValueError(f"a {value.rows}x{value.cols} matrix is compared with a number")
+    if not _scalar(value) < limit:
+        raise ValueError("it is not below its limit")
+    return value
+
+
+def _assembled(rows) -> mp.matrix:
+    """A matrix of numbers, or of blocks; a lone 0 is a block of zeros.  Raises ValueError if they do not fit."""
+    if not any(isinstance(entry, mp.matrix) for row in rows for entry in row):
+        return mp.matrix(rows)
+
+    def extent(entries, axis: int) -> int:
+        sizes = {(_shape(entry) or (1, 1))[axis] for entry in entries if _shape(entry) or entry != 0} or {1}
+        if len(sizes) > 1:
+            what = ("rows stand side by side", "columns stand over one another")[axis]
+            raise ValueError(f"blocks of {' and '.join(map(str, sorted(sizes)))} {what}")
+        return sizes.pop()
+
+    heights = [extent(row, 0) for row in rows]
+    widths = [extent(entries, 1) for entries in zip(*rows, strict=True)]
+    result = mp.zeros(sum(heights), sum(widths))
+    for i, row in enumerate(rows):
+        for j, entry in enumerate(row):
+            if _shape(entry) or entry != 0:
+                block = entry if _shape(entry) else mp.matrix([[entry]])
+                for a in range(heights[i]):
+                    for b in range(widths[j]):
+                        result[sum(heights[:i]) + a, sum(widths[:j]) + b] = block[a, b]
+    return result
 
 
 def _shape(value) -> tuple[int, int] | None:
