@@ -179,7 +179,7 @@ def read(path: str | Path, *, strict: bool = True) -> Recording:
     def table(section: Any) -> tuple[Path, dict[str, Array]]:
         source = _beside(found, section.file) if section.file else default
         if source is None:
-            raise BoresightError(f"{found}: no data file is named; add file = \"NAME\" at the top or in each section")
+            raise BoresightError(f'{found}: no data file is named; add file = "NAME" at the top or in each section')
         if source not in tables:
             tables[source] = _table(source, said.delimiter, said.header)
         return source, tables[source]
