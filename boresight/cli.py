@@ -171,7 +171,7 @@ def generate(
     """
     from boresight.codegen import generate as g
 
-    targets = targets or g.model_names()
+    targets = targets or g.target_names()
     if out is not None and len(targets) > 1:
         raise BoresightError("-o names one folder; give one model with it")
     status = 0

@@ -26,7 +26,7 @@ MATRICES = {"F", "Phi", "Q", "H"}  # two axes in NumPy, even for a model with on
 @cache
 def templates() -> Environment:
     environment = Environment(
-        loader=FileSystemLoader(Path(__file__).parent / "templates"),
+        loader=FileSystemLoader([Path(__file__).parent / "templates", Path(__file__).parent / "kernels"]),
         undefined=StrictUndefined,
         keep_trailing_newline=True,
     )

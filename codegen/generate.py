@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from boresight import BoresightError
+from boresight.codegen.kernels import KERNELS, make_kernel
 from boresight.runtime.manifest import GENERATED, cache_folder
 
 VERSIONED = ("casadi", "sympy")  # what the bytes of the output depend on, beside Boresight itself
@@ -26,18 +27,22 @@ MODELS = PACKAGE / "derive" / "models"
 
 @dataclass(frozen=True)
 class Change:
-    """A function that was added, changed or removed, with its operation counts before and after (None: not there)."""
+    """A function that was added, changed or removed, with its operation counts before and after (None: not there).
+
+    The loops of a kernel have lines, not operations.
+    """
 
     name: str
     before: int | None
     after: int | None
+    counted: str = "operations"
 
     def __str__(self) -> str:
         if self.before is None:
-            return f"{self.name}: new, {self.after} operations"
+            return f"{self.name}: new, {self.after} {self.counted}"
         if self.after is None:
-            return f"{self.name}: removed, {self.before} operations"
-        return f"{self.name}: {self.before} -> {self.after} operations ({self.after - self.before:+d})"
+            return f"{self.name}: removed, {self.before} {self.counted}"
+        return f"{self.name}: {self.before} -> {self.after} {self.counted} ({self.after - self.before:+d})"
 
 
 @dataclass(frozen=True)
@@ -55,6 +60,11 @@ class Report:
 def model_names() -> list[str]:
     """The built-in models, from their files."""
     return sorted(path.stem.replace("_", "-") for path in MODELS.glob("*.py") if path.stem != "__init__")
+
+
+def target_names() -> list[str]:
+    """Everything that is generated with Boresight: the models and the kernels."""
+    return sorted([*model_names(), *KERNELS])
 
 
 def versions() -> dict[str, str]:
@@ -75,6 +85,8 @@ def load_model(target: str) -> Any:
     from boresight.derive.model import Model
 
     if ":" not in target:
+        if target in KERNELS:
+            raise BoresightError(f"{target} is a kernel and not a model; models are {', '.join(model_names())}")
         if target not in model_names():
             raise BoresightError(f"no model {target!r}; there are {', '.join(model_names())}, or give FILE.py:NAME")
         name = target.replace("-", "_")
@@ -132,7 +144,9 @@ def sources() -> dict[str, str]:
         real = Path(path).resolve()
         if real.suffix == ".py" and (name.startswith("boresight") or not str(real).startswith(outside)):
             files.add(real)
-    files |= {path.resolve() for path in (Path(__file__).parent / "templates").iterdir()}
+    files |= {
+        path.resolve() for name in ("templates", "kernels") for path in (Path(__file__).parent / name).glob("*.j2")
+    }
     return {str(path): digest(path) for path in sorted(files) if path.is_file()}
 
 
@@ -177,6 +191,8 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
     Raises BoresightError on a model that does not fit together, a generated file edited by hand, a folder that cannot
     be written to.  Nothing is left half written.
     """
+    if ":" not in target and target not in target_names():
+        raise BoresightError(f"no model {target!r}; there are {', '.join(target_names())}, or give FILE.py:NAME")
     folder = folder or default_folder(target)
     before = old_manifest(folder)
     by_hand = edited(folder, before)
@@ -202,20 +218,25 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
     if check and not before:
         raise BoresightError(f"{folder} holds no generated model; run 'boresight generate {target}'")
 
-    model = load_model(target)
-    files, counts, hashes = make(model, folder, before, stamp if same_tools and not check else {})
+    if target in KERNELS:
+        name, counted = target, "lines"
+        files, counts, hashes = make_kernel(target, versions())
+    else:
+        model = load_model(target)
+        name, counted = model.name, "operations"
+        files, counts, hashes = make(model, folder, before, stamp if same_tools and not check else {})
     old_units = before.get("units", {})
     changes = tuple(
-        Change(name, old_units.get(name, {}).get("operations"), counts.get(name))
-        for name in dict.fromkeys([*counts, *old_units])
-        if old_units.get(name, {}).get("hash") != hashes.get(name)
+        Change(unit, old_units.get(unit, {}).get(counted), counts.get(unit), counted)
+        for unit in dict.fromkeys([*counts, *old_units])
+        if old_units.get(unit, {}).get("hash") != hashes.get(unit)
     )
     stale = [path for path in before.get("files", {}) if path not in files and (folder / path).is_file()]
     differing = [path for path, text in files.items() if not same(folder / path, text)]
     if not check:
         write(folder, {path: files[path] for path in differing}, stale)
-        save_stamp(target, folder, model.name)
-    return Report(model.name, folder, changes, tuple(sorted(differing + stale)), up_to_date=False)
+        save_stamp(target, folder, name)
+    return Report(name, folder, changes, tuple(sorted(differing + stale)), up_to_date=False)
 
 
 def same(path: Path, text: str) -> bool:
@@ -230,7 +251,7 @@ def make(
 ) -> tuple[dict[str, str], dict[str, int], dict[str, str]]:
     """All files of the model, and of each unit its operation count and hash.
 
-    Golden vectors cost most of the time.  Those of a unit whose hash did not change are taken from the folder, if the
+    Golden vectors cost most of the time.  Those of a unit whose C did not change are taken from the folder, if the
     generator itself is the one that made them.
     """
     from boresight.codegen import emit
@@ -244,16 +265,19 @@ def make(
     hashes = {unit.name: emit.unit_hash(unit) for unit in made}
     for unit in made:
         vectors = f"selftest/test_{emit.file_stem(model, unit.name)}.c"
-        old = before.get("units", {}).get(unit.name, {})
+        printed = emit.unit_files(model, unit, with_vectors=False)
         keep = (
             may_keep
-            and old.get("hash") == hashes[unit.name]
-            and old.get("meaning") == unit.meaning
+            and before.get("units", {}).get(unit.name, {}).get("hash") == hashes[unit.name]
+            # names of structs are in the text, not in the hash
+            and all(same(folder / path, text) for path, text in printed.items())
             and (folder / vectors).is_file()
         )
-        files |= emit.unit_files(model, unit, with_vectors=not keep)
         if keep:
+            files |= printed
             files[vectors] = (folder / vectors).read_text()
+        else:
+            files |= emit.unit_files(model, unit)
     files |= emit.model_files(model, made)
     files["manifest.json"] = emit.manifest(model, made, files, versions())
     return files, {unit.name: unit.tape.operations for unit in made}, hashes

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime.manifest import cache_folder, folder_of, read_manifest
+from boresight.runtime.manifest import built_in, cache_folder, folder_of, read_manifest
 
 FLAGS = ("-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror")
 BACKENDS = ("flight", "casadi")
@@ -93,6 +93,20 @@ def run_compiler(command: list[str]) -> None:
     if done.returncode != 0:
         first = next((line for line in done.stderr.splitlines() if "error" in line), done.stderr.strip()[:200])
         raise BoresightError(f"the C compiler failed: {first}")
+
+
+def open_library(path: Path, digest: str) -> ctypes.PyDLL:
+    """The library that `build` made, if it carries its hash."""
+    try:
+        # PyDLL keeps the interpreter's lock: a call is shorter than letting go of it and taking it again.
+        dll = ctypes.PyDLL(str(path))
+        dll.boresight_build.restype = ctypes.c_char_p
+        carried = dll.boresight_build().decode()
+    except (OSError, AttributeError) as error:
+        raise BoresightError(f"{path} is no library of Boresight ({error}); delete it and load again") from None
+    if carried != digest:
+        raise BoresightError(f"{path} was compiled from other sources than those on disk; delete it and load again")
+    return dll
 
 
 class Unit:
@@ -231,15 +245,7 @@ class Library:
         self.manifest, self.path, self.backend = manifest, path, backend
         self.name: str = manifest["model"]
         self.states: tuple[str, ...] = tuple(manifest["states"])
-        try:
-            # PyDLL keeps the interpreter's lock: a call is shorter than letting go of it and taking it again.
-            self.dll = ctypes.PyDLL(str(path))
-            self.dll.boresight_build.restype = ctypes.c_char_p
-            carried = self.dll.boresight_build().decode()
-        except (OSError, AttributeError) as error:
-            raise BoresightError(f"{path} is no library of Boresight ({error}); delete it and load again") from None
-        if carried != digest:
-            raise BoresightError(f"{path} was compiled from other sources than those on disk; delete it and load again")
+        self.dll = open_library(path, digest)
         self.field: dict[str, dict[str, Any]] = {}
         self.layout: dict[str, dict[str, slice]] = {}
         self.width: dict[str, int] = {}
@@ -275,5 +281,7 @@ def load(model: str | Path, backend: str = "flight") -> Library:
         raise BoresightError(f"no backend {backend!r}; there are {', '.join(BACKENDS)}")
     folder = folder_of(model)
     manifest = read_manifest(folder)
+    if "kernel" in manifest:
+        raise BoresightError(f"{manifest['model']} is a kernel and not a model; models are {', '.join(built_in())}")
     path, digest = build(folder, manifest, backend)
     return Library(manifest, path, digest, backend)

@@ -35,7 +35,8 @@ typedef enum {
     BS_OK = 0,           /* the outputs are written */
     BS_NULL_POINTER = 1, /* an argument is a null pointer; nothing is written */
     BS_NOT_FINITE = 2,   /* an input is NaN or infinite; nothing is written */
-    BS_OUT_OF_RANGE = 3  /* an input lies outside its box; nothing is written */
+    BS_OUT_OF_RANGE = 3, /* an input lies outside its box; nothing is written */
+    BS_NOT_READY = 4     /* too few samples so far; nothing is decided */
 } bs_status;
 
 /* Status of n values against their box, both ends included. */
