@@ -432,7 +432,7 @@ def manifest(model: Model, made: list[Unit], files: dict[str, str], versions: di
         "c_prefix": model.c_prefix,
         "states": [s.name for s in model.x],
         "blocks": [field(v) for v in model.states],
-        "structs": {"x": [field(state_variable(model))]}
+        "structs": ({"x": [field(state_variable(model))]} if model.n else {})
         | {s.name: [field(v) for v in s.fields] for s in model.structs},
         "measurements": {
             m.name: {"rows": m.rows, "unit": m.unit, "meaning": m.meaning, "angle": m.angle, "equations": m.equations}

@@ -155,7 +155,7 @@ class UnitMaker:
 
     def units(self) -> list[Unit]:
         model = self.model
-        made = [*self.dynamics()]
+        made = self.dynamics() if model.n else []
         for measurement in model.measurements:
             made += self.measurement(measurement)
         for f in model.functions:

@@ -13,6 +13,7 @@ from sympy import ImmutableMatrix, Matrix, Symbol
 from boresight import BoresightError
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
+NONE = ImmutableMatrix(0, 0, [])
 
 
 @dataclass(frozen=True)
@@ -151,6 +152,7 @@ class Model:
     states: the error state, block after block.  Either F (n, n) is given or f (n), whose Jacobian at the state is F.
     G: (n, m).  noise: (m) root power spectral densities.  dt: symbol of the step.  Phi is taken to the second power of
     F dt and Q to the third of dt.  structs: the inputs.  equations: the source of F, as `song-lee-2001 (20)`.
+    A model without states has functions alone, such as a strapdown integrator: no F, G, noise, dt or measurements.
     """
 
     name: str
@@ -159,9 +161,9 @@ class Model:
     frame: str
     states: tuple[Variable, ...]
     structs: tuple[Struct, ...]
-    G: Matrix
-    noise: Matrix
-    dt: Symbol
+    G: Matrix = NONE
+    noise: Matrix = NONE
+    dt: Symbol | None = None
     F: Matrix | None = None
     f: Matrix | None = None
     measurements: tuple[Measurement, ...] = ()
@@ -251,9 +253,13 @@ def check(model: Model) -> None:
     if not re.fullmatch(r"[a-z][a-z0-9]*", model.c_prefix):
         fail(f"c_prefix {model.c_prefix!r} must be lower-case letters and digits")
     names = [item.name for item in (*model.states, *model.inputs)]
-    units = [m.name for m in model.measurements] + [f.name for f in model.functions]
+    units = [m.name for m in model.measurements] + [f.name for f in model.functions] + [s.name for s in model.structs]
     symbols = [symbol for item in (*model.states, *model.inputs) for symbol in item.symbols]
-    for kind, listed in (("field", names), ("measurement or function", units), ("symbol", [s.name for s in symbols])):
+    for kind, listed in (
+        ("field", names),
+        ("measurement, function or struct", units),
+        ("symbol", [s.name for s in symbols]),
+    ):
         for item in listed:
             if listed.count(item) > 1:
                 fail(f"the {kind} name {item!r} is used twice")
@@ -261,7 +267,9 @@ def check(model: Model) -> None:
                 fail(f"{item!r} cannot be a name in C")
 
     n = model.n
-    if (model.F is None) == (model.f is None):
+    if n == 0 and (model.F is not None or model.f is not None or model.dt is not None or model.measurements):
+        fail("without states there is no F, f, dt and no measurement")
+    if n > 0 and (model.F is None) == (model.f is None):
         fail("give either F or f")
     shapes = [("F", model.F, (n, n)), ("f", model.f, (n, 1)), ("G", model.G, (n, model.noise.rows))]
     for m in model.measurements:
@@ -291,5 +299,5 @@ def check(model: Model) -> None:
             unknown = sorted(symbol.name for symbol in ImmutableMatrix(matrix).free_symbols - known)
             if unknown:
                 fail(f"{label} uses {', '.join(unknown)}, which is no input" + ("" if known is inputs else " or state"))
-    if model.dt not in inputs:
+    if n > 0 and model.dt not in inputs:
         fail(f"dt is {model.dt}, which is no input")

@@ -186,6 +186,16 @@ def test_a_function_that_is_gone_leaves_no_file(tmp_path):
     assert not list((tmp_path / "out").rglob("*energy*"))
 
 
+def test_a_renamed_struct_reaches_the_golden_vectors(tmp_path):
+    text = (ROOT / "tests" / "pendulum.py").read_text()
+    file = tmp_path / "mine.py"
+    for name in ("plant", "clock"):
+        file.write_text(text.replace('Struct("plant"', f'Struct("{name}"'))
+        generate(f"{file}:PENDULUM", tmp_path / "out")
+    generate(f"{file}:PENDULUM", tmp_path / "afresh")
+    assert contents(tmp_path / "out") == contents(tmp_path / "afresh")
+
+
 def test_the_manifest_lists_every_file():
     folder = ROOT / "generated" / "euler_matching"
     manifest = json.loads((folder / "manifest.json").read_text())

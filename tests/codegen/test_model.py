@@ -24,6 +24,8 @@ from boresight.runtime.library import load
         ({"c_prefix": "pd_"}, "c_prefix"),
         ({"dt": Symbol("tick")}, "dt is tick"),
         ({"structs": (Struct("step", "twice", (dt, dt)),)}, "used twice"),
+        ({"structs": (*PENDULUM.structs, Struct("energy", "named as a function", ()))}, "'energy' is used twice"),
+        ({"states": ()}, "without states"),
         ({"measurements": (Measurement("tip", ("a",), "m", "both", h=Matrix([1]), H=eye(2)),)}, "either h or H"),
     ],
 )
