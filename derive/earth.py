@@ -1,12 +1,68 @@
-"""The rotating Earth as SymPy expressions, on the WGS-84 ellipsoid."""
+"""The rotating Earth as SymPy expressions, on the WGS-84 ellipsoid.
 
-from sympy import Matrix, Rational, cos, sin, sqrt, tan
+A local level is given by a Frame: where north, east and up lie among its axes.  Every vector below is built from those
+three, so that one derivation serves NED and ENU.  Angles in rad, lengths in m.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+from sympy import ImmutableMatrix, Matrix, Rational, cos, sin, sqrt, tan
 
 # NGA.STND.0036: defining constants of WGS 84, and what follows from them.
 SEMI_MAJOR_AXIS = 6378137  # m
 FLATTENING = 1 / Rational("298.257223563")
 ECCENTRICITY_SQUARED = FLATTENING * (2 - FLATTENING)
 EARTH_RATE = Rational("7.292115e-5")  # rad/s
+GRAVITATIONAL_CONSTANT = Rational("3.986004418e14")  # m^3/s^2, the Earth's mass with its atmosphere
+GRAVITY_EQUATOR = Rational("9.7803253359")  # m/s^2, normal gravity on the ellipsoid
+GRAVITY_POLE = Rational("9.8321849379")
+# k of Somigliana's formula, and the ratio of centrifugal to gravitational acceleration at the equator.
+SOMIGLIANA = (1 - FLATTENING) * GRAVITY_POLE / GRAVITY_EQUATOR - 1
+CENTRIFUGAL_RATIO = EARTH_RATE**2 * SEMI_MAJOR_AXIS**3 * (1 - FLATTENING) / GRAVITATIONAL_CONSTANT
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A local level: the components of north, east and up, (3) each, and the order of the geodetic coordinates.
+
+    axes: suffixes of its components.  coordinates: latitude and longitude in the order of the axes that they run
+    along, then height, positive upwards in both frames.  body: the body axes that go with it.
+    """
+
+    name: str
+    axes: tuple[str, str, str]
+    body: str
+    north: ImmutableMatrix
+    east: ImmutableMatrix
+    up: ImmutableMatrix
+    coordinates: tuple[str, str, str]
+
+    def coordinate(self, name: str) -> ImmutableMatrix:
+        """Unit column of one of `lat`, `lon`, `height` among the coordinates."""
+        return ImmutableMatrix([int(name == other) for other in self.coordinates])
+
+    def position(self, lat, lon, height) -> Matrix:
+        """The coordinates, in this frame's order."""
+        return Matrix([{"lat": lat, "lon": lon, "height": height}[name] for name in self.coordinates])
+
+    def latitude_and_height(self, position) -> tuple[Any, Any]:
+        return tuple(position[self.coordinates.index(name)] for name in ("lat", "height"))
+
+    def vector(self, north, east, up) -> Matrix:
+        """The vector with these components along north, east and up."""
+        return north * Matrix(self.north) + east * Matrix(self.east) + up * Matrix(self.up)
+
+
+def _axis(*components: int) -> ImmutableMatrix:
+    return ImmutableMatrix(components)
+
+
+NED = Frame("NED", ("n", "e", "d"), "front-right-down", _axis(1, 0, 0), _axis(0, 1, 0), _axis(0, 0, -1),
+            ("lat", "lon", "height"))  # fmt: skip
+ENU = Frame("ENU", ("e", "n", "u"), "right-front-up", _axis(0, 1, 0), _axis(1, 0, 0), _axis(0, 0, 1),
+            ("lon", "lat", "height"))  # fmt: skip
+FRAMES = {frame.name: frame for frame in (NED, ENU)}
 
 
 def radii(lat) -> tuple:
@@ -15,17 +71,58 @@ def radii(lat) -> tuple:
     return SEMI_MAJOR_AXIS * (1 - ECCENTRICITY_SQUARED) / w**3, SEMI_MAJOR_AXIS / w
 
 
-def omega_ie_n(lat) -> Matrix:
-    """The Earth's rate (rad/s), NED."""
-    return EARTH_RATE * Matrix([cos(lat), 0, -sin(lat)])
+def radii_by_latitude(lat) -> tuple:
+    """How both radii change with the latitude (m/rad)."""
+    meridian, transverse = radii(lat)
+    # d/dlat of w = sqrt(1 - e^2 sin^2) is -e^2 sin cos / w; the radii go with w^-3 and w^-1.
+    growth = ECCENTRICITY_SQUARED * sin(lat) * cos(lat) / (1 - ECCENTRICITY_SQUARED * sin(lat) ** 2)
+    return 3 * meridian * growth, transverse * growth
 
 
-def omega_en_n(lat, height, v_n) -> Matrix:
-    """Transport rate (rad/s), NED: how the local level turns with the motion v_n (m/s, NED) over the ellipsoid.
+def omega_ie_n(lat, frame: Frame = NED) -> Matrix:
+    """The Earth's rate (rad/s)."""
+    return EARTH_RATE * frame.vector(cos(lat), 0, sin(lat))
+
+
+def omega_en_n(lat, height, v_n, frame: Frame = NED) -> Matrix:
+    """Transport rate (rad/s): how the local level turns with the motion v_n (m/s) over the ellipsoid.
 
     height in m.  Singular at the poles, where north turns without end.
     """
-    v_north, v_east, _ = v_n
+    v_north, v_east = frame.north.dot(v_n), frame.east.dot(v_n)
     meridian, transverse = radii(lat)
     east = v_east / (transverse + height)
-    return Matrix([east, -v_north / (meridian + height), -east * tan(lat)])
+    return frame.vector(east, -v_north / (meridian + height), east * tan(lat))
+
+
+def metres(lat, height, frame: Frame = NED) -> Matrix:
+    """(3) lengths (m/rad, m/rad, 1): what one unit of each coordinate is over the ground, in the frame's order."""
+    meridian, transverse = radii(lat)
+    return frame.position(lat=meridian + height, lon=(transverse + height) * cos(lat), height=1)
+
+
+def normal_gravity(lat, height):
+    """Normal gravity (m/s^2): Somigliana's formula on the ellipsoid, to the second power of the height above it."""
+    s2 = sin(lat) ** 2
+    on_ellipsoid = GRAVITY_EQUATOR * (1 + SOMIGLIANA * s2) / sqrt(1 - ECCENTRICITY_SQUARED * s2)
+    a, f, m = SEMI_MAJOR_AXIS, FLATTENING, CENTRIFUGAL_RATIO
+    return on_ellipsoid * (1 - 2 * (1 + f + m - 2 * f * s2) * height / a + 3 * height**2 / a**2)
+
+
+def gravity_gradient(lat, height) -> tuple:
+    """How normal gravity changes with the latitude (m/s^2 a rad) and with the height (1/s^2)."""
+    s2, s_c = sin(lat) ** 2, sin(lat) * cos(lat)
+    a, f, m, e2, k = SEMI_MAJOR_AXIS, FLATTENING, CENTRIFUGAL_RATIO, ECCENTRICITY_SQUARED, SOMIGLIANA
+    w2 = 1 - e2 * s2
+    on_ellipsoid = GRAVITY_EQUATOR * (1 + k * s2) / sqrt(w2)
+    on_ellipsoid_by_lat = GRAVITY_EQUATOR * s_c / sqrt(w2) * (2 * k + e2 * (1 + k * s2) / w2)
+    factor = 1 - 2 * (1 + f + m - 2 * f * s2) * height / a + 3 * height**2 / a**2
+    factor_by_lat = 8 * f * s_c * height / a
+    factor_by_height = -2 * (1 + f + m - 2 * f * s2) / a + 6 * height / a**2
+    return on_ellipsoid_by_lat * factor + on_ellipsoid * factor_by_lat, on_ellipsoid * factor_by_height
+
+
+def gravity_n(lat, height, frame: Frame = NED) -> Matrix:
+    """Gravity (m/s^2): normal gravity, straight down.  At a height it leans to the equator by 8e-9 h sin(2 lat) m/s^2,
+    h in m, which is left out."""
+    return frame.vector(0, 0, -normal_gravity(lat, height))

@@ -1,0 +1,174 @@
+"""How small errors of position, velocity and attitude grow: the phi and the psi model, and the map between them.
+
+Error = computed - true, both to first order in the errors and to nothing else: no term is dropped.
+
+phi: C_hat_b2n = (I - [phi x]) C_b2n against the true level n.  Velocity error dv = v_hat - v, component by component.
+psi: the computed level c stands where the computed position is, turned from n by dtheta: C_n2c = I - [dtheta x].
+    Attitude error against c, psi = phi - dtheta; velocity error against the true velocity carried into c,
+    dv_c = v_hat - C_n2c v = dv + dtheta x v.
+The position error is the same in both: of the geodetic coordinates, in the frame's order.
+
+Inputs as in derive/mechanization.py; f_n is the specific force in the level.  Blocks are 3x3.
+"""
+
+from sympy import Matrix, cos, diag, eye, sin, tan, zeros
+
+from boresight.derive.earth import (
+    EARTH_RATE,
+    Frame,
+    gravity_gradient,
+    gravity_n,
+    metres,
+    omega_en_n,
+    omega_ie_n,
+    radii,
+    radii_by_latitude,
+)
+from boresight.derive.mechanization import along, position_rate
+from boresight.derive.rotation import skew
+
+# ---------------------------------------------------------------- perturbations of what the mechanization is made of
+
+
+def by_coordinate(frame: Frame, lat: Matrix, height: Matrix) -> Matrix:
+    """3x3: the columns of what depends on latitude and height, in the order of the coordinates."""
+    return lat * frame.coordinate("lat").T + height * frame.coordinate("height").T
+
+
+def omega_ie_by_position(frame: Frame, position) -> Matrix:
+    """d omega_ie_n / d position: the Earth's axis leans as the latitude changes."""
+    lat, _ = frame.latitude_and_height(position)
+    return by_coordinate(frame, EARTH_RATE * frame.vector(-sin(lat), 0, cos(lat)), zeros(3, 1))
+
+
+def omega_en_by_position(frame: Frame, position, v_n) -> Matrix:
+    """d omega_en_n / d position: the radii grow with height and change with latitude, and meridians converge."""
+    lat, height = frame.latitude_and_height(position)
+    v_north, v_east = frame.north.dot(v_n), frame.east.dot(v_n)
+    meridian, transverse = radii(lat)
+    meridian_by_lat, transverse_by_lat = radii_by_latitude(lat)
+    north, east = v_north / (meridian + height), v_east / (transverse + height)
+
+    def shrunk(by_meridian, by_transverse):
+        """omega_en_n with each rate lessened in the proportion in which its radius grows."""
+        less_north = north * by_meridian / (meridian + height)
+        less_east = east * by_transverse / (transverse + height)
+        return frame.vector(-less_east, less_north, -less_east * tan(lat))
+
+    by_lat = shrunk(meridian_by_lat, transverse_by_lat) + frame.vector(0, 0, east / cos(lat) ** 2)
+    return by_coordinate(frame, by_lat, shrunk(1, 1))
+
+
+def omega_en_by_velocity(frame: Frame, position) -> Matrix:
+    """d omega_en_n / d v_n (1/m): the curvature of the ellipsoid."""
+    lat, height = frame.latitude_and_height(position)
+    meridian, transverse = radii(lat)
+    eastwards = frame.vector(1, 0, tan(lat)) / (transverse + height)
+    northwards = -frame.vector(0, 1, 0) / (meridian + height)
+    return eastwards * frame.east.T + northwards * frame.north.T
+
+
+def gravity_by_position(frame: Frame, position) -> Matrix:
+    """d gravity_n / d position: stronger towards the poles, weaker with height."""
+    by_lat, by_height = gravity_gradient(*frame.latitude_and_height(position))
+    return by_coordinate(frame, frame.vector(0, 0, -by_lat), frame.vector(0, 0, -by_height))
+
+
+def position_rate_by_velocity(frame: Frame, position) -> Matrix:
+    """d position' / d v_n."""
+    lengths = metres(*frame.latitude_and_height(position), frame)
+    return Matrix.hstack(*(along(frame, eye(3).col(i), lengths) for i in range(3)))
+
+
+def displacement_by_position(frame: Frame, position) -> Matrix:
+    """The inverse of position_rate_by_velocity: metres along the frame's axes by coordinates."""
+    lengths = metres(*frame.latitude_and_height(position), frame)
+    axes = Matrix.hstack(*(along(frame, eye(3).col(i), [1, 1, 1]) for i in range(3)))
+    return axes.T * diag(*lengths)
+
+
+def lengths_by_position(frame: Frame, position) -> Matrix:
+    """3x3: how the relative length of each coordinate's unit changes with each coordinate."""
+    lat, height = frame.latitude_and_height(position)
+    meridian, transverse = radii(lat)
+    meridian_by_lat, transverse_by_lat = radii_by_latitude(lat)
+    r_north, r_east = meridian + height, transverse + height
+    by_lat = frame.position(lat=meridian_by_lat / r_north, lon=transverse_by_lat / r_east - tan(lat), height=0)
+    by_height = frame.position(lat=1 / r_north, lon=1 / r_east, height=0)
+    return by_coordinate(frame, by_lat, by_height)
+
+
+def level_by_position(frame: Frame, position) -> Matrix:
+    """dtheta by position, 3x3: how the level turns with each coordinate.  Along a meridian about west, along a
+    parallel about the Earth's axis."""
+    lat, _ = frame.latitude_and_height(position)
+    by_lat, by_lon = frame.vector(0, -1, 0), frame.vector(cos(lat), 0, sin(lat))
+    return by_lat * frame.coordinate("lat").T + by_lon * frame.coordinate("lon").T
+
+
+# ---------------------------------------------------------------- the two models
+
+
+def assembled(*rows) -> Matrix:
+    """One matrix of rows of blocks."""
+    return Matrix.vstack(*(Matrix.hstack(*row) for row in rows))
+
+
+def phi_matrix(frame: Frame, position, v_n, f_n) -> Matrix:
+    """F of the phi model, 9x9: [position, dv, phi]' = F [position, dv, phi] + G [gyro, accelerometer error]."""
+    lat, height = frame.latitude_and_height(position)
+    omega_ie, omega_en = omega_ie_n(lat, frame), omega_en_n(lat, height, v_n, frame)
+    ie_p, en_p = omega_ie_by_position(frame, position), omega_en_by_position(frame, position, v_n)
+    en_v = omega_en_by_velocity(frame, position)
+
+    # position' is the velocity over the length of each coordinate: a longer one is covered more slowly
+    p_p = -diag(*position_rate(frame, position, v_n)) * lengths_by_position(frame, position)
+    p_v = position_rate_by_velocity(frame, position)
+    # v' = f_n + g - (2 omega_ie + omega_en) x v; an error d of the rate turns round: -d x v = v x d
+    v_p = gravity_by_position(frame, position) + skew(v_n) * (2 * ie_p + en_p)
+    v_v = -skew(2 * omega_ie + omega_en) + skew(v_n) * en_v
+    v_phi = skew(f_n)  # C_hat f_b = (I - [phi x]) f_n, and -phi x f_n = f_n x phi
+    # phi' = -omega_in x phi + d omega_in - C_b2n d omega_ib
+    phi_p, phi_v = ie_p + en_p, en_v
+    phi_phi = -skew(omega_ie + omega_en)
+    return assembled([p_p, p_v, zeros(3)], [v_p, v_v, v_phi], [phi_p, phi_v, phi_phi])
+
+
+def psi_matrix(frame: Frame, position, v_n, f_n) -> Matrix:
+    """F of the psi model, 9x9, as phi_matrix: the computed level knows its own rate, so no d omega_in remains."""
+    lat, height = frame.latitude_and_height(position)
+    omega_ie, omega_en = omega_ie_n(lat, frame), omega_en_n(lat, height, v_n, frame)
+
+    # in metres dr' = -omega_en x dr + dv_c; a coordinate's error is dr over its length, which changes on the way
+    p_v, r_p = position_rate_by_velocity(frame, position), displacement_by_position(frame, position)
+    lengthening = lengths_by_position(frame, position) * position_rate(frame, position, v_n)
+    p_p = -diag(*lengthening) - p_v * skew(omega_en) * r_p
+    # gravity where one believes to be, against the true one carried into c: g(p_hat) - C_n2c g(p)
+    v_p = gravity_by_position(frame, position) - skew(gravity_n(lat, height, frame)) * level_by_position(
+        frame, position
+    )
+    v_v = -skew(2 * omega_ie + omega_en)
+    v_psi = skew(f_n)
+    psi_psi = -skew(omega_ie + omega_en)
+    return assembled([p_p, p_v, zeros(3)], [v_p, v_v, v_psi], [zeros(3), zeros(3), psi_psi])
+
+
+def noise_matrix(C_b2n: Matrix) -> Matrix:
+    """G of both models, 9x6: errors of the gyros (rad/s) and of the accelerometers (m/s^2), measured - true, in body
+    axes."""
+    return assembled([zeros(3), zeros(3)], [zeros(3), C_b2n], [-C_b2n, zeros(3)])
+
+
+# ---------------------------------------------------------------- the map between them
+
+
+def psi_from_phi(frame: Frame, position, v_n) -> Matrix:
+    """T, 9x9: psi states = T (phi states).  A covariance goes by T P T'."""
+    turn = level_by_position(frame, position)
+    # dv_c = dv + dtheta x v, psi = phi - dtheta
+    return eye(9) - assembled([zeros(3, 9)], [skew(v_n) * turn, zeros(3, 6)], [turn, zeros(3, 6)])
+
+
+def phi_from_psi(frame: Frame, position, v_n) -> Matrix:
+    """The inverse of psi_from_phi, 9x9."""
+    return 2 * eye(9) - psi_from_phi(frame, position, v_n)  # T = I - N with N N = 0, so I + N

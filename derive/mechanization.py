@@ -1,0 +1,106 @@
+"""The strapdown mechanization: exact rates of position, velocity and attitude, and the integrator that follows them.
+
+One derivation for every Frame of derive/earth.py.  position: latitude, longitude and height in the frame's order.
+v_n: velocity over the ground.  q_b2n_wxyz, C_b2n: attitude.  f_n: specific force.  omega_ib_b: angular rate of the body
+against inertial space.
+"""
+
+from sympy import Matrix, sqrt
+
+from boresight.derive.earth import Frame, gravity_n, metres, omega_en_n, omega_ie_n
+from boresight.derive.rotation import (
+    dcm_from_quaternion,
+    quaternion_from_rotation_vector,
+    quaternion_product,
+    skew,
+    small_rotation,
+)
+
+
+def normalized(q: Matrix) -> Matrix:
+    return q / sqrt(q.dot(q))
+
+
+# ---------------------------------------------------------------- rates
+
+
+def position_rate(frame: Frame, position, v_n) -> Matrix:
+    """rad/s, rad/s, m/s in the frame's order: the velocity over the radii of the ellipsoid."""
+    return along(frame, v_n, metres(*frame.latitude_and_height(position), frame))
+
+
+def along(frame: Frame, v_n, lengths) -> Matrix:
+    """The velocity along each coordinate, over that coordinate's length.  Height grows upwards in NED too."""
+    v = frame.position(lat=frame.north.dot(v_n), lon=frame.east.dot(v_n), height=frame.up.dot(v_n))
+    return Matrix([speed / length for speed, length in zip(v, lengths, strict=True)])
+
+
+def omega_in_n(frame: Frame, position, v_n) -> Matrix:
+    """Rate of the local level against inertial space (rad/s): the Earth's and the transport rate."""
+    lat, height = frame.latitude_and_height(position)
+    return omega_ie_n(lat, frame) + omega_en_n(lat, height, v_n, frame)
+
+
+def pull(frame: Frame, position, v_n) -> Matrix:
+    """Acceleration over the ground without any specific force (m/s^2): gravity and Coriolis."""
+    lat, height = frame.latitude_and_height(position)
+    turning = 2 * omega_ie_n(lat, frame) + omega_en_n(lat, height, v_n, frame)
+    return gravity_n(lat, height, frame) - skew(turning) * v_n
+
+
+def velocity_rate(frame: Frame, position, v_n, f_n) -> Matrix:
+    """m/s^2, of the specific force f_n = C_b2n f_b."""
+    return f_n + pull(frame, position, v_n)
+
+
+def dcm_rate(frame: Frame, position, v_n, C_b2n: Matrix, omega_ib_b) -> Matrix:
+    """C_b2n' (3x3, 1/s): the body turns by omega_ib_b on its side, the level by omega_in_n on the other."""
+    return C_b2n * skew(omega_ib_b) - skew(omega_in_n(frame, position, v_n)) * C_b2n
+
+
+def quaternion_rate(frame: Frame, position, v_n, q_b2n_wxyz, omega_ib_b) -> Matrix:
+    """q_b2n_wxyz' (4, 1/s), as dcm_rate."""
+    body = quaternion_product(q_b2n_wxyz, Matrix([0, *omega_ib_b]))
+    level = quaternion_product(Matrix([0, *omega_in_n(frame, position, v_n)]), q_b2n_wxyz)
+    return (body - level) / 2
+
+
+# ---------------------------------------------------------------- one step of the integrator
+
+
+def rotation_increment(dtheta, dtheta_before) -> Matrix:
+    """Rotation vector of the body over a step (rad), from the integrated rate of this step and of the one before.
+
+    Coning: where the rate is linear in time over both steps, this is exact to the fourth power of the step.
+    """
+    return dtheta + skew(dtheta_before) * dtheta / 12
+
+
+def velocity_increment(dtheta, dv, dtheta_before, dv_before) -> Matrix:
+    """Integral of the specific force over a step (m/s), in the body axes at its start.
+
+    The body's turn within the step, and sculling: exact as rotation_increment is.
+    """
+    sculling = (skew(dtheta_before) * dv + skew(dv_before) * dtheta) / 12
+    return dv + skew(dtheta) * dv / 2 + sculling
+
+
+def step(frame: Frame, position, v_n, q_b2n_wxyz, dtheta, dv, dtheta_before, dv_before, dt) -> tuple:
+    """Position, velocity and attitude after one interval of inertial increments; of the second order in dt.
+
+    dtheta (rad), dv (m/s): integrals over the interval of what the gyros and accelerometers see; *_before: the same of
+    the interval before, as long; at the very start give the first ones twice.  Gravity, Coriolis and the turn of the
+    level are taken at the middle of the interval, which is predicted from its start.
+    """
+    gained = dcm_from_quaternion(q_b2n_wxyz) * velocity_increment(dtheta, dv, dtheta_before, dv_before)
+    v_middle = v_n + (gained + dt * pull(frame, position, v_n)) / 2
+    p_middle = position + dt / 2 * position_rate(frame, position, v_n)
+
+    level = dt * omega_in_n(frame, p_middle, v_middle)  # rotation vector of the level over the step
+    v_next = v_n + small_rotation(-level / 2) * gained + dt * pull(frame, p_middle, v_middle)
+    lat, height = frame.latitude_and_height(p_middle)
+    p_next = position + dt * along(frame, (v_n + v_next) / 2, metres(lat, height, frame))
+
+    turn = quaternion_from_rotation_vector(rotation_increment(dtheta, dtheta_before))
+    back = quaternion_from_rotation_vector(-level)
+    return p_next, v_next, normalized(quaternion_product(back, quaternion_product(q_b2n_wxyz, turn)))

@@ -1,0 +1,334 @@
+/* How to prefix internal symbols */
+#ifdef CASADI_CODEGEN_PREFIX
+  #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
+  #define _CASADI_NAMESPACE_CONCAT(NS, ID) NS ## ID
+  #define CASADI_PREFIX(ID) CASADI_NAMESPACE_CONCAT(CODEGEN_PREFIX, ID)
+#else
+  #define CASADI_PREFIX(ID) sd_rates_casadi__ ## ID
+#endif
+
+#include <math.h>
+
+#ifndef casadi_real
+#define casadi_real double
+#endif
+
+#ifndef casadi_int
+#define casadi_int int
+#endif
+
+/* Add prefix to internal symbols */
+#define casadi_f0 CASADI_PREFIX(f0)
+#define casadi_s0 CASADI_PREFIX(s0)
+#define casadi_s1 CASADI_PREFIX(s1)
+
+/* Symbol visibility in DLLs */
+#ifndef CASADI_SYMBOL_EXPORT
+  #if defined(_WIN32) || defined(__WIN32__) || defined(__CYGWIN__)
+    #if defined(STATIC_LINKED)
+      #define CASADI_SYMBOL_EXPORT
+    #else
+      #define CASADI_SYMBOL_EXPORT __declspec(dllexport)
+    #endif
+  #elif defined(__GNUC__) && defined(GCC_HASCLASSVISIBILITY)
+    #define CASADI_SYMBOL_EXPORT __attribute__ ((visibility ("default")))
+  #else
+    #define CASADI_SYMBOL_EXPORT
+  #endif
+#endif
+
+/* Configuration this file was compiled with */
+CASADI_SYMBOL_EXPORT void sd_rates_casadi__casadi_version(int* major, int* minor, int* patch) {
+  *major = 3;
+  *minor = 8;
+  *patch = 2;
+}
+CASADI_SYMBOL_EXPORT int sd_rates_casadi__casadi_int_size(void) { return (int) sizeof(casadi_int); }
+CASADI_SYMBOL_EXPORT int sd_rates_casadi__casadi_real_size(void) { return (int) sizeof(casadi_real); }
+
+static const casadi_int casadi_s0[3] = {3, 1, 1};
+static const casadi_int casadi_s1[3] = {4, 1, 1};
+
+/* sd_rates_casadi:(position[3],v_n[3],q_b2n_wxyz[4],f_b[3],omega_ib_b[3])->(out_position_rate[3],out_v_n_rate[3],out_q_b2n_rate[4]) */
+static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33;
+  a00=arg[1]? arg[1][0] : 0;
+  a01=arg[0]? arg[0][2] : 0;
+  a02=6378137.;
+  a03=1.;
+  a04=6.6943799901413173e-03;
+  a05=arg[0]? arg[0][1] : 0;
+  a06=sin(a05);
+  a07=(a06*a06);
+  a04=(a04*a07);
+  a04=(a03-a04);
+  a08=sqrt(a04);
+  a09=(a03/a08);
+  a02=(a02*a09);
+  a02=(a01+a02);
+  a02=(a00/a02);
+  a05=cos(a05);
+  a10=(a03/a05);
+  a11=(a02*a10);
+  if (res[0]!=0) res[0][0]=a11;
+  a11=arg[1]? arg[1][1] : 0;
+  a12=6.3354393272928204e+06;
+  a04=(a04*a08);
+  a12=(a12/a04);
+  a12=(a01+a12);
+  a12=(a03/a12);
+  a04=(a11*a12);
+  if (res[0]!=0) res[0][1]=a04;
+  a08=arg[1]? arg[1][2] : 0;
+  if (res[0]!=0) res[0][2]=a08;
+  a10=(a06*a10);
+  a10=(a02*a10);
+  a13=1.4584230000000000e-04;
+  a14=(a13*a06);
+  a14=(a10+a14);
+  a15=(a14*a11);
+  a16=arg[3]? arg[3][0] : 0;
+  a17=arg[2]? arg[2][1] : 0;
+  a18=(a17*a17);
+  a19=arg[2]? arg[2][2] : 0;
+  a20=(a19*a19);
+  a21=(a18-a20);
+  a22=arg[2]? arg[2][0] : 0;
+  a23=(a22*a22);
+  a24=arg[2]? arg[2][3] : 0;
+  a25=(a24*a24);
+  a26=(a23-a25);
+  a21=(a21+a26);
+  a21=(a16*a21);
+  a15=(a15+a21);
+  a21=arg[3]? arg[3][1] : 0;
+  a27=2.;
+  a28=(a17*a19);
+  a28=(a27*a28);
+  a29=(a27*a22);
+  a30=(a29*a24);
+  a28=(a28-a30);
+  a28=(a21*a28);
+  a15=(a15+a28);
+  a28=arg[3]? arg[3][2] : 0;
+  a31=(a29*a19);
+  a32=(a27*a17);
+  a33=(a32*a24);
+  a33=(a31+a33);
+  a33=(a28*a33);
+  a15=(a15+a33);
+  a13=(a13*a05);
+  a13=(a02+a13);
+  a33=(a13*a08);
+  a15=(a15-a33);
+  if (res[1]!=0) res[1][0]=a15;
+  a32=(a32*a19);
+  a30=(a30+a32);
+  a30=(a16*a30);
+  a26=(a20+a26);
+  a26=(a26-a18);
+  a26=(a21*a26);
+  a30=(a30+a26);
+  a26=(a19*a24);
+  a26=(a27*a26);
+  a29=(a29*a17);
+  a32=(a26-a29);
+  a32=(a28*a32);
+  a30=(a30+a32);
+  a14=(a14*a00);
+  a30=(a30-a14);
+  a08=(a04*a08);
+  a30=(a30-a08);
+  if (res[1]!=0) res[1][1]=a30;
+  a13=(a13*a00);
+  a11=(a11*a11);
+  a11=(a11*a12);
+  a13=(a13+a11);
+  a11=(a17*a24);
+  a27=(a27*a11);
+  a27=(a27-a31);
+  a16=(a16*a27);
+  a13=(a13+a16);
+  a29=(a29+a26);
+  a21=(a21*a29);
+  a13=(a13+a21);
+  a23=(a23-a20);
+  a23=(a23+a25);
+  a23=(a23-a18);
+  a28=(a28*a23);
+  a13=(a13+a28);
+  a28=9.7803253359000006e+00;
+  a23=1.8894147482439335e-02;
+  a23=(a23*a07);
+  a28=(a28+a23);
+  a28=(a28*a09);
+  a09=7.3745167729419953e-14;
+  a23=(a01*a01);
+  a09=(a09*a23);
+  a03=(a03+a09);
+  a09=1.5678559428873979e-07;
+  a23=2.0136051943431768e+00;
+  a18=1.3411242658989924e-02;
+  a18=(a18*a07);
+  a23=(a23-a18);
+  a01=(a01*a23);
+  a09=(a09*a01);
+  a03=(a03-a09);
+  a28=(a28*a03);
+  a13=(a13-a28);
+  if (res[1]!=0) res[1][2]=a13;
+  a13=5.0000000000000000e-01;
+  a28=7.2921149999999999e-05;
+  a05=(a28*a05);
+  a02=(a02+a05);
+  a05=(a02*a19);
+  a05=(a13*a05);
+  a28=(a28*a06);
+  a10=(a10+a28);
+  a28=(a10*a24);
+  a28=(a13*a28);
+  a05=(a05+a28);
+  a28=arg[4]? arg[4][0] : 0;
+  a06=(a13*a28);
+  a03=(a06*a17);
+  a05=(a05-a03);
+  a19=(a13*a19);
+  a03=arg[4]? arg[4][1] : 0;
+  a09=(a19*a03);
+  a05=(a05-a09);
+  a09=(a13*a24);
+  a01=arg[4]? arg[4][2] : 0;
+  a23=(a09*a01);
+  a05=(a05-a23);
+  a17=(a13*a17);
+  a23=(a17*a04);
+  a05=(a05-a23);
+  if (res[2]!=0) res[2][0]=a05;
+  a06=(a06*a22);
+  a05=(a19*a10);
+  a06=(a06+a05);
+  a05=(a19*a01);
+  a06=(a06+a05);
+  a05=(a13*a22);
+  a23=(a05*a04);
+  a06=(a06+a23);
+  a23=(a09*a02);
+  a06=(a06-a23);
+  a23=(a09*a03);
+  a06=(a06-a23);
+  if (res[2]!=0) res[2][1]=a06;
+  a24=(a28*a24);
+  a24=(a13*a24);
+  a22=(a03*a22);
+  a13=(a13*a22);
+  a24=(a24+a13);
+  a09=(a09*a04);
+  a24=(a24-a09);
+  a09=(a17*a10);
+  a24=(a24-a09);
+  a09=(a17*a01);
+  a24=(a24-a09);
+  a09=(a02*a05);
+  a24=(a24-a09);
+  if (res[2]!=0) res[2][2]=a24;
+  a04=(a19*a04);
+  a02=(a17*a02);
+  a04=(a04+a02);
+  a17=(a17*a03);
+  a04=(a04+a17);
+  a01=(a05*a01);
+  a04=(a04+a01);
+  a19=(a19*a28);
+  a04=(a04-a19);
+  a10=(a10*a05);
+  a04=(a04-a10);
+  if (res[2]!=0) res[2][3]=a04;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int sd_rates_casadi(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f0(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int sd_rates_casadi_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void sd_rates_casadi_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void sd_rates_casadi_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void sd_rates_casadi_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int sd_rates_casadi_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int sd_rates_casadi_n_out(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_real sd_rates_casadi_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* sd_rates_casadi_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "position";
+    case 1: return "v_n";
+    case 2: return "q_b2n_wxyz";
+    case 3: return "f_b";
+    case 4: return "omega_ib_b";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* sd_rates_casadi_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "out_position_rate";
+    case 1: return "out_v_n_rate";
+    case 2: return "out_q_b2n_rate";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* sd_rates_casadi_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* sd_rates_casadi_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int sd_rates_casadi_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int sd_rates_casadi_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+
