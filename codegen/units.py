@@ -187,7 +187,7 @@ class UnitMaker:
         else:
             (f,) = self.convert(model.f)
             F = ca.jacobian(f, self.vectors["x"])
-            F_exact = self.differentiate(self.numeric(model.f))
+            F_exact = self.differentiate(model.f)
         G, noise = self.convert(model.G, model.noise)
         G_exact, dt = self.numeric(model.G, model.noise), self.symbols[model.dt]
         where = next(v.name for v in model.inputs if model.dt in v.symbols)
@@ -209,12 +209,14 @@ class UnitMaker:
                 g, root = G_exact(values)
                 f, h = F_exact(values)[0], values[where][0]
                 s = times(g, mp.diag([r**2 for r in root]), g.T)
-                powers = [mp.eye(n), f, times(f, f) / 2]
+                fs = times(f, s)
+                left = [s, fs, times(f, fs) / 2]  # the powers of F dt in Phi, times S
+                right = [f.T, times(f, f).T / 2]
                 total = mp.zeros(n)
-                for i, a in enumerate(powers):
-                    left = times(a, s)
-                    for j, b in enumerate(powers[: 3 - i]):
-                        total += times(left, b.T) * (h ** (i + j + 1) / (i + j + 1))
+                for i, a in enumerate(left):
+                    total += a * (h ** (i + 1) / (i + 1))
+                    for j, b in enumerate(right[: 2 - i], 1):
+                        total += times(a, b) * (h ** (i + j + 1) / (i + j + 1))
                 return [total]
 
         return [
@@ -241,23 +243,25 @@ class UnitMaker:
             ),
         ]
 
-    def differentiate(self, function: Callable[[Values], list[Any]]) -> Callable[[Values], list[Any]]:
-        """The Jacobian by the error state, by central differences in 80 digits: 50 of them survive."""
-
-        state = self.variables[0]
-        state_box = list(zip(state.low, state.high, strict=True))
+    def differentiate(self, matrix: sp.Matrix) -> Callable[[Values], list[Any]]:
+        """The Jacobian of a column by the error state, by central differences in 80 digits: 50 of them survive."""
+        state, function = self.variables[0], self.numeric(matrix)
+        seen = [i for i, symbol in enumerate(state.symbols) if symbol in matrix.free_symbols]
+        anywhere = [mp.mpf(lo / 4 + hi * 3 / 4) for lo, hi in zip(state.low, state.high, strict=True)]
 
         def jacobian(values: Values) -> list[Any]:
             with mp.workdps(80):
-                step, columns = mp.mpf(10) ** -27, []
-                for i in range(self.model.n):
+                step, result = mp.mpf(10) ** -27, mp.zeros(matrix.rows, self.model.n)
+                for i in seen:
                     sides = []
                     for sign in (1, -1):
-                        x = list(values.get("x", [mp.mpf(lo / 4 + hi * 3 / 4) for lo, hi in state_box]))
+                        x = list(values.get("x", anywhere))
                         x[i] = x[i] + sign * step
                         sides.append(function({**values, "x": x})[0])
-                    columns.append((sides[0] - sides[1]) / (2 * step))
-                return [mp.matrix([[column[r] for column in columns] for r in range(columns[0].rows)])]
+                    slope = (sides[0] - sides[1]) / (2 * step)
+                    for row in range(matrix.rows):
+                        result[row, i] = slope[row]
+                return [result]
 
         return jacobian
 
@@ -287,7 +291,7 @@ class UnitMaker:
             value, reference = self.convert(m.H)[0], self.numeric(m.H)
         else:
             value = ca.jacobian(self.convert(m.h)[0], self.vectors["x"])
-            reference = self.differentiate(self.numeric(m.h))
+            reference = self.differentiate(m.h)
         meaning = f"{m.meaning}: measurement matrix, d(residual) / d(x); rows {rows}"
         made.append(
             self.unit(

@@ -6,7 +6,9 @@ zero.  For a measurement matrix that is a first order of an exact measurement: i
 difference falls linearly.
 """
 
-from collections.abc import Callable
+import multiprocessing
+import os
+from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -68,13 +70,37 @@ def verify(
     """Every check of one model: a built-in name, or FILE.py:NAME with the folder that was generated from it."""
     model = load_model(target)
     flight, casadi = (load(folder or target, backend) for backend in ("flight", "casadi"))
+    made = units(model)
+
+    def check(index: int) -> UnitCheck:
+        return check_unit(model, made[index], flight, casadi, points)
+
     checks: list[UnitCheck | FirstOrderCheck] = []
-    for unit in units(model):
+    for unit, done in zip(made, side_by_side(check, len(made)), strict=True):
         if progress:
             progress(f"{model.name}: {unit.name}")
-        checks.append(check_unit(model, unit, flight, casadi, points))
+        checks.append(done)
     checks += [check_first_order(model, m, flight) for m in model.measurements if m.first_order is not None]
     return checks
+
+
+_task: Callable[[int], Any] | None = None  # what the forked processes below run
+
+
+def _run_task(index: int) -> Any:
+    assert _task is not None
+    return _task(index)
+
+
+def side_by_side(task: Callable[[int], Any], count: int) -> Iterator[Any]:
+    """task(0), task(1), ... in order, computed by as many processes as there are processors.
+
+    They are forked, because what a task needs (CasADi's functions, a loaded library) cannot be sent to a process.
+    """
+    global _task
+    _task = task
+    with multiprocessing.get_context("fork").Pool(min(count, os.cpu_count() or 1)) as pool:
+        yield from pool.imap(_run_task, range(count))
 
 
 def check_unit(model: Model, unit: Unit, flight: Library, casadi: Library, points: int) -> UnitCheck:
@@ -141,7 +167,8 @@ def check_first_order(model: Model, m: Measurement, library: Library) -> FirstOr
     unit, full = (next(u for u in units(model) if u.name == f"{name}_H") for name in (m.name, law.of))
     read = {a.name: a for a in (*unit.args, *full.args)}
     rng = generator("first order", model.name, m.name)
-    values = {a.name: v / 2 for a, v in zip(read.values(), sample(tuple(read.values()), 0, 200, rng), strict=True)}
+    drawn = sample(tuple(read.values()), 0, 200, rng)
+    values = {a.name: v if a.norm else v / 2 for a, v in zip(read.values(), drawn, strict=True)}
     values["x"] = np.zeros((200, model.n))
     directions = rng.standard_normal(values[law.small].shape)
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
