@@ -209,7 +209,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         "args": args,
         "results": results,
         "prototype": f"bs_status {c_name}({', '.join(inputs + [r['parameter'] for r in results])})",
-        "null_test": " || ".join(f"({p} == 0)" for p in pointers),
+        "null_test": " || ".join(f"({p} == 0)" for p in pointers) if len(pointers) > 1 else f"{pointers[0]} == 0",
         "kernel_parameters": ", ".join(
             [f"const bs_real {a.name}[{a.size}]" for a in unit.args]
             + [f"bs_real {r['nz_name']}[{r['nnz']}]" for r in results]

@@ -100,7 +100,8 @@ def velocity_dcm() -> Model:
         equations=("kim-2018 (2)", "kim-2018 (3)"),
         card=(
             "Error = computed - true; psi is against the computed level, C_hat_b2c = (I - [psi x]) C_b2c.",
-            "Misalignment: C_b2n = C_r2n exp([mu x]), r the master's body axes.  A delay tau > 0: the master's data is old.",
+            "Misalignment: C_b2n = C_r2n exp([mu x]), r the master's body axes.",
+            "A delay tau > 0: the master's data is old by it; the slave is compared as it was tau_hat ago.",
             *card(frame),
         ),
     )  # fmt: skip

@@ -25,9 +25,9 @@ def sources(folder, *names):
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("model", ["euler_matching", "pendulum"])
+@pytest.mark.parametrize("model", [*sorted(p.parent.name for p in EM.parent.glob("*/manifest.json")), "pendulum"])
 def test_compiles_without_a_warning_and_passes_its_self_test(compiler, model, tmp_path, pendulum_folder):
-    folder = EM if model == "euler_matching" else pendulum_folder
+    folder = pendulum_folder if model == "pendulum" else EM.parent / model
     program = tmp_path / "selftest"
     run(compiler, *FLAGS, "-I", folder / "include", *sources(folder, "src", "selftest", "batch"), "-lm", "-o", program)
     last = run(program).splitlines()[-1]

@@ -9,7 +9,7 @@ bs_status ah_azimuth_H(bs_real H[1 * AH_N_STATES])
     static const unsigned short H_index[1] = { 8 };
     bs_real H_nz[1];
 
-    if ((H == 0)) {
+    if (H == 0) {
         return BS_NULL_POINTER;
     }
 

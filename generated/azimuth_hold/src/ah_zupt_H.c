@@ -9,7 +9,7 @@ bs_status ah_zupt_H(bs_real H[3 * AH_N_STATES])
     static const unsigned short H_index[3] = { 3, 19, 35 };
     bs_real H_nz[3];
 
-    if ((H == 0)) {
+    if (H == 0) {
         return BS_NULL_POINTER;
     }
 

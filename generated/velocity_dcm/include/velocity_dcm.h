@@ -2,7 +2,8 @@
  * C99, no allocation, no global state, no I/O; re-entrant.  SI units, angles in rad.  Matrices are row-major.
  * Frames: ENU with body axes right-front-up.
  * Error = computed - true; psi is against the computed level, C_hat_b2c = (I - [psi x]) C_b2c.
- * Misalignment: C_b2n = C_r2n exp([mu x]), r the master's body axes.  A delay tau > 0: the master's data is old.
+ * Misalignment: C_b2n = C_r2n exp([mu x]), r the master's body axes.
+ * A delay tau > 0: the master's data is old by it; the slave is compared as it was tau_hat ago.
  * Position is lon, lat, height (rad, m) on WGS-84; the body axes are right-front-up.
  * Quaternions are Hamilton, scalar first, body to navigation.
  * Every function returns a bs_status; with any but BS_OK it has written nothing.  Outputs must not overlap. */
