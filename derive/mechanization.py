@@ -79,10 +79,11 @@ def rotation_increment(dtheta, dtheta_before) -> Matrix:
 def velocity_increment(dtheta, dv, dtheta_before, dv_before) -> Matrix:
     """Integral of the specific force over a step (m/s), in the body axes at its start.
 
-    The body's turn within the step, and sculling: exact as rotation_increment is.
+    The body's turn within the step, to its second power, and sculling.
     """
+    turned = skew(dtheta) * dv
     sculling = (skew(dtheta_before) * dv + skew(dv_before) * dtheta) / 12
-    return dv + skew(dtheta) * dv / 2 + sculling
+    return dv + turned / 2 + skew(dtheta) * turned / 6 + sculling
 
 
 def step(frame: Frame, position, v_n, q_b2n_wxyz, dtheta, dv, dtheta_before, dv_before, dt) -> tuple:
@@ -98,8 +99,10 @@ def step(frame: Frame, position, v_n, q_b2n_wxyz, dtheta, dv, dtheta_before, dv_
 
     level = dt * omega_in_n(frame, p_middle, v_middle)  # rotation vector of the level over the step
     v_next = v_n + small_rotation(-level / 2) * gained + dt * pull(frame, p_middle, v_middle)
+    # mean velocity: that of a constant acceleration, less what the growth of the acceleration takes from it (scrolling)
+    growth = dcm_from_quaternion(q_b2n_wxyz) * (dv - dv_before + skew(dtheta) * dv)
     lat, height = frame.latitude_and_height(p_middle)
-    p_next = position + dt * along(frame, (v_n + v_next) / 2, metres(lat, height, frame))
+    p_next = position + dt * along(frame, (v_n + v_next) / 2 - growth / 12, metres(lat, height, frame))
 
     turn = quaternion_from_rotation_vector(rotation_increment(dtheta, dtheta_before))
     back = quaternion_from_rotation_vector(-level)

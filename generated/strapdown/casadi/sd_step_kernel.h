@@ -12,7 +12,7 @@ static void sd_step_kernel(const bs_real position[3], const bs_real v_n[3], cons
     const double *arg[8] = {0};
     double *res[3] = {0};
     int iw[1] = {0};
-    double w[64] = {0};
+    double w[81] = {0};
     arg[0] = position;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

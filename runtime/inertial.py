@@ -1,0 +1,111 @@
+"""Inertial increments of a trajectory, by inverting the strapdown integrator, and the integrator over a trajectory.
+
+`library` is the strapdown model in the wanted frame, `load("strapdown")`; positions are in its order.  Axes: samples
+first, then runs.  `dtheta_ib_b` (rad) and `dv_b` (m/s) belong to the interval that ends at the sample behind them.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.runtime.library import Library
+from boresight.runtime.simulation import attitude_error, matrix_from_quaternion
+
+Array = np.ndarray
+
+ROUNDS = 30  # of the inversion; each shrinks what is left by the angle turned in a step or more
+ENOUGH = 1e-14  # rad, and the same part of the velocity increments (m/s): rounding
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """position (T+1, ..., 3), v_n (T+1, ..., 3) m/s, q_b2n_wxyz (T+1, ..., 4), at samples dt seconds apart."""
+
+    position: Array
+    v_n: Array
+    q_b2n_wxyz: Array
+    dt: float
+
+    def nav(self, samples: int | slice) -> dict[str, Array]:
+        """The fields of the integrator at these samples."""
+        return {name: getattr(self, name)[samples] for name in ("position", "v_n", "q_b2n_wxyz")}
+
+
+def before(increments: Array, first: Array | None) -> Array:
+    """Of each interval the increments of the one before; those before the first are `first`, or the first ones."""
+    return np.concatenate([increments[:1] if first is None else np.asarray(first, float)[None], increments[:-1]])
+
+
+def increments(library: Library, position: Array, v_n: Array, q_b2n_wxyz: Array, dt: float) -> tuple:
+    """What ideal sensors deliver on a trajectory: (dtheta (T, ..., 3) rad, dv (T, ..., 3) m/s, the Trajectory).
+
+    position: (..., 3) at the first sample.  v_n (T+1, ..., 3), q_b2n_wxyz (T+1, ..., 4): at every sample.  The
+    increments are those from which the integrator makes these velocities and attitudes, to rounding; the positions of
+    the Trajectory are the ones it makes with them.  Raises BoresightError where no increments of its box do, and on a
+    trajectory that leaves it.
+    """
+    v_n, q = np.asarray(v_n, float), np.asarray(q_b2n_wxyz, float)
+    runs = v_n.shape[1:-1]
+    p0 = np.broadcast_to(np.asarray(position, float), (*runs, 3))
+    p = np.broadcast_to(p0, (len(v_n), *runs, 3)).copy()
+    dtheta, dv = np.zeros(v_n[1:].shape), np.zeros(v_n[1:].shape)
+    to_body = np.swapaxes(matrix_from_quaternion(q[:-1]), -1, -2)
+    for _ in range(ROUNDS):
+        made = library.step(
+            position=p[:-1], v_n=v_n[:-1], q_b2n_wxyz=q[:-1],
+            dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=before(dtheta, None), dv_before=before(dv, None), dt=dt,
+        )  # fmt: skip
+        # C_made = exp(-[e x]) C_wanted: the body has to turn by e more, here in its own axes
+        turn = np.einsum("...ij,...j->...i", to_body, attitude_error(made["q_b2n_wxyz"], q[1:]))
+        push = np.einsum("...ij,...j->...i", to_body, v_n[1:] - made["v_n"])
+        # one position after the other, as the integrator adds them up
+        moved = np.cumsum(np.concatenate([p0[None], made["position"] - p[:-1]]), axis=0)
+        away = max(np.abs(turn).max(), np.abs(push).max() / max(1.0, np.abs(v_n).max()), np.abs(moved - p).max() * 1e-3)
+        dtheta, dv, p = dtheta + turn, dv + push, moved
+        if away < ENOUGH:
+            # The last bit of a longitude is 3e-9 m: the positions are those of a run, to the bit.
+            start = {"position": p0, "v_n": v_n[0], "q_b2n_wxyz": q[0]}
+            return dtheta, dv, Trajectory(integrate(library, start, dtheta, dv, dt).position, v_n, q, dt)
+    raise BoresightError(
+        f"no increments make this trajectory: after {ROUNDS} rounds {away:.1e} rad are left; sample it more often than "
+        f"every {dt} s"
+    )
+
+
+def integrate(library: Library, start: dict[str, Array], dtheta: Array, dv: Array, dt: float, first=None) -> Trajectory:
+    """The integrator over T intervals.  start: position, v_n, q_b2n_wxyz at the first sample, (..., 3 or 4).
+
+    first: (dtheta, dv) of the interval before the first one, if it is known.  Raises BoresightError on leaving the box.
+    """
+    dtheta, dv = np.asarray(dtheta, float), np.asarray(dv, float)
+    earlier = [before(values, f) for values, f in zip((dtheta, dv), first or (None, None), strict=True)]
+    shape = dtheta.shape[1:-1]
+    out = {
+        name: np.empty((len(dtheta) + 1, *shape, size))
+        for name, size in (("position", 3), ("v_n", 3), ("q_b2n_wxyz", 4))
+    }
+    for name, values in out.items():
+        values[0] = start[name]
+    fields = {"dtheta_ib_b": dtheta, "dv_b": dv, "dtheta_before": earlier[0], "dv_before": earlier[1]}
+    if shape:
+        for k in range(len(dtheta)):
+            now = library.step(
+                **{name: values[k] for name, values in out.items()}, **{n: v[k] for n, v in fields.items()}, dt=dt
+            )
+            for name, values in out.items():
+                values[k + 1] = now[name]
+        return Trajectory(**out, dt=dt)
+
+    bound = library.step.bind()
+    bound.inputs["dt"][:] = dt
+    for k in range(len(dtheta)):
+        for name, values in out.items():
+            bound.inputs[name][:] = values[k]
+        for name, values in fields.items():
+            bound.inputs[name][:] = values[k]
+        if bound():
+            library.step(**{name: values.copy() for name, values in bound.inputs.items() if name != "dt"}, dt=dt)
+        for name, values in out.items():
+            values[k + 1] = bound.outputs[name]
+    return Trajectory(**out, dt=dt)

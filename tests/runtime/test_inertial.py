@@ -1,0 +1,148 @@
+"""The strapdown integrator in C against truths that know nothing of it, and its inverse against itself."""
+
+import numpy as np
+import pytest
+from analytic import NED2ENU, flight, integrals
+from scipy.spatial.transform import Rotation
+
+from boresight import BoresightError
+from boresight.runtime.inertial import increments, integrate
+from boresight.runtime.library import load
+from boresight.runtime.simulation import attitude_error, quaternion_from_euler
+
+SECONDS = 60
+METRES = np.array([6.4e6, 6.4e6, 1.0])  # a longitude counts as at the equator: the strict side
+
+
+@pytest.fixture(scope="module")
+def strapdown(compiled_once):
+    return load("strapdown")
+
+
+def wxyz(C):
+    return Rotation.from_matrix(C.reshape(-1, 3, 3)).as_quat(scalar_first=True).reshape(*C.shape[:-2], 4)
+
+
+def flown(library, rate_hz):
+    """Largest error of position (m), velocity (m/s) and attitude (deg) over the analytic flight."""
+    known, t = flight(), np.arange(SECONDS * rate_hz + 1) / rate_hz
+    position, v_n, q = known["position"](t), known["v_n"](t), wxyz(known["C_b2n"](t))
+    dtheta, dv = integrals(SECONDS, rate_hz)
+    start = {"position": position[0], "v_n": v_n[0], "q_b2n_wxyz": q[0]}
+    made = integrate(library, start, dtheta[1:], dv[1:], 1 / rate_hz, first=(dtheta[0], dv[0]))
+    return np.array([
+        np.abs((made.position - position) * METRES).max(),
+        np.abs(made.v_n - v_n).max(),
+        np.degrees(np.abs(attitude_error(made.q_b2n_wxyz, q)).max()),
+    ])  # fmt: skip
+
+
+def test_strapdown_stays_on_an_analytic_flight_and_errs_with_the_third_power_of_the_step(strapdown):
+    errors = [flown(strapdown, rate_hz) for rate_hz in (100, 50, 25)]
+    assert errors[0][0] < 0.5e-3
+    assert errors[0][2] < 2e-5
+    orders = np.log2([errors[1] / errors[0], errors[2] / errors[1]])
+    assert np.abs(orders - 3).max() < 0.1, orders
+
+
+def test_strapdown_stays_on_the_flight_of_pyins(strapdown):
+    """At sea level: pyins takes gravity as linear in height, which alone is 0.05 mm over these 60 s."""
+    from pyins import sim, transform
+
+    truth, imu = sim.generate_sine_velocity_motion(
+        0.01, SECONDS, [50, 60, 0], [10, -5, 0], [3, 2, 1], velocity_change_period=20, sensor_type="increment"
+    )
+    lat, lon, height = truth[["lat", "lon", "alt"]].to_numpy().T
+    position = np.column_stack([np.radians(lon), np.radians(lat), height])
+    v_n = truth[["VN", "VE", "VD"]].to_numpy() @ NED2ENU
+    q = wxyz(NED2ENU @ transform.mat_from_rph(truth[["roll", "pitch", "heading"]].to_numpy()) @ NED2ENU)
+    dtheta = imu[["gyro_x", "gyro_y", "gyro_z"]].to_numpy() @ NED2ENU
+    dv = imu[["accel_x", "accel_y", "accel_z"]].to_numpy() @ NED2ENU
+    start = {"position": position[0], "v_n": v_n[0], "q_b2n_wxyz": q[0]}
+    made = integrate(strapdown, start, dtheta[1:], dv[1:], 0.01)
+    assert np.abs((made.position - position) * METRES).max() < 0.5e-3
+    assert np.degrees(np.abs(attitude_error(made.q_b2n_wxyz, q)).max()) < 2e-5
+
+
+def motions(seconds, rate_hz):
+    """Three runs: the rolling flight, one fast and high, and one at rest; (position, v_n, q) with runs on axis 1."""
+    t = np.arange(seconds * rate_hz + 1)[:, None] / rate_hz
+    turn = np.array([[0.2, 0.1, 0.0], [0.02, 0.03, 0.0], [0, 0, 0]])
+    euler = [0.1, 0.05, 0.4] + turn * np.sin(2 * np.pi * t[..., None] / [3, 4, 9])
+    v_n = np.array([[60.0, 40, 1], [700.0, -600, 5], [0, 0, 0]])
+    v_n = v_n + np.array([[8.0, 6, 3], [20.0, 10, 5], [0, 0, 0]]) * np.sin(2 * np.pi * t[..., None] / [7, 8, 11])
+    position = np.array([[2.2, 0.6, 100], [2.2, 1.2, 25000], [2.2, 0.63, 120]])
+    return position, v_n, quaternion_from_euler(euler)
+
+
+def test_the_inverse_reproduces_its_trajectory(strapdown):
+    """And the integrator with the inverse's increments keeps the velocities and attitudes that were asked for."""
+    position, v_n, q = motions(SECONDS, 100)
+    dtheta, dv, wanted = increments(strapdown, position, v_n, q, 0.01)
+    made = integrate(strapdown, wanted.nav(0), dtheta, dv, 0.01)
+    np.testing.assert_array_equal(wanted.v_n, v_n)
+    np.testing.assert_array_equal(wanted.q_b2n_wxyz, q)
+    assert np.abs((made.position - wanted.position) * METRES).max() < 1e-9
+    assert np.abs(made.v_n - v_n).max() < 1e-10
+    assert np.abs(attitude_error(made.q_b2n_wxyz, q)).max() < 1e-12
+    assert np.ptp(wanted.position[:, 2], axis=0).max() == 0, "it moved at rest"
+
+
+def test_the_inverse_finds_the_increments_of_the_analytic_flight(strapdown):
+    """To what the integrator errs by in one step."""
+    known, t = flight(), np.arange(10 * 100 + 1) / 100
+    dtheta, dv, made = increments(strapdown, known["position"](0.0), known["v_n"](t), wxyz(known["C_b2n"](t)), 0.01)
+    exact = integrals(10, 100)
+    assert np.abs(dtheta - exact[0][1:])[1:].max() < 1e-9
+    assert np.abs(dv - exact[1][1:])[1:].max() < 1e-7
+    assert np.abs((made.position - known["position"](t)) * METRES).max() < 1e-4
+
+
+def test_at_rest_the_sensors_see_the_earth_and_gravity(strapdown):
+    position, v_n, q = np.array([2.2, 0.6, 50.0]), np.zeros((11, 3)), np.tile([1.0, 0, 0, 0], (11, 1))
+    dtheta, dv, _ = increments(strapdown, position, v_n, q, 0.01)
+    seen = strapdown.earth(position=position, v_n=np.zeros(3))
+    np.testing.assert_allclose(dtheta / 0.01, np.broadcast_to(seen["omega_ie_n"], (10, 3)), atol=1e-13)
+    np.testing.assert_allclose(dv / 0.01, np.broadcast_to(-seen["gravity_n"], (10, 3)), atol=1e-9)
+
+
+def test_one_run_and_many_are_the_same(strapdown):
+    position, v_n, q = motions(2, 100)
+    dtheta, dv, wanted = increments(strapdown, position, v_n, q, 0.01)
+    many = integrate(strapdown, wanted.nav(0), dtheta, dv, 0.01)
+    start = {name: value[1] for name, value in wanted.nav(0).items()}
+    one = integrate(strapdown, start, dtheta[:, 1], dv[:, 1], 0.01)
+    np.testing.assert_array_equal(one.position, many.position[:, 1])
+    np.testing.assert_array_equal(one.q_b2n_wxyz, many.q_b2n_wxyz[:, 1])
+
+
+def test_rates_are_what_a_short_step_does(strapdown):
+    position, v_n, q = motions(1, 100)
+    f_b, omega = np.array([1.0, -2.0, 9.0]), np.array([0.3, -0.2, 0.1])
+    nav = {"position": position, "v_n": v_n[50], "q_b2n_wxyz": q[50]}
+    rates = strapdown.rates(**nav, f_b=f_b, omega_ib_b=omega)
+
+    def slope(dt):
+        made = strapdown.step(
+            **nav, dtheta_ib_b=omega * dt, dv_b=f_b * dt, dtheta_before=omega * dt, dv_before=f_b * dt, dt=dt
+        )
+        return {name: (made[name] - nav[name]) / dt for name in nav}
+
+    full, half = slope(2e-3), slope(1e-3)
+    for name, rate in (("position", "position_rate"), ("v_n", "v_n_rate"), ("q_b2n_wxyz", "q_b2n_rate")):
+        limit = 2 * half[name] - full[name]  # what is of first order in dt is taken out
+        np.testing.assert_allclose(limit, rates[rate], atol=2e-5 * np.abs(rates[rate]).max(), err_msg=name)
+
+
+def test_a_jump_that_no_sensor_could_follow_is_refused(strapdown):
+    position, v_n, q = motions(1, 100)
+    v_n = v_n.copy()
+    v_n[50:] -= 150.0
+    with pytest.raises(BoresightError, match="dv_b"):
+        increments(strapdown, position, v_n, q, 0.01)
+
+
+def test_leaving_the_box_names_the_field(strapdown):
+    start = {"position": [0.0, 1.4835, 0.0], "v_n": [0.0, 900.0, 0.0], "q_b2n_wxyz": [1.0, 0, 0, 0]}
+    with pytest.raises(BoresightError, match=r"position\[1\]"):
+        integrate(strapdown, start, np.zeros((100, 3)), np.tile([0, 0, 9.8], (100, 1)), 1.0)
