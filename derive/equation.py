@@ -8,7 +8,7 @@ letter alone is a noncommutative Symbol.  Terms keep the order of the page.
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from sympy import Add, ImmutableMatrix, MatAdd, MatMul, Mul, S, Symbol
+from sympy import Add, ImmutableMatrix, MatAdd, MatMul, Mul, S, StrictLessThan, Symbol
 from sympy.matrices import MatrixBase
 
 
@@ -92,6 +92,8 @@ class Equation:
 
     def read(self) -> tuple[Relation, ...]:
         """The print after its readings."""
+        if not self.readings:
+            return self.printed
         mapping = {reading.printed: reading.meant for reading in self.readings}
         return tuple(relation.replaced(mapping) for relation in self.printed)
 
@@ -111,7 +113,7 @@ def total(*terms):
     if not any(is_explicit(term) for term in terms):
         return Add(*terms, evaluate=False)
     if any(not is_explicit(term) and not term.is_commutative for term in terms):
-        return Add(*terms, evaluate=False)  # the letter of a matrix beside an explicit one
+        return as_written(Add, terms)  # the letter of a matrix beside an explicit one
     # A scalar beside a 1x1 matrix, as in Song-Lee (26), is a 1x1 matrix itself.
     return MatAdd(*(term if is_explicit(term) else _one_by_one(term) for term in terms))
 
@@ -128,10 +130,17 @@ def product(*factors):
     if len(factors) == 1:
         return factors[0]
     if any(is_explicit(factor) for factor in factors):
+        if any(not is_explicit(factor) and not factor.is_commutative for factor in factors):
+            return as_written(Mul, factors)  # the letter of a matrix beside an explicit one
         return MatMul(*factors)
     if all(factor.is_commutative for factor in factors):
         return Mul(*factors)
     return Mul(*factors, evaluate=False)
+
+
+def as_written(kind, arguments):
+    """A sum or product which SymPy must not touch: even with evaluate=False it would multiply explicit matrices."""
+    return kind._from_args(tuple(arguments))
 
 
 def _parts(factor) -> tuple:
@@ -145,6 +154,8 @@ def negative(term):
         if term.args[0] == S.NegativeOne:
             return product(*term.args[1:])
         return product(S.NegativeOne, *term.args) if not term.is_commutative else -term
+    if isinstance(term, StrictLessThan):
+        return StrictLessThan(negative(term.lhs), term.rhs, evaluate=False)
     return product(S.NegativeOne, term)
 
 
@@ -161,6 +172,8 @@ def rebuild(expression, arguments):
         return total(*arguments)
     if isinstance(expression, Mul | MatMul):
         return product(*arguments)
+    if isinstance(expression, StrictLessThan):
+        return StrictLessThan(*arguments, evaluate=False)
     return expression.func(*arguments)
 
 

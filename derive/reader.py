@@ -8,11 +8,12 @@ paper's table of quantities.  What it does not know it refuses by name.
 import re
 from collections.abc import Iterable, Iterator
 
-from sympy import Function, Integer, StrictLessThan, cos, sin, sqrt, tan
+from sympy import Function, Integer, Mul, S, StrictLessThan, cos, sin, sqrt, tan
 from sympy.functions.elementary.complexes import transpose
+from sympy.matrices.exceptions import ShapeError
 
 from boresight import BoresightError
-from boresight.derive.equation import Quantity, Relation, column, matrix, negative, product, total
+from boresight.derive.equation import Quantity, Relation, as_written, column, matrix, negative, product, total
 
 FUNCTIONS = {r"\sin": sin, r"\cos": cos, r"\tan": tan}
 SUM = r"\sum_{k\in\Omega_n}"
@@ -63,7 +64,14 @@ def _plain(latex: str) -> str:
     latex = re.sub(r"(?<!\\)\\ |\\quad", ";", latex)  # [a \ b \ c]^T: the spaces separate
     latex = re.sub(r"\\left|\\right|\\cdot|\\therefore|(?<=\))_\{\d \\times \d\}", "", latex)
     latex = latex.replace(r"\equiv", "=").replace(r"\varepsilon", r"\epsilon")
-    return re.sub(r"\s+", "", latex).rstrip(",")
+    return re.sub(r"\s+", "", latex).replace("&=", "=").rstrip(",")
+
+
+def _minus(term):
+    try:
+        return negative(term)
+    except ShapeError:
+        return as_written(Mul, (S.NegativeOne, *term.args))
 
 
 class _Reader:
@@ -101,13 +109,13 @@ class _Reader:
         return Relation(tuple(sides))
 
     def sum(self):
-        terms = [negative(self.product()) if self.take("-") else self.product()]
+        terms = [_minus(self.product()) if self.take("-") else self.product()]
         while self.ahead("+", "-"):
             if self.take("+"):
                 terms.append(self.product())
             else:
                 self.need("-")
-                terms.append(negative(self.product()))
+                terms.append(_minus(self.product()))
         return total(*terms)
 
     def product(self):
@@ -121,7 +129,10 @@ class _Reader:
                 factors = [Function("entry")(product(*factors), *map(Integer, entry.groups()))]
             else:
                 factors.append(self.factor())
-        return product(*factors)
+        try:
+            return product(*factors)
+        except ShapeError:  # the page has it so: it is read, and has no value
+            return as_written(Mul, factors)
 
     def factor(self):
         for name in self.letters:
@@ -149,7 +160,7 @@ class _Reader:
             return self.power(self.group("(", ")"))
         if self.ahead("["):
             items = self.list("[", "]", ";")
-            return column(*items) if self.take("^T") else items[0] if len(items) == 1 else self.refuse()
+            return column(*items) if self.take("^T") else items[0] if len(items) == 1 else matrix([items])
         number = re.compile(r"\d+").match(self.text, self.at)
         if number:
             self.at = number.end()

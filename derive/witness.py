@@ -120,6 +120,8 @@ def _evaluate(expression, point: Point) -> Value:
     if isinstance(expression, AppliedUndef) and expression.func.__name__ == "Σ":
         # The world's Σ gives the letters at each sample.
         parts = [evaluate(expression.args[0], Point(values)) for values in point.values["Σ"](point.values)]
+        if not parts:
+            raise ValueError("a sum over no sample")
         return reduce(_sum, parts)
     arguments = [evaluate(argument, point) for argument in expression.args]
     if isinstance(expression, AppliedUndef):

@@ -1,0 +1,681 @@
+"""Numbers for every letter of Kim 2018 at a point: the witness of its ledger.
+
+Rates come from Newton's law on the turning ellipsoid and from finite rotations, in many digits; radii, transport rate
+and the matrices F and H are differentiated from them, so none of the paper's formulas judges itself.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, fields, replace
+from functools import cache, lru_cache
+from math import pi
+from random import Random
+from typing import Any
+from unicodedata import normalize
+
+import mpmath as mp
+import sympy as sp
+
+from boresight.derive import earth
+from boresight.derive.equation import Relation
+from boresight.derive.witness import (
+    attitude,
+    finite_rotation,
+    quaternion,
+    rotation_vector,
+    skew,
+    solve,
+    uniform,
+    vector,
+)
+
+WORKING = 110  # digits for differentiating: metres of an Earth's radius leave 28 exact ones
+SAMPLES, WINDOW_AT, WINDOW_OF, NOW = 6, 2, 3, 3  # of the detector's record: its length, a window's start and length
+
+
+@dataclass(frozen=True)
+class Base:
+    """What a point is made of; all else follows.  SI and rad; three components each, east north up or body axes."""
+
+    position: tuple  # longitude, latitude, height
+    v_n: tuple
+    euler: tuple
+    f_b: tuple
+    omega_ib_b: tuple
+    position_error: tuple
+    velocity_error: tuple
+    phi: tuple
+    gyro_bias: tuple
+    accel_bias: tuple
+    gyro_noise: tuple
+    accel_noise: tuple
+    mounting: tuple
+    theta: tuple
+    delay: tuple  # the first component alone
+    jerk: tuple
+    master_velocity_error: tuple
+    master_attitude_error: tuple
+    step: tuple  # the first component alone
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """The largest size of each part of a Base."""
+
+    position: tuple = (3.0, 1.2, 3000.0)
+    v_n: tuple = (300.0, 300.0, 30.0)
+    euler: tuple = (2.5, 1.2, 2.5)
+    f_b: tuple = (12.0, 12.0, 12.0)
+    omega_ib_b: float = 1.0
+    position_error: tuple = (0.05, 0.05, 500.0)
+    velocity_error: float = 2.0
+    phi: float = 0.05
+    gyro_bias: float = 0.02
+    accel_bias: float = 0.5
+    gyro_noise: float = 0.01
+    accel_noise: float = 0.3
+    mounting: float = 1.0
+    theta: float = 0.05
+    delay: float = 0.1
+    jerk: float = 5.0
+    master_velocity_error: float = 0.3
+    master_attitude_error: float = 0.01
+    step: float = 0.3
+
+    def scaled(self, scale, parts=()) -> "Conditions":
+        """The named errors, or all of them with delay and step, times `scale`; motion and attitude as they are."""
+        sizes = {part: getattr(self, part) for part in parts or ERRORS}
+        changes: dict[str, Any] = {
+            part: tuple(s * scale for s in size) if isinstance(size, tuple) else size * scale
+            for part, size in sizes.items()
+        }
+        return replace(self, **changes)
+
+
+ERRORS = (
+    "position_error", "velocity_error", "phi", "gyro_bias", "accel_bias", "gyro_noise", "accel_noise",
+    "theta", "delay", "master_velocity_error", "master_attitude_error", "step",
+)  # fmt: skip
+
+DEGREE, HOUR, G = pi / 180, 3600.0, 9.80665
+MILE = 1852.0
+# Table 1, and what the paper leaves open: a bench at rest but for the rocking of the transfer alignment, where a master
+# of one nautical mile an hour has been for an hour.
+CONDITIONS = Conditions(
+    position=(3.0, 45 * DEGREE, 100.0),
+    v_n=(0.5, 0.5, 0.1),
+    euler=(5 * DEGREE, 5 * DEGREE, 2.5),
+    f_b=(0.5, 0.5, 10.0),
+    omega_ib_b=5 * DEGREE,
+    position_error=(MILE / 6.4e6, MILE / 6.4e6, 10.0),
+    velocity_error=1.0,
+    phi=5e-3,
+    gyro_bias=DEGREE / HOUR,
+    accel_bias=1e-3 * G,
+    gyro_noise=0.0,
+    accel_noise=0.0,
+    mounting=5 * DEGREE,
+    theta=5e-3,
+    delay=0.05,
+    jerk=0.5,
+    master_velocity_error=0.01,
+    master_attitude_error=1e-4,
+    step=0.01,
+)
+POINTS = 4  # of these conditions, drawn for the sizes
+CONDITIONS_TEXT = (
+    "sensors of Table 1, errors to 5 mrad, 1 m/s, 1 nmi an axis, delay 50 ms on a bench that moves at 0.5 m/s and "
+    "5 deg/s, step 10 ms"
+)
+
+
+def _degrees(*angles) -> tuple:
+    return tuple(mp.mpf(angle) * mp.pi / 180 for angle in angles)
+
+
+# The point at which an erratum's numbers are given.
+STATED = Base(
+    position=(*_degrees(127, 37), mp.mpf(1000)),
+    v_n=(mp.mpf(60), mp.mpf(80), mp.mpf(0)),
+    euler=_degrees(2, 3, 40),
+    f_b=(mp.mpf("0.5"), mp.mpf(1), mp.mpf("9.8")),
+    omega_ib_b=_degrees(1, 2, 10),
+    position_error=(*_degrees("0.02", "0.02"), mp.mpf(100)),
+    velocity_error=(mp.mpf(1), mp.mpf(-1), mp.mpf("0.5")),
+    phi=_degrees("0.1", "-0.2", "0.3"),
+    gyro_bias=tuple(angle / 3600 for angle in _degrees(1, -1, 1)),
+    accel_bias=tuple(mp.mpf(x) * mp.mpf("9.80665e-3") for x in (1, -1, 1)),
+    gyro_noise=(mp.mpf(0),) * 3,
+    accel_noise=(mp.mpf(0),) * 3,
+    mounting=_degrees(1, 2, -1),
+    theta=_degrees("0.2", "-0.1", "0.1"),
+    delay=(mp.mpf("0.05"), mp.mpf(0), mp.mpf(0)),
+    jerk=(mp.mpf(0),) * 3,
+    master_velocity_error=(mp.mpf(0),) * 3,
+    master_attitude_error=(mp.mpf(0),) * 3,
+    step=(mp.mpf("0.01"), mp.mpf(0), mp.mpf(0)),
+)
+STATED_TEXT = (
+    "latitude 37 deg, height 1 km, 100 m/s to the north-east; errors 0.02 deg in position, 100 m in height, 1, -1, "
+    "0.5 m/s, 0.1, -0.2, 0.3 deg in attitude; 1 deg/h, 1 mg; mounting error 0.2, -0.1, 0.1 deg, delay 50 ms"
+)
+
+
+def draw(seed: int, conditions: Conditions) -> Base:
+    """A point of the conditions; the same seed at another scale gives the same directions."""
+    generator = Random(seed)
+    parts = {part.name: tuple(uniform(generator, getattr(conditions, part.name))) for part in fields(conditions)}
+    for name in ("delay", "step"):
+        parts[name] = tuple(map(abs, parts[name]))
+    return Base(**parts)
+
+
+# ---- Exact mechanics -------------------------------------------------------------------------------------------------
+
+
+class Mechanics:
+    """What a perfect or an erring navigator at one state computes: rates by Newton's law on the turning ellipsoid."""
+
+    def __init__(self, position, v_n, C_b2n, f_b, omega_ib_b):
+        self.C_b2n, self.v_n = C_b2n, v_n
+        axes, slope = _axes(position), _slope(position)
+        self.position_rate = mp.lu_solve(slope, axes * v_n)
+        self.axes, self.axes_rate = axes, _rate(lambda t: _axes(position + t * self.position_rate))
+        turning = axes.T * self.axes_rate
+        self.omega_en_n = vector(turning[2, 1], turning[0, 2], turning[1, 0])
+        spin = vector(0, 0, _exact(earth.EARTH_RATE))
+        self.omega_ie_n = axes.T * spin
+        self.omega_in_n = self.omega_ie_n + self.omega_en_n
+        self.gravity_n = vector(0, 0, -_gravity()(position[1], position[2]))
+        self.f_n = C_b2n * f_b
+        # Velocity over the ground in turning axes: gravity has the centrifugal part, Coriolis twice the spin.
+        self.velocity_rate = (
+            self.f_n + self.gravity_n - axes.T * (2 * skew(spin) * axes * v_n) + self.axes_rate.T * axes * v_n
+        )
+        self.C_rate = C_b2n * skew(omega_ib_b) - skew(self.omega_in_n) * C_b2n
+
+
+def _exact(number):
+    rational = sp.Rational(number)
+    return mp.mpf(int(rational.p)) / int(rational.q)
+
+
+@cache
+def _gravity() -> Callable:
+    lat, height = sp.symbols("lat height")
+    return sp.lambdify((lat, height), earth.normal_gravity(lat, height), "mpmath")
+
+
+def _axes(position) -> mp.matrix:
+    """Columns: east, north and up in Earth's axes."""
+    lon, lat, _ = position
+    up = vector(mp.cos(lat) * mp.cos(lon), mp.cos(lat) * mp.sin(lon), mp.sin(lat))
+    east = vector(-mp.sin(lon), mp.cos(lon), 0)
+    north = skew(up) * east
+    return mp.matrix([[east[i], north[i], up[i]] for i in range(3)])
+
+
+def _point(position) -> mp.matrix:
+    """Cartesian coordinates: the point of the ellipse whose normal has the latitude, and the height along it."""
+    lon, lat, height = position
+    a, flat = _exact(earth.SEMI_MAJOR_AXIS), 1 - _exact(earth.FLATTENING)
+    reduced = mp.atan(flat * mp.tan(lat))
+    radius = a * mp.cos(reduced) + height * mp.cos(lat)
+    return vector(radius * mp.cos(lon), radius * mp.sin(lon), a * flat * mp.sin(reduced) + height * mp.sin(lat))
+
+
+def _slope(position) -> mp.matrix:
+    """d(point) / d(longitude, latitude, height)."""
+    return _jacobian(lambda change: _point(position + change), 3)
+
+
+def _rate(function: Callable):
+    step = mp.mpf(10) ** -30
+    return (function(step) - function(-step)) / (2 * step)
+
+
+def _jacobian(function: Callable, count: int) -> mp.matrix:
+    """The derivative at zero, one column for each of `count` arguments."""
+    columns = []
+    for i in range(count):
+        unit = mp.zeros(count, 1)
+        unit[i] = 1
+        columns.append(_rate(lambda t, unit=unit: function(t * unit)))
+    return mp.matrix([[column[i] for column in columns] for i in range(columns[0].rows)])
+
+
+def _stack(*parts) -> mp.matrix:
+    return vector(*(entry for part in parts for entry in (part if isinstance(part, mp.matrix | tuple) else (part,))))
+
+
+def _rotation_rate(matrix, rate) -> mp.matrix:
+    """The rate of e in exp(-[e x]) = matrix, whose rate is given."""
+    return _rate(lambda t: -rotation_vector(matrix + t * rate))
+
+
+@dataclass(frozen=True, eq=False)
+class Truth:
+    """The true state of the slave, and what follows from it alone."""
+
+    position: mp.matrix
+    v_n: mp.matrix
+    C: mp.matrix
+    f_b: mp.matrix
+    omega: mp.matrix
+    exact: Mechanics
+
+    def hat(self, x, noise) -> Mechanics:
+        """The navigator with the errors x: position, velocity, phi, gyro and accelerometer bias; noise (6)."""
+        return Mechanics(
+            self.position + x[0:3, 0],
+            self.v_n + x[3:6, 0],
+            finite_rotation(-x[6:9, 0]) * self.C,
+            self.f_b + x[12:15, 0] + noise[3:6, 0],
+            self.omega + x[9:12, 0] + noise[0:3, 0],
+        )
+
+    def phi_rates(self, x, noise=None) -> mp.matrix:
+        """(15) rates of the states of section 2.2: against the true axes."""
+        hat, exact = self.hat(x, mp.zeros(6, 1) if noise is None else noise), self.exact
+        turned, rate = hat.C_b2n * self.C.T, hat.C_rate * self.C.T + hat.C_b2n * exact.C_rate.T
+        return _stack(
+            hat.position_rate - exact.position_rate,
+            hat.velocity_rate - exact.velocity_rate,
+            _rotation_rate(turned, rate),
+            mp.zeros(6, 1),
+        )
+
+    def psi_rates(self, x) -> mp.matrix:
+        """(6) rates of velocity and attitude error against the computed axes, where the position is known.
+
+        x: velocity error and psi; perfect sensors.  The computed axes agree with the true ones now, not in a moment.
+        """
+        full = _stack(mp.zeros(3, 1), x, mp.zeros(6, 1))
+        hat, exact = self.hat(full, mp.zeros(6, 1)), self.exact
+        C_n2c_rate = hat.axes_rate.T * exact.axes + hat.axes.T * exact.axes_rate
+        turned = hat.C_b2n * self.C.T
+        rate = hat.C_rate * self.C.T + hat.C_b2n * exact.C_rate.T + turned * C_n2c_rate.T
+        return _stack(hat.velocity_rate - exact.velocity_rate - C_n2c_rate * self.v_n, _rotation_rate(turned, rate))
+
+
+@lru_cache(maxsize=64)
+def _truth(position, v_n, euler, f_b, omega) -> Truth:
+    parts = [mp.matrix(part) for part in (position, v_n, f_b, omega)]
+    C = attitude(euler)
+    return Truth(parts[0], parts[1], C, parts[2], parts[3], Mechanics(parts[0], parts[1], C, parts[2], parts[3]))
+
+
+def truth(base: Base) -> Truth:
+    with mp.workdps(WORKING):
+        return _truth(base.position, base.v_n, base.euler, base.f_b, base.omega_ib_b)
+
+
+def errors(base: Base) -> mp.matrix:
+    return _stack(base.position_error, base.velocity_error, base.phi, base.gyro_bias, base.accel_bias)
+
+
+# ---- Letters ---------------------------------------------------------------------------------------------------------
+
+
+class Letters(Mapping):
+    """Values by name, each group worked out when one of its letters is asked for."""
+
+    def __init__(self, groups: tuple[tuple[str, Callable], ...], given: Mapping):
+        split = [(tuple(normalize("NFC", names).split("|")), make) for names, make in groups]
+        self._of = {name: (names, make) for names, make in split for name in names}
+        self._known = {normalize("NFC", name): value for name, value in given.items()}
+
+    def __getitem__(self, name):
+        if name not in self._known:
+            if name not in self._of:
+                raise KeyError(f"the paper does not define {name}")
+            names, make = self._of[name]
+            self._known.update(zip(names, make(self), strict=True))
+        return self._known[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter({*self._known, *self._of})
+
+    def __len__(self) -> int:
+        return len({*self._known, *self._of})
+
+
+def world(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Letters:
+    """Values of every letter of the paper at one point.
+
+    definitions: the relations of the equations which define a letter, by number; the witness takes them as given.
+    Raises ValueError, KeyError or ZeroDivisionError where a definition does not define, when its letter is asked for.
+    """
+    from boresight.derive.papers.kim_2018_print import quantities
+
+    given = {
+        **{q.symbol.name: mp.zeros(*q.shape) for q in quantities() if q.kind == "block"},
+        "I": mp.eye(3), "I_3x3": mp.eye(3), "I_15x15": mp.eye(15),
+        "N": mp.mpf(WINDOW_OF), "n": mp.mpf(WINDOW_AT), "index": mp.mpf(0),
+        "Ω_n": _between(WINDOW_AT, 0, WINDOW_AT + WINDOW_OF - 1),
+        "θ̇": mp.zeros(3, 1), "Δṫ": mp.mpf(0), "ΔT": base.step[0], "Δt": base.delay[0],
+        "norm": mp.norm, "samples": _between, "vee": _vee,
+        "entry": lambda M, i, j: M[int(i) - 1, int(j) - 1],
+        "row": lambda *entries: mp.matrix([entries]),
+        "Σ": lambda values: _samples(base, values),
+    }  # fmt: skip
+    for names, parts in (
+        ("l|L|h", base.position),
+        ("l̂|L̂|ĥ", [a + b for a, b in zip(base.position, base.position_error, strict=True)]),
+        ("v_e|v_n|v_u", base.v_n),
+        ("v̂_e|v̂_n|v̂_u", [a + b for a, b in zip(base.v_n, base.velocity_error, strict=True)]),
+        ("φ_e|φ_n|φ_u", base.phi),
+        ("θ_x|θ_y|θ_z", base.theta),
+    ):
+        given |= dict(zip(names.split("|"), parts, strict=True))
+    vectors = {"v": "v_n", "δv": "velocity_error", "φ": "phi", "θ": "theta", "Δv_MINS": "master_velocity_error",
+               "x_p": "position_error", "x_v": "velocity_error", "x_φ": "phi", "x_Cb": "gyro_bias",
+               "x_Ab": "accel_bias", "ν_z": "v_n", "s_a": "f_b", "s_w": "omega_ib_b"}  # fmt: skip
+    given |= {name: mp.matrix(getattr(base, part)) for name, part in vectors.items()}
+
+    def defined(number: str, **unknown: int) -> Callable:
+        return lambda letters: _defined(base, definitions[number], tuple(unknown.items()), letters)
+
+    groups: tuple[tuple[str, Callable], ...] = (
+        ("X", defined("1", X=10)),
+        ("x", defined("8", x=15)),
+        ("x_k", lambda a: [a["x"]]),
+        ("z_v", defined("16", z_v=3)),
+        ("z", defined("22", z=4)),
+        ("δl|δL|δh", defined("27", δl=1, δL=1, δh=1)),
+        ("δv_e|δv_n|δv_u", defined("28", δv_e=1, δv_n=1, δv_u=1)),
+        ("y_k|s_k|ν_y", defined("30", y_k=6, s_k=6, ν_y=6)),
+        ("y_a|y_w", lambda a: [a["y_k"][0:3, 0], a["y_k"][3:6, 0]]),
+        ("ν_a|ν_w", lambda a: _noise(base, NOW)),
+        ("T_a|T_w|ȳ_a|γ_a|γ_w", lambda a: _detector(base)),
+        ("ẋ_k|w_k|δl̇|δL̇|δḣ|δv̇|φ̇|δv̇_c|ψ̇|Ẋ", lambda a: _error_rates(base)),
+        (RATES, lambda a: _rates(base)),
+        ("R_E|R_N|R_EE|R_NN|ρ_e|ρ_n|ρ_u", lambda a: _curvature(base)),
+        ("F_k|F_X|H_k|H_v", lambda a: _matrices(truth(base))),
+        ("Φ_k", lambda a: [_transition(truth(base), base.step[0])]),
+        (FILTER, lambda a: _filter(truth(base))),
+        ("x(k-1+)|x(k-)", lambda a: _predicted(base)),
+        ("x(k+)", lambda a: [_least_squares(base)]),
+        ("ν", lambda a: [_stack(base.v_n, mp.mpf(0))]),
+        (TRANSFER, lambda a: _transfer(base)),
+        (ATTITUDES, lambda a: _attitudes(base)),
+    )
+    return Letters(groups, given)
+
+
+RATES = "[ω_ie_n x]|[ω_en_n x]|[δω_ie_n x]|[δω_en_n x]|[f_n x]|δω_ie_n|δω_en_n|f_n|v̇|δg_n|δf_b|δω_ib_b"
+FILTER = "Φ_k-1|P(k-1+)|Q_k|P(k-)|R|K_k|P(k+)"
+TRANSFER = "C_r2n|C_r2n(k-δt)|Ĉ_r2n|Ĉ_b2r|Ĉ_n2b|Z_dcm|ν_dcm|v̂_SINS|v̂_MINS|Z_v|ν_v|d|H_X"
+ATTITUDES = "C_b2n|C_b2p|C̄_n2b|Φ̌|X_b|Y_b|Z_b|X_p|Y_p|Z_p|q_0|q_1|q_2|q_3|Q̂_b2n|Q_b2n|ΔQ"
+
+
+_SOLVED: dict = {}
+
+
+def _defined(base: Base, relations: tuple[Relation, ...], unknown: tuple[tuple[str, int], ...], letters: Letters):
+    """Values of the letters that the relations define; mutants of one definition leave the others as they were."""
+    key = base, relations, unknown
+    if key not in _SOLVED:
+        sizes = {normalize("NFC", name): size for name, size in unknown}
+        used = {s.name for relation in relations for side in relation.sides for s in getattr(side, "free_symbols", ())}
+        found = solve(relations, sizes, {name: letters[name] for name in used - set(sizes)})
+        _SOLVED[key] = [found[name] for name in sizes]
+    return _SOLVED[key]
+
+
+def _vee(M) -> mp.matrix:
+    return vector(M[2, 1] - M[1, 2], M[0, 2] - M[2, 0], M[1, 0] - M[0, 1]) / 2
+
+
+# Section 2.2: the fifteen states.
+
+
+@lru_cache(maxsize=256)
+def _error_rates(base: Base) -> list:
+    with mp.workdps(WORKING):
+        noise = _stack(base.gyro_noise, base.accel_noise)
+        phi_rates = truth(base).phi_rates(errors(base), noise)
+        psi_rates = truth(base).psi_rates(errors(base)[3:9, 0])
+        return [
+            phi_rates,
+            truth(base).phi_rates(mp.zeros(15, 1), noise),
+            *phi_rates[0:3, 0],
+            phi_rates[3:6, 0],
+            phi_rates[6:9, 0],
+            psi_rates[0:3, 0],
+            psi_rates[3:6, 0],
+            _stack(psi_rates, mp.zeros(4, 1)),
+        ]
+
+
+@lru_cache(maxsize=256)
+def _rates(base: Base) -> list:
+    with mp.workdps(WORKING):
+        noise = _stack(base.gyro_noise, base.accel_noise)
+        exact, hat = truth(base).exact, truth(base).hat(errors(base), noise)
+        ie, en = hat.omega_ie_n - exact.omega_ie_n, hat.omega_en_n - exact.omega_en_n
+        return [
+            *map(skew, (exact.omega_ie_n, exact.omega_en_n, ie, en, exact.f_n)),
+            ie,
+            en,
+            exact.f_n,
+            exact.velocity_rate,
+            hat.gravity_n - exact.gravity_n,
+            mp.matrix(base.accel_bias) + mp.matrix(base.accel_noise),
+            mp.matrix(base.gyro_bias) + mp.matrix(base.gyro_noise),
+        ]
+
+
+@lru_cache(maxsize=64)
+def _curvature(base: Base) -> list:
+    with mp.workdps(WORKING):
+        lat = base.position[1]
+
+        def radii(change) -> mp.matrix:
+            """Transverse and meridian radius: how far the ground is moved along by a change of an angle."""
+            slope = _slope(vector(0, lat + change, 0))
+            return vector(mp.norm(slope[:, 0]) / mp.cos(lat + change), mp.norm(slope[:, 1]))
+
+        return [*radii(0), *_rate(radii), *truth(base).exact.omega_en_n]
+
+
+@lru_cache(maxsize=64)
+def _matrices(true: Truth) -> list:
+    with mp.workdps(WORKING):
+
+        def measured(x) -> mp.matrix:
+            M = finite_rotation(-x[6:9, 0])  # the computed attitude against that of the transfer alignment
+            return _stack(true.v_n + x[3:6, 0], (M[0, 1] - M[1, 0]) / 2)
+
+        F_X = mp.zeros(10)
+        F_X[0:6, 0:6] = _jacobian(true.psi_rates, 6)
+        H = _jacobian(measured, 15)
+        return [_jacobian(true.phi_rates, 15), F_X, H, H[0:3, :]]
+
+
+def _sparse(F) -> list[list[tuple[int, mp.mpf]]]:
+    return [[(j, F[i, j]) for j in range(F.cols) if F[i, j] != 0] for i in range(F.rows)]
+
+
+def _times(F: list, M) -> mp.matrix:
+    return mp.matrix([[mp.fsum(f * M[j, c] for j, f in row) for c in range(M.cols)] for row in F])
+
+
+def _series(first, following: Callable, step) -> mp.matrix:
+    """Taylor series in time: first + step following(first) + step^2/2 following(following(first)) + ..."""
+    term, result, k = first, first.copy(), 0
+    while mp.mnorm(term, mp.inf) > mp.mpf(10) ** -40:
+        k += 1
+        term = following(term) * (step / k)
+        result += term
+    return result
+
+
+@lru_cache(maxsize=64)
+def _transition(true: Truth, step) -> mp.matrix:
+    rows = _sparse(_matrices(true)[0])
+    return _series(mp.eye(15), lambda term: _times(rows, term), step)
+
+
+PREDICTED = mp.mpf("0.5")  # s, of (13) and (14)
+
+
+@lru_cache(maxsize=256)
+def _predicted(base: Base) -> list:
+    before, rows = errors(base), _sparse(_matrices(truth(base))[0])
+
+    def moved(x) -> mp.matrix:
+        return _series(x, lambda term: _times(rows, term), PREDICTED / 4)
+
+    return [before, moved(moved(moved(moved(before))))]
+
+
+@lru_cache(maxsize=64)
+def _filter(true: Truth) -> list:
+    """A covariance through one prediction, by its differential equation, and one update, in information form."""
+    F, _, H, _ = _matrices(true)
+    rows, generator = _sparse(F), Random(5)
+
+    def positive(size: int) -> mp.matrix:
+        S = mp.matrix([[generator.uniform(-1, 1) for _ in range(size)] for _ in range(size)])
+        return S * S.T + mp.eye(size)
+
+    noise = mp.zeros(15)
+    noise[3:6, 3:6] = mp.eye(3)
+    noise[6:9, 6:9] = mp.eye(3) * 2
+
+    def grown(P, forced: bool) -> mp.matrix:
+        """P' = F P + P F' + noise; the noise enters the series once, with its first power of time."""
+
+        def following(term) -> mp.matrix:
+            half = _times(rows, term)
+            return half + half.T
+
+        result = _series(P, following, PREDICTED) if not forced else mp.zeros(15)
+        term, k = noise * PREDICTED, 1
+        while mp.mnorm(term, mp.inf) > mp.mpf(10) ** -40:
+            result += term
+            k += 1
+            term = following(term) * (PREDICTED / k)
+        return result
+
+    before = positive(15)
+    after, Q = grown(before, False), grown(mp.zeros(15), True)
+    R = positive(4)
+    updated = (after**-1 + H.T * R**-1 * H) ** -1
+    return [_transition(true, PREDICTED), before, Q, after, R, updated * H.T * R**-1, updated]
+
+
+@lru_cache(maxsize=256)
+def _least_squares(base: Base) -> mp.matrix:
+    """The x which is nearest to prediction and measurement, each weighted by its covariance: normal equations."""
+    _, _, H, _ = _matrices(truth(base))
+    _, _, _, P, R, _, P_after = _filter(truth(base))
+    measured = _stack(*(a + b for a, b in zip(base.v_n, base.velocity_error, strict=True)), base.phi[2])
+    return P_after * (mp.lu_solve(P, _predicted(base)[1]) + H.T * R**-1 * measured)
+
+
+# Section 2.1: the master.
+
+
+@lru_cache(maxsize=256)
+def _transfer(base: Base) -> list:
+    with mp.workdps(WORKING):
+        true = truth(base)
+        C_b2r = finite_rotation(base.mounting)
+        C_r2n = true.C * C_b2r.T
+        omega_r = C_b2r * true.omega
+        none = mp.zeros(3, 1)
+
+        def delayed(delay) -> mp.matrix:
+            return finite_rotation(true.exact.omega_in_n * delay) * C_r2n * finite_rotation(-omega_r * delay)
+
+        def seen(x, master_velocity, master_attitude) -> tuple:
+            """x: velocity error, attitude error, mounting error, delay."""
+            delay = x[9]
+            C_hat_r2n = finite_rotation(-master_attitude) * delayed(delay)
+            C_hat_b2r = finite_rotation(-x[6:9, 0]) * C_b2r
+            C_hat_n2b = (finite_rotation(-x[3:6, 0]) * true.C).T
+            old = true.v_n - true.exact.velocity_rate * delay + mp.matrix(base.jerk) * delay**2 / 2
+            slave, master = true.v_n + x[0:3, 0], old + master_velocity
+            return C_hat_r2n, C_hat_b2r, C_hat_n2b, _vee(C_hat_r2n * C_hat_b2r * C_hat_n2b), slave, master
+
+        x = _stack(base.velocity_error, base.phi, base.theta, base.delay[0])
+        noise = mp.matrix(base.master_velocity_error), mp.matrix(base.master_attitude_error)
+        C_hat_r2n, C_hat_b2r, C_hat_n2b, Z_dcm, slave, master = seen(x, *noise)
+
+        def Z(x) -> mp.matrix:
+            *_, attitude, slave, master = seen(x, none, none)
+            return _stack(slave - master, attitude)
+
+        H = _jacobian(Z, 10)
+        return [
+            C_r2n, delayed(base.delay[0]), C_hat_r2n, C_hat_b2r, C_hat_n2b, Z_dcm, -noise[1],
+            slave, master, slave - master, -noise[0], H[3:6, 9], H,
+        ]  # fmt: skip
+
+
+# The axes of section 2.2.2 and the quaternion of (29).
+
+
+@lru_cache(maxsize=256)
+def _attitudes(base: Base) -> list:
+    C = truth(base).C
+    C_hat = finite_rotation(-mp.matrix(base.phi)) * C
+    u = vector(mp.mpf("0.3"), mp.mpf("-0.7"), mp.mpf("0.5"))
+    computed, true = quaternion(C_hat), quaternion(C)
+    true = true if (true.T * computed)[0] > 0 else -true  # q and -q are one attitude
+    return [C, C_hat, C.T, skew(base.phi), *u, *(C_hat * u), *computed, computed, true, computed - true]
+
+
+# Section 2.2.4: a record of both sensors at rest but for noise.
+
+
+def _noise(base: Base, k: int) -> list:
+    generator = Random(17 + k)
+    return [uniform(generator, mp.mpf("0.1")), uniform(generator, mp.mpf("0.02"))]
+
+
+def _outputs(base: Base, k: int) -> list:
+    a, w = _noise(base, k)
+    return [mp.matrix(base.f_b) + a, mp.matrix(base.omega_ib_b) + w]
+
+
+def _samples(base: Base, values: Mapping) -> list[dict]:
+    """The letters of the detector at each sample of the window; those of NOW as they are defined."""
+    names = ("norm", "ȳ_a", "N", "n", "y_a", "y_w")
+    common = {normalize("NFC", n): values[normalize("NFC", n)] for n in names}
+    result = []
+    for k in range(SAMPLES):
+        if values["Ω_n"][k] != 0:
+            own = dict(zip(("y_a", "y_w"), _outputs(base, k), strict=True)) if k != NOW else {}
+            noise = dict(zip(("ν_a", "ν_w"), _noise(base, k), strict=True))
+            result.append({**common, **{n: values[n] for n in ("s_a", "s_w")}, **noise, **own})
+    return result
+
+
+def _between(lower, index, upper) -> mp.matrix:
+    return vector(*(mp.mpf(int(lower <= k <= upper)) for k in range(SAMPLES)))
+
+
+@lru_cache(maxsize=64)
+def _detector(base: Base) -> list:
+    """Statistics of a window by its pairs: no mean is taken first."""
+    a, w = zip(*(_outputs(base, k) for k in range(WINDOW_AT, WINDOW_AT + WINDOW_OF)), strict=True)
+    pairs = [(i, j) for i in range(WINDOW_OF) for j in range(WINDOW_OF)]
+    spread = mp.sqrt(sum(mp.norm(a[i] - a[j]) ** 2 for i, j in pairs) / 2) / WINDOW_OF
+    mean = mp.sqrt(sum((w[i].T * w[j])[0] for i, j in pairs)) / WINDOW_OF
+    center = vector(*(mp.fsum(v[i] for v in a) / WINDOW_OF for i in range(3)))
+    return [spread, mean, center, 10 * spread, 10 * mean]
+
+
+# ---- Sizes of what is dropped, and what a wrong sign does ------------------------------------------------------------
+
+
+def evidence(number: str) -> str:
+    """What the ledger says beyond the status; "" for most equations."""
+    return ""
+
+
+def findings() -> tuple[str, ...]:
+    """What was computed about the text beside the equations."""
+    return ()
