@@ -61,7 +61,7 @@ bs_status sd_restart(sd_detector *detector);
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with the state as it was */
 bs_status sd_add(sd_detector *detector, const bs_real gyro[3], const bs_real accel[3]);
 
-/* The statistics of the window and what each says; some 30 N operations.
+/* The statistics of the window and what each says; some 24 N operations.
  * returns BS_OK, or BS_NOT_READY before the window is full, BS_NULL_POINTER, BS_OUT_OF_RANGE (a state that is not one),
  * with nothing written */
 bs_status sd_decide(const sd_detector *detector, sd_decision *decision);

@@ -29,28 +29,35 @@ static int is_state(const sd_detector *detector)
            (detector->next >= 0) && (detector->next < window);
 }
 
-/* Norm of the mean of n vectors, and the mean square of what they differ from it by. */
+/* Norm of the mean of n vectors, and the mean square of what they differ from it by.  The axes are written out: in
+ * arrays, their sums would go through memory at each addition. */
 static void moments(const bs_real sample[][3], int n, bs_real *norm, bs_real *spread)
 {
     const bs_real count = (bs_real)n;
-    bs_real mean[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
-    bs_real sum = BS_REAL(0.0);
+    bs_real x = BS_REAL(0.0);
+    bs_real y = BS_REAL(0.0);
+    bs_real z = BS_REAL(0.0);
+    bs_real xx = BS_REAL(0.0);
+    bs_real yy = BS_REAL(0.0);
+    bs_real zz = BS_REAL(0.0);
     for (int k = 0; k < n; ++k) {
-        for (int i = 0; i < 3; ++i) {
-            mean[i] += sample[k][i];
-        }
+        x += sample[k][0];
+        y += sample[k][1];
+        z += sample[k][2];
     }
-    for (int i = 0; i < 3; ++i) {
-        mean[i] /= count;
-    }
+    x /= count;
+    y /= count;
+    z /= count;
     for (int k = 0; k < n; ++k) {
-        for (int i = 0; i < 3; ++i) {
-            const bs_real from_mean = sample[k][i] - mean[i];
-            sum += from_mean * from_mean;
-        }
+        const bs_real dx = sample[k][0] - x;
+        const bs_real dy = sample[k][1] - y;
+        const bs_real dz = sample[k][2] - z;
+        xx += dx * dx;
+        yy += dy * dy;
+        zz += dz * dz;
     }
-    *norm = BS_SQRT((mean[0] * mean[0]) + (mean[1] * mean[1]) + (mean[2] * mean[2]));
-    *spread = sum / count;
+    *norm = BS_SQRT((x * x) + (y * y) + (z * z));
+    *spread = (xx + yy + zz) / count;
 }
 
 bs_status sd_init(sd_detector *detector, const sd_settings *settings)
