@@ -63,12 +63,24 @@ def attitude(seed):
     return q / np.linalg.norm(q), rng.uniform(-1, 1, 3)
 
 
-def assert_blocks(got, expected, relative, where=""):
-    """Each block to `relative` of its largest entry; one that should vanish, exactly."""
+def in_metres(frame, position):
+    """(9,) what makes a matrix of coordinates one of metres, so that the entries of a block have one unit."""
+    lat, height = frame.latitude_and_height(position)
+    return np.concatenate([np.array(earth.metres(lat, height, frame), dtype=float).ravel(), np.ones(6)])
+
+
+def assert_blocks(got, expected, relative, scale, cancelling=None):
+    """Each block to `relative` of its largest entry; one that should vanish, exactly, but for what cancels in it.
+
+    scale: (9,) units of the states.  cancelling: 9x9, the size of terms whose rounding is left in a block.
+    """
     for name, block in BLOCKS.items():
-        largest = np.abs(expected[block]).max()
-        difference = np.abs(got[block] - expected[block]).max()
-        assert difference <= relative * largest, f"block {name}{where}: {difference:.3e} of {largest:.3e}"
+        here, there, terms = (
+            (F * scale[:, None] / scale)[block] for F in (got, expected, expected if cancelling is None else cancelling)
+        )
+        largest = max(np.abs(there).max(), np.abs(terms).max())
+        difference = np.abs(here - there).max()
+        assert difference <= relative * largest, f"block {name}: {difference:.3e} of {largest:.3e}"
 
 
 @FRAMES
@@ -79,7 +91,7 @@ def test_every_block_of_the_phi_model_is_the_derivative_of_the_exact_mechanizati
     for k, (p, v, f) in enumerate(states(frame, 100)):
         q, w = attitude(k)
         F_exact, G_exact, _ = exact(p, v, f, q, w)
-        assert_blocks(F(p, v, f), F_exact, 1e-10)
+        assert_blocks(F(p, v, f), F_exact, 1e-10, in_metres(frame, p))
         assert np.abs(G(q) - G_exact).max() < 1e-12
 
 
@@ -123,11 +135,7 @@ def test_every_block_of_the_psi_model_is_the_exact_phi_model_through_the_map(fra
     exact, mapped = jacobians(frame), carried(em.psi_from_phi(frame, POSITION, V_N), frame)
     for k, (p, v, f) in enumerate(states(frame, 100)):
         expected = mapped(exact(p, v, f, *attitude(k))[0], p, v, f)
-        got, unmapped = F(p, v, f), phi(p, v, f)
-        for name, block in BLOCKS.items():
-            # a block that vanishes is left with the rounding of the phi model's terms that cancel in it
-            scale = max(np.abs(got[block]).max(), np.abs(unmapped[block]).max())
-            assert np.abs(got[block] - expected[block]).max() <= 1e-10 * scale, name
+        assert_blocks(F(p, v, f), expected, 1e-10, in_metres(frame, p), cancelling=phi(p, v, f))
 
 
 @FRAMES
@@ -175,7 +183,7 @@ def test_ned_and_enu_are_one_model():
     for matrix in (em.phi_matrix, em.psi_matrix):
         ned, enu = (numbers(matrix(frame, POSITION, V_N, F_N), POSITION, V_N, F_N) for frame in (NED, ENU))
         for p, v, f in states(NED, 20):
-            assert_blocks(P @ ned(p, v, f) @ P.T, enu(swap @ p, N @ v, N @ f), 1e-14)
+            assert_blocks(P @ ned(p, v, f) @ P.T, enu(swap @ p, N @ v, N @ f), 1e-14, in_metres(ENU, swap @ p))
 
 
 def test_the_phi_model_is_that_of_inu_but_for_the_latitude_column(monkeypatch):
@@ -191,7 +199,7 @@ def test_the_phi_model_is_that_of_inu_but_for_the_latitude_column(monkeypatch):
         ours, theirs = F(p, v, f), inu.jacobian(f, p, v, np.eye(3))
         here, there = ours.copy(), theirs.copy()
         here[:, 0] = there[:, 0] = 0
-        assert_blocks(here, there, 1e-11)
+        assert_blocks(here, there, 1e-11, in_metres(NED, p))
         assert_latitude_column(ours[:, 0] - theirs[:, 0], p, v)
 
 
