@@ -10,7 +10,7 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime.library import Library
-from boresight.runtime.simulation import attitude_error, matrix_from_quaternion
+from boresight.runtime.rotation import attitude_error, matrix_from_quaternion
 
 Array = np.ndarray
 

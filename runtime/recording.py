@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import frames
+from boresight.runtime import frames, rotation
 
 if TYPE_CHECKING:
     from boresight.runtime.description import Column, Description
@@ -317,7 +317,7 @@ def _master(said: "Description", path: Path, table: dict[str, Array]) -> Master:
         if np.any(np.abs(np.linalg.norm(q, axis=1) - 1) > 0.01):
             raise BoresightError(f"{path}: master.attitude: the quaternions are not of length 1; check the columns")
         q = q if part.attitude.order == "wxyz" else np.roll(q, 1, axis=1)
-        euler = frames.euler_from_C_b2n(to_ned @ frames.C_from_wxyz(q) @ to_frd.T)
+        euler = rotation.euler_from_matrix(to_ned @ rotation.matrix_from_quaternion(q) @ to_frd.T)
     else:
         angles = _column(path, table, "master.attitude", part.attitude, "angle", 3)
         try:
@@ -502,7 +502,7 @@ def _check_master(master: Master) -> list[Finding]:
     elif largest[1] > 80 * DEG:
         text = f"pitch to {np.degrees(largest[1]):.1f} deg: Euler angles are singular at 90, filters refuse 80; cut it"
         out.append(Finding("error", "master.attitude", text))
-    turn = np.degrees(np.linalg.norm(frames.rotation_vector(_steps(master.euler)), axis=1))
+    turn = np.degrees(np.linalg.norm(rotation.vector_from_matrix(_steps(master.euler)), axis=1))
     jump = turn > 30
     if jump.any():
         text = f"{jump.sum()} steps of more than 30 deg after {_listed(master.time[:-1][jump])}"
@@ -548,7 +548,7 @@ def _check_velocity(master: Master) -> list[Finding]:
 
 def _steps(euler: Array) -> Array:
     """(M-1, 3, 3) the turn from each attitude to the next, in the body axes of the first."""
-    C = frames.C_b2n_from_euler(euler)
+    C = rotation.matrix_from_euler(euler)
     return np.swapaxes(C[:-1], -1, -2) @ C[1:]
 
 
@@ -565,12 +565,12 @@ def attitude_increments(imu: Inertial, master: Master) -> tuple[Array, Array, Ar
         except BoresightError:
             continue
         C = np.eye(3)
-        for piece in frames.C_from_rotation_vector(dtheta):
+        for piece in rotation.matrix_from_vector(dtheta):
             C = C @ piece
         dts.append(t1 - t0)
-        slave.append(frames.rotation_vector(C))
+        slave.append(rotation.vector_from_matrix(C))
         keep.append(k)
-    turns = frames.rotation_vector(_steps(master.euler))
+    turns = rotation.vector_from_matrix(_steps(master.euler))
     return np.array(dts), np.array(slave).reshape(-1, 3), turns[keep]
 
 
@@ -609,7 +609,7 @@ def gravity_in_ned(imu: Inertial, master: Master) -> Array:
     start, end, _, dvel = imu.increments
     inside = (start >= master.time[0]) & (end <= master.time[-1])
     middle = ((start + end) / 2)[inside]
-    C = frames.C_b2n_from_euler(
+    C = rotation.matrix_from_euler(
         np.stack([np.interp(middle, master.time, a) for a in np.unwrap(master.euler, axis=0).T], axis=-1)
     )
     span = (end - start)[inside].sum()
@@ -636,7 +636,7 @@ def best_delay(imu: Inertial, master: Master, span: float = 0.1, step: float = 0
     edges, angle = np.append(start[:1], end), np.vstack([np.zeros(3), np.cumsum(dtheta, axis=0)])
     inside = (master.time - span >= edges[0]) & (master.time + span <= edges[-1])
     time = master.time[inside]
-    turn = frames.rotation_vector(_steps(master.euler[inside]))
+    turn = rotation.vector_from_matrix(_steps(master.euler[inside]))
     design = np.column_stack([turn, np.diff(time)])
     delays = np.arange(-round(span / step), round(span / step) + 1) * step
     misfit = np.empty(len(delays))

@@ -10,7 +10,8 @@ Frames: n is NED, r the master's body, b the slave's body (both FRD).  C_b2n = C
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial.transform import Rotation
+
+from boresight.runtime.rotation import matrix_from_vector
 
 Array = np.ndarray
 
@@ -44,49 +45,6 @@ def earth_rate_n(latitude: float) -> Array:
     return EARTH_RATE_RAD_S * np.array([np.cos(latitude), 0.0, -np.sin(latitude)])
 
 
-def quaternion_from_euler(euler: Array) -> Array:
-    """(..., 3) rad, roll pitch yaw -> (..., 4) body to navigation, scalar first."""
-    euler = np.asarray(euler, float)
-    return _wxyz(Rotation.from_euler("ZYX", euler.reshape(-1, 3)[:, ::-1]), euler.shape[:-1])
-
-
-def matrix_from_quaternion(q_b2n_wxyz: Array) -> Array:
-    """(..., 4) -> C_b2n (..., 3, 3)."""
-    q = np.asarray(q_b2n_wxyz, float)
-    return _rotation(q).as_matrix().reshape((*q.shape[:-1], 3, 3))
-
-
-def matrix_from_vector(rotation_vector: Array) -> Array:
-    """(..., 3) rad -> exp([v x]) (..., 3, 3)."""
-    v = np.asarray(rotation_vector, float)
-    return Rotation.from_rotvec(v.reshape(-1, 3)).as_matrix().reshape((*v.shape, 3))
-
-
-def turned(q_b2n_wxyz: Array, rotation_vector: Array) -> Array:
-    """The attitude after the body has turned by `rotation_vector` (..., 3) rad, in its own axes: C exp([v x])."""
-    shape = np.broadcast_shapes(np.shape(q_b2n_wxyz)[:-1], np.shape(rotation_vector)[:-1])
-    turn = Rotation.from_rotvec(_full(rotation_vector, (*shape, 3)))
-    return _wxyz(_rotation(_full(q_b2n_wxyz, (*shape, 4))) * turn, shape)
-
-
-def attitude_error(q_b2n_hat_wxyz: Array, q_b2n_wxyz: Array) -> Array:
-    """eps of C_hat = exp(-[eps x]) C, in navigation axes, (..., 3) rad: the turn that removes the error."""
-    shape = np.broadcast_shapes(np.shape(q_b2n_hat_wxyz), np.shape(q_b2n_wxyz))
-    hat, true = _rotation(_full(q_b2n_hat_wxyz, shape)), _rotation(_full(q_b2n_wxyz, shape))
-    return (true * hat.inv()).as_rotvec().reshape((*shape[:-1], 3))
-
-
-def body_increments(q_b2n_wxyz: Array, omega_in_n: Array, dt: float) -> Array:
-    """What perfect gyros deliver between samples: rotation vectors of the body against inertial space.
-
-    q_b2n_wxyz: (T+1, ..., 4) at samples dt seconds apart.  omega_in_n: (3,) rad/s, constant.  Returns (T, ..., 3) rad.
-    """
-    q = np.asarray(q_b2n_wxyz, float)
-    frame = Rotation.from_rotvec(np.asarray(omega_in_n, float) * dt)
-    turn = _rotation(q[:-1]).inv() * frame * _rotation(q[1:])
-    return turn.as_rotvec().reshape((*q[1:].shape[:-1], 3))
-
-
 def mounted(increments_r: Array, mu: Array) -> Array:
     """The master's increments in the axes of a slave bolted to it, C_b2r = exp([mu x]): (..., 3) rad.
 
@@ -107,16 +65,3 @@ def standard_normals(seed: int, runs: Array, count: int) -> Array:
     for row, run in zip(out, runs.ravel().tolist(), strict=True):
         generator(seed, run).standard_normal(out=row)
     return out.reshape((*runs.shape, count))
-
-
-def _rotation(q_wxyz: Array) -> Rotation:
-    return Rotation.from_quat(np.asarray(q_wxyz, float).reshape(-1, 4), scalar_first=True)
-
-
-def _wxyz(rotation: Rotation, shape: tuple[int, ...]) -> Array:
-    return rotation.as_quat(scalar_first=True).reshape((*shape, 4))
-
-
-def _full(values: Array, shape: tuple[int, ...]) -> Array:
-    # A copy: older SciPy refuses the read-only view that broadcasting gives.
-    return np.array(np.broadcast_to(values, shape), float).reshape(-1, shape[-1])

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight.runtime import simulation
+from boresight.runtime import rotation, simulation
 from boresight.studies.euler_table import (
     ARCMIN,
     CHOSEN,
@@ -128,7 +128,7 @@ def second_order(model: Any, scenario: Scenario, misalignment_deg: float) -> dic
     """
     euler_r = motion(scenario, 60.0, scenario.update_s)[:, None, :, None]  # (T, 1, 7, 1, 3)
     mu = simulation.standard_normals(0, np.arange(20), 3) * misalignment_deg * DEG
-    euler_b = model.euler_angles(q_b2n_wxyz=simulation.turned(simulation.quaternion_from_euler(euler_r), mu))
+    euler_b = model.euler_angles(q_b2n_wxyz=rotation.turned(rotation.quaternion_from_euler(euler_r), mu))
     rows = CHOSEN[:, None, None, :]
     known = model.euler_z(euler_b=euler_b, euler_r=euler_r, mu=mu)
     substituted = model.euler_z(euler_b=euler_b, euler_r=np.where(rows, euler_r, euler_b), mu=mu)

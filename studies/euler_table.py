@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import simulation
+from boresight.runtime import rotation, simulation
 from boresight.runtime.filter import Filter
 
 Array = np.ndarray
@@ -183,7 +183,7 @@ def initial_covariance(model: Any, scenario: Scenario, euler: Array) -> Array:
     With mu_hat = 0 both errors are the one misalignment, exactly, since exp(-[C mu x]) C exp([mu x]) = C.  The
     master's noise, mapped to eps by the inverse of (9), keeps P0 positive definite.
     """
-    C = simulation.matrix_from_quaternion(simulation.quaternion_from_euler(euler))
+    C = rotation.matrix_from_quaternion(rotation.quaternion_from_euler(euler))
     eps_D_euler = np.linalg.inv(model.euler_H(euler_b=euler, euler_r=euler)[..., :3])
     noise = eps_D_euler @ np.swapaxes(eps_D_euler, -1, -2) * (scenario.filter_offset_arcmin * ARCMIN) ** 2
     P = np.broadcast_to(np.eye(6), (*C.shape[:-2], 6, 6)) * (scenario.misalignment_deg * DEG) ** 2
@@ -198,7 +198,7 @@ def to_error_axes(scenario: Scenario) -> Array:
     """(3, 3): from n, e, d to the axes in which the cells are read."""
     if scenario.error_axes == "ned":
         return np.eye(3)
-    return simulation.matrix_from_vector(np.array([0.0, 0.0, -scenario.heading_deg]) * DEG)
+    return rotation.matrix_from_vector(np.array([0.0, 0.0, -scenario.heading_deg]) * DEG)
 
 
 def sigmas(P: Array, axes: Array) -> Array:
@@ -215,7 +215,7 @@ def covariance(model: Any, scenario: Scenario, seconds: float, *, first_order: b
     Deterministic.  first_order: H with only the first power of the motion, to see what the higher ones add.
     """
     euler = motion(scenario, seconds, scenario.update_s)
-    q = simulation.quaternion_from_euler(euler)
+    q = rotation.quaternion_from_euler(euler)
     H = model.euler_H(euler_b=euler, euler_r=euler)
     if first_order:
         mean, part = np.array([0.0, 0.0, scenario.heading_deg]) * DEG, 1e-3
@@ -262,9 +262,9 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
     A run's numbers are keyed by [seed, 49 run + case], whatever runs are flown beside it.
     """
     euler = motion(scenario, seconds, scenario.strapdown_s)
-    q_r = simulation.quaternion_from_euler(euler)
+    q_r = rotation.quaternion_from_euler(euler)
     omega_in_n, axes = earth_rate(scenario), to_error_axes(scenario)
-    increments = simulation.body_increments(q_r, omega_in_n, scenario.strapdown_s)
+    increments = rotation.body_increments(q_r, omega_in_n, scenario.strapdown_s)
     every = round(scenario.update_s / scenario.strapdown_s)
     updates = len(increments) // every
 
@@ -276,7 +276,7 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
     noise = draws[..., 6:].reshape(*mu.shape[:-1], updates + 1, 3) * scenario.angle_noise_arcmin * ARCMIN
 
     P0 = np.broadcast_to(initial_covariance(model, scenario, euler[0])[:, None], (*mu.shape[:-1], 6, 6))
-    q_start = simulation.quaternion_from_euler(euler[0][:, None] + noise[..., 0, :])
+    q_start = rotation.quaternion_from_euler(euler[0][:, None] + noise[..., 0, :])
     loop = Filter(model, {"q_b2n_wxyz": q_start, "mu": np.zeros_like(mu)}, P0)
     rows, R = CHOSEN[:, None, None, :], np.full(3, (scenario.filter_angle_arcmin * ARCMIN) ** 2)
     lost = np.zeros(mu.shape[:-1], bool)
@@ -285,8 +285,8 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
     nis: list[Array] = []
 
     def state_error(sample: int) -> Array:
-        q_b = simulation.turned(q_r[sample][:, None], mu)
-        return np.concatenate([simulation.attitude_error(loop.nav["q_b2n_wxyz"], q_b), loop.nav["mu"] - mu], axis=-1)
+        q_b = rotation.turned(q_r[sample][:, None], mu)
+        return np.concatenate([rotation.attitude_error(loop.nav["q_b2n_wxyz"], q_b), loop.nav["mu"] - mu], axis=-1)
 
     def keep(sample: int) -> Array:
         now = state_error(sample)
@@ -298,7 +298,7 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
     def lose(sample: int) -> None:
         lost[outside(loop)] = True
         if lost.any():  # a lost run waits at rest on the truth, so that the others can go on
-            loop.nav["q_b2n_wxyz"][lost] = simulation.turned(q_r[sample][:, None], mu)[lost]
+            loop.nav["q_b2n_wxyz"][lost] = rotation.turned(q_r[sample][:, None], mu)[lost]
             loop.nav["mu"][lost], loop.x[lost], loop.P[lost] = 0.0, 0.0, P0[lost]
 
     keep(0)
@@ -328,7 +328,7 @@ def outside(loop: Filter) -> Array:
     """(...,) bool: runs whose estimate is not finite or has left the model's box (0.5 rad; a pitch of 80 degrees)."""
     angles = np.concatenate([loop.nav["mu"], loop.x], axis=-1)
     finite = np.isfinite(angles).all(-1) & np.isfinite(loop.P).all((-1, -2))
-    sin_pitch = simulation.matrix_from_quaternion(loop.nav["q_b2n_wxyz"])[..., 2, 0]
+    sin_pitch = rotation.matrix_from_quaternion(loop.nav["q_b2n_wxyz"])[..., 2, 0]
     return ~finite | (np.abs(angles) > 0.5).any(-1) | (np.abs(sin_pitch) > np.sin(80 * DEG))
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import frames
+from boresight.runtime import frames, rotation
 from boresight.runtime.filter import Filter
 from boresight.runtime.recording import Master, Recording, best_delay, check, read, shifted
 
@@ -65,9 +65,9 @@ def prepare(recording: Recording, model: Any, gyro_bias: Array, rate_hz: float |
     turns = []
     for _, dtheta in pieces:
         C = np.eye(3)
-        for piece in frames.C_from_rotation_vector(dtheta):
+        for piece in rotation.matrix_from_vector(dtheta):
             C = C @ piece
-        turns.append(frames.rotation_vector(C))
+        turns.append(rotation.vector_from_matrix(C))
     return Leg(master.time, master.euler, omega[:-1], tuple(pieces), np.array(turns))
 
 
@@ -94,13 +94,13 @@ def fly(
     """
     runs = np.broadcast_shapes(np.shape(gyro_noise), np.shape(angle_noise))[:-1]
     euler = leg.euler[0]
-    C, B = frames.C_b2n_from_euler(euler), body_D_euler(euler)
+    C, B = rotation.matrix_from_euler(euler), body_D_euler(euler)
     # eps = -C dmu for the misalignment that was taken to be zero; the master's own angle error adds to eps alone and
     # keeps P0 positive definite.
     couple = np.vstack([C, -np.eye(3)])
     P = np.zeros((*runs, 6, 6)) + MU_PRIOR**2 * couple @ couple.T
     P[..., :3, :3] += (C @ B) @ (np.asarray(angle_noise)[..., :, None] ** 2 * (C @ B).T)
-    nav = {"q_b2n_wxyz": np.tile(frames.wxyz_from_euler(euler), (*runs, 1)), "mu": np.zeros((*runs, 3))}
+    nav = {"q_b2n_wxyz": np.tile(rotation.quaternion_from_euler(euler), (*runs, 1)), "mu": np.zeros((*runs, 3))}
     ekf = Filter(model, nav, P)
     history: dict[str, list[Array]] = {"mu": [], "sigma": [], "nu": [], "S": []}
     for k, (dts, dthetas) in enumerate(leg.pieces):
@@ -315,10 +315,10 @@ def observability(leg: Leg, P: Array, q_b2n_wxyz: Array) -> dict[str, Any]:
     motion that turns this axis in space tells the two apart; their correlation stays at -1 otherwise.
     """
     T = np.eye(6)
-    T[:3, :3] = frames.C_from_wxyz(q_b2n_wxyz).T  # attitude error in body axes
+    T[:3, :3] = rotation.matrix_from_quaternion(q_b2n_wxyz).T  # attitude error in body axes
     body = T @ P @ T.T
     sd = np.sqrt(np.diag(body))
-    C = frames.C_b2n_from_euler(leg.euler)
+    C = rotation.matrix_from_euler(leg.euler)
     mean = C.mean(axis=0)
     # How far each body axis strays in space: the rms angle from its own mean direction.
     length = np.linalg.norm(mean, axis=0)
@@ -550,10 +550,10 @@ def simulate(path: str | Path, seed: int, *, duration: float = 60.0, delay: floa
     radius = 6371e3  # enough for a transport rate that is the same on both sides of the simulation
     omega = 7.292115e-5 * np.array([np.cos(lat), 0, -np.sin(lat)]) + np.array([v_n[1], -v_n[0], 0]) / radius
     t = np.arange(steps + 1) * dt
-    C_r = frames.C_b2n_from_euler(euler_at(t))
-    C_b = C_r @ frames.C_from_rotation_vector(mu)
-    turn = np.swapaxes(C_b[:-1], -1, -2) @ frames.C_from_rotation_vector(omega * dt) @ C_b[1:]
-    dtheta = frames.rotation_vector(turn) + bias * dt + gyro_noise * np.sqrt(dt) * rng.standard_normal((steps, 3))
+    C_r = rotation.matrix_from_euler(euler_at(t))
+    C_b = C_r @ rotation.matrix_from_vector(mu)
+    turn = np.swapaxes(C_b[:-1], -1, -2) @ rotation.matrix_from_vector(omega * dt) @ C_b[1:]
+    dtheta = rotation.vector_from_matrix(turn) + bias * dt + gyro_noise * np.sqrt(dt) * rng.standard_normal((steps, 3))
     force = np.einsum("kji,j->ki", C_b, np.array([0, 0, -9.797]))
     dvel = (force[1:] + force[:-1]) / 2 * dt
     every = np.arange(10, steps + 1, 10)

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from boresight import BoresightError
-from boresight.runtime import frames
+from boresight.runtime import frames, rotation
 
 RNG = np.random.default_rng(7)
 EULER = np.column_stack([RNG.uniform(-3, 3, 200), RNG.uniform(-1.4, 1.4, 200), RNG.uniform(-3, 3, 200)])
@@ -41,11 +41,11 @@ def test_every_triad_is_a_proper_rotation_or_is_refused(convert, letters):
 
 def test_euler_angles_match_scipy_and_come_back():
     expected = Rotation.from_euler("ZYX", EULER[:, ::-1])
-    C = frames.C_b2n_from_euler(EULER)
+    C = rotation.matrix_from_euler(EULER)
     np.testing.assert_allclose(C, expected.as_matrix(), atol=4e-16)
-    np.testing.assert_allclose(frames.euler_from_C_b2n(C), EULER, atol=2e-15)
-    np.testing.assert_allclose(frames.C_from_wxyz(frames.wxyz_from_euler(EULER)), C, atol=2e-15)
-    np.testing.assert_allclose(frames.C_from_wxyz(expected.as_quat(scalar_first=True)), C, atol=2e-15)
+    np.testing.assert_allclose(rotation.euler_from_matrix(C), EULER, atol=2e-15)
+    np.testing.assert_allclose(rotation.matrix_from_quaternion(rotation.quaternion_from_euler(EULER)), C, atol=2e-15)
+    np.testing.assert_allclose(rotation.matrix_from_quaternion(expected.as_quat(scalar_first=True)), C, atol=2e-15)
 
 
 def test_pitch_roll_yaw_of_rfu_in_enu_is_roll_pitch_heading_of_frd_in_ned():
@@ -54,8 +54,8 @@ def test_pitch_roll_yaw_of_rfu_in_enu_is_roll_pitch_heading_of_frd_in_ned():
     C_rfu_to_enu = Rotation.from_euler("ZXY", pitch_roll_yaw[:, [2, 0, 1]]).as_matrix()
     C_b2n = frames.attitude_to_ned(C_rfu_to_enu, "RFU", "ENU")
     euler = frames.euler_from_angles(pitch_roll_yaw, ("pitch", "roll", "yaw"), "counter-clockwise")
-    np.testing.assert_allclose(frames.C_b2n_from_euler(euler), C_b2n, atol=1e-15)
-    np.testing.assert_allclose(frames.euler_from_C_b2n(C_b2n), euler, atol=3e-15)
+    np.testing.assert_allclose(rotation.matrix_from_euler(euler), C_b2n, atol=1e-15)
+    np.testing.assert_allclose(rotation.euler_from_matrix(C_b2n), euler, atol=3e-15)
     back = frames.angles_from_euler(euler, ("pitch", "roll", "yaw"), "counter-clockwise")
     np.testing.assert_allclose(back, pitch_roll_yaw, atol=1e-15)
 
@@ -69,20 +69,20 @@ def test_any_order_of_angles_comes_back(order, yaw_positive):
 
 def test_positive_angles_mean_right_side_down_nose_up_and_turn_to_the_east():
     front, right = np.eye(3)[0], np.eye(3)[1]
-    assert (frames.C_b2n_from_euler([10 * DEG, 0, 0]) @ right)[2] > 0.17  # right wing down
-    assert (frames.C_b2n_from_euler([0, 10 * DEG, 0]) @ front)[2] < -0.17  # nose up
-    assert (frames.C_b2n_from_euler([0, 0, 10 * DEG]) @ front)[1] > 0.17  # nose to the east
+    assert (rotation.matrix_from_euler([10 * DEG, 0, 0]) @ right)[2] > 0.17  # right wing down
+    assert (rotation.matrix_from_euler([0, 10 * DEG, 0]) @ front)[2] < -0.17  # nose up
+    assert (rotation.matrix_from_euler([0, 0, 10 * DEG]) @ front)[1] > 0.17  # nose to the east
     # Ten degrees to the left of north, given counter-clockwise, is a nose to the west.
     west = frames.euler_from_angles([0, 0, 10 * DEG], yaw_positive="counter-clockwise")
-    assert (frames.C_b2n_from_euler(west) @ front)[1] < -0.17
+    assert (rotation.matrix_from_euler(west) @ front)[1] < -0.17
 
 
 def test_rotation_vector_is_the_inverse_of_the_exponential_down_to_zero():
     for size in (0.0, 1e-12, 1e-6, 0.1, 1.0, 3.0):
         v = size * EULER / np.linalg.norm(EULER, axis=1, keepdims=True)
-        C = frames.C_from_rotation_vector(v)
+        C = rotation.matrix_from_vector(v)
         np.testing.assert_allclose(C, Rotation.from_rotvec(v).as_matrix(), atol=2e-15)
-        np.testing.assert_allclose(frames.rotation_vector(C), v, rtol=0, atol=1e-14)
+        np.testing.assert_allclose(rotation.vector_from_matrix(C), v, rtol=0, atol=1e-14)
 
 
 def test_a_wrong_order_or_sign_of_yaw_is_refused():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from boresight.runtime import simulation
+from boresight.runtime import rotation, simulation
 from tests import numpy_euler_matching as witness
 
 DEG = np.pi / 180
@@ -26,16 +26,16 @@ def test_sinusoids_pass_their_mean_with_the_stated_rate_and_repeat_after_a_perio
 
 @pytest.mark.parametrize("dt", [0.01, 0.1, 1.0])
 def test_increments_recompose_the_attitude(dt):
-    q = simulation.quaternion_from_euler(MOTION.euler(np.arange(101) * dt))
+    q = rotation.quaternion_from_euler(MOTION.euler(np.arange(101) * dt))
     flown = q[0]
-    for increment in simulation.body_increments(q, OMEGA, dt):
+    for increment in rotation.body_increments(q, OMEGA, dt):
         flown = witness.strapdown(flown, increment, OMEGA, np.array(dt))
     assert np.abs(witness.matrix(flown) - witness.matrix(q[-1])).max() < 1e-12
 
 
 def test_a_body_at_rest_senses_the_earth():
-    q = simulation.quaternion_from_euler(np.tile([0.1, -0.2, 2.0], (3, 1)))
-    rate = simulation.body_increments(q, OMEGA, 0.5) / 0.5
+    q = rotation.quaternion_from_euler(np.tile([0.1, -0.2, 2.0], (3, 1)))
+    rate = rotation.body_increments(q, OMEGA, 0.5) / 0.5
     assert np.allclose(rate, witness.matrix(q[0]).T @ OMEGA, rtol=0, atol=1e-15)
     # One turn against the stars in a stellar day, to the seven digits that WGS-84 gives the rate.
     assert np.linalg.norm(rate[0]) * 86164.0989 == pytest.approx(2 * np.pi, rel=0.5e-6 / 7.292115)
@@ -44,22 +44,22 @@ def test_a_body_at_rest_senses_the_earth():
 
 def test_a_slave_flies_to_the_attitude_of_its_mounting():
     mu, dt = np.array([0.3, -0.2, 0.1]), 0.1
-    q_r = simulation.quaternion_from_euler(MOTION.euler(np.arange(51) * dt))
-    q_b = simulation.turned(q_r, mu)
+    q_r = rotation.quaternion_from_euler(MOTION.euler(np.arange(51) * dt))
+    q_b = rotation.turned(q_r, mu)
     flown = q_b[0]
-    for increment in simulation.mounted(simulation.body_increments(q_r, OMEGA, dt), mu):
+    for increment in simulation.mounted(rotation.body_increments(q_r, OMEGA, dt), mu):
         flown = witness.strapdown(flown, increment, OMEGA, np.array(dt))
-    assert np.abs(simulation.attitude_error(flown, q_b[-1])).max() < 1e-12
+    assert np.abs(rotation.attitude_error(flown, q_b[-1])).max() < 1e-12
 
 
 def test_attitude_error_is_the_turn_that_removes_the_error():
-    q = simulation.quaternion_from_euler(np.array([0.2, -0.4, 2.5]))
+    q = rotation.quaternion_from_euler(np.array([0.2, -0.4, 2.5]))
     eps = np.array([0.03, -0.02, 0.05])
     hat = witness.quaternion(witness.exp(-eps) @ witness.matrix(q))
-    assert np.allclose(simulation.attitude_error(hat, q), eps, rtol=0, atol=1e-14)
+    assert np.allclose(rotation.attitude_error(hat, q), eps, rtol=0, atol=1e-14)
     # Error = computed - true: to first order C_hat = (I - [eps x]) C.
     small = witness.quaternion((np.eye(3) - witness.cross(1e-6 * eps)) @ witness.matrix(q))
-    assert np.allclose(simulation.attitude_error(small, q), 1e-6 * eps, rtol=0, atol=1e-13)
+    assert np.allclose(rotation.attitude_error(small, q), 1e-6 * eps, rtol=0, atol=1e-13)
 
 
 def test_a_runs_numbers_do_not_depend_on_the_runs_beside_it_nor_on_the_duration():

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from boresight import BoresightError
-from boresight.runtime import simulation
+from boresight.runtime import rotation, simulation
 from boresight.runtime.library import load
 from boresight.studies import euler_exploration as exploration
 from boresight.studies import euler_table as study
@@ -40,8 +40,8 @@ def test_the_papers_table_has_the_papers_counts():
 def test_the_slaves_first_error_is_the_misalignment():
     # With mu_hat = 0 and C_hat = C_r2n: eps = C dmu with the sign reversed, exactly, however large.
     mu, euler = np.array([0.3, -0.2, 0.4]), np.array([0.2, -0.3, 1.0])
-    q_r = simulation.quaternion_from_euler(euler)
-    eps = simulation.attitude_error(q_r, simulation.turned(q_r, mu))
+    q_r = rotation.quaternion_from_euler(euler)
+    eps = rotation.attitude_error(q_r, rotation.turned(q_r, mu))
     assert np.allclose(eps, -witness.dcm(euler) @ (0 - mu), rtol=0, atol=1e-14)
 
 
@@ -52,9 +52,9 @@ def test_P0_is_the_covariance_of_the_simulated_start(model):
     P0 = study.initial_covariance(model, scenario, euler)
     draws = simulation.standard_normals(3, np.arange(4000), 6)
     mu, noise = draws[:, :3] * scenario.misalignment_deg * study.DEG, draws[:, 3:] * study.ARCMIN
-    q_hat = simulation.quaternion_from_euler(euler + noise)
-    q_b = simulation.turned(simulation.quaternion_from_euler(euler), mu)
-    state = np.concatenate([simulation.attitude_error(q_hat, q_b), -mu], axis=-1)
+    q_hat = rotation.quaternion_from_euler(euler + noise)
+    q_b = rotation.turned(rotation.quaternion_from_euler(euler), mu)
+    state = np.concatenate([rotation.attitude_error(q_hat, q_b), -mu], axis=-1)
     nees = np.einsum("ri,ij,rj->r", state, np.linalg.inv(P0), state)
     assert abs(nees.mean() - 6) < 4 * np.sqrt(12 / 4000)
     assert np.linalg.eigvalsh(P0)[0] > 0
@@ -218,7 +218,7 @@ def test_turning_the_covariance_is_the_derivative_of_the_error_after_the_feedbac
 
     def after(d):  # exp([x x]) exp(-[eps x]) = exp(-[eps_after x]), eps = x + d
         C = witness.exp(x) @ witness.exp(-(x + d))
-        return simulation.attitude_error(witness.quaternion(C), np.array([1.0, 0, 0, 0]))
+        return rotation.attitude_error(witness.quaternion(C), np.array([1.0, 0, 0, 0]))
 
     J = np.stack([(after(step * e) - after(-step * e)) / (2 * step) for e in np.eye(3)], axis=-1)
     A = np.random.default_rng(0).normal(size=(6, 6))

@@ -9,7 +9,7 @@ import pytest
 from real_recordings import real_recording
 
 from boresight import BoresightError
-from boresight.runtime import frames
+from boresight.runtime import rotation
 from boresight.runtime.recording import best_delay, read
 from boresight.studies import replay
 
@@ -109,7 +109,7 @@ def test_initial_covariance_ties_attitude_error_to_misalignment(simulated, libra
     leg = replay.prepare(replace(simulated, master=simulated.master.cut(slice(0, 3))), library, np.zeros(3))
     angle = np.full(3, 1 * replay.ARCMIN)
     track = replay.fly(leg, library, np.full(3, 1e-6), angle, "euler")
-    C = frames.C_b2n_from_euler(leg.euler[-1])
+    C = rotation.matrix_from_euler(leg.euler[-1])
     both = np.hstack([C.T, np.eye(3)])
     known = np.sqrt(np.diag(both @ track["P"] @ both.T))
     assert known.max() < 1.1 * angle[0]

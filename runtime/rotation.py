@@ -1,0 +1,92 @@
+"""Attitudes in one form or another, many at once: SciPy's rotations behind the conventions of Boresight.
+
+C_b2n takes body components to navigation components, Euler angles are roll, pitch, yaw with C_b2n = Rz(yaw) Ry(pitch)
+Rx(roll), quaternions are scalar first.  Angles in rad; every array may have leading axes.
+"""
+
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+Array = np.ndarray
+
+
+def matrix_from_euler(euler: Any) -> Array:
+    """(..., 3) -> C_b2n (..., 3, 3)."""
+    return _matrix(_from_euler(euler), np.shape(euler)[:-1])
+
+
+def quaternion_from_euler(euler: Any) -> Array:
+    """(..., 3) -> q_b2n_wxyz (..., 4)."""
+    return _wxyz(_from_euler(euler), np.shape(euler)[:-1])
+
+
+def euler_from_matrix(C_b2n: Any) -> Array:
+    """(..., 3, 3) -> (..., 3), pitch within +-90 deg, where roll and yaw are one angle."""
+    C = np.asarray(C_b2n, float)
+    return Rotation.from_matrix(C.reshape(-1, 3, 3)).as_euler("ZYX")[:, ::-1].reshape(C.shape[:-1])
+
+
+def matrix_from_quaternion(q_b2n_wxyz: Any) -> Array:
+    """(..., 4) of any norm but zero -> C_b2n (..., 3, 3)."""
+    return _matrix(_from_wxyz(q_b2n_wxyz), np.shape(q_b2n_wxyz)[:-1])
+
+
+def matrix_from_vector(rotation_vector: Any) -> Array:
+    """(..., 3) rad -> exp([v x]) (..., 3, 3)."""
+    return _matrix(_from_vector(rotation_vector), np.shape(rotation_vector)[:-1])
+
+
+def vector_from_matrix(C: Any) -> Array:
+    """(..., 3, 3) -> (..., 3) rad: v with C = exp([v x]), of at most half a turn."""
+    C = np.asarray(C, float)
+    return Rotation.from_matrix(C.reshape(-1, 3, 3)).as_rotvec().reshape(C.shape[:-1])
+
+
+def turned(q_b2n_wxyz: Any, rotation_vector: Any) -> Array:
+    """The attitude after the body has turned by `rotation_vector` (..., 3) rad, in its own axes: C exp([v x])."""
+    shape = np.broadcast_shapes(np.shape(q_b2n_wxyz)[:-1], np.shape(rotation_vector)[:-1])
+    return _wxyz(_from_wxyz(_full(q_b2n_wxyz, (*shape, 4))) * _from_vector(_full(rotation_vector, (*shape, 3))), shape)
+
+
+def attitude_error(q_b2n_hat_wxyz: Any, q_b2n_wxyz: Any) -> Array:
+    """eps of C_hat = exp(-[eps x]) C, in navigation axes, (..., 3) rad: the turn that removes the error."""
+    shape = np.broadcast_shapes(np.shape(q_b2n_hat_wxyz), np.shape(q_b2n_wxyz))
+    hat, true = _from_wxyz(_full(q_b2n_hat_wxyz, shape)), _from_wxyz(_full(q_b2n_wxyz, shape))
+    return (true * hat.inv()).as_rotvec().reshape((*shape[:-1], 3))
+
+
+def body_increments(q_b2n_wxyz: Any, omega_in_n: Any, dt: float) -> Array:
+    """What perfect gyros deliver between samples: rotation vectors of the body against inertial space.
+
+    q_b2n_wxyz: (T+1, ..., 4) at samples dt seconds apart.  omega_in_n: (3,) rad/s, constant.  Returns (T, ..., 3) rad.
+    """
+    q = np.asarray(q_b2n_wxyz, float)
+    level = Rotation.from_rotvec(np.asarray(omega_in_n, float) * dt)
+    return (_from_wxyz(q[:-1]).inv() * level * _from_wxyz(q[1:])).as_rotvec().reshape((*q[1:].shape[:-1], 3))
+
+
+def _from_euler(euler: Any) -> Rotation:
+    return Rotation.from_euler("ZYX", np.asarray(euler, float).reshape(-1, 3)[:, ::-1])
+
+
+def _from_wxyz(q_wxyz: Any) -> Rotation:
+    return Rotation.from_quat(np.asarray(q_wxyz, float).reshape(-1, 4), scalar_first=True)
+
+
+def _from_vector(rotation_vector: Any) -> Rotation:
+    return Rotation.from_rotvec(np.asarray(rotation_vector, float).reshape(-1, 3))
+
+
+def _matrix(rotation: Rotation, shape: tuple[int, ...]) -> Array:
+    return rotation.as_matrix().reshape((*shape, 3, 3))
+
+
+def _wxyz(rotation: Rotation, shape: tuple[int, ...]) -> Array:
+    return rotation.as_quat(scalar_first=True).reshape((*shape, 4))
+
+
+def _full(values: Any, shape: tuple[int, ...]) -> Array:
+    # A copy: older SciPy refuses the read-only view that broadcasting gives.
+    return np.array(np.broadcast_to(values, shape), float)
