@@ -92,7 +92,9 @@ def check_covariance(name: str, P: Array, size: int) -> None:
         raise BoresightError(f"{name} is not symmetric, by {skew:.1e} of its variances; give (P + P') / 2")
     lowest = np.linalg.eigvalsh((unit + np.swapaxes(unit, -1, -2)) / 2).min()
     if lowest < -1e-9:
-        raise BoresightError(f"{name} has a negative eigenvalue ({lowest:.1e} with variances of 1); it is no covariance")
+        raise BoresightError(
+            f"{name} has a negative eigenvalue ({lowest:.1e} with variances of 1); it is no covariance"
+        )
 
 
 @dataclass(frozen=True)

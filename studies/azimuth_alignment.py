@@ -6,11 +6,12 @@ estimate (the slave's biases, the master's own errors) is carried beside it, so 
 that is true.  ENU, body axes right-front-up.  Axes of arrays: runs, then components.
 """
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 
+from boresight import BoresightError
 from boresight.runtime import handover, inertial, rotation, simulation
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
@@ -67,6 +68,33 @@ class Scenario:
     covariance_hz: int = 10  # of the alignment; its updates, and all of the hold, are at 1 Hz
     # The hold's filter.
     zupt_sigma_m_s: float = 0.01
+
+
+def checked(scenario: Scenario) -> Scenario:
+    """The scenario; raises BoresightError for a value that has no meaning or lies outside the models' box."""
+    for name, value in asdict(scenario).items():
+        numbers = np.asarray(value, float)
+        signed = name in ("longitude_deg", "latitude_deg", "height_m", "roll_deg", "pitch_deg", "heading_deg")
+        if not np.isfinite(numbers).all() or (not signed and (numbers < 0).any()):
+            raise BoresightError(
+                f"azimuth-hold: {name} is {value}; it must be finite" + " and not negative" * (not signed)
+            )
+    limits = {
+        "latitude_deg": (-85, 85),
+        "height_m": (-500, 30000),
+        "zupt_sigma_m_s": (1e-9, 100),
+        "align_s": (10, 3600),
+    }
+    for name, (low, high) in limits.items():
+        value = getattr(scenario, name)
+        if not low <= value <= high:
+            raise BoresightError(f"azimuth-hold: {name} is {value:g}; it must lie within {low:g} to {high:g}")
+    if scenario.covariance_hz < 1 or scenario.strapdown_hz % scenario.covariance_hz:
+        raise BoresightError(
+            f"azimuth-hold: covariance_hz is {scenario.covariance_hz}; strapdown_hz, {scenario.strapdown_hz}, must be a "
+            "multiple of it"
+        )
+    return scenario
 
 
 @dataclass(frozen=True)
@@ -128,9 +156,9 @@ def bias_variances(scenario: Scenario, f_b: Array) -> Array:
     """(6,) of gyro and accelerometer bias at rest; to the latter scale factor and misalignment of gravity belong."""
     gyro = np.full(3, (scenario.gyro_bias_deg_h * DEG / HOUR) ** 2)
     square = np.asarray(f_b) ** 2
-    accel = (scenario.accel_bias_mg * MILLI_G) ** 2
-    accel = accel + (scenario.accel_scale_ppm * 1e-6) ** 2 * square
-    accel = accel + (scenario.accel_misalignment_urad * 1e-6) ** 2 * (square.sum() - square)
+    scale = (scenario.accel_scale_ppm * 1e-6) ** 2 * square
+    across = (scenario.accel_misalignment_urad * 1e-6) ** 2 * (square.sum() - square)
+    accel = (scenario.accel_bias_mg * MILLI_G) ** 2 + scale + across
     return np.concatenate([gyro, accel])
 
 
@@ -354,7 +382,7 @@ def first_covariance(scenario: Scenario, C_b2n: Array) -> Array:
     runs = C_b2n.shape[:-2]
     P = np.zeros((*runs, 10, 10))
     angle = (scenario.mounting_deg * DEG) ** 2
-    i, j = np.arange(3), np.arange(3, 6)
+    i = np.arange(3)
     P[..., i, i] = scenario.velocity_noise_m_s**2
     P[..., 3:6, 3:6] = np.eye(3) * (angle + (scenario.attitude_noise_arcmin * ARCMIN) ** 2)
     P[..., 6:9, 6:9] = np.eye(3) * angle

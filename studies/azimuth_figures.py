@@ -1,0 +1,70 @@
+"""Figures of the azimuth-hold study, in the place of Kim's Figures 4 to 7."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight.studies.figures import BLUE, GREY, ORANGE, figure
+
+GREEN = "#2b7a3d"
+LOOK = {
+    "inertial": (GREY, "-", "pure inertial"),
+    "zupt": (ORANGE, "-", "zero-velocity updates"),
+    "azimuth": (BLUE, "-", "with the azimuth, as in the paper"),
+    "reference": (GREEN, (0, (4, 2)), "with the azimuth and its error as a state"),
+}
+
+
+def panels(result: dict[str, Any], path: Path, title: str, draw: Any) -> None:
+    """Three axes above each other, one line or more a mode; `draw(ax, mode, axis, look)`."""
+    with figure(path, 6.4, 6.0, nrows=3, sharex=True) as (drawing, axes):
+        for axis, ax in enumerate(axes):
+            for mode in result["modes"]:
+                draw(ax, mode, axis, LOOK[mode])
+            ax.set_ylabel(rf"$\phi_{'enu'[axis]}$ [arcmin]")
+        axes[0].set_title(title, loc="left")
+        axes[-1].set_xlabel("time at rest [s]")
+        axes[-1].set_xlim(0, result["histories"]["time_s"][-1])
+        handles, labels = axes[0].get_legend_handles_labels()
+        drawing.legend(handles, labels, loc="outside lower center", ncols=2)
+
+
+def errors(result: dict[str, Any], path: Path) -> None:
+    """The paper's Figure 4: attitude error in time, three runs in each mode."""
+    history = result["histories"]
+
+    def draw(ax: Any, mode: str, axis: int, look: tuple) -> None:
+        color, style, label = look
+        for run, error in enumerate(np.array(history[mode]["error_arcmin"])):
+            ax.plot(
+                history["time_s"], error[:, axis], color=color, linestyle=style, linewidth=0.8,
+                label="" if run else label,
+            )  # fmt: skip
+
+    panels(result, path, "attitude error, the same three runs in each mode", draw)
+
+
+def sigmas(result: dict[str, Any], path: Path) -> None:
+    """The paper's Figure 5: the filter's sigma in time, and (thin) the rms error over the runs."""
+    history = result["histories"]
+
+    def draw(ax: Any, mode: str, axis: int, look: tuple) -> None:
+        color, style, label = look
+        ax.plot(history["time_s"], np.array(history[mode]["sigma_arcmin"])[:, axis], color=color, linestyle=style,
+                linewidth=1.6, label=label)  # fmt: skip
+        rms = np.array(history[mode]["rms_arcmin"])[:, axis]
+        ax.plot(history["time_s"], rms, color=color, linestyle=(0, (1, 1.5)), linewidth=0.8)
+        ax.set_yscale("log")
+
+    panels(result, path, f"sigma of the filter; dotted, the rms error of {result['runs']} runs", draw)
+
+
+def azimuth_figures(result: dict[str, Any], folder: Path) -> list[Path]:
+    """The figures for which the result has the histories.  Returns the files written."""
+    folder, written = Path(folder), []
+    if "histories" in result:
+        for draw, name in ((errors, "azimuth_hold_error.png"), (sigmas, "azimuth_hold_sigma.png")):
+            written.append(folder / name)
+            draw(result, written[-1])
+    return written
