@@ -137,7 +137,11 @@ def _judge_definition(equation: Equation, relations: tuple[Relation, ...]) -> Ve
     users = [e for e in equations(paper) if e.number != equation.number and moved & _names(e.derived)]
     # What held exactly must hold exactly still: one point tells, and most contradictions show here.
     for user in users:
-        if _largest(user.derived, usual) < EXACT < _largest(user.derived, given):
+        try:
+            contradicted = _largest(user.derived, usual) < EXACT < _largest(user.derived, given)
+        except ValueError:
+            contradicted = True
+        if contradicted:
             return Verdict("refuted", f"contradicted by ({user.number})")
     for user in users:
 
@@ -199,7 +203,9 @@ def differences(printed: Iterable[Relation], derived: Iterable[Relation]) -> lis
     """The places where two forms differ, found by walking both trees."""
     found: list[Difference] = []
     for a, b in zip_longest(printed, derived):
-        if a is None or b is None or len(a.sides) != len(b.sides):
+        if a is None:  # what more the derivation says is no slip of the print
+            continue
+        if b is None or len(a.sides) != len(b.sides):
             # A shorter chain of equalities is compared side by side as far as it goes.
             found.append(Difference("structure", a, b))
         else:

@@ -151,8 +151,9 @@ def _reason(equation: Equation, form, mutant) -> str:
     def same(first, second) -> bool:
         return any(all(abs(a - sign * b) < EXACT for a, b in zip(first, second, strict=True)) for sign in (1, -1))
 
-    if same(*at(_free_point(equation))):
-        return SAME
+    with suppress(ValueError):  # values drawn freely may not be below their limits
+        if same(*at(_free_point(equation))):
+            return SAME
     if same(*at(witness_point(equation.paper, SEEDS[0], FULL))):
         return ALIAS
     small, half = (

@@ -71,7 +71,8 @@ def _minus(term):
     try:
         return negative(term)
     except ShapeError:
-        return as_written(Mul, (S.NegativeOne, *term.args))
+        first, *others = term.args
+        return as_written(Mul, (-first, *others) if first.is_Number else (S.NegativeOne, *term.args))
 
 
 class _Reader:

@@ -13,8 +13,10 @@ from unicodedata import normalize
 
 from sympy import MatAdd, S, Symbol
 from sympy.core.function import AppliedUndef
+from sympy.matrices import MatrixBase
 from sympy.printing.latex import LatexPrinter
 from sympy.printing.mathml import MathMLPresentationPrinter
+from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pretty.pretty import PrettyPrinter
 from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
@@ -84,7 +86,8 @@ def _changed(equation: Equation, which: str) -> str:
     from boresight.derive.ledger import differences
 
     found = differences(equation.read(), equation.derived)
-    return ", ".join(f"`{text}`" for text in dict.fromkeys(str(getattr(difference, which)) for difference in found))
+    texts = (" ".join(str(getattr(difference, which)).replace("Matrix", "").split()) for difference in found)
+    return ", ".join(f"`{text}`" for text in dict.fromkeys(texts))
 
 
 def _chosen(paper: str, number: str | None) -> tuple[list[Equation], list[Entry]]:
@@ -223,6 +226,8 @@ def _displays(equation: Equation) -> list[str]:
     """The displays as printed, those that go on joined to what they go on from."""
     joined: list[str] = []
     for display in equation.latex:
+        if not display.startswith(r"\begin{aligned}"):  # a row of a display that holds several equations
+            display = display.replace("&=", "=")
         if joined and display[0] in "=+-":
             joined[-1] += " " + display
         else:
@@ -255,10 +260,21 @@ class _Latex(LatexPrinter):
         head = r"\exp" if name == "exp" else self.letters.get(name + "(") or latex_name(name)
         return rf"{head}\left({arguments}\right)"
 
+    def _print_Mul(self, expr):
+        if not _holds_matrix(expr):
+            return super()._print_Mul(expr)
+        # As written: SymPy would multiply the explicit matrices.
+        signs = "-" * (expr.args[0] == S.NegativeOne)
+        return signs + " ".join(self.parenthesize(f, PRECEDENCE["Mul"]) for f in expr.args[len(signs) :])
+
     def _print_MatrixBase(self, expr):
         return self._print(expr[0]) if expr.shape == (1, 1) else super()._print_MatrixBase(expr)
 
     _print_ImmutableDenseMatrix = _print_MatrixBase
+
+
+def _holds_matrix(expr) -> bool:
+    return any(isinstance(factor, MatrixBase) for factor in expr.args)
 
 
 def _latex_relation(relation: Relation, quantities: Iterable[Quantity]) -> str:
@@ -271,7 +287,7 @@ def _latex_relation(relation: Relation, quantities: Iterable[Quantity]) -> str:
 
 
 SIGNS = {"→": r"\to", "∂": r"\partial"}
-MARKS = {"\u0302": "hat", "\u0307": "dot"}
+MARKS = {"\u0302": "hat", "\u0307": "dot", "\u0304": "bar", "\u030c": "check"}
 
 
 def latex_name(name: str) -> str:
@@ -364,6 +380,27 @@ class _MathML(MathMLPresentationPrinter):
 
     def _print_Symbol(self, sym, style="plain"):
         return super()._print_Symbol(Symbol(re.sub(r"_(\w'?)2(\w'?)$", r"_\1^\2", sym.name)), style)
+
+    def _print_Mul(self, expr):
+        if not _holds_matrix(expr):
+            return super()._print_Mul(expr)
+        row = self.dom.createElement("mrow")
+        for factor in expr.args:
+            if factor == S.NegativeOne:
+                operator = self.dom.createElement("mo")
+                operator.appendChild(self.dom.createTextNode("-"))
+                row.appendChild(operator)
+            else:
+                row.appendChild(self.parenthesize(factor, PRECEDENCE["Mul"]))
+        return row
+
+    def _print_StrictLessThan(self, expr):
+        row = self.dom.createElement("mrow")
+        operator = self.dom.createElement("mo")
+        operator.appendChild(self.dom.createTextNode("&lt;"))  # SymPy writes text as it is
+        for part in (self._print(expr.lhs), operator, self._print(expr.rhs)):
+            row.appendChild(part)
+        return row
 
     def _print_MatrixBase(self, m):
         return self._print(m[0]) if m.shape == (1, 1) else super()._print_MatrixBase(m)

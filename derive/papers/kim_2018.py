@@ -14,9 +14,23 @@ by how much the master's data is old.  Position is longitude, latitude, height.
 
 from functools import cache
 
-from sympy import Function, ImmutableMatrix, Matrix, Rational, S, StrictLessThan, Symbol, cos, eye, sqrt, symbols, zeros
+from sympy import (
+    Function,
+    ImmutableMatrix,
+    Matrix,
+    Rational,
+    S,
+    StrictLessThan,
+    Symbol,
+    cos,
+    eye,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+    zeros,
+)
 from sympy.functions.elementary.complexes import transpose
-from sympy.simplify.fu import TR2i
 
 from boresight.derive import error_models
 from boresight.derive.earth import ENU
@@ -200,14 +214,14 @@ def equations() -> tuple[Equation, ...]:
             ),
             (
                 "subtract",
-                (Relation((one("δv̇_c"), total(nc("v̂̇"), negative(nc("d(C_n2c v)/dt"))))),),
+                (Relation((one("δv̇_c"), total(nc("v̂̇"), negative(nc("v̇_c"))))),),
                 "the velocity error is against the true velocity carried into c, so no error of a rate remains",
             ),
             (
                 "keep first order",
                 (
                     Relation(
-                        (product(total(I, negative(nc("[ψ x]"))), nc("f_n")), total(nc("f_n"), product(f_x, nc("ψ"))))
+                        (product(total(I, negative(nc("[ψ x]"))), one("f_n")), total(one("f_n"), product(f_x, nc("ψ"))))
                     ),
                 ),
                 "-ψ x f = f x ψ: the sign of the print is right",
@@ -257,12 +271,12 @@ def equations() -> tuple[Equation, ...]:
         [
             (
                 "substitute",
-                (Relation((master, total(nc("v(k - Δt)"), master_error))),),
+                (Relation((master, total(nc("v_old"), master_error))),),
                 "the master's velocity is as old as its attitude in (5)",
             ),
             (
                 "keep first order",
-                (Relation((nc("v(k - Δt)"), total(v, negative(late)))),),
+                (Relation((nc("v_old"), total(v, negative(late)))),),
                 "in the delay; the noise is that of the master",
             ),
         ],
@@ -328,7 +342,8 @@ def equations() -> tuple[Equation, ...]:
                         ]
                     ),
                 )
-            )
+            ),
+            Relation((column(*s("Z_v|Z_dcm")), total(product(*s("H_X|X")), column(*s("ν_v|ν_dcm"))))),
         ],
         [
             (
@@ -416,12 +431,19 @@ def equations() -> tuple[Equation, ...]:
         [
             (
                 "start",
-                (Relation((nc("v̇_n"), total(nc("C_b2n f_b"), nc("g_n"), negative(product(coriolis, v))))),),
+                (Relation((nc("v̇_n"), total(product(C, nc("f_b")), nc("g_n"), negative(product(coriolis, v))))),),
                 "the exact rate of the velocity, for the true and for the computed state",
             ),
             (
                 "perturb",
-                (Relation((nc("Ĉ_b2n f̂_b"), product(total(I, negative(nc("[φ x]"))), C, nc("(f_b + δf_b)")))),),
+                (
+                    Relation(
+                        (
+                            product(nc("Ĉ_b2n"), nc("f̂_b")),
+                            product(total(I, negative(nc("[φ x]"))), C, total(nc("f_b"), one("δf_b"))),
+                        )
+                    ),
+                ),
                 "the attitude errs by φ, the accelerometers by δf_b",
             ),
             ("keep first order", (), "-φ x f = f x φ: all signs of the print are right"),
@@ -479,6 +501,7 @@ def equations() -> tuple[Equation, ...]:
     )
 
     # (12) to (14)  prediction.
+    P, P_after, F_k = s("P(k-)|P(k+)|F_k")
     add(
         12,
         [Relation((one("Φ_k"), total(one("I_15x15"), product(*s("F_k|ΔT")))))],
@@ -506,8 +529,8 @@ def equations() -> tuple[Equation, ...]:
         [
             (
                 "take the expectation",
-                (Relation((nc("Ṗ"), total(nc("F P"), nc("P F'"), nc("G q G'")))),),
-                "of the square of what (13) and the noise leave; Q is what the noise gathers over the step",
+                (Relation((nc("Ṗ"), total(product(F_k, P), product(P, transpose(F_k)), nc("W")))),),
+                "of the square of what (13) and the noise, of density W, leave; Q is what it gathers over a step",
             )
         ],
         leads_to=("24",),
@@ -630,7 +653,7 @@ def equations() -> tuple[Equation, ...]:
     )
 
     # (24) to (26)  update.
-    P, P_after, H, R, K = s("P(k-)|P(k+)|H_k|R|K_k")
+    H, R, K = s("H_k|R|K_k")
     information = Relation((P_after, total(P**-1, product(transpose(H), R**-1, H)) ** -1))
     add(
         24,
@@ -677,20 +700,20 @@ def equations() -> tuple[Equation, ...]:
             Relation(
                 (
                     change,
-                    product(S.NegativeOne, Rational(1, 2), ImmutableMatrix(of_phi), column(*s("φ_e|φ_n|φ_u"))),
+                    product(Rational(-1, 2), ImmutableMatrix(of_phi), column(*s("φ_e|φ_n|φ_u"))),
                 )
             ),
         ],
         [
             (
                 "rotate",
-                (Relation((nc("Q̂_b2n"), product(nc("[cos(φ/2), -sin(φ/2)]"), true))),),
-                "(19) with quaternions: the computed attitude is the true one turned by -φ",
+                (Relation((nc("Q̂_b2n"), product(nc("V"), true))),),
+                "(19) with quaternions: the computed attitude is the true one turned by -φ, which is V",
             ),
             (
                 "keep first order",
-                (Relation((change, product(S.NegativeOne, Rational(1, 2), nc("[0, φ]"), nc("Q̂_b2n")))),),
-                "ΔQ is then an error to be taken off, as in (27), and not a rotation to be multiplied with",
+                (Relation((change, product(Rational(-1, 2), nc("U"), computed))),),
+                "U is 0 beside φ; ΔQ is an error to be taken off, as in (27), no rotation to be multiplied with",
             ),
             ("multiply", (), "the product with a quaternion from the right, whose first column meets the 0"),
         ],
@@ -746,7 +769,7 @@ def _position_rows(letters) -> tuple:
     velocities = {ve: rho_n * (R_E + h), vn: -rho_e * (R_N + h)}
 
     def written(slope):
-        return TR2i(slope.subs(velocities))
+        return slope.subs(velocities).subs(sin(L), tan(L) * cos(L))
 
     lon_rate, lat_rate = ve / ((R_E + h) * cos(L)), vn / (R_N + h)
     by_lat = total(written(lon_rate.diff(L)), written(lon_rate.diff(R_E)) * R_EE)

@@ -1,0 +1,331 @@
+"""The ledger of Kim 2018: statuses, orders, mutations, functions against the witness, and what wrong signs do."""
+
+import re
+import subprocess
+import sys
+import xml.dom.minidom
+from collections import Counter
+from itertools import product
+from pathlib import Path
+
+import mpmath as mp
+import pytest
+from sympy import Float, Matrix
+
+from boresight.derive import ledger as led
+from boresight.derive.ledger import equations, findings, judge, ledger
+from boresight.derive.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED, survivors
+from boresight.derive.papers import kim_2018 as paper
+from boresight.derive.papers import kim_2018_print as printed
+from boresight.derive.papers import kim_2018_world as world
+from boresight.derive.render import errata_table, render
+from boresight.derive.witness import DIGITS, residual
+
+PAPER = "kim-2018"
+ROOT = Path(__file__).resolve().parents[2]
+SOURCE = ROOT.parent / "shared" / "papers" / "kim-2018-azimuth-hold-zupt.txt"
+EQUATIONS = {equation.number: equation for equation in equations(PAPER)}
+EXPECTED = {
+    "exact": ["3", "13", "14", "15", "24", "25", "26", "31"],
+    "first-order": ["2", "7", "10", "12", "18", "19"],
+    "definition": ["1", "8", "16", "22", "27", "28", "30"],
+}
+ERRATA = {
+    "4": ("structure", "print"),
+    "5": ("letter", "undecidable"),
+    "6": ("structure", "print"),
+    "9": ("structure", "print"),
+    "11": ("sign", "print"),
+    "17": ("shape", "print"),
+    "20": ("structure", "print"),
+    "21": ("letter", "undecidable"),
+    "23": ("shape", "print"),
+    "29": ("structure", "print"),
+    "32": ("structure", "print"),
+}
+# number: (mutants, survivors that say the same, that put another name, that differ in second order)
+MUTANTS = {
+    "1": (48, 0, 0, 0),
+    "2": (71, 0, 2, 0),
+    "3": (113, 0, 8, 0),
+    "4": (64, 0, 0, 0),
+    "5": (52, 0, 0, 1),
+    "6": (112, 0, 8, 0),
+    "7": (18, 0, 2, 0),
+    "8": (30, 0, 0, 0),
+    "9": (138, 0, 0, 11),
+    "10": (80, 0, 0, 3),
+    "11": (61, 0, 0, 1),
+    "12": (19, 0, 1, 0),
+    "13": (17, 0, 2, 0),
+    "14": (30, 0, 3, 0),
+    "15": (15, 0, 2, 0),
+    "16": (20, 0, 0, 0),
+    "17": (41, 0, 4, 0),
+    "18": (120, 0, 1, 0),
+    "19": (67, 0, 1, 0),
+    "20": (83, 0, 2, 0),
+    "21": (40, 0, 0, 0),
+    "22": (26, 0, 0, 0),
+    "23": (94, 0, 9, 0),
+    "24": (30, 0, 3, 0),
+    "25": (30, 0, 0, 0),
+    "26": (26, 0, 3, 0),
+    "27": (34, 0, 0, 0),
+    "28": (54, 0, 0, 0),
+    "29": (89, 0, 0, 0),
+    "30": (31, 0, 0, 0),
+    "31": (20, 0, 0, 0),
+    "32": (31, 0, 1, 0),
+}
+
+
+@pytest.fixture(autouse=True)
+def many_digits():
+    with mp.workdps(DIGITS):
+        yield
+
+
+@pytest.fixture(scope="module")
+def entries():
+    return {entry.number: entry for entry in ledger(PAPER)}
+
+
+def values(seed=1, scale=1.0, small=()):
+    return led.witness_point(PAPER, seed, scale, small).values
+
+
+def symbols_at(vector):
+    """mpmath numbers as SymPy's, all digits kept."""
+    return Matrix([Float(entry, DIGITS) for entry in vector])
+
+
+def numbers(M):
+    return mp.matrix([[mp.mpf(str(entry.evalf(DIGITS))) for entry in M.row(i)] for i in range(M.rows)])
+
+
+def apart(ours, theirs):
+    """The largest difference of two matrices, as a share of the largest entry."""
+    return mp.mnorm(ours - theirs, mp.inf) / mp.mnorm(theirs, mp.inf)
+
+
+# ---- The ledger ------------------------------------------------------------------------------------------------------
+
+
+def test_every_equation_has_its_status_kind_and_origin(entries):
+    assert list(entries) == [str(n) for n in range(1, 33)]
+    for status, which in EXPECTED.items():
+        assert [n for n, entry in entries.items() if entry.status == status] == which
+    assert {n: (e.kind, e.origin) for n, e in entries.items() if e.status == "erratum"} == ERRATA
+    for entry in entries.values():
+        assert all(isinstance(value, str) for value in entry.to_dict().values())
+
+
+@pytest.mark.parametrize("number", [*EXPECTED["first-order"], "4", "5", "9", "11", "20", "29"])
+def test_remainder_of_the_derived_form_falls_fourfold_when_errors_are_halved(number):
+    equation = EQUATIONS[number]
+    sizes = []
+    for scale in (1e-3, 5e-4):
+        point = led.witness_point(PAPER, 11, scale, equation.small)
+        sizes.append(max(abs(x) for relation in equation.derived for x in residual(relation.sides, point)))
+    assert sizes[0] / sizes[1] == pytest.approx(4, rel=0.02)
+
+
+def test_azimuth_residual_has_no_second_order():
+    (relation,) = EQUATIONS["21"].derived
+    sizes = [abs(residual(relation.sides, led.witness_point(PAPER, 11, scale))[0]) for scale in (1e-3, 5e-4)]
+    assert sizes[0] / sizes[1] == pytest.approx(8, rel=0.02)
+
+
+def test_a_reading_is_there_only_because_the_letter_as_printed_fails():
+    assert {n for n, equation in EQUATIONS.items() if equation.readings} == {"2", "12", "27"}
+    for number in ("2", "12", "27"):
+        assert judge(EQUATIONS[number], EQUATIONS[number].printed).status == "refuted"
+
+
+def test_no_choice_of_rho_saves_the_position_rows():
+    """The text does not define ρ; each component may be either rate with either sign."""
+    names = ("ρ_e", "ρ_n")
+    points = [values(1, scale) for scale in (1e-6, 5e-7)]
+    choices = [s * points[0][name] for name in names for s in (1, -1)]
+    saved = []
+    for rho_e, rho_n in product(choices, repeat=2):
+        sizes = []
+        for point in points:
+            changed = led.Point(dict(point) | {"ρ_e": rho_e, "ρ_n": rho_n})
+            sizes.append(max(abs(residual(r.sides, changed)[0]) for r in EQUATIONS["9"].printed))
+        saved.append(sizes[1] < 0.3 * sizes[0])
+    assert len(saved) == 16 and not any(saved)
+
+
+@pytest.mark.parametrize("number", list(EQUATIONS))
+def test_every_single_mutation_changes_the_status_or_says_the_same(number):
+    count, found = survivors(EQUATIONS[number])
+    reasons = Counter(survivor.reason for survivor in found)
+    assert not reasons[UNEXPLAINED], [survivor for survivor in found if survivor.reason == UNEXPLAINED]
+    assert (count, reasons[SAME], reasons[ALIAS], reasons[SECOND_ORDER]) == MUTANTS[number]
+
+
+# ---- The functions against the witness -------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def truth():
+    return world.truth(world.draw(1, world.Conditions()))
+
+
+def test_system_matrix_of_fifteen_states_is_the_derivative_of_the_exact_rates(truth):
+    v = values()
+    parts = [symbols_at(x) for x in (truth.position, truth.v_n)]
+    C = Matrix(3, 3, symbols_at(truth.C))
+    F = numbers(paper.hold_matrix(*parts, C, symbols_at(v["f_n"])))
+    for i, j in product(range(0, 15, 3), repeat=2):
+        ours, theirs = (M[i : i + 3, j : j + 3] for M in (F, v["F_k"]))
+        assert mp.mnorm(ours - theirs, mp.inf) <= 1e-25 * mp.mnorm(theirs, mp.inf), (i, j)
+
+
+def test_system_matrix_of_ten_states_is_the_derivative_of_the_psi_rates(truth):
+    v = values()
+    parts = [symbols_at(x) for x in (truth.position, truth.v_n, v["f_n"])]
+    assert apart(numbers(paper.transfer_matrix(*parts)), v["F_X"]) < 1e-25
+
+
+def test_measurement_matrices_are_derivatives_of_the_residuals(truth):
+    v = values()
+    C_r2n = Matrix(3, 3, symbols_at(v["C_r2n"]))
+    H = paper.transfer_measurement_matrix(C_r2n, symbols_at(v["v̇"]), -symbols_at(v["d"]))
+    assert apart(numbers(H), v["H_X"]) < 1e-25
+    assert apart(numbers(paper.hold_measurement_matrix()), v["H_k"]) < 1e-25
+    assert apart(numbers(paper.zero_velocity_matrix()), v["H_v"]) < 1e-25
+
+
+def test_d_is_how_the_level_turns_against_the_master(truth):
+    v, base = values(), world.draw(1, world.Conditions())
+    omega_nr = v["C_r2n"] * (world.finite_rotation(base.mounting) * truth.omega) - truth.exact.omega_in_n
+    assert apart(-omega_nr, v["d"]) < 1e-25
+
+
+def test_residuals_and_quaternion_error_are_those_of_the_witness():
+    v = values()
+    hats = [Matrix(3, 3, symbols_at(v[name])) for name in ("Ĉ_r2n", "Ĉ_b2r", "Ĉ_n2b")]
+    Z = paper.attitude_residual(*hats[:2], hats[2].T)
+    assert apart(numbers(Z), v["Z_dcm"]) < 1e-25
+    assert apart(numbers(paper.velocity_residual(*(symbols_at(v[n]) for n in ("v̂_SINS", "v̂_MINS")))), v["Z_v"]) < 1e-25
+    small = values(scale=1e-9)
+    q = symbols_at(small["Q̂_b2n"])
+    assert apart(numbers(paper.quaternion_error(q, symbols_at(small["φ"]))), small["ΔQ"]) < 1e-9
+    M = [Matrix(3, 3, symbols_at(small[n])) for n in ("C_b2p", "C̄_n2b")]
+    assert mp.mpf(str(paper.azimuth_error(*M))) == pytest.approx(small["φ_u"], rel=1e-15)
+
+
+def test_detector_statistics_are_those_of_the_pairs():
+    base = world.draw(1, world.Conditions())
+    window = range(world.WINDOW_AT, world.WINDOW_AT + world.WINDOW_OF)
+    a, w = zip(*(map(symbols_at, world._outputs(base, k)) for k in window), strict=True)
+    v = values()
+    assert abs(mp.mpf(str(paper.moving_deviation(a))) - v["T_a"]) < 1e-28
+    assert abs(mp.mpf(str(paper.moving_mean(w))) - v["T_w"]) < 1e-28
+
+
+# ---- What wrong signs and dropped terms do ---------------------------------------------------------------------------
+
+
+def test_printed_sign_of_11_turns_schulers_oscillation_into_growth(entries):
+    radius = 6.371e6
+    assert world._growth(1) < 1e-20
+    assert float(world._growth(-1)) == pytest.approx((world.G / radius) ** 0.5, rel=0.01)
+    assert "errors grow e-fold in 807 s" in entries["11"].evidence
+
+
+def test_delay_column_of_6_doubles_a_level_delay_and_does_not_see_a_vertical_one():
+    assert world.delay_estimate("derived") == pytest.approx((0.05, 0.05))
+    level, vertical = world.delay_estimate("printed")
+    assert level == pytest.approx(-0.05)
+    assert abs(vertical) < 0.01 * 0.05
+
+
+def test_half_of_the_residual_holds_twice_the_azimuth_error():
+    assert world.held_azimuth(0.5) == pytest.approx(2 * world.held_azimuth(1), rel=0.1)
+
+
+def test_feedback_as_printed_doubles_the_error_or_turns_the_attitude_round():
+    left = {name: float(value) for name, value in world.feedback_readings().items()}
+    assert left["[1, -φ/2] for ΔQ"] == pytest.approx(2 * left["nothing"], rel=1e-4)
+    assert left["a 0 put before φ, the product kept"] > 2.5
+    assert left["the sum, as derived"] < 1e-5 * left["nothing"]
+
+
+def test_first_order_transition_drops_four_orders_more_at_1_hz_than_at_100_hz():
+    fast, slow = world.transition_error(mp.mpf("0.01")), world.transition_error(mp.mpf(1))
+    assert float(slow["velocity from gyro bias"]) == pytest.approx(9.8 / 2, rel=0.01)
+    for block in ("velocity from gyro bias", "velocity from attitude", "attitude from attitude"):
+        assert float(slow[block] / fast[block]) == pytest.approx(1e4, rel=0.01)
+
+
+def test_position_rows_as_printed_differ_by_what_the_evidence_says(entries):
+    base = world.STATED
+    v = world.world(base, led._definitions(PAPER))
+    lon, lat, _ = (
+        (p.sides[1], d.sides[1]) for p, d in zip(EQUATIONS["9"].printed, EQUATIONS["9"].derived, strict=True)
+    )
+    point = led.Point(v)
+    metres = [(v["R_E"] + v["h"]) * mp.cos(v["L"]), v["R_N"] + v["h"]]
+    east, north = (
+        float(1000 * (led.evaluate(p, point) - led.evaluate(d, point)) * m)
+        for (p, d), m in zip((lon, lat), metres, strict=True)
+    )
+    assert f"{east:.3g} m into the longitude" in entries["9"].evidence
+    assert north == pytest.approx(2.52 + 0.0012, abs=0.005)
+
+
+def test_findings_name_the_text_beside_the_equations():
+    text = " ".join(findings(PAPER))
+    for piece in ("Line 198", "24 states", "psi in (1) to (6)", "15.04 deg/h"):
+        assert piece in text
+
+
+# ---- The print and its pages -----------------------------------------------------------------------------------------
+
+needs_source = pytest.mark.skipif(not SOURCE.exists(), reason="the paper's text is not beside the checkout")
+
+
+@needs_source
+@pytest.mark.parametrize("number", list(printed.PRINTED))
+def test_printed_latex_stands_at_its_lines_of_the_source(number):
+    (first, last), displays = printed.PRINTED[number]
+    lines = SOURCE.read_text(encoding="utf-8").splitlines()[first - 1 : last]
+    text = "\n".join(lines)
+    assert displays[0] in lines[0] and displays[-1] in lines[-1]
+    assert all(display in text for display in displays)
+    assert number in printed.CITED or f"({number})" in text
+
+
+@needs_source
+def test_text_between_the_equations_stands_at_its_lines():
+    lines = SOURCE.read_text(encoding="utf-8").splitlines()
+    for line, text in (printed.WINDOW, printed.DETECTORS):
+        assert text in lines[line - 1]
+    first, last = printed.TABLE_1_LINES
+    table = [line.split("\t")[-2:] for line in lines[first - 1 : last]]
+    for i, sensor in enumerate(("gyro", "accelerometer")):
+        pairs = zip(printed.TABLE_1[sensor], printed.TABLE_1_UNITS[sensor], strict=True)
+        assert table[4 * i : 4 * i + 4] == [list(pair) for pair in pairs]
+
+
+def test_pages_are_well_formed_and_the_errata_table_of_the_documentation_is_fresh():
+    page = render(PAPER, None, "html")
+    for formula in re.findall(r"<math.*?</math>", page, re.DOTALL):
+        xml.dom.minidom.parseString(formula.replace("&InvisibleTimes;", ""))
+    assert len(re.findall(r'<section id="eq-\d+">', page)) == 32
+    assert max(map(len, render(PAPER).splitlines())) <= 110
+    assert errata_table(PAPER) in (ROOT / "docs" / "derivations" / "kim-2018.md").read_text(encoding="utf-8")
+
+
+def test_importing_the_paper_derives_nothing():
+    code = (
+        "import sys; from boresight.derive.papers import kim_2018 as p; "
+        "assert p.equations.cache_info().currsize == 0; "
+        "assert 'boresight.derive.ledger' not in sys.modules; "
+        "assert 'boresight.derive.papers.kim_2018_world' not in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)
