@@ -303,7 +303,9 @@ def study(
 @app.command()
 def replay(
     recording: Annotated[str, typer.Argument(help="A recording, or the TOML file that describes one.")],
-    model: Annotated[str, typer.Option("--model", help="The model to fly.")] = "euler-matching",
+    model: Annotated[
+        str | None, typer.Option("--model", help="euler-matching with a master, azimuth-hold without one.")
+    ] = None,
     check: Annotated[bool, typer.Option("--check", help="Look at the recording and fly nothing.")] = False,
     delay_ms: Annotated[float, typer.Option(help="How old the master's data is taken to be.")] = 0.0,
     rate_hz: Annotated[float | None, typer.Option(help="Use the master no more often than this.")] = None,
@@ -313,15 +315,26 @@ def replay(
 ) -> None:
     """Fly a filter on a recording; exit 1 if its NIS is not consistent.
 
-    With --check: norms, gaps, rates and suspicious units; exit 1 if something is wrong.
+    With a master: transfer alignment by Euler-angle matching.  Without one: stationary detection and zero-velocity
+    updates.  With --check: norms, gaps, rates and suspicious units; exit 1 if something is wrong.
     """
-    from boresight.studies import replay as r
+    from boresight.runtime.recording import read
+    from boresight.studies import replay as matched
+    from boresight.studies import zero_velocity
 
-    status = r.main(
+    if not check:
+        master = read(recording).master is not None
+        fits = "euler-matching" if master else "azimuth-hold"
+        one_of(model or fits, ["euler-matching", "azimuth-hold"], "model to replay with")
+        if (model or fits) != fits:
+            raise BoresightError(f"{recording} has {'a' if master else 'no'} master; replay it with --model {fits}")
+    folder = None if out is None else str(make(out))
+    if not check and not master:
+        raise typer.Exit(zero_velocity.main(recording, folder=folder, as_json=as_json))
+    status = matched.main(
         recording,
-        model,
         only_check=check,
-        folder=None if out is None else str(make(out)),
+        folder=folder,
         as_json=as_json,
         delay=delay_ms * 1e-3,
         rate_hz=rate_hz,

@@ -33,6 +33,12 @@ def matrix_from_quaternion(q_b2n_wxyz: Any) -> Array:
     return _matrix(_from_wxyz(q_b2n_wxyz), np.shape(q_b2n_wxyz)[:-1])
 
 
+def quaternion_from_matrix(C_b2n: Any) -> Array:
+    """(..., 3, 3) -> q_b2n_wxyz (..., 4)."""
+    C = np.asarray(C_b2n, float)
+    return _wxyz(Rotation.from_matrix(C.reshape(-1, 3, 3)), C.shape[:-2])
+
+
 def matrix_from_vector(rotation_vector: Any) -> Array:
     """(..., 3) rad -> exp([v x]) (..., 3, 3)."""
     return _matrix(_from_vector(rotation_vector), np.shape(rotation_vector)[:-1])

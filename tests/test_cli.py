@@ -67,7 +67,7 @@ def test_study_as_json():
         (("study", "euler-table", "--runs", "0"), "runs"),
         (("study", "euler-table", "--switch", "sideways"), "there are"),
         (("replay", "nowhere.npz"), "nowhere.npz"),
-        (("replay", "pyproject.toml", "--model", "eular"), "euler-matching"),
+        (("replay", "pyproject.toml"), "pyproject.toml"),
         (("show", "song-lee-2001", "-o", "pyproject.toml/below"), "cannot write"),
     ],
 )

@@ -1,0 +1,212 @@
+"""Zero-velocity updates on a recording of a single IMU that stops and goes: the fifteen-state filter of Kim (2018).
+
+When it rests is the detector's business (studies/stationary.py), which sees the IMU alone.  Nothing is known but rest:
+no heading, no position, no reference track.  Every stop shows what the filter's velocity had become before the update.
+"""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.runtime import rotation
+from boresight.runtime.filter import Filter
+from boresight.runtime.recording import Recording, read
+from boresight.studies import stationary
+
+Array = np.ndarray
+
+TO_RFU = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]])  # front-right-down to right-front-up
+EARTH_RADIUS_M = 6.371e6  # for a track of some metres in the figure; the filter's own Earth is the ellipsoid
+DETECTOR = "likelihood_ratio"
+UPDATE_S = 0.1
+
+# What the filter is told beyond the white noise seen at rest.  A foot brings scale factors, bandwidth and shocks that
+# no rest shows: stated as a factor on both noises, chosen so that the innovations at the stops are consistent.
+MOTION_FACTOR = 10.0
+# A loaded foot sways: a threshold set from the sensor's noise alone calls that movement.  For updates it is raised.
+SWAY_FACTOR = 30.0
+ZUPT_SIGMA_M_S = 0.01
+START = {"level_deg": 0.5, "heading_deg": 1.0, "gyro_bias_deg_s": 0.05, "accel_bias_m_s2": 0.05}
+
+
+def level(f_b: Array) -> Array:
+    """q_b2n_wxyz (ENU from RFU) of a body at rest that feels f_b, its front towards north as nearly as it can be."""
+    up = f_b / np.linalg.norm(f_b)
+    north = np.array([0.0, 1.0, 0.0]) - up[1] * up
+    north /= np.linalg.norm(north)
+    C = np.stack([np.cross(north, up), north, up])  # rows: east, north, up in body components
+    return rotation.quaternion_from_matrix(C)
+
+
+def run(
+    recording: Recording,
+    hold: Any,
+    strapdown: Any,
+    *,
+    latitude_deg: float = 59.3,
+    detector: str = DETECTOR,
+    sway_factor: float = SWAY_FACTOR,
+    updates: bool = True,
+    **settings: Any,
+) -> dict[str, Any]:
+    """Fly the recording with a zero-velocity update at each tenth of a second of declared rest.
+
+    latitude_deg: where, if the recording does not say; it sets gravity's and the Earth rate's model.  updates: False
+    for pure inertial.  sway_factor: on the detector's threshold, for updates.  settings: of `stationary.run`.  The result can be written as JSON without `history`:
+    stops: from, to (s), speed before the first update (m/s) and its NIS (three degrees of freedom), metres from the
+    start; end_from_start_m; nis_mean of first updates; detection: the result of `stationary.run`.
+    """
+    found = stationary.run(recording, **settings)
+    if detector not in found["history"]["statistic"]:
+        raise BoresightError(f"no detector {detector!r}; there are {', '.join(found['history']['statistic'])}")
+    limit = found["detectors"][detector]["threshold"]
+    rest = found["history"]["statistic"][detector] < sway_factor * limit
+    time, dt = recording.imu.time, recording.imu.dt
+    gyro, accel = (rate @ TO_RFU.T for rate in recording.imu.rates())
+    begin = int(np.argmax(rest))  # a detector decides once its first window is full
+    first = begin + int(np.argmin(np.append(rest[begin:], False)))
+    start = slice(0, first)
+    if first * dt < 2.0:
+        raise BoresightError(f"{recording.name}: it must begin with two seconds of rest, to level and to see the bias")
+
+    lat = np.radians(latitude_deg)
+    place = np.array([0.0, lat, 0.0])
+    q = level(accel[start].mean(axis=0))
+    C_n2b = rotation.matrix_from_quaternion(q).T
+    earth = strapdown.earth(position=place, v_n=np.zeros(3))
+    gyro_bias = gyro[start].mean(axis=0) - C_n2b @ earth["omega_ie_n"]
+    accel_bias = accel[start].mean(axis=0) + C_n2b @ earth["gravity_n"]
+    metres = np.array([EARTH_RADIUS_M * np.cos(lat), EARTH_RADIUS_M, 1.0])
+    sigma = np.concatenate([
+        0.01 / metres,
+        np.full(3, 1e-3),
+        np.radians([START["level_deg"], START["level_deg"], START["heading_deg"]]),
+        np.full(3, np.radians(START["gyro_bias_deg_s"])),
+        np.full(3, START["accel_bias_m_s2"]),
+    ])  # fmt: skip
+    nav = {"position": place, "v_n": np.zeros(3), "q_b2n_wxyz": q, "gyro_bias": gyro_bias, "accel_bias": accel_bias}
+    loop = Filter(hold, nav, np.diag(sigma**2))
+    noise = {
+        "gyro_noise": np.full(3, MOTION_FACTOR * found["noise"]["sigma_gyro"] * np.sqrt(dt)),
+        "accel_noise": np.full(3, MOTION_FACTOR * found["noise"]["sigma_accel"] * np.sqrt(dt)),
+        "gyro_bias_noise": np.full(3, 1e-6),
+        "accel_bias_noise": np.full(3, 1e-5),
+    }
+
+    every = max(1, round(UPDATE_S / dt))
+    before = {"dtheta_before": np.zeros(3), "dv_before": np.zeros(3)}
+    track, speed = np.empty((len(time), 3)), np.empty(len(time))
+    stops: list[dict[str, float]] = []
+    f_sum, resting = np.zeros(3), False
+    for k in range(len(time)):
+        omega, f = gyro[k] - loop.nav["gyro_bias"], accel[k] - loop.nav["accel_bias"]
+        now = {"dtheta_ib_b": omega * dt, "dv_b": f * dt}
+        kept = {name: loop.nav[name] for name in ("position", "v_n", "q_b2n_wxyz")}
+        loop.nav.update(strapdown.step(**kept, **now, **before, dt=dt))
+        before = {"dtheta_before": now["dtheta_ib_b"], "dv_before": now["dv_b"]}
+        f_sum += f
+        if (k + 1) % every == 0:
+            loop.predict(f_b=f_sum / every, dt=every * dt, **noise)
+            f_sum[:] = 0
+            if rest[k] and updates:
+                v = float(np.linalg.norm(loop.nav["v_n"]))
+                seen = loop.update("zupt", np.full(3, ZUPT_SIGMA_M_S**2))
+                if not resting and k > first:
+                    away = float(np.linalg.norm((loop.nav["position"] - place) * metres))
+                    stops.append(
+                        {"from_s": float(time[k]), "speed_m_s": v, "nis": float(seen.nis), "from_start_m": away}
+                    )
+                loop.feedback()
+            if resting and not rest[k] and stops:
+                stops[-1]["to_s"] = float(time[k])
+            resting = bool(rest[k])
+        track[k], speed[k] = (loop.nav["position"] - place) * metres, np.linalg.norm(loop.nav["v_n"])
+    if stops:
+        stops[-1].setdefault("to_s", float(time[-1]))
+    return {
+        "recording": recording.name,
+        "detector": detector,
+        "updates": updates,
+        "latitude_deg": latitude_deg,
+        "sway_factor": sway_factor,
+        "share_updated": float(np.mean(rest)),
+        "stops": stops,
+        "nis_mean": float(np.mean([stop["nis"] for stop in stops])) if stops else None,
+        "end_from_start_m": float(np.linalg.norm(track[-1])),
+        "path_m": float(np.sum(np.linalg.norm(np.diff(track[::every], axis=0), axis=1))),
+        "largest_speed_m_s": float(speed.max()),
+        "detection": {key: value for key, value in found.items() if key != "history"},
+        "history": {"time_s": time, "track_m": track, "speed_m_s": speed, "rest": rest, "detection": found["history"]},
+    }
+
+
+def report(result: dict[str, Any], inertial: dict[str, Any] | None = None) -> str:
+    """The stops as a table, and how far from the start the track ends; inertial: the same run without updates."""
+    lines = [
+        f"{result['recording']}: zero-velocity updates where the {result['detector'].replace('_', ' ')} declares rest",
+        f"{'stop, s':>16}{'speed before, m/s':>20}{'NIS of 3':>10}{'from the start, m':>20}",
+    ]
+    for stop in result["stops"]:
+        span = f"{stop['from_s']:.1f} to {stop['to_s']:.1f}"
+        lines.append(f"{span:>16}{stop['speed_m_s']:>20.3f}{stop['nis']:>10.1f}{stop['from_start_m']:>20.2f}")
+    lines.append(
+        f"path {result['path_m']:.1f} m, ends {result['end_from_start_m']:.2f} m from the start; there is no reference "
+        "track, so that is plausibility only"
+    )
+    if inertial is not None:
+        lines.append(f"without updates it ends {inertial['end_from_start_m']:.0f} m from the start")
+    return "\n".join(lines)
+
+
+def figures(result: dict[str, Any], folder: str | Path) -> list[Path]:
+    """Draw the track from above and the speed; returns the files written."""
+    from boresight.studies.figures import BLUE, GREY, ORANGE, figure
+
+    history, path = result["history"], Path(folder) / f"zero_velocity_{result['recording']}.png"
+    try:
+        with figure(path, 11.0, 4.5, nrows=1, ncols=2) as (_, (above, beside)):
+            track = history["track_m"]
+            above.plot(track[:, 0], track[:, 1], color=BLUE, lw=1)
+            still = history["rest"]
+            above.plot(track[still, 0], track[still, 1], ".", color=ORANGE, ms=4, label="declared at rest")
+            above.set_aspect("equal", "datalim")
+            above.set_xlabel("right of the first heading [m]")
+            above.set_ylabel("ahead of it [m]")
+            above.legend(loc="best")
+            t = history["time_s"]
+            beside.plot(t, history["speed_m_s"], color=BLUE, lw=0.8)
+            top = float(history["speed_m_s"].max())
+            beside.fill_between(t, 0, top, where=still, color=GREY, alpha=0.25, lw=0, label="declared at rest")
+            beside.set_xlabel("time [s]")
+            beside.set_ylabel("speed [m/s]")
+            beside.legend(loc="upper left")
+    except OSError as error:
+        text = f"{folder}: cannot write the figure: {error.strerror}; choose another folder with -o"
+        raise BoresightError(text) from None
+    return [path]
+
+
+def main(path: str, *, folder: str | None = None, as_json: bool = False) -> int:
+    """What `boresight replay` does with a recording that has no master; returns the exit status, 0."""
+    from boresight.runtime.library import load
+
+    recording, hold, strapdown = read(path), load("azimuth-hold"), load("strapdown")
+    result = run(recording, hold, strapdown)
+    inertial = run(recording, hold, strapdown, updates=False)
+    written = [] if folder is None else figures(result, folder)
+    if folder is not None:
+        written += stationary.figures({**result["detection"], "history": result["history"]["detection"]}, folder)
+    if as_json:
+        parts = {"result": result, "without_updates": inertial}
+        short = {name: {k: v for k, v in part.items() if k != "history"} for name, part in parts.items()}
+        print(json.dumps({**short, "figures": [str(file) for file in written]}, indent=1))
+    else:
+        print(stationary.report({**result["detection"], "history": result["history"]["detection"]}))
+        print()
+        print(report(result, inertial))
+        for file in written:
+            print(f"figure: {file}")
+    return 0
