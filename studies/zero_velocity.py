@@ -54,10 +54,11 @@ def run(
 ) -> dict[str, Any]:
     """Fly the recording with a zero-velocity update at each tenth of a second of declared rest.
 
-    latitude_deg: where, if the recording does not say; it sets gravity's and the Earth rate's model.  updates: False
-    for pure inertial.  sway_factor: on the detector's threshold, for updates.  settings: of `stationary.run`.  The result can be written as JSON without `history`:
-    stops: from, to (s), speed before the first update (m/s) and its NIS (three degrees of freedom), metres from the
-    start; end_from_start_m; nis_mean of first updates; detection: the result of `stationary.run`.
+    latitude_deg: where, if the recording does not say; it sets gravity's and the Earth rate's model.  sway_factor: on
+    the detector's threshold, for updates.  updates: False for pure inertial.  settings: of `stationary.run`.
+    The result can be written as JSON without `history`: stops: from, to (s), speed before the first update (m/s) and
+    its NIS (three degrees of freedom), metres from the start; end_from_start_m; nis_mean of first updates; detection:
+    the result of `stationary.run`.
     """
     found = stationary.run(recording, **settings)
     if detector not in found["history"]["statistic"]:

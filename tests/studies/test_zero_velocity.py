@@ -80,5 +80,5 @@ def test_a_recording_that_does_not_begin_at_rest_is_refused(models):
 
 
 def test_an_unknown_detector_lists_the_right_ones(models):
-    with pytest.raises(BoresightError, match="there are .*likelihood_ratio"):
+    with pytest.raises(BoresightError, match=r"there are .*likelihood_ratio"):
         zero_velocity.run(walk()[0], *models, rest=(0.0, 10.0), detector="ear")
