@@ -91,8 +91,8 @@ def checked(scenario: Scenario) -> Scenario:
             raise BoresightError(f"azimuth-hold: {name} is {value:g}; it must lie within {low:g} to {high:g}")
     if scenario.covariance_hz < 1 or scenario.strapdown_hz % scenario.covariance_hz:
         raise BoresightError(
-            f"azimuth-hold: covariance_hz is {scenario.covariance_hz}; strapdown_hz, {scenario.strapdown_hz}, must be a "
-            "multiple of it"
+            f"azimuth-hold: covariance_hz is {scenario.covariance_hz}; "
+            f"strapdown_hz, {scenario.strapdown_hz}, must be a multiple of it"
         )
     return scenario
 
