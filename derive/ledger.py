@@ -319,6 +319,7 @@ def _entry(equation: Equation) -> Entry:
             f"{equation.paper} ({equation.number}): the derived form itself is refuted, {ours.why}; "
             f"check derive/papers/{equation.paper.replace('-', '_')}.py"
         )
+    world = import_module(PAPERS[equation.paper] + "_world")
     verdict = judge(equation, equation.read())
     status = "erratum" if verdict.status == "refuted" else verdict.status
     kind = origin = ""
@@ -336,8 +337,10 @@ def _entry(equation: Equation) -> Entry:
     elif status == "first-order":
         evidence = "remainder falls fourfold when the errors are halved; " + _size(equation)
     else:
-        evidence = f"both sides agree to 28 digits at finite rotations, {len(SEEDS)} points"
-    evidence += import_module(PAPERS[equation.paper] + "_world").evidence(equation.number)
+        evidence = (
+            f"both sides agree to 28 digits at {getattr(world, 'WITNESS', 'finite rotations')}, {len(SEEDS)} points"
+        )
+    evidence += world.evidence(equation.number)
     return Entry(
         paper=equation.paper,
         number=equation.number,

@@ -3,8 +3,8 @@
     S. Kim, "Method for Maintaining Initial Azimuth of Tactical Grade IMU by Using Zero Velocity Update
     Algorithm", 2018.
 
-First the results, as pure functions; an edit here moves the ledger.  Then the 32 equations as they are printed, each
-beside its derivation.  Nothing is derived on import.
+First the results, as pure functions, which tests hold against the witness of the ledger.  Then the 32 equations as they
+are printed, each beside its derivation.  Nothing is derived on import.
 
 The paper's conventions: ENU, right-front-up, error = computed - true, ``C_hat_b2n = C_b2p = (I - [phi x]) C_b2n``.
 Section 2.1 has the psi model (error against the computed axes), section 2.2 the phi model (against the true ones), both

@@ -18,6 +18,7 @@ import sympy as sp
 
 from boresight.derive import earth
 from boresight.derive.equation import Relation
+from boresight.derive.papers import kim_2018 as paper
 from boresight.derive.papers.kim_2018_print import DETECTORS, quantities
 from boresight.derive.witness import (
     attitude,
@@ -124,6 +125,7 @@ CONDITIONS = Conditions(
     master_attitude_error=1e-4,
     step=0.01,
 )
+WITNESS = "finite errors"
 POINTS = 4  # of these conditions, drawn for the sizes
 CONDITIONS_TEXT = (
     "sensors of Table 1, errors to 5 mrad, 1 m/s, 1 nmi an axis, delay 50 ms on a bench that moves at 0.5 m/s and "
@@ -882,11 +884,20 @@ def _feedback() -> str:
     )
 
 
+def printed_window(n: int, N: int) -> range:
+    """The samples of {n <= l <= N-1}."""
+    return range(n, N)
+
+
 def _window() -> str:
+    half, none = (len(printed_window(n, 100)) for n in (50, 100))
+    turning = [(0, 0, -10)] * 3  # deg/s
+    sums = [sp.Rational(sum(sample[i] for sample in turning), 3) for i in range(3)]
     return (
-        "with N = 100 the printed set has 50 samples at n = 50, so that T_w is halved, and none from n = 100 on: both "
-        "statistics are 0 and the platform is at rest for ever; without a norm a turn by -10 deg/s is below any "
-        "positive threshold, where the derived T_w is 10 deg/s"
+        f"with N = 100 the printed set has {half} samples at n = 50, so that T_w is halved, {none} from n = 100 on: "
+        "both statistics are 0 and the platform is at rest for ever; without a norm a turn of -10 deg/s about one axis "
+        f"has components of at most {max(sums)} deg/s, below any threshold, where the derived T_w is "
+        f"{paper.moving_mean(turning)} deg/s"
     )
 
 

@@ -5,6 +5,7 @@ import subprocess
 import sys
 import xml.dom.minidom
 from collections import Counter
+from dataclasses import replace
 from itertools import product
 from pathlib import Path
 
@@ -12,6 +13,7 @@ import mpmath as mp
 import pytest
 from sympy import Float, Matrix
 
+from boresight import BoresightError
 from boresight.derive import ledger as led
 from boresight.derive.ledger import equations, findings, judge, ledger
 from boresight.derive.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED, survivors
@@ -276,6 +278,24 @@ def test_position_rows_as_printed_differ_by_what_the_evidence_says(entries):
     )
     assert f"{east:.3g} m into the longitude" in entries["9"].evidence
     assert north == pytest.approx(2.52 + 0.0012, abs=0.005)
+
+
+def test_printed_window_shrinks_and_ends(entries):
+    """(32): N - n samples for a sum that is divided by N."""
+    window = EQUATIONS["32"].printed[1].sides[1]
+    for n, N in ((0, 5), (2, 4), (3, 3), (5, 4)):
+        point = led.Point({"n": mp.mpf(n), "N": mp.mpf(N), "l": 0, "index": 0, "samples": world._between})
+        assert sum(led.evaluate(window, point)) == len(world.printed_window(n, N))
+    assert "50 samples at n = 50" in entries["32"].evidence and "0 from n = 100 on" in entries["32"].evidence
+
+
+def test_a_wrong_derivation_is_refused(monkeypatch):
+    """With the printed sign taken for derived, (11) would accuse itself."""
+    eleven = EQUATIONS["11"]
+    monkeypatch.setattr(paper, "equations", lambda: (replace(eleven, derived=eleven.printed),))
+    led._own_definitions(PAPER)  # of the whole paper, before it is cut down
+    with pytest.raises(BoresightError, match=r"\(11\): the derived form itself is refuted"):
+        ledger(PAPER)
 
 
 def test_findings_name_the_text_beside_the_equations():
