@@ -63,7 +63,7 @@ def test_study_as_json():
         (("show", "song-lee-2001", "--format", "pdf"), "-o"),
         (("generate", "eular"), "euler-matching, "),
         (("verify", "eular"), "euler-matching"),
-        (("study", "eular"), "there are euler-table"),
+        (("study", "eular"), "there are azimuth-hold, euler-table"),
         (("study", "euler-table", "--runs", "0"), "runs"),
         (("study", "euler-table", "--switch", "sideways"), "there are"),
         (("replay", "nowhere.npz"), "nowhere.npz"),
