@@ -2,6 +2,7 @@
 
 import json
 import sys
+from collections.abc import Callable
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -252,45 +253,41 @@ def verify(
     raise typer.Exit(0 if good else 1)
 
 
-STUDIES = ["euler-table"]
+STUDIES = ["azimuth-hold", "euler-table"]
 
 
 @app.command()
 def study(
-    name: Annotated[str, typer.Argument(help="euler-table: Table 1 of Song and Lee.")],
+    name: Annotated[
+        str, typer.Argument(help="euler-table: Table 1 of Song and Lee; azimuth-hold: the experiment of Kim.")
+    ],
     runs: Annotated[int, typer.Option(help="Monte Carlo runs of each case.")] = 20,
     seed: Annotated[int, typer.Option(help="Of the random numbers; a run's depend on seed and run alone.")] = 0,
-    seconds: Annotated[float, typer.Option(help="Length of a run.")] = 120.0,
-    switch: Annotated[list[str] | None, typer.Option(help="A departure from the declared scenario; repeat it.")] = None,
-    explore: Annotated[bool, typer.Option("--explore", help="Everything the documentation counts; minutes.")] = False,
+    seconds: Annotated[
+        float | None, typer.Option(help="Length of a run: 120 for euler-table, 3600 for azimuth-hold.")
+    ] = None,
+    switch: Annotated[
+        list[str] | None, typer.Option(help="euler-table: a departure from the declared scenario; repeat it.")
+    ] = None,
+    explore: Annotated[
+        bool, typer.Option("--explore", help="euler-table: everything the documentation counts; minutes.")
+    ] = False,
     out: Out = None,
     as_json: AsJson = False,
 ) -> None:
-    """Run an experiment of a paper; exit 1 where it disagrees with the paper."""
+    """Run an experiment of a paper; euler-table exits 1 where it disagrees with the paper."""
     one_of(name, STUDIES, "study")
+    if name == "azimuth-hold" and (switch or explore):
+        raise BoresightError("--switch and --explore belong to euler-table; azimuth-hold has neither")
     from rich.console import Console
 
-    from boresight.runtime.library import load
-    from boresight.studies import euler_exploration, euler_table, figures
-
-    library = load("euler-matching")
     with Console(stderr=True).status("") as status:
 
         def progress(line: str) -> None:
             status.update(line)
 
-        if explore:
-            result = euler_exploration.explore(library, runs=runs, seed=seed, progress=progress)
-            text, good = euler_exploration.report(result), result["finished"]
-        else:
-            result = euler_table.run(
-                library, runs=runs, seed=seed, seconds=seconds, switches=tuple(switch or ()), progress=progress
-            )
-            text = euler_table.report(result)
-            good = all(result[kind]["agree"] == result["cells"] for kind in ("linear", "monte_carlo"))
-        written = (
-            [] if out is None else (figures.euler_exploration if explore else figures.euler_figures)(result, make(out))
-        )
+        fly = azimuth_hold if name == "azimuth-hold" else euler_table
+        result, text, written, good = fly(runs, seed, seconds, tuple(switch or ()), explore, out, progress)
     if as_json:
         print_json(result)
     else:
@@ -298,6 +295,63 @@ def study(
             print(f"wrote {path}")
         print(text)
     raise typer.Exit(0 if good else 1)
+
+
+Flown = tuple[dict[str, Any], str, list[Path], bool]  # result, report, files written, whether all is well
+
+
+def euler_table(
+    runs: int,
+    seed: int,
+    seconds: float | None,
+    switches: tuple[str, ...],
+    explore: bool,
+    out: Path | None,
+    progress: Callable[[str], None],
+) -> Flown:
+    from boresight.runtime.library import load
+    from boresight.studies import euler_exploration, figures
+    from boresight.studies import euler_table as table
+
+    library = load("euler-matching")
+    if explore:
+        result = euler_exploration.explore(library, runs=runs, seed=seed, progress=progress)
+        written = [] if out is None else figures.euler_exploration(result, make(out))
+        return result, euler_exploration.report(result), written, result["finished"]
+    result = table.run(
+        library,
+        runs=runs,
+        seed=seed,
+        seconds=120.0 if seconds is None else seconds,
+        switches=switches,
+        progress=progress,
+    )
+    written = [] if out is None else figures.euler_figures(result, make(out))
+    good = all(result[kind]["agree"] == result["cells"] for kind in ("linear", "monte_carlo"))
+    return result, table.report(result), written, good
+
+
+def azimuth_hold(
+    runs: int,
+    seed: int,
+    seconds: float | None,
+    switches: tuple[str, ...],
+    explore: bool,
+    out: Path | None,
+    progress: Callable[[str], None],
+) -> Flown:
+    from boresight.studies import azimuth_figures
+    from boresight.studies import azimuth_hold as hold
+
+    result = hold.run(
+        runs=runs,
+        seed=seed,
+        seconds=3600 if seconds is None else round(seconds),
+        histories=out is not None,
+        progress=progress,
+    )
+    written = [] if out is None else azimuth_figures.azimuth_figures(result, make(out))
+    return result, hold.report(result), written, True
 
 
 @app.command()

@@ -45,6 +45,15 @@ class Filter:
             raise BoresightError(f"P has shape {self.P.shape}; it must be (..., n, n)")
         if not np.isfinite(self.P).all():
             raise BoresightError("P holds a value that is not finite; start from a finite covariance")
+        # Scaled to unit variances, so that radians and metres are judged alike.
+        sigma = np.sqrt(np.abs(np.diagonal(self.P, axis1=-2, axis2=-1)))
+        sigma = np.where(sigma > 0, sigma, 1.0)
+        scaled = self.P / (sigma[..., :, None] * sigma[..., None, :])
+        if np.abs(scaled - np.swapaxes(scaled, -1, -2)).max(initial=0.0) > 1e-9:
+            raise BoresightError("P is not symmetric; start from (P + P') / 2 if it should be")
+        lowest = np.linalg.eigvalsh(scaled).min(initial=0.0)
+        if lowest < -1e-9:
+            raise BoresightError(f"P has a negative eigenvalue, {lowest:.3g} of unit variances; it is no covariance")
         self.x = np.zeros(self.P.shape[:-1])
 
     def call(self, name: str, **inputs: Any) -> Any:

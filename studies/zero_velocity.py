@@ -12,6 +12,7 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import rotation
+from boresight.runtime.detector import gaps
 from boresight.runtime.filter import Filter
 from boresight.runtime.recording import Recording, read
 from boresight.studies import stationary
@@ -29,6 +30,7 @@ MOTION_FACTOR = 10.0
 # A loaded foot sways: a threshold set from the sensor's noise alone calls that movement.  For updates it is raised.
 SWAY_FACTOR = 30.0
 ZUPT_SIGMA_M_S = 0.01
+GAP = {"speed_m_s": 1.0, "turn_deg_s": 20.0}  # what a walker may do while no data comes
 START = {"level_deg": 0.5, "heading_deg": 1.0, "gyro_bias_deg_s": 0.05, "accel_bias_m_s2": 0.05}
 
 
@@ -39,6 +41,20 @@ def level(f_b: Array) -> Array:
     north /= np.linalg.norm(north)
     C = np.stack([np.cross(north, up), north, up])  # rows: east, north, up in body components
     return rotation.quaternion_from_matrix(C)
+
+
+def bridge(loop: Filter, seconds: float, metres: Array) -> None:
+    """Go on after a gap in the inertial data, by a stated rule.
+
+    Position and attitude stay, the velocity begins again from zero, and the covariance says what that is worth: GAP's
+    speed and turn, for as long as the gap was.
+    """
+    loop.nav["v_n"] = np.zeros(3)
+    velocity = slice(3, 6)
+    loop.P[velocity, :] = loop.P[:, velocity] = 0.0
+    loop.P[velocity, velocity] = np.diag(np.full(3, GAP["speed_m_s"] ** 2))
+    way, turn = GAP["speed_m_s"] * seconds / metres, np.full(3, np.radians(GAP["turn_deg_s"]) * seconds)
+    loop.P[:9, :9] += np.diag(np.concatenate([way, np.zeros(3), turn]) ** 2)
 
 
 def run(
@@ -58,7 +74,7 @@ def run(
     the detector's threshold, for updates.  updates: False for pure inertial.  settings: of `stationary.run`.
     The result can be written as JSON without `history`: stops: from, to (s), speed before the first update (m/s) and
     its NIS (three degrees of freedom), metres from the start; end_from_start_m; nis_mean of first updates; detection:
-    the result of `stationary.run`.
+    the result of `stationary.run`; gaps_s: times of the samples that follow a gap or repeat a tag, handled by `bridge`.
     """
     found = stationary.run(recording, **settings)
     if detector not in found["history"]["statistic"]:
@@ -102,7 +118,11 @@ def run(
     track, speed = np.empty((len(time), 3)), np.empty(len(time))
     stops: list[dict[str, float]] = []
     f_sum, resting = np.zeros(3), False
+    breaks = gaps(time)
     for k in range(len(time)):
+        if breaks[k]:
+            bridge(loop, max(0.0, float(time[k] - time[k - 1])), metres)
+            before = {"dtheta_before": np.zeros(3), "dv_before": np.zeros(3)}
         omega, f = gyro[k] - loop.nav["gyro_bias"], accel[k] - loop.nav["accel_bias"]
         now = {"dtheta_ib_b": omega * dt, "dv_b": f * dt}
         kept = {name: loop.nav[name] for name in ("position", "v_n", "q_b2n_wxyz")}
@@ -133,6 +153,7 @@ def run(
         "updates": updates,
         "latitude_deg": latitude_deg,
         "sway_factor": sway_factor,
+        "gaps_s": time[breaks].tolist(),
         "share_updated": float(np.mean(rest)),
         "stops": stops,
         "nis_mean": float(np.mean([stop["nis"] for stop in stops])) if stops else None,
@@ -157,6 +178,8 @@ def report(result: dict[str, Any], inertial: dict[str, Any] | None = None) -> st
         f"path {result['path_m']:.1f} m, ends {result['end_from_start_m']:.2f} m from the start; there is no reference "
         "track, so that is plausibility only"
     )
+    if result["gaps_s"]:
+        lines.append(f"gaps or repeated time tags before {', '.join(f'{t:.2f} s' for t in result['gaps_s'])}")
     if inertial is not None:
         lines.append(f"without updates it ends {inertial['end_from_start_m']:.0f} m from the start")
     return "\n".join(lines)

@@ -133,6 +133,9 @@ def test_joseph_form_keeps_p_positive_over_a_long_run(library):
         (lambda f: f.predict(dt=1.0, omega_in_n=np.zeros(3)), "Q needs gyro_noise"),
         (lambda f: Filter(f.model, f.nav, np.ones((6, 5))), r"shape \(6, 5\)"),
         (lambda f: Filter(f.model, f.nav, np.full((6, 6), np.nan)), "not finite"),
+        (lambda f: Filter(f.model, f.nav, np.eye(6) + 0.1 * np.eye(6, k=1)), "not symmetric"),
+        (lambda f: Filter(f.model, f.nav, np.eye(6) - 0.6 * np.ones((6, 6))), "negative eigenvalue"),
+        (lambda f: f.predict(dt=1.0, omega_in_n=np.zeros(3), gyro_noise=np.full(3, -1e-5)), "gyro_noise"),
     ],
 )
 def test_bad_input_is_one_line_and_leaves_the_filter_as_it_was(library, act, said):

@@ -82,3 +82,15 @@ def test_a_recording_that_does_not_begin_at_rest_is_refused(models):
 def test_an_unknown_detector_lists_the_right_ones(models):
     with pytest.raises(BoresightError, match=r"there are .*likelihood_ratio"):
         zero_velocity.run(walk()[0], *models, rest=(0.0, 10.0), detector="ear")
+
+
+def test_a_gap_is_reported_and_the_filter_recovers(models):
+    recording, way = walk()
+    imu = recording.imu
+    keep = (imu.time < 30.5) | (imu.time > 31.0)  # half a second lost in the middle of a rest
+    cut = Inertial("rates", "middle", imu.time[keep], imu.gyro[keep], imu.accel[keep])
+    result = zero_velocity.run(Recording("cut", cut, None, {}, "cut"), *models, rest=(0.0, 10.0))
+    assert len(result["gaps_s"]) == 1
+    assert abs(result["gaps_s"][0] - 31.01) < 0.011
+    assert "31.0" in zero_velocity.report(result)
+    assert abs(result["history"]["track_m"][-1, 1] - way[-1]) < 0.3
