@@ -12,6 +12,8 @@ LOOK = {
     "inertial": (GREY, "-", "pure inertial"),
     "zupt": (ORANGE, "-", "zero-velocity updates"),
     "azimuth": (BLUE, "-", "with the azimuth, as in the paper"),
+    "plain": (ORANGE, "-", "as in the paper, nothing notices"),
+    "guarded": (BLUE, "-", "with detector and gate"),
     "reference": (GREEN, (0, (4, 2)), "with the azimuth and its error as a state"),
 }
 
@@ -31,12 +33,12 @@ def panels(result: dict[str, Any], path: Path, title: str, draw: Any) -> None:
 
 
 def errors(result: dict[str, Any], path: Path) -> None:
-    """The paper's Figure 4: attitude error in time, three runs in each mode."""
+    """The paper's Figures 4 and 6: attitude error in time, three runs in each mode."""
     history = result["histories"]
 
     def draw(ax: Any, mode: str, axis: int, look: tuple) -> None:
         color, style, label = look
-        for run, error in enumerate(np.array(history[mode]["error_arcmin"])):
+        for run, error in enumerate(np.array(history[mode]["error_arcmin"], float)):
             ax.plot(
                 history["time_s"], error[:, axis], color=color, linestyle=style, linewidth=0.8,
                 label="" if run else label,
@@ -46,16 +48,18 @@ def errors(result: dict[str, Any], path: Path) -> None:
 
 
 def sigmas(result: dict[str, Any], path: Path) -> None:
-    """The paper's Figure 5: the filter's sigma in time, and (thin) the rms error over the runs."""
+    """The paper's Figures 5 and 7: the filter's sigma in time, and (thin) the rms error over the runs."""
     history = result["histories"]
 
     def draw(ax: Any, mode: str, axis: int, look: tuple) -> None:
         color, style, label = look
         ax.plot(history["time_s"], np.array(history[mode]["sigma_arcmin"])[:, axis], color=color, linestyle=style,
                 linewidth=1.6, label=label)  # fmt: skip
-        rms = np.array(history[mode]["rms_arcmin"])[:, axis]
+        rms = np.array(history[mode]["rms_arcmin"], float)[:, axis]
         ax.plot(history["time_s"], rms, color=color, linestyle=(0, (1, 1.5)), linewidth=0.8)
         ax.set_yscale("log")
+        if "event_s" in result:
+            ax.axvline(result["event_s"], color="0.3", linewidth=0.7, linestyle=(0, (2, 2)))
 
     panels(result, path, f"sigma of the filter; dotted, the rms error of {result['runs']} runs", draw)
 
@@ -63,8 +67,9 @@ def sigmas(result: dict[str, Any], path: Path) -> None:
 def azimuth_figures(result: dict[str, Any], folder: Path) -> list[Path]:
     """The figures for which the result has the histories.  Returns the files written."""
     folder, written = Path(folder), []
-    if "histories" in result:
-        for draw, name in ((errors, "azimuth_hold_error.png"), (sigmas, "azimuth_hold_sigma.png")):
-            written.append(folder / name)
-            draw(result, written[-1])
+    for part, stem in ((result, "azimuth_hold"), (result.get("shock", {}), "azimuth_hold_shock")):
+        if "histories" in part:
+            for draw, name in ((errors, "error"), (sigmas, "sigma")):
+                written.append(folder / f"{stem}_{name}.png")
+                draw(part, written[-1])
     return written

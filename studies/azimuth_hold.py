@@ -132,9 +132,19 @@ def start_filter(models: Models, scenario: Scenario, start: Aligned) -> tuple[Fi
 
 
 def hold(
-    models: Models, scenario: Scenario, start: Aligned, seconds: int, *, progress: Callable[[str], None] | None = None
+    models: Models,
+    scenario: Scenario,
+    start: Aligned,
+    seconds: int,
+    *,
+    zaru: bool = False,
+    progress: Callable[[str], None] | None = None,
 ) -> Held:
-    """At rest for so many seconds, in all modes.  Uses up the noise streams of `start`."""
+    """At rest for so many seconds, in all modes.  Uses up the noise streams of `start`.
+
+    zaru: zero-angular-rate updates beside those of velocity, from the mean of each second.  Their noise is that of the
+    gyros, which drives the attitude too; the filter is not told so, as usual.
+    """
     hz, dt = scenario.strapdown_hz, 1 / scenario.strapdown_hz
     sensors = start.drawn.sensors
     loop, R_azimuth = start_filter(models, scenario, start)
@@ -170,6 +180,9 @@ def hold(
         loop.predict(f_b=dv.mean(axis=0) / dt, dt=1.0, **noise)
         zupt = loop.update("zupt", R_zupt, rows=ZUPT[:, None, None])
         azimuth = loop.update("azimuth", R_azimuth, rows=AZIMUTH[:, None, None], q_ref_wxyz=q_ref)
+        if zaru:
+            omega = dtheta.mean(axis=0) / dt
+            loop.update("zaru", noise["gyro_noise"] ** 2, rows=ZUPT[:, None, None], omega_ib_b=omega)
         loop.feedback()
         hold_vertical(loop, start)
         nis.append((zupt.nis, azimuth.nis))
@@ -287,6 +300,7 @@ def run(
     seconds: int = 3600,
     scenario: Scenario | None = None,
     histories: bool = True,
+    shock: bool = True,
     progress: Callable[[str], None] | None = None,
 ) -> dict[str, Any]:
     """The alignment and the four ways to hold.  The result can be written as JSON; its fields are stable:
@@ -303,8 +317,11 @@ def run(
     bias: mode -> gyro_deg_h, gyro_sigma_deg_h, accel_mg, accel_sigma_mg (3, body axes) at the end;
     nees: mode -> of all fifteen states (sixteen for reference) at the end, mean; nis: mode -> zupt (of 3 rows) and
     azimuth (of 1), mean over the last half;
-    histories (if asked): time_s, and for each mode error_arcmin (3 runs, T, 3), rms_arcmin, sigma_arcmin (T, 3).
+    histories (if asked): time_s, and for each mode error_arcmin (3 runs, T, 3), rms_arcmin, sigma_arcmin (T, 3);
+    shock (if asked): what azimuth_shock.run says of 5 runs.
     """
+    from boresight.studies import azimuth_shock  # which builds on this module
+
     if runs < 1 or not np.isfinite(seconds) or seconds != int(seconds) or not 10 <= seconds <= 36000:
         raise BoresightError(
             f"azimuth-hold needs at least 1 run and a whole number of seconds from 10 to 36000; got {runs} runs, "
@@ -347,6 +364,9 @@ def run(
                 for m, mode in enumerate(MODES)
             },
         }
+    if shock:
+        say("disturbances at 500 s")
+        result["shock"] = azimuth_shock.run(models, seed=seed, scenario=scenario, progress=progress)
     return result
 
 
@@ -463,6 +483,10 @@ def report(result: dict[str, Any]) -> str:
             f"{nis['zupt']:.2f} of 3, azimuth {nis['azimuth']:.3f} of 1; gyro to {three(bias['gyro_deg_h']).strip()} "
             "deg/h"
         )
+    if "shock" in result:
+        from boresight.studies import azimuth_shock
+
+        lines += ["", azimuth_shock.report(result["shock"]), ""]
     last = result["marks"][-1]
     says = "; ".join(f"{mode} {last[mode]['error_arcmin'][2]:.1f}" for mode in result["modes"])
     lines.append(

@@ -155,7 +155,7 @@ def test_the_sixteenth_state_is_the_error_of_the_reference(models, aligned):
 
 
 def test_the_result_is_json_and_the_figures_are_written(models, tmp_path):
-    result = study.run(models, runs=2, seconds=20)
+    result = study.run(models, runs=2, seconds=20, shock=False)
     assert json.loads(json.dumps(result, allow_nan=False)) == result
     assert "azimuth-hold: azimuth error after 20 s" in study.report(result).splitlines()[-1]
     written = [azimuth_figures(result, tmp_path / name) for name in "ab"]
