@@ -9,12 +9,12 @@ from boresight.derive.earth import ENU
 from boresight.derive.model import Function, Measurement, Model, Output, Struct, Variable, variable
 from boresight.derive.models.phi_error import error_states, per_axis
 from boresight.derive.models.strapdown import attitude_variable, card, position_variable, velocity_variable
+from boresight.derive.papers import kim_2018 as paper
 from boresight.derive.rotation import (
     dcm_from_quaternion,
     quaternion_from_rotation_vector,
     quaternion_product,
     skew,
-    vee,
 )
 
 GYRO_BIAS, ACCEL_BIAS = radians(1.0), 1.0  # rad/s (3600 deg/h) and m/s^2 (0.1 g)
@@ -58,18 +58,16 @@ def azimuth_hold() -> Model:
 
     C_b2n = dcm_from_quaternion(q.vector)
     sensors = error_models.noise_matrix(C_b2n)  # of the errors of gyros and accelerometers, measured - true
-    F = zeros(15, 15)
-    F[:9, :9] = error_models.phi_matrix(frame, position.vector, v_n.vector, C_b2n * f_b.vector)
-    # What is left of a bias once its estimate is taken off is minus the estimate's error.
-    F[:9, 9:] = -sensors
+    F = paper.hold_matrix(position.vector, v_n.vector, C_b2n, C_b2n * f_b.vector)
+    # The paper's bias is measured - true; what its estimate leaves of it is minus the estimate's error.
+    F[:, 9:] = -F[:, 9:]
     G = zeros(15, 12)
     G[:9, :6] = sensors
     G[9:, 6:] = eye(6)
 
     lat, _ = frame.latitude_and_height(position.vector)
     omega_ie = earth.omega_ie_n(lat, frame)
-    # (20), (21): C_hat C_ref' = I - [phi x] where the reference is right, and its skew part holds the azimuth.
-    azimuth = -vee(C_b2n * dcm_from_quaternion(q_ref.vector).T)[2]
+    azimuth = paper.azimuth_error(C_b2n, dcm_from_quaternion(q_ref.vector).T)
     # At rest the gyros see the Earth turn, C_n2b omega_ie_n.
     zaru_H = zeros(3, 15)
     zaru_H[:, :3] = -C_b2n.T * error_models.omega_ie_by_position(frame, position.vector)
@@ -97,10 +95,10 @@ def azimuth_hold() -> Model:
         dt=dt.scalar,
         measurements=(
             Measurement("zupt", frame.axes, "m/s", "velocity of a body at rest, which should be zero",
-                        z=v_n.vector, H=Matrix.hstack(zeros(3), eye(3), zeros(3, 9)),
+                        z=v_n.vector, H=paper.zero_velocity_matrix(),
                         equations=("kim-2018 (16)", "kim-2018 (17)")),
             Measurement("azimuth", ("up",), "rad", "turn of the attitude about up, against the reference",
-                        z=Matrix([azimuth]), H=Matrix([[int(i == 8) for i in range(15)]]),
+                        z=Matrix([azimuth]), H=paper.hold_measurement_matrix()[3, :],
                         equations=("kim-2018 (20)", "kim-2018 (21)", "kim-2018 (23)")),
             Measurement("zaru", ("x", "y", "z"), "rad/s", "rate of a body at rest, less the Earth's",
                         z=omega_ib.vector - C_b2n.T * omega_ie, H=zaru_H),

@@ -1,6 +1,6 @@
 """Transfer alignment by velocity and DCM matching, ten states: Kim 2018, psi model in ENU."""
 
-from sympy import Matrix, eye, zeros
+from sympy import Matrix, diag, eye, zeros
 
 from boresight.derive import error_models
 from boresight.derive.earth import ENU
@@ -8,12 +8,12 @@ from boresight.derive.model import FirstOrder, Function, Measurement, Model, Out
 from boresight.derive.models.azimuth_hold import body, root_density
 from boresight.derive.models.phi_error import per_axis
 from boresight.derive.models.strapdown import attitude_variable, card, position_variable, velocity_variable
+from boresight.derive.papers import kim_2018 as paper
 from boresight.derive.rotation import (
     dcm_from_quaternion,
     dcm_from_rotation_vector,
     quaternion_from_rotation_vector,
     quaternion_product,
-    vee,
 )
 
 
@@ -44,21 +44,15 @@ def velocity_dcm() -> Model:
     dtau = variable("d_tau", "d_tau", "s", "error of the delay, tau_hat - tau", -1.0, 1.0)
 
     C_b2n, C_r2n = dcm_from_quaternion(q.vector), dcm_from_quaternion(q_r.vector)
-    # (2), (3): the position is the master's, so of the psi model velocity and attitude remain.
-    F = zeros(10, 10)
-    F[:6, :6] = error_models.psi_matrix(frame, position.vector, v_n.vector, C_b2n * f_b.vector)[3:, 3:]
+    F = paper.transfer_matrix(position.vector, v_n.vector, C_b2n * f_b.vector)
     G = Matrix.vstack(error_models.noise_matrix(C_b2n)[3:, :], zeros(4, 6))
 
-    def turned(C_hat_r2n: Matrix) -> Matrix:
-        """How far a predicted attitude of the master is turned from the reported one, in the level (rad)."""
-        return -vee(C_hat_r2n * C_r2n.T)
-
-    def predicted(x_psi, x_mu, x_tau) -> Matrix:
-        """The master's attitude from the slave's, once errors are taken out; the slave is tau_hat old."""
-        C = dcm_from_rotation_vector(x_psi) * C_b2n * dcm_from_rotation_vector(x_mu - mu.vector)
-        return dcm_from_rotation_vector(omega_nr.vector * x_tau) * C
-
-    z_dcm = turned(C_b2n * dcm_from_rotation_vector(-mu.vector))
+    # The paper's states are the mounting itself and the delay itself; ours are errors of estimates, computed - true.
+    H = paper.transfer_measurement_matrix(C_r2n, a_n.vector, omega_nr.vector) * diag(eye(6), -eye(4))
+    z_dcm = paper.attitude_residual(C_r2n, dcm_from_rotation_vector(mu.vector), C_b2n)
+    # The same once the errors are taken out of the slave's attitude, which is tau_hat old, and of the misalignment.
+    C_then = dcm_from_rotation_vector(omega_nr.vector * dtau.scalar) * dcm_from_rotation_vector(psi.vector) * C_b2n
+    z_left = paper.attitude_residual(C_r2n, dcm_from_rotation_vector(mu.vector - dmu.vector), C_then)
     q_r_hat = quaternion_product(q.vector, quaternion_from_rotation_vector(-mu.vector))
     q_next = quaternion_product(quaternion_from_rotation_vector(psi.vector), q.vector)
     return Model(
@@ -79,14 +73,14 @@ def velocity_dcm() -> Model:
         dt=dt.scalar,
         measurements=(
             Measurement("velocity", frame.axes, "m/s", "velocity of the slave, tau_hat ago, less the master's",
-                        z=v_n.vector - v_r.vector, H=Matrix.hstack(eye(3), zeros(3, 6), -a_n.vector),
+                        z=paper.velocity_residual(v_n.vector, v_r.vector), H=H[:3, :],
                         equations=("kim-2018 (4)", "kim-2018 (6)")),
             Measurement("dcm", frame.axes, "rad", "turn of the predicted attitude of the master from the reported one",
-                        z=z_dcm, H=Matrix.hstack(zeros(3), eye(3), C_r2n, omega_nr.vector),
+                        z=z_dcm, H=H[3:, :],
                         first_order=FirstOrder("dcm_exact", small="mu", tied=(("q_r2n_wxyz", q_r_hat),)),
                         equations=("kim-2018 (5)", "kim-2018 (6)")),
             Measurement("dcm_exact", frame.axes, "rad", "the same with finite rotations in its derivative", z=z_dcm,
-                        h=z_dcm - turned(predicted(psi.vector, dmu.vector, dtau.scalar)),
+                        h=z_dcm - z_left,
                         equations=("kim-2018 (5)",)),
         ),
         functions=(
