@@ -52,19 +52,36 @@ def described(name: str, unit: str, meaning: str, **rest: Any) -> Result:
     return Result(name, (0, 0), (), unit, meaning, **rest)
 
 
-def times(*factors: Any) -> Any:
-    """The product of mp.matrix factors, without the zeros: F of a filter has few others."""
-    product = factors[0]
-    for factor in factors[1:]:
-        rows = [[(j, factor[k, j]) for j in range(factor.cols) if factor[k, j]] for k in range(factor.rows)]
-        total = mp.zeros(product.rows, factor.cols)
-        for i in range(product.rows):
-            for k in range(product.cols):
-                if left := product[i, k]:
-                    for j, right in rows[k]:
-                        total[i, j] += left * right
-        product = total
+Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
+
+
+def sparse(matrix: Any) -> Rows:
+    return [{j: value for j, value in enumerate(row) if value} for row in matrix.tolist()]
+
+
+def times(a: Rows, b: Rows) -> Rows:
+    product: Rows = []
+    for row in a:
+        total: dict[int, Any] = {}
+        for k, left in row.items():
+            for j, right in b[k].items():
+                total[j] = total[j] + left * right if j in total else left * right
+        product.append(total)
     return product
+
+
+def transposed(a: Rows, columns: int) -> Rows:
+    return [{i: row[j] for i, row in enumerate(a) if j in row} for j in range(columns)]
+
+
+def weighted(n: int, *terms: tuple[Any, Rows]) -> Any:
+    """The sum of weight times matrix as an mp.matrix, n x n."""
+    total = mp.zeros(n)
+    for weight, rows in terms:
+        for i, row in enumerate(rows):
+            for j, value in row.items():
+                total[i, j] += weight * value
+    return total
 
 
 def state_variable(model: Model) -> Variable:
@@ -198,26 +215,33 @@ class UnitMaker:
         FFS = F @ FS
         Q = spread * dt + (FS + FS.T) * (dt * dt / 2) + (FFS + FFS.T + 2 * FS @ F.T) * (dt * dt * dt / 6)
 
+        identity = sparse(mp.eye(n))
+
         def Phi_exact(values: Values) -> list[Any]:
             with mp.workdps(DIGITS):
-                step = F_exact(values)[0] * values[where][0]
-                return [mp.eye(n) + step + times(step, step) / 2]
+                f, h = sparse(F_exact(values)[0]), values[where][0]
+                return [weighted(n, (1, identity), (h, f), (h * h / 2, times(f, f)))]
 
         def Q_exact(values: Values) -> list[Any]:
             """The integral of Phi(s) S Phi(s)' over the step, Phi to second order, cut after the third power of dt."""
             with mp.workdps(DIGITS):
                 g, root = G_exact(values)
-                f, h = F_exact(values)[0], values[where][0]
-                s = times(g, mp.diag([r**2 for r in root]), g.T)
-                fs = times(f, s)
-                left = [s, fs, times(f, fs) / 2]  # the powers of F dt in Phi, times S
-                right = [f.T, times(f, f).T / 2]
-                total = mp.zeros(n)
-                for i, a in enumerate(left):
-                    total += a * (h ** (i + 1) / (i + 1))
-                    for j, b in enumerate(right[: 2 - i], 1):
-                        total += times(a, b) * (h ** (i + j + 1) / (i + j + 1))
-                return [total]
+                f, h, g = sparse(F_exact(values)[0]), values[where][0], sparse(g)
+                noisy = [{j: value * root[j] ** 2 for j, value in row.items()} for row in g]
+                s = times(noisy, transposed(g, len(root)))
+                # Phi(s) = 1 + F s + F F s^2 / 2: each pair of its terms around S, with the power of its integral.
+                powers = [(1, identity), (1, f), (mp.mpf(1) / 2, times(f, f))]
+                left = [(weight, times(power, s)) for weight, power in powers]
+                return [
+                    weighted(
+                        n,
+                        *(
+                            (u * v * h ** (i + j + 1) / (i + j + 1), times(a, transposed(b, n)))
+                            for i, (u, a) in enumerate(left)
+                            for j, (v, b) in enumerate(powers[: 3 - i])
+                        ),
+                    )
+                ]
 
         return [
             self.unit(
