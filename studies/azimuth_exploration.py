@@ -176,9 +176,9 @@ def report(result: dict[str, Any]) -> str:
     lines.append("zero-angular-rate updates")
     for on, modes in result["zaru"].items():
         for mode, row in modes.items():
+            error, sigma = ("".join(f"{value:7.2f}" for value in row[f"{key}_arcmin"]) for key in ("error", "sigma"))
             lines.append(
-                f"  {on:8} {mode:10} error" + "".join(f"{value:7.2f}" for value in row["error_arcmin"]) + "  sigma"
-                + "".join(f"{value:7.2f}" for value in row["sigma_arcmin"])
-                + f"  NEES {row['nees']:7.2f} of 3  gyro {row['gyro_deg_h']:.3f} sigma {row['gyro_sigma_deg_h']:.3f} deg/h"
-            )  # fmt: skip
+                f"  {on:8} {mode:10} error{error}  sigma{sigma}  NEES {row['nees']:7.2f} of 3  gyro "
+                f"{row['gyro_deg_h']:.3f} sigma {row['gyro_sigma_deg_h']:.3f} deg/h"
+            )
     return "\n".join(lines)

@@ -12,8 +12,9 @@ LOOK = {
     "inertial": (GREY, "-", "pure inertial"),
     "zupt": (ORANGE, "-", "zero-velocity updates"),
     "azimuth": (BLUE, "-", "with the azimuth, as in the paper"),
-    "plain": (ORANGE, "-", "as in the paper, nothing notices"),
-    "guarded": (BLUE, "-", "with detector and gate"),
+    "turn_plain": (ORANGE, "-", "half a degree turned, nothing notices"),
+    "turn_guarded": (BLUE, "-", "the same, with detector and gate"),
+    "shock_guarded": (GREEN, (0, (4, 2)), "a shock of 10 g, with detector and gate"),
     "reference": (GREEN, (0, (4, 2)), "with the azimuth and its error as a state"),
 }
 

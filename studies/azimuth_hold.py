@@ -211,7 +211,7 @@ def hold(
 def hold_vertical(loop: Filter, start: Aligned) -> None:
     """Of the inertial mode: height and vertical velocity are known from elsewhere, as every ship's or aircraft's are.
 
-    Left alone, 1 mg would grow to 6 km in 1000 s and to 800 km in an hour, as exp(t / 570 s).
+    Left alone, 1 mg would grow to 6 km in 1000 s and to 870 km in an hour, as exp(t / 570 s).
     """
     loop.nav["position"][0, :, 2] = start.position[2]
     loop.nav["v_n"][0, :, 2] = 0.0

@@ -9,6 +9,7 @@ import pytest
 from boresight import BoresightError
 from boresight.runtime import handover, rotation
 from boresight.studies import azimuth_alignment as alignment
+from boresight.studies import azimuth_exploration as exploration
 from boresight.studies import azimuth_hold as study
 from boresight.studies.azimuth_figures import azimuth_figures
 
@@ -178,3 +179,24 @@ def test_bad_input_is_named(models):
     for name, value in wrong_scenarios.items():
         with pytest.raises(BoresightError, match=name):
             study.run(models, runs=1, seconds=10, scenario=replace(DECLARED, **{name: value}))
+
+
+def test_the_level_covariance_falls_from_a_coarse_start_and_grows_from_a_fine_one(models):
+    at_100 = exploration.AT_S.index(100)
+    level = {start: exploration.level_sigma(models, DECLARED, start) for start in (0.1, 30.0)}
+    assert level[0.1]["level_arcmin"][at_100] > 4 * level[0.1]["level_arcmin"][0]
+    assert level[30.0]["level_arcmin"][at_100] == pytest.approx(3.46, rel=0.02)  # 1 mg and what belongs to it, over g
+    for one in level.values():  # what the velocity sees is found from either
+        assert one["combined_arcmin"][at_100] == pytest.approx(0.341, rel=0.02)
+
+
+def test_zero_rate_holds_an_azimuth_that_nothing_else_holds_and_adds_nothing_to_one_that_is(models):
+    plain, zaru = (
+        study.hold(models, DECLARED, alignment.align(models, DECLARED, runs=8, seed=0), 200, zaru=on)
+        for on in (False, True)
+    )
+    moved = [
+        np.abs(held.phi[-1, ..., 2] - held.phi[0, ..., 2]).mean(axis=-1) / alignment.ARCMIN for held in (plain, zaru)
+    ]
+    assert moved[0][ZUPT] > 2 and moved[1][ZUPT] < 1
+    assert np.allclose(plain.sigma[-1, REFERENCE], zaru.sigma[-1, REFERENCE], rtol=0.01)
