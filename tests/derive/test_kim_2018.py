@@ -1,5 +1,6 @@
 """The ledger of Kim 2018: statuses, orders, mutations, functions against the witness, and what wrong signs do."""
 
+import os
 import re
 import subprocess
 import sys
@@ -306,7 +307,11 @@ def test_findings_name_the_text_beside_the_equations():
 
 # ---- The print and its pages -----------------------------------------------------------------------------------------
 
-needs_source = pytest.mark.skipif(not SOURCE.exists(), reason="the paper's text is not beside the checkout")
+# Where CI is true the text must be there, and these tests fail without it.
+needs_source = pytest.mark.skipif(
+    not SOURCE.exists() and os.environ.get("CI", "").lower() != "true",
+    reason="the paper's text is not beside the checkout",
+)
 
 
 @needs_source
