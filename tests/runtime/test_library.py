@@ -119,7 +119,7 @@ def test_wrong_names_list_the_right_ones(library):
         _ = library.euler_G
     with pytest.raises(BoresightError, match="takes euler_b, euler_r"):
         library.euler_H(euler_b=np.zeros(3))
-    with pytest.raises(BoresightError, match="built in are .*euler-matching"):
+    with pytest.raises(BoresightError, match=r"built in are .*euler-matching"):
         load("eular")
     with pytest.raises(BoresightError, match="flight, casadi"):
         load("euler-matching", "fortran")
