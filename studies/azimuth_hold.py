@@ -300,7 +300,7 @@ def run(
     seconds: int = 3600,
     scenario: Scenario | None = None,
     histories: bool = True,
-    shock: bool = True,
+    shock: bool | None = None,
     progress: Callable[[str], None] | None = None,
 ) -> dict[str, Any]:
     """The alignment and the four ways to hold.  The result can be written as JSON; its fields are stable:
@@ -318,7 +318,7 @@ def run(
     nees: mode -> of all fifteen states (sixteen for reference) at the end, mean; nis: mode -> zupt (of 3 rows) and
     azimuth (of 1), mean over the last half;
     histories (if asked): time_s, and for each mode error_arcmin (3 runs, T, 3), rms_arcmin, sigma_arcmin (T, 3);
-    shock (if asked): what azimuth_shock.run says of 5 runs.
+    shock (if asked, and by default where 1000 s or more are flown): what azimuth_shock.run says of 5 runs.
     """
     from boresight.studies import azimuth_shock  # which builds on this module
 
@@ -364,7 +364,7 @@ def run(
                 for m, mode in enumerate(MODES)
             },
         }
-    if shock:
+    if shock if shock is not None else seconds >= 1000:
         say("disturbances at 500 s")
         result["shock"] = azimuth_shock.run(models, seed=seed, scenario=scenario, progress=progress)
     return result
