@@ -113,7 +113,8 @@ class Unit:
     """One generated function.
 
     Called with its fields as keywords, each (..., size), or (...) if it has one component; the leading axes are runs
-    and broadcast.  Returns the output, (..., rows) or (..., rows, columns), or a dict of them if there are several.
+    and broadcast.  Returns the output, (..., rows) or (..., rows, columns), or a dict of them if there are several; an
+    output that has the name of a field has the shape of that field.
     Raises BoresightError on an input that is not finite or outside its box.
     """
 
@@ -171,7 +172,10 @@ class Unit:
         shaped = {}
         for r in self.described["results"]:
             rows, columns = r["shape"]
-            shaped[r["name"]] = results[r["name"]].reshape((*runs, rows) if r["vector"] else (*runs, rows, columns))
+            shape = (*runs, rows) if r["vector"] else (*runs, rows, columns)
+            if shape == (*runs, 1) and r["name"] in library.field:
+                shape = runs  # a scalar that goes out as it came in
+            shaped[r["name"]] = results[r["name"]].reshape(shape)
         return shaped if len(shaped) > 1 else next(iter(shaped.values()))
 
     def _explain(self, given: dict[str, np.ndarray], runs: tuple[int, ...], status: np.ndarray) -> None:

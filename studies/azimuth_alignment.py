@@ -104,11 +104,13 @@ class Models:
     strapdown: Any
     alignment: Any
     hold: Any
+    hold_reference: Any  # with the error of the reference as a sixteenth state; of no variance, it is the hold
     psi: Any
 
 
 def load_models() -> Models:
-    return Models(load("strapdown"), load("velocity-dcm"), load("azimuth-hold"), load("psi-error"))
+    names = ("strapdown", "velocity-dcm", "azimuth-hold", "azimuth-hold-reference", "psi-error")
+    return Models(*(load(name) for name in names))
 
 
 @dataclass(frozen=True)
@@ -335,7 +337,6 @@ def align(models: Models, scenario: Scenario, *, runs: int, seed: int, first_run
         S = handover.updated(S, P_before, loop.P, H, R)
         loop.nav.update(now)
         loop.feedback()
-        loop.nav["tau"] = loop.nav["tau"].reshape(runs)
         loop.nav["position"] = truth.position[second * hz] + d_position
 
         q_true = rotation.turned(truth.q_b2n_wxyz[second * hz], drawn.mu)

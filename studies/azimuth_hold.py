@@ -45,61 +45,6 @@ PHI = slice(6, 9)
 REFERENCE_SIGMA = 0.1 * ARCMIN  # of the reference once its constant error is a state: the platform gives way that much
 
 
-class WithReference:
-    """The hold's model with one state more: d_ref = estimated - true azimuth error of the reference attitude.
-
-    states: (...,) bool, runs in which the azimuth measurement sees it.  z = phi_u - ref, and with ref = ref_hat - d_ref
-    what the filter takes is z + ref_hat = phi_u + d_ref.
-    """
-
-    def __init__(self, model: Any, states: Array):
-        self.model, self.states = model, states
-
-    def __getattr__(self, name: str) -> Any:
-        unit = getattr(self.model, name)
-        wrapped = {"Phi": self._matrix, "Q": self._matrix, "feedback": self._feedback, "azimuth_z": self._z}
-        made = wrapped.get(name, self._H if name.endswith("_H") else None)
-        if made is None:
-            return unit
-        extra = ("reference_error",) if name in ("azimuth_z", "feedback") else ()
-        return Wrapped(lambda **fields: made(name, unit, fields), (*unit.fields, *extra))
-
-    def _matrix(self, name: str, unit: Any, fields: dict[str, Array]) -> Array:
-        inner = unit(**fields)
-        out = np.zeros((*inner.shape[:-2], 16, 16))
-        out[..., :15, :15] = inner
-        out[..., 15, 15] = float(name == "Phi")
-        return out
-
-    def _H(self, name: str, unit: Any, fields: dict[str, Array]) -> Array:
-        inner = unit(**fields)
-        runs = np.broadcast_shapes(inner.shape[:-2], self.states.shape)
-        out = np.zeros((*runs, inner.shape[-2], 16))
-        out[..., :15] = inner
-        if name == "azimuth_H":
-            out[..., 15] = self.states[..., None]
-        return out
-
-    def _z(self, name: str, unit: Any, fields: dict[str, Array]) -> Array:
-        reference_error = fields.pop("reference_error")
-        return unit(**fields) + reference_error
-
-    def _feedback(self, name: str, unit: Any, fields: dict[str, Array]) -> dict[str, Array]:
-        reference_error, x = fields.pop("reference_error"), fields.pop("x")
-        return {**unit(x=x[..., :15], **fields), "reference_error": reference_error - x[..., 15:]}
-
-
-@dataclass(frozen=True)
-class Wrapped:
-    """A function that says what it takes, as a compiled one does."""
-
-    function: Callable[..., Any]
-    fields: tuple[str, ...]
-
-    def __call__(self, **fields: Any) -> Any:
-        return self.function(**fields)
-
-
 @dataclass(frozen=True)
 class Held:
     """A hold: axes are seconds, modes, runs, components."""
@@ -118,7 +63,7 @@ def start_filter(models: Models, scenario: Scenario, start: Aligned) -> tuple[Fi
     """The four modes over the same runs, and the variance of the azimuth measurement, (4, runs, 1)."""
     runs = len(start.P)
     nav = {name: np.broadcast_to(value, (4, *value.shape)).copy() for name, value in start.nav.items()}
-    nav["reference_error"] = np.zeros((4, runs, 1))
+    nav["reference_error"] = np.zeros((4, runs))
     P = np.zeros((4, runs, 16, 16))
     P[..., :15, :15] = start.P
     # The reference is the attitude of the hand-over, and in error by as much: d_ref = 0 - phi_u.
@@ -128,7 +73,7 @@ def start_filter(models: Models, scenario: Scenario, start: Aligned) -> tuple[Fi
     P[3, :, 15, 15] = variance
     # White in the paper's mode; with the state, what moves between one second and the next.
     R = np.where(STATE[:, None], REFERENCE_SIGMA**2, variance)[..., None]
-    return Filter(WithReference(models.hold, STATE[:, None]), nav, P), R
+    return Filter(models.hold_reference, nav, P), R
 
 
 def hold(
@@ -198,7 +143,7 @@ def hold(
             history[-1][0],
             loop.nav["gyro_bias"] - bias[0],
             loop.nav["accel_bias"] - bias[1],
-            loop.nav["reference_error"]
+            loop.nav["reference_error"][..., None]
             - rotation.attitude_error(q_ref, start.q_b2n_wxyz)[..., 2:] * STATE[:, None, None],
         ],
         axis=-1,

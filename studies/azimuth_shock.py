@@ -36,7 +36,7 @@ from boresight.studies.azimuth_alignment import (
     load_models,
     step,
 )
-from boresight.studies.azimuth_hold import AXES, PHI, REFERENCE_SIGMA, WithReference, root_mean_square
+from boresight.studies.azimuth_hold import AXES, PHI, REFERENCE_SIGMA, root_mean_square
 
 Array = np.ndarray
 
@@ -159,14 +159,14 @@ def run(
     gate = np.where([c[2] for c in CONFIGS], GATE, np.inf)[:, None, None]
 
     nav = {name: np.broadcast_to(value, (*shape[:2], *value.shape)).copy() for name, value in start.nav.items()}
-    nav["reference_error"] = np.zeros((*shape, 1))
+    nav["reference_error"] = np.zeros(shape)
     P = np.zeros((*shape, 16, 16))
     P[..., :15, :15] = start.P
     variance = np.broadcast_to(start.P[:, 8, 8], shape).copy()
     coupled = np.where(white[..., None], 0.0, -start.P[:, 8, :])
     P[..., :15, 15] = P[..., 15, :15] = coupled
     P[..., 15, 15] = np.where(white, 0.0, variance)
-    loop = Filter(WithReference(models.hold, ~white), nav, P)
+    loop = Filter(models.hold_reference, nav, P)
     q_ref = loop.nav["q_b2n_wxyz"].copy()
 
     hz, dt = scenario.strapdown_hz, 1 / scenario.strapdown_hz

@@ -140,7 +140,7 @@ def test_feedback_takes_out_what_was_put_in(name):
     out = library.feedback(q_b2n_wxyz=turned(C, x[:, turn]), x=x, **wrong)
     np.testing.assert_allclose(matrix(out["q_b2n_wxyz"]), C, atol=1e-14)
     for field in parts:
-        value = out[field][:, 0] if field == "tau" else out[field]
+        value = out[field]
         np.testing.assert_allclose(value, np.broadcast_to(truth[field], value.shape), atol=1e-12)
 
 
@@ -151,3 +151,63 @@ def test_latitude_past_85_degrees_and_a_height_outside_the_box_are_refused(hold)
     for position, said in (([0, np.radians(85.1), 0], r"position\[1\]"), ([0, 0.6, 40000.0], r"position\[2\]")):
         with pytest.raises(BoresightError, match=said):
             hold.F(position=np.array(position), **fields)
+
+
+@pytest.mark.parametrize("dt", [0.01, 1.0])
+def test_phi_and_q_approach_van_loan(hold, dt):
+    """Discretised noise against the matrix exponential of Van Loan (1978): what is dropped falls with the step."""
+    from scipy.linalg import expm
+
+    rng = np.random.default_rng(9)
+    q = attitudes(rng)[0]
+    at = {
+        "position": np.array([2.2, 0.6, 100.0]),
+        "v_n": np.array([3.0, -4.0, 0.5]),
+        "q_b2n_wxyz": q,
+        "f_b": [1.0, -2.0, 9.7],
+    }
+    noise = {"gyro_noise": np.full(3, 3e-5), "accel_noise": np.full(3, 1e-3), "gyro_bias_noise": np.full(3, 1e-7),
+             "accel_bias_noise": np.full(3, 1e-5)}  # fmt: skip
+    F, C = hold.F(**at), matrix(q)
+    G = np.zeros((15, 12))
+    G[3:6, 3:6], G[6:9, :3], G[9:, 6:] = C, -C, np.eye(6)
+    S = G @ np.diag(np.concatenate(list(noise.values())) ** 2) @ G.T
+
+    def missed(step):
+        block = expm(np.block([[-F, S], [np.zeros((15, 15)), F.T]]) * step)
+        Phi = block[15:, 15:].T
+        exact = Phi @ block[:15, 15:]
+        scale = np.sqrt(np.outer(np.diag(exact), np.diag(exact)))
+        ours = hold.Q(**{k: v for k, v in at.items() if k in hold.Q.fields}, **noise, dt=step)
+        return np.abs(hold.Phi(**at, dt=step) - Phi).max(), np.abs((ours - exact) / scale).max()
+
+    (phi, noise_missed), (phi_half, noise_half) = missed(dt), missed(dt / 2)
+    # Phi drops the third power of F dt; Q, of the smallest variances, the second power of dt, 2 % of them at 1 s.
+    assert phi < 2 * dt**3
+    assert noise_missed < 0.02 * dt**2
+    assert 6 < phi / phi_half < 10
+    assert 3 < noise_missed / noise_half < 5
+
+
+def test_an_unknown_error_of_the_reference_is_a_state_by_composition(hold):
+    wide = load("azimuth-hold-reference")
+    assert wide.states[:15] == hold.states
+    assert wide.states[15] == "d_ref"
+    rng = np.random.default_rng(10)
+    q = attitudes(rng)
+    fields = {
+        "position": np.array([2.2, 0.6, 100.0]),
+        "v_n": np.zeros(3),
+        "q_b2n_wxyz": q,
+        "f_b": [0.0, 0.0, 9.8],
+        "dt": 1.0,
+    }
+    Phi = wide.Phi(**fields)
+    np.testing.assert_array_equal(Phi[:, :15, :15], hold.Phi(**fields))
+    np.testing.assert_array_equal(Phi[:, 15], np.eye(16)[15] * np.ones((RUNS, 1)))
+    np.testing.assert_array_equal(wide.azimuth_H()[0, [8, 15]], [1.0, 1.0])
+    # a reference that is wrong by e about up: told e, the residual of a perfect attitude is zero
+    e = 1e-3
+    q_ref = turned(matrix(q), [[0, 0, e]] * RUNS)
+    z = wide.azimuth_z(q_b2n_wxyz=q, q_ref_wxyz=q_ref, reference_error=np.full(RUNS, e))
+    np.testing.assert_allclose(z[:, 0], 0, atol=1e-9)

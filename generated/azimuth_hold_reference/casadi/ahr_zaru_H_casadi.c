@@ -1,0 +1,219 @@
+/* How to prefix internal symbols */
+#ifdef CASADI_CODEGEN_PREFIX
+  #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
+  #define _CASADI_NAMESPACE_CONCAT(NS, ID) NS ## ID
+  #define CASADI_PREFIX(ID) CASADI_NAMESPACE_CONCAT(CODEGEN_PREFIX, ID)
+#else
+  #define CASADI_PREFIX(ID) ahr_zaru_H_casadi__ ## ID
+#endif
+
+#include <math.h>
+
+#ifndef casadi_real
+#define casadi_real double
+#endif
+
+#ifndef casadi_int
+#define casadi_int int
+#endif
+
+/* Add prefix to internal symbols */
+#define casadi_f0 CASADI_PREFIX(f0)
+#define casadi_s0 CASADI_PREFIX(s0)
+#define casadi_s1 CASADI_PREFIX(s1)
+#define casadi_s2 CASADI_PREFIX(s2)
+#define casadi_sq CASADI_PREFIX(sq)
+
+/* Symbol visibility in DLLs */
+#ifndef CASADI_SYMBOL_EXPORT
+  #if defined(_WIN32) || defined(__WIN32__) || defined(__CYGWIN__)
+    #if defined(STATIC_LINKED)
+      #define CASADI_SYMBOL_EXPORT
+    #else
+      #define CASADI_SYMBOL_EXPORT __declspec(dllexport)
+    #endif
+  #elif defined(__GNUC__) && defined(GCC_HASCLASSVISIBILITY)
+    #define CASADI_SYMBOL_EXPORT __attribute__ ((visibility ("default")))
+  #else
+    #define CASADI_SYMBOL_EXPORT
+  #endif
+#endif
+
+static casadi_real casadi_sq(casadi_real x) { return x*x;}
+
+/* Configuration this file was compiled with */
+CASADI_SYMBOL_EXPORT void ahr_zaru_H_casadi__casadi_version(int* major, int* minor, int* patch) {
+  *major = 3;
+  *minor = 8;
+  *patch = 2;
+}
+CASADI_SYMBOL_EXPORT int ahr_zaru_H_casadi__casadi_int_size(void) { return (int) sizeof(casadi_int); }
+CASADI_SYMBOL_EXPORT int ahr_zaru_H_casadi__casadi_real_size(void) { return (int) sizeof(casadi_real); }
+
+static const casadi_int casadi_s0[3] = {3, 1, 1};
+static const casadi_int casadi_s1[3] = {4, 1, 1};
+static const casadi_int casadi_s2[3] = {15, 1, 1};
+
+/* ahr_zaru_H_casadi:(position[3],q_b2n_wxyz[4])->(out_H[15]) */
+static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19;
+  a00=7.2921149999999999e-05;
+  a01=arg[0]? arg[0][1] : 0;
+  a02=sin(a01);
+  a03=(a00*a02);
+  a04=arg[1]? arg[1][3] : 0;
+  a05=(2.*a04);
+  a06=arg[1]? arg[1][0] : 0;
+  a07=(a05*a06);
+  a08=arg[1]? arg[1][2] : 0;
+  a09=(2.*a08);
+  a10=arg[1]? arg[1][1] : 0;
+  a11=(a09*a10);
+  a12=(a07+a11);
+  a13=(a03*a12);
+  a09=(a09*a06);
+  a14=(a05*a10);
+  a15=(a09-a14);
+  a01=cos(a01);
+  a16=(a00*a01);
+  a15=(a15*a16);
+  a13=(a13+a15);
+  if (res[0]!=0) res[0][0]=a13;
+  a12=(a02*a12);
+  a12=(a00*a12);
+  a15=(a15+a12);
+  if (res[0]!=0) res[0][1]=a15;
+  a15=casadi_sq(a10);
+  a12=casadi_sq(a08);
+  a13=(a15-a12);
+  a17=casadi_sq(a06);
+  a04=casadi_sq(a04);
+  a18=(a17-a04);
+  a13=(a13+a18);
+  a19=(a03*a13);
+  a19=(-a19);
+  if (res[0]!=0) res[0][2]=a19;
+  a13=(a13*a16);
+  if (res[0]!=0) res[0][3]=a13;
+  a13=-1.;
+  if (res[0]!=0) res[0][4]=a13;
+  a18=(a12+a18);
+  a18=(a18-a15);
+  a19=(a03*a18);
+  a06=(a06*a10);
+  a06=(2.*a06);
+  a05=(a05*a08);
+  a08=(a06+a05);
+  a08=(a08*a16);
+  a19=(a19-a08);
+  if (res[0]!=0) res[0][5]=a19;
+  a02=(a02*a18);
+  a02=(a00*a02);
+  a02=(a02-a08);
+  if (res[0]!=0) res[0][6]=a02;
+  a11=(a11-a07);
+  a07=(a03*a11);
+  a07=(-a07);
+  if (res[0]!=0) res[0][7]=a07;
+  a11=(a11*a16);
+  if (res[0]!=0) res[0][8]=a11;
+  if (res[0]!=0) res[0][9]=a13;
+  a06=(a06-a05);
+  a06=(a03*a06);
+  a17=(a17-a12);
+  a17=(a17+a04);
+  a17=(a17-a15);
+  a01=(a17*a01);
+  a00=(a00*a01);
+  a00=(a06+a00);
+  a00=(-a00);
+  if (res[0]!=0) res[0][10]=a00;
+  a17=(a17*a16);
+  a06=(a06+a17);
+  a06=(-a06);
+  if (res[0]!=0) res[0][11]=a06;
+  a09=(a09+a14);
+  a03=(a03*a09);
+  a03=(-a03);
+  if (res[0]!=0) res[0][12]=a03;
+  a09=(a09*a16);
+  if (res[0]!=0) res[0][13]=a09;
+  if (res[0]!=0) res[0][14]=a13;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int ahr_zaru_H_casadi(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f0(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int ahr_zaru_H_casadi_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void ahr_zaru_H_casadi_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void ahr_zaru_H_casadi_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void ahr_zaru_H_casadi_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int ahr_zaru_H_casadi_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int ahr_zaru_H_casadi_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real ahr_zaru_H_casadi_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* ahr_zaru_H_casadi_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "position";
+    case 1: return "q_b2n_wxyz";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* ahr_zaru_H_casadi_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "out_H";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* ahr_zaru_H_casadi_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s1;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* ahr_zaru_H_casadi_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s2;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int ahr_zaru_H_casadi_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 2;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int ahr_zaru_H_casadi_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 2*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+
