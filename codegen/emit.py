@@ -134,7 +134,7 @@ def span(low: tuple[float, ...], high: tuple[float, ...]) -> str:
     return ", ".join(one(a, b) for a, b in zip(low, high, strict=True))
 
 
-def where_read(model: Model, prefix: str) -> dict[str, tuple[str, str]]:
+def where_read(model: Model) -> dict[str, tuple[str, str]]:
     """Field name -> (struct, how C reaches it)."""
     return {
         field.name: (struct.name, f"{struct.name}->{field.name}") for struct in model.structs for field in struct.fields
@@ -145,10 +145,11 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
     """One unit as the templates see it."""
     prefix = model.c_prefix
     c_name = f"{prefix}_{unit.name}"
-    reach = where_read(model, prefix)
+    reach = where_read(model)
     columns = tuple(symbol.name for symbol in model.x)
     structs = [s.name for s in model.structs if any(reach.get(a.name, ("",))[0] == s.name for a in unit.args)]
     reads_x = any(a.name == "x" for a in unit.args)
+    reads = (["x"] if reads_x else []) + structs
 
     args: list[dict[str, Any]] = []
     for a in unit.args:
@@ -197,7 +198,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
     inputs = ([f"const bs_real x[{prefix.upper()}_N_STATES]"] if reads_x else []) + [
         f"const {prefix}_{s} *{s}" for s in structs
     ]
-    pointers = (["x"] if reads_x else []) + structs + [r["name"] for r in results]
+    pointers = reads + [r["name"] for r in results]
     call = ([*(["x"] if reads_x else []), *(f"&{s}" for s in structs)], [r["name"] for r in results])
     return {
         "c_name": c_name,
@@ -224,7 +225,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         },
         "structs": ([{"declaration": f"bs_real x[{prefix.upper()}_N_STATES] = {{0}}"}] if reads_x else [])
         + [{"declaration": f"{prefix}_{s} {s} = {{0}}"} for s in structs],
-        "reads": (["x"] if reads_x else []) + structs,
+        "reads": reads,
         "call": f"{c_name}({', '.join(call[0] + call[1])})",
         "null_call": f"{c_name}({', '.join(['0', *(call[0] + call[1])[1:]])})",
         "bound_arguments": ", ".join(

@@ -80,7 +80,7 @@ def verify(
         if progress:
             progress(f"{model.name}: {unit.name}")
         checks.append(done)
-    checks += [check_first_order(model, m, flight) for m in model.measurements if m.first_order is not None]
+    checks += [check_first_order(model, m, made, flight) for m in model.measurements if m.first_order is not None]
     return checks
 
 
@@ -160,11 +160,11 @@ def zeros_are_zero(unit: Unit, inputs: list[np.ndarray]) -> bool:
     return True
 
 
-def check_first_order(model: Model, m: Measurement, library: Library) -> FirstOrderCheck:
+def check_first_order(model: Model, m: Measurement, made: list[Unit], library: Library) -> FirstOrderCheck:
     """Hold the compiled H against the compiled Jacobian of the exact measurement, as the neglected input shrinks."""
     law = m.first_order
     assert law is not None
-    unit, full = (next(u for u in units(model) if u.name == f"{name}_H") for name in (m.name, law.of))
+    unit, full = (next(u for u in made if u.name == f"{name}_H") for name in (m.name, law.of))
     read = {a.name: a for a in (*unit.args, *full.args)}
     rng = generator("first order", model.name, m.name)
     drawn = sample(tuple(read.values()), 0, 200, rng)
@@ -172,7 +172,8 @@ def check_first_order(model: Model, m: Measurement, library: Library) -> FirstOr
     values["x"] = np.zeros((200, model.n))
     directions = rng.standard_normal(values[law.small].shape)
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
-    tied = [(name, UnitMaker(model).numeric(expression)) for name, expression in law.tied]
+    maker = UnitMaker(model)
+    tied = [(name, maker.numeric(expression)) for name, expression in law.tied]
 
     def difference(scale: float) -> float:
         values[law.small] = scale * directions

@@ -5,21 +5,17 @@ v_n: velocity over the ground.  q_b2n_wxyz, C_b2n: attitude.  f_n: specific forc
 against inertial space.
 """
 
-from sympy import Matrix, sqrt
+from sympy import Matrix
 
 from boresight.derive.earth import Frame, gravity_n, metres, omega_en_n, omega_ie_n
 from boresight.derive.rotation import (
     dcm_from_quaternion,
+    normalized,
     quaternion_from_rotation_vector,
     quaternion_product,
     skew,
     small_rotation,
 )
-
-
-def normalized(q: Matrix) -> Matrix:
-    return q / sqrt(q.dot(q))
-
 
 # ---------------------------------------------------------------- rates
 

@@ -88,6 +88,11 @@ def quaternion_product(p, q) -> Matrix:
     )
 
 
+def normalized(q) -> Matrix:
+    """The quaternion, scaled to unit norm."""
+    return q / sqrt(q.dot(q))
+
+
 def quaternion_from_rotation_vector(e) -> Matrix:
     """[w, x, y, z] of the finite rotation by the vector e (rad): exact, to 1e-30, and defined at zero."""
     x, y, z = e

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import frames, rotation
+from boresight.runtime import frames, rotation, simulation
 from boresight.runtime.filter import Filter
 from boresight.runtime.recording import Master, Recording, best_delay, check, read, shifted
 
@@ -548,7 +548,7 @@ def simulate(path: str | Path, seed: int, *, duration: float = 60.0, delay: floa
         return np.stack([roll, pitch, np.radians(-1 + 1.5 * np.sin(0.17 * t + 2))], axis=-1)
 
     radius = 6371e3  # enough for a transport rate that is the same on both sides of the simulation
-    omega = 7.292115e-5 * np.array([np.cos(lat), 0, -np.sin(lat)]) + np.array([v_n[1], -v_n[0], 0]) / radius
+    omega = simulation.earth_rate_n(lat) + np.array([v_n[1], -v_n[0], 0]) / radius
     t = np.arange(steps + 1) * dt
     C_r = rotation.matrix_from_euler(euler_at(t))
     C_b = C_r @ rotation.matrix_from_vector(mu)

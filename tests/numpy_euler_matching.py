@@ -23,6 +23,11 @@ def exp(v):
     return Rotation.from_rotvec(v.reshape(-1, 3)).as_matrix().reshape((*v.shape[:-1], 3, 3))
 
 
+def log(C):
+    """v with C = exp(v), (..., 3)."""
+    return Rotation.from_matrix(C.reshape(-1, 3, 3)).as_rotvec().reshape(C.shape[:-1])
+
+
 def dcm(euler):
     euler = np.asarray(euler, float)
     return Rotation.from_euler("ZYX", euler.reshape(-1, 3)[:, ::-1]).as_matrix().reshape((*euler.shape[:-1], 3, 3))

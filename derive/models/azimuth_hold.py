@@ -12,6 +12,7 @@ from boresight.derive.models.strapdown import attitude_variable, card, position_
 from boresight.derive.papers import kim_2018 as paper
 from boresight.derive.rotation import (
     dcm_from_quaternion,
+    normalized,
     quaternion_from_rotation_vector,
     quaternion_product,
     skew,
@@ -107,7 +108,7 @@ def azimuth_hold() -> Model:
             Function("feedback", "navigation with the estimated errors taken out", (
                 Output("position", position.vector - d_position, position.unit, order, "WGS-84"),
                 Output("v_n", v_n.vector - dv, "m/s", "velocity over the ground", frame.name),
-                Output("q_b2n_wxyz", q_next / q_next.norm(), "1", "attitude, of unit norm", f"body to {frame.name}"),
+                Output("q_b2n_wxyz", normalized(q_next), "1", "attitude, of unit norm", f"body to {frame.name}"),
                 Output("gyro_bias", bg.vector - dbg.vector, "rad/s", "gyro bias", "body"),
                 Output("accel_bias", ba.vector - dba.vector, "m/s^2", "accelerometer bias", "body"),
             ), ("kim-2018 (27)", "kim-2018 (28)", "kim-2018 (29)")),

@@ -2,7 +2,7 @@
 
 from math import pi, radians
 
-from sympy import Matrix, sqrt, zeros
+from sympy import Matrix, zeros
 
 from boresight.derive import earth
 from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct, variable
@@ -12,16 +12,13 @@ from boresight.derive.rotation import (
     dcm_from_quaternion,
     dcm_from_rotation_vector,
     euler_from_dcm,
+    normalized,
     quaternion_from_rotation_vector,
     quaternion_product,
 )
 
 PITCH = radians(80)  # Euler angles have a singularity at 90 deg, and their errors grow as 1 / cos(pitch)
 ANGLES_LOW, ANGLES_HIGH = (-pi, -PITCH, -pi), (pi, PITCH, pi)
-
-
-def normalized(q: Matrix) -> Matrix:
-    return q / sqrt(q.dot(q))
 
 
 def euler_matching() -> Model:

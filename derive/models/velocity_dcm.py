@@ -12,6 +12,7 @@ from boresight.derive.papers import kim_2018 as paper
 from boresight.derive.rotation import (
     dcm_from_quaternion,
     dcm_from_rotation_vector,
+    normalized,
     quaternion_from_rotation_vector,
     quaternion_product,
 )
@@ -86,7 +87,7 @@ def velocity_dcm() -> Model:
         functions=(
             Function("feedback", "the slave with the estimated errors taken out", (
                 Output("v_n", v_n.vector - dv.vector, "m/s", "velocity over the ground", frame.name),
-                Output("q_b2n_wxyz", q_next / q_next.norm(), "1", "attitude, of unit norm", f"body to {frame.name}"),
+                Output("q_b2n_wxyz", normalized(q_next), "1", "attitude, of unit norm", f"body to {frame.name}"),
                 Output("mu", mu.vector - dmu.vector, "rad", "misalignment", "master body"),
                 Output("tau", tau.vector - dtau.vector, "s", "age of the master's data"),
             )),

@@ -12,7 +12,7 @@ static void ah_feedback_kernel(const bs_real x[15], const bs_real position[3], c
     const double *arg[6] = {0};
     double *res[5] = {0};
     int iw[1] = {0};
-    double w[16] = {0};
+    double w[14] = {0};
     arg[0] = x;
     arg[1] = position;
     arg[2] = v_n;

@@ -12,7 +12,7 @@ static void ahr_feedback_kernel(const bs_real x[16], const bs_real position[3], 
     const double *arg[7] = {0};
     double *res[6] = {0};
     int iw[1] = {0};
-    double w[16] = {0};
+    double w[14] = {0};
     arg[0] = x;
     arg[1] = position;
     arg[2] = v_n;

@@ -12,7 +12,7 @@ static void vd_feedback_kernel(const bs_real x[10], const bs_real v_n[3], const 
     const double *arg[5] = {0};
     double *res[4] = {0};
     int iw[1] = {0};
-    double w[16] = {0};
+    double w[14] = {0};
     arg[0] = x;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;
