@@ -244,10 +244,15 @@ def verify(
     console().print(table)
     for check in checks:
         if isinstance(check, v.FirstOrderCheck):
+            beyond = (
+                f" where nothing is neglected, then by {check.coefficient:.3f} a unit of what is; halved, the "
+                f"difference is {check.ratio:.4f} of it"
+                if check.coefficient is not None
+                else ""
+            )
             print(
-                f"{check.model} {check.unit}: differs from the exact Jacobian by {check.limit:.1e} where nothing is "
-                f"neglected, then by {check.coefficient:.3f} a unit of what is; halved, the difference is "
-                f"{check.ratio:.4f} of it: {'ok' if check.ok else 'FAILED'}"
+                f"{check.model} {check.unit}: differs from the exact Jacobian by {check.limit:.1e}{beyond}: "
+                f"{'ok' if check.ok else 'FAILED'}"
             )
     print(f"verify: {sum(c.ok for c in checks)} passed, {sum(not c.ok for c in checks)} failed")
     raise typer.Exit(0 if good else 1)

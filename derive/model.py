@@ -89,14 +89,14 @@ class Struct:
 
 @dataclass(frozen=True)
 class FirstOrder:
-    """How a linear H is tied to an exact measurement: it is that one's Jacobian once `small` is zero.
+    """How a linear H is tied to an exact measurement: it is that one's Jacobian at x = 0, once `small` is zero.
 
-    of: name of the measurement with the exact h.  small: the input that H neglects.  tied: inputs of H that follow from
-    the others where the state is right, as (name, expression).
+    of: name of the measurement with the exact h.  small: the input that H neglects, if it does neglect one.  tied:
+    inputs of H that follow from the others where the state is right, as (name, expression).
     """
 
     of: str
-    small: str
+    small: str | None = None
     tied: tuple[tuple[str, Matrix], ...] = ()
 
 
@@ -281,7 +281,7 @@ def check(model: Model) -> None:
             if m.first_order.of not in {other.name for other in model.measurements if other.h is not None}:
                 fail(f"measurement {m.name}: first_order names {m.first_order.of!r}, which is no measurement with an h")
             for item in (m.first_order.small, *(name for name, _ in m.first_order.tied)):
-                if item not in {v.name for v in model.inputs}:
+                if item is not None and item not in {v.name for v in model.inputs}:
                     fail(f"measurement {m.name}: first_order names {item!r}, which is no input")
     for label, matrix, shape in shapes:
         if matrix is not None and matrix.shape != shape:

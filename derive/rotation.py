@@ -88,6 +88,12 @@ def quaternion_product(p, q) -> Matrix:
     )
 
 
+def conjugate(q) -> Matrix:
+    """The inverse of a unit quaternion, [w, x, y, z]."""
+    w, x, y, z = q
+    return Matrix([w, -x, -y, -z])
+
+
 def normalized(q) -> Matrix:
     """The quaternion, scaled to unit norm."""
     return q / sqrt(q.dot(q))
