@@ -32,18 +32,24 @@ class Harmonics:
     omega: Array
     amplitude: Array
 
-    def at(self, time: Any, derivative: int = 0) -> Array:
+    def at(self, time: Any) -> Array:
         """(T,) s, or (T, ...) if each run has its own -> (T, ..., D)."""
         time = np.asarray(time, float)
-        amplitude = self.amplitude * (1j * self.omega[..., None, :]) ** derivative
-        if time.ndim == 1:  # few frequencies serve many runs: the exponentials once, then a product of matrices
-            wave = np.exp(1j * self.omega[..., :, None] * time)
-            # Re(a w) = Re a Re w - Im a Im w
-            values = amplitude.real @ wave.real - amplitude.imag @ wave.imag
-            return np.moveaxis(values, -1, 0)
-        wave = np.exp(1j * self.omega * time[..., None])
-        return (np.einsum("...dk,t...k->t...d", amplitude.real, wave.real)
-                - np.einsum("...dk,t...k->t...d", amplitude.imag, wave.imag))  # fmt: skip
+        # Re(a w) = Re a Re w - Im a Im w, as one product of real matrices
+        amplitude = np.concatenate([self.amplitude.real, -self.amplitude.imag], axis=-1)
+        if time.ndim == 1:  # the frequencies may serve many runs: their sines only once
+            angle = self.omega[..., :, None] * time
+            return np.moveaxis(amplitude @ np.concatenate([np.cos(angle), np.sin(angle)], axis=-2), -1, 0)
+        angle = self.omega * time[..., None]
+        return (amplitude @ np.concatenate([np.cos(angle), np.sin(angle)], axis=-1)[..., None])[..., 0]
+
+    def thrice(self, time: Any) -> tuple[Array, Array, Array]:
+        """Value, rate and acceleration at these times, for little more than one of them."""
+        rate = 1j * self.omega[..., None, :] * self.amplitude
+        acceleration = 1j * self.omega[..., None, :] * rate
+        together = Harmonics(self.omega, np.concatenate([self.amplitude, rate, acceleration], axis=-2)).at(time)
+        value, first, second = np.split(together, 3, axis=-1)
+        return value, first, second
 
 
 @dataclass(frozen=True)
@@ -83,7 +89,7 @@ def ride(motion: Motion, time: Any, place_m: Any = (0.0, 0.0, 0.0)) -> Pose:
     place_m: (..., 3) m, the point that is asked for, from the motion's centre in hull axes; a master elsewhere.
     """
     time = np.asarray(time, float)
-    y, y_1, y_2 = (motion.freedoms.at(time, order) for order in (0, 1, 2))
+    y, y_1, y_2 = motion.freedoms.thrice(time)
     heading, speed = np.asarray(motion.heading, float), np.asarray(motion.speed, float)
     along = np.stack([np.cos(heading), np.sin(heading), np.zeros_like(heading)], axis=-1)
     right = np.stack([-np.sin(heading), np.cos(heading), np.zeros_like(heading)], axis=-1)
@@ -148,7 +154,7 @@ def carried(master: Pose, lever_b: Any, q_b2m_wxyz: Any, bending: Harmonics | No
         "a_n": master.a_n + to_n(np.cross(alpha, lever_m) + np.cross(omega, turning)),
     }
     if bending is not None:
-        theta, theta_1, theta_2 = (bending.at(master.time, order) for order in (0, 1, 2))
+        theta, theta_1, theta_2 = bending.thrice(master.time)
         C_b2m = rotation.matrix_from_vector(theta) @ C_b2m
         # The left Jacobian of theta to third order: of 1 mrad it leaves out 1e-13.
         sweep, sweep_1 = np.cross(theta, theta_1), np.cross(theta, theta_2)
