@@ -61,6 +61,7 @@ def _rows(display: str) -> Iterator[str]:
 
 def _plain(latex: str) -> str:
     """LaTeX without what only sets it: spaces, the sizes of brackets and matrices, the two shapes of epsilon."""
+    latex = re.sub(r"(\[[^\[\]]*;[^\[\]]*\])", r"\1^T", latex)  # [a; b; c] as in MATLAB: a column
     latex = re.sub(r"(?<!\\)\\ |\\quad", ";", latex)  # [a \ b \ c]^T: the spaces separate
     latex = re.sub(r"\\left|\\right|\\cdot|\\therefore|(?<=\))_\{\d \\times \d\}", "", latex)
     latex = latex.replace(r"\equiv", "=").replace(r"\varepsilon", r"\epsilon")
@@ -170,7 +171,7 @@ class _Reader:
 
     def power(self, base):
         if self.take("^T"):
-            return transpose(base)
+            return transpose(base, evaluate=False)  # of a sum it stays the transpose of the sum
         if self.take("^{-1}"):
             return base**-1
         return base ** self.factor() if self.take("^") else base

@@ -16,7 +16,8 @@ from unicodedata import normalize
 import mpmath as mp
 import sympy as sp
 
-from boresight.derive import earth
+from boresight.derive import earth, ellipsoid
+from boresight.derive.ellipsoid import WORKING
 from boresight.derive.equation import Relation
 from boresight.derive.papers import kim_2018 as paper
 from boresight.derive.papers.kim_2018_print import DETECTORS, quantities
@@ -32,7 +33,6 @@ from boresight.derive.witness import (
     vector,
 )
 
-WORKING = 110  # digits for differentiating: metres of an Earth's radius leave 28 exact ones
 SAMPLES, WINDOW_AT, WINDOW_OF, NOW = 6, 2, 3, 3  # of the detector's record: its length, a window's start and length
 
 
@@ -182,12 +182,12 @@ class Mechanics:
 
     def __init__(self, position, v_n, C_b2n, f_b, omega_ib_b):
         self.C_b2n, self.v_n = C_b2n, v_n
-        axes, slope = _axes(position), _slope(position)
+        axes, slope = ellipsoid.axes(position), ellipsoid.slope(position)
         self.position_rate = mp.lu_solve(slope, axes * v_n)
-        self.axes, self.axes_rate = axes, _rate(lambda t: _axes(position + t * self.position_rate))
+        self.axes, self.axes_rate = axes, ellipsoid.rate(lambda t: ellipsoid.axes(position + t * self.position_rate))
         turning = axes.T * self.axes_rate
         self.omega_en_n = vector(turning[2, 1], turning[0, 2], turning[1, 0])
-        spin = vector(0, 0, _exact(earth.EARTH_RATE))
+        spin = vector(0, 0, ellipsoid.exact(earth.EARTH_RATE))
         self.omega_ie_n = axes.T * spin
         self.omega_in_n = self.omega_ie_n + self.omega_en_n
         self.gravity_n = vector(0, 0, -_gravity()(position[1], position[2]))
@@ -199,53 +199,10 @@ class Mechanics:
         self.C_rate = C_b2n * skew(omega_ib_b) - skew(self.omega_in_n) * C_b2n
 
 
-def _exact(number):
-    rational = sp.Rational(number)
-    return mp.mpf(int(rational.p)) / int(rational.q)
-
-
 @cache
 def _gravity() -> Callable:
     lat, height = sp.symbols("lat height")
     return sp.lambdify((lat, height), earth.normal_gravity(lat, height), "mpmath")
-
-
-def _axes(position) -> mp.matrix:
-    """Columns: east, north and up in Earth's axes."""
-    lon, lat, _ = position
-    up = vector(mp.cos(lat) * mp.cos(lon), mp.cos(lat) * mp.sin(lon), mp.sin(lat))
-    east = vector(-mp.sin(lon), mp.cos(lon), 0)
-    north = skew(up) * east
-    return mp.matrix([[east[i], north[i], up[i]] for i in range(3)])
-
-
-def _point(position) -> mp.matrix:
-    """Cartesian coordinates: the point of the ellipse whose normal has the latitude, and the height along it."""
-    lon, lat, height = position
-    a, flat = _exact(earth.SEMI_MAJOR_AXIS), 1 - _exact(earth.FLATTENING)
-    reduced = mp.atan(flat * mp.tan(lat))
-    radius = a * mp.cos(reduced) + height * mp.cos(lat)
-    return vector(radius * mp.cos(lon), radius * mp.sin(lon), a * flat * mp.sin(reduced) + height * mp.sin(lat))
-
-
-def _slope(position) -> mp.matrix:
-    """d(point) / d(longitude, latitude, height)."""
-    return _jacobian(lambda change: _point(position + change), 3)
-
-
-def _rate(function: Callable):
-    step = mp.mpf(10) ** -30
-    return (function(step) - function(-step)) / (2 * step)
-
-
-def _jacobian(function: Callable, count: int) -> mp.matrix:
-    """The derivative at zero, one column for each of `count` arguments."""
-    columns = []
-    for i in range(count):
-        unit = mp.zeros(count, 1)
-        unit[i] = 1
-        columns.append(_rate(lambda t, unit=unit: function(t * unit)))
-    return mp.matrix([[column[i] for column in columns] for i in range(columns[0].rows)])
 
 
 def _stack(*parts) -> mp.matrix:
@@ -254,7 +211,7 @@ def _stack(*parts) -> mp.matrix:
 
 def _rotation_rate(matrix, rate) -> mp.matrix:
     """The rate of e in exp(-[e x]) = matrix, whose rate is given."""
-    return _rate(lambda t: -rotation_vector(matrix + t * rate))
+    return ellipsoid.rate(lambda t: -rotation_vector(matrix + t * rate))
 
 
 @dataclass(frozen=True, eq=False)
@@ -485,10 +442,10 @@ def _curvature(base: Base) -> list:
 
         def radii(change) -> mp.matrix:
             """Transverse and meridian radius: how far the ground is moved along by a change of an angle."""
-            slope = _slope(vector(0, lat + change, 0))
+            slope = ellipsoid.slope(vector(0, lat + change, 0))
             return vector(mp.norm(slope[:, 0]) / mp.cos(lat + change), mp.norm(slope[:, 1]))
 
-        return [*radii(0), *_rate(radii), *truth(base).exact.omega_en_n]
+        return [*radii(0), *ellipsoid.rate(radii), *truth(base).exact.omega_en_n]
 
 
 @lru_cache(maxsize=64)
@@ -500,9 +457,9 @@ def _matrices(true: Truth) -> list:
             return _stack(true.v_n + x[3:6, 0], (M[0, 1] - M[1, 0]) / 2)
 
         F_X = mp.zeros(10)
-        F_X[0:6, 0:6] = _jacobian(true.psi_rates, 6)
-        H = _jacobian(measured, 15)
-        return [_jacobian(true.phi_rates, 15), F_X, H, H[0:3, :]]
+        F_X[0:6, 0:6] = ellipsoid.jacobian(true.psi_rates, 6)
+        H = ellipsoid.jacobian(measured, 15)
+        return [ellipsoid.jacobian(true.phi_rates, 15), F_X, H, H[0:3, :]]
 
 
 def _sparse(F) -> list[list[tuple[int, mp.mpf]]]:
@@ -620,7 +577,7 @@ def _transfer(base: Base) -> list:
             *_, attitude, slave, master = seen(x, none, none)
             return _stack(slave - master, attitude)
 
-        H = _jacobian(Z, 10)
+        H = ellipsoid.jacobian(Z, 10)
         return [
             C_r2n, delayed(base.delay[0]), C_hat_r2n, C_hat_b2r, C_hat_n2b, Z_dcm, -noise[1],
             slave, master, slave - master, -noise[0], H[3:6, 9], H,

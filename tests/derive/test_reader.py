@@ -35,6 +35,8 @@ TABLE = (
         (r"A_n^{n'} A_n^{n'}^T \epsilon^n", A * transpose(A) * B),
         (r"(A_n^{n'} + \epsilon^n)^{-1}", (A + B) ** -1),
         (r"[\alpha \quad \hat{\alpha}_b]", matrix([[a, b]])),
+        (r"[-\alpha; \hat{\alpha}_b]", column(-a, b)),
+        (r"(A_n^{n'} + \epsilon^n)^T", transpose(A + B, evaluate=False)),
         (r"\|\epsilon^n\|^2", Function("norm")(B) ** 2),
         (r"\frac{1}{\alpha} \sum_{k \in \Omega_n} \alpha", Function("Σ")(a) / a),
         (r"\{\alpha \leq \hat{\alpha}_b \leq 3\}", Function("samples")(a, b, 3)),
