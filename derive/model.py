@@ -91,11 +91,12 @@ class Struct:
 class FirstOrder:
     """How a linear H is tied to an exact measurement: it is that one's Jacobian at x = 0, once `small` is zero.
 
-    of: name of the measurement with the exact h.  small: the input that H neglects, if it does neglect one.  tied:
-    inputs of H that follow from the others where the state is right, as (name, expression).
+    of: name of the measurement with the exact h, or None for this one's own, which then is not printed.  small: the
+    input that H neglects, if it does neglect one.  tied: inputs of H that follow from the others where the state is
+    right, as (name, expression).
     """
 
-    of: str
+    of: str | None = None
     small: str | None = None
     tied: tuple[tuple[str, Matrix], ...] = ()
 
@@ -106,7 +107,7 @@ class Measurement:
 
     z: (m) measured minus predicted at zero error, from the inputs; None if the caller brings it.
     h: (m) what z is expected to be for an error state x, from states and inputs; its Jacobian is printed as H.
-    H: (m, n) a linear measurement matrix instead of h.  first_order: what this H approximates.
+    H: (m, n) a linear measurement matrix, printed instead of h.  first_order: what this H approximates.
     angle: z and h are angles, and are wrapped to [-pi, pi).
     """
 
@@ -273,13 +274,16 @@ def check(model: Model) -> None:
         fail("give either F or f")
     shapes = [("F", model.F, (n, n)), ("f", model.f, (n, 1)), ("G", model.G, (n, model.noise.rows))]
     for m in model.measurements:
-        if (m.H is None) == (m.h is None):
-            fail(f"measurement {m.name}: give either h or H")
+        own = m.first_order is not None and m.first_order.of is None
+        if (m.H is None) == (m.h is None) and not (own and m.H is not None):
+            fail(f"measurement {m.name}: give either h or H, or both with a first_order of its own")
         rows = len(m.rows)
         shapes += [(f"{m.name}: z", m.z, (rows, 1)), (f"{m.name}: h", m.h, (rows, 1)), (f"{m.name}: H", m.H, (rows, n))]
         if m.first_order is not None:
-            if m.first_order.of not in {other.name for other in model.measurements if other.h is not None}:
-                fail(f"measurement {m.name}: first_order names {m.first_order.of!r}, which is no measurement with an h")
+            exact = {other.name for other in model.measurements if other.h is not None}
+            if (m.first_order.of or m.name) not in exact:
+                named = m.first_order.of or m.name
+                fail(f"measurement {m.name}: first_order names {named!r}, which is no measurement with an h")
             for item in (m.first_order.small, *(name for name, _ in m.first_order.tied)):
                 if item is not None and item not in {v.name for v in model.inputs}:
                     fail(f"measurement {m.name}: first_order names {item!r}, which is no input")

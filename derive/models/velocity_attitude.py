@@ -115,6 +115,10 @@ def quaternion_residual(state: tuple[Matrix, ...], lag) -> Matrix:
     return 2 * Matrix(xyz) * (w / sqrt(w**2 + TINY_SQUARE))  # q and -q are one attitude
 
 
+def euler_residual(state: tuple[Matrix, ...], lag) -> Matrix:
+    return euler_from_dcm(dcm_from_quaternion(turned_back(state, lag))) - EULER_M.vector
+
+
 def velocity_attitude() -> Model:
     """Errors of attitude, velocity, both biases, misalignment and delay; the position is taken from the master."""
     gyro_noise, accel_noise = (
@@ -141,8 +145,11 @@ def velocity_attitude() -> Model:
     omega_in = mechanization.omega_in_n(FRAME, POSITION.vector, V_N.vector)
     z_velocity, z_dcm = velocity_residual(now, lag), dcm_residual(now, lag)
     z_quaternion = quaternion_residual(now, lag)
-    z_euler = euler_from_dcm(dcm_from_quaternion(turned_back(now, lag))) - EULER_M.vector
+    z_euler = euler_residual(now, lag)
     roll_m, pitch_m, yaw_m = EULER_M.symbols
+    q_reported = Q_MOUNT.vector
+    for axis in ((roll_m, 0, 0), (0, pitch_m, 0), (0, 0, yaw_m)):
+        q_reported = quaternion_product(quaternion_from_rotation_vector(axis), q_reported)
     C_m2n = dcm_from_euler(roll_m, pitch_m, yaw_m)
     euler_D_turn = euler_D_beta(roll_m, pitch_m) * C_m2n.T  # of a turn in n; its pitch is in the box, so never singular
 
@@ -174,25 +181,23 @@ def velocity_attitude() -> Model:
         dt=dt,
         measurements=(
             Measurement("velocity", FRAME.axes, "m/s", "velocity expected of the master less the reported one",
-                        z=z_velocity,
-                        H=paper.velocity_matrix(C_b2n, omega_in, OMEGA_IB.vector, LEVER_B.vector, A_N.vector),
-                        first_order=FirstOrder("velocity_exact"),
-                        equations=("kang-2025 (1)", "kang-2025 (3)")),
-            Measurement("velocity_exact", FRAME.axes, "m/s", "the same with finite rotations in its derivative",
                         z=z_velocity, h=z_velocity - velocity_residual(true_state(), lag_true),
+                        H=paper.velocity_matrix(C_b2n, omega_in, OMEGA_IB.vector, LEVER_B.vector, A_N.vector),
+                        first_order=FirstOrder(),
                         equations=("kang-2025 (1)", "kang-2025 (3)")),
             Measurement("dcm", FRAME.axes, "rad", "turn of the expected attitude of the master from the reported one",
-                        z=z_dcm, H=paper.attitude_matrix(dcm_from_quaternion(Q_M.vector), omega_nb),
-                        first_order=FirstOrder("dcm_exact", small="lag", tied=(("q_m2n_wxyz", q_expected),)),
-                        equations=("kang-2025 (4)", "kang-2025 (5)")),
-            Measurement("dcm_exact", FRAME.axes, "rad", "the same with finite rotations in its derivative",
                         z=z_dcm, h=z_dcm - dcm_residual(true_state(), lag_true),
+                        H=paper.attitude_matrix(dcm_from_quaternion(Q_M.vector), omega_nb),
+                        first_order=FirstOrder(small="lag", tied=(("q_m2n_wxyz", q_expected),)),
                         equations=("kang-2025 (4)", "kang-2025 (5)")),
-            Measurement("quaternion", FRAME.axes, "rad", "the same turn as twice the vector part of its quaternion",
-                        z=z_quaternion, h=z_quaternion - quaternion_residual(true_state(), lag_true)),
+            Measurement("quaternion", FRAME.axes, "rad",
+                        "the same turn, of any size, as twice the vector part of its quaternion", z=z_quaternion,
+                        h=z_quaternion - quaternion_residual(true_state(), lag_true)),
             Measurement("euler", ("roll", "pitch", "yaw"), "rad",
                         "expected Euler angles of the master less the reported", z=z_euler,
+                        h=z_euler - euler_residual(true_state(), lag_true),
                         H=euler_D_turn * paper.attitude_matrix(C_m2n, omega_nb), angle=True,
+                        first_order=FirstOrder(small="lag", tied=(("q_b2n_wxyz", q_reported),)),
                         equations=("song-lee-2001 (13)",)),
         ),
         functions=(

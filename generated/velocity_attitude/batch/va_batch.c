@@ -10,28 +10,18 @@ size_t va_F_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *
 int va_F_bound(void *const *at);
 size_t va_Phi_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, bs_real *Phi, unsigned char *status);
 int va_Phi_bound(void *const *at);
+size_t va_Qc_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_noise *noise, size_t noise_stride, bs_real *Qc, unsigned char *status);
+int va_Qc_bound(void *const *at);
 size_t va_Q_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_noise *noise, size_t noise_stride, bs_real *Q, unsigned char *status);
 int va_Q_bound(void *const *at);
 size_t va_velocity_z_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_mounting *mounting, size_t mounting_stride, const va_master *master, size_t master_stride, bs_real *z, unsigned char *status);
 int va_velocity_z_bound(void *const *at);
 size_t va_velocity_H_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_mounting *mounting, size_t mounting_stride, const va_master *master, size_t master_stride, bs_real *H, unsigned char *status);
 int va_velocity_H_bound(void *const *at);
-size_t va_velocity_exact_z_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_mounting *mounting, size_t mounting_stride, const va_master *master, size_t master_stride, bs_real *z, unsigned char *status);
-int va_velocity_exact_z_bound(void *const *at);
-size_t va_velocity_exact_h_batch(size_t n, const bs_real *x, size_t x_stride, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_mounting *mounting, size_t mounting_stride, const va_master *master, size_t master_stride, bs_real *h, unsigned char *status);
-int va_velocity_exact_h_bound(void *const *at);
-size_t va_velocity_exact_H_batch(size_t n, const bs_real *x, size_t x_stride, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_mounting *mounting, size_t mounting_stride, const va_master *master, size_t master_stride, bs_real *H, unsigned char *status);
-int va_velocity_exact_H_bound(void *const *at);
 size_t va_dcm_z_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *z, unsigned char *status);
 int va_dcm_z_bound(void *const *at);
 size_t va_dcm_H_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *H, unsigned char *status);
 int va_dcm_H_bound(void *const *at);
-size_t va_dcm_exact_z_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *z, unsigned char *status);
-int va_dcm_exact_z_bound(void *const *at);
-size_t va_dcm_exact_h_batch(size_t n, const bs_real *x, size_t x_stride, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *h, unsigned char *status);
-int va_dcm_exact_h_bound(void *const *at);
-size_t va_dcm_exact_H_batch(size_t n, const bs_real *x, size_t x_stride, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *H, unsigned char *status);
-int va_dcm_exact_H_bound(void *const *at);
 size_t va_quaternion_z_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *z, unsigned char *status);
 int va_quaternion_z_bound(void *const *at);
 size_t va_quaternion_h_batch(size_t n, const bs_real *x, size_t x_stride, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *h, unsigned char *status);
@@ -79,6 +69,21 @@ int va_Phi_bound(void *const *at)
     return (int)va_Phi((const va_nav *)at[0], (const va_imu *)at[1], (bs_real *)at[2]);
 }
 
+size_t va_Qc_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_noise *noise, size_t noise_stride, bs_real *Qc, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)va_Qc(&nav[i * nav_stride], &noise[i * noise_stride], &Qc[i * 256U]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+int va_Qc_bound(void *const *at)
+{
+    return (int)va_Qc((const va_nav *)at[0], (const va_noise *)at[1], (bs_real *)at[2]);
+}
+
 size_t va_Q_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_noise *noise, size_t noise_stride, bs_real *Q, unsigned char *status)
 {
     size_t failed = 0;
@@ -124,51 +129,6 @@ int va_velocity_H_bound(void *const *at)
     return (int)va_velocity_H((const va_nav *)at[0], (const va_imu *)at[1], (const va_mounting *)at[2], (const va_master *)at[3], (bs_real *)at[4]);
 }
 
-size_t va_velocity_exact_z_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_mounting *mounting, size_t mounting_stride, const va_master *master, size_t master_stride, bs_real *z, unsigned char *status)
-{
-    size_t failed = 0;
-    for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_velocity_exact_z(&nav[i * nav_stride], &imu[i * imu_stride], &mounting[i * mounting_stride], &master[i * master_stride], &z[i * 3U]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
-    }
-    return failed;
-}
-
-int va_velocity_exact_z_bound(void *const *at)
-{
-    return (int)va_velocity_exact_z((const va_nav *)at[0], (const va_imu *)at[1], (const va_mounting *)at[2], (const va_master *)at[3], (bs_real *)at[4]);
-}
-
-size_t va_velocity_exact_h_batch(size_t n, const bs_real *x, size_t x_stride, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_mounting *mounting, size_t mounting_stride, const va_master *master, size_t master_stride, bs_real *h, unsigned char *status)
-{
-    size_t failed = 0;
-    for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_velocity_exact_h(&x[i * x_stride], &nav[i * nav_stride], &imu[i * imu_stride], &mounting[i * mounting_stride], &master[i * master_stride], &h[i * 3U]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
-    }
-    return failed;
-}
-
-int va_velocity_exact_h_bound(void *const *at)
-{
-    return (int)va_velocity_exact_h((const bs_real *)at[0], (const va_nav *)at[1], (const va_imu *)at[2], (const va_mounting *)at[3], (const va_master *)at[4], (bs_real *)at[5]);
-}
-
-size_t va_velocity_exact_H_batch(size_t n, const bs_real *x, size_t x_stride, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_mounting *mounting, size_t mounting_stride, const va_master *master, size_t master_stride, bs_real *H, unsigned char *status)
-{
-    size_t failed = 0;
-    for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_velocity_exact_H(&x[i * x_stride], &nav[i * nav_stride], &imu[i * imu_stride], &mounting[i * mounting_stride], &master[i * master_stride], &H[i * 48U]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
-    }
-    return failed;
-}
-
-int va_velocity_exact_H_bound(void *const *at)
-{
-    return (int)va_velocity_exact_H((const bs_real *)at[0], (const va_nav *)at[1], (const va_imu *)at[2], (const va_mounting *)at[3], (const va_master *)at[4], (bs_real *)at[5]);
-}
-
 size_t va_dcm_z_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *z, unsigned char *status)
 {
     size_t failed = 0;
@@ -197,51 +157,6 @@ size_t va_dcm_H_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_i
 int va_dcm_H_bound(void *const *at)
 {
     return (int)va_dcm_H((const va_nav *)at[0], (const va_imu *)at[1], (const va_master *)at[2], (bs_real *)at[3]);
-}
-
-size_t va_dcm_exact_z_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *z, unsigned char *status)
-{
-    size_t failed = 0;
-    for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_dcm_exact_z(&nav[i * nav_stride], &imu[i * imu_stride], &master[i * master_stride], &z[i * 3U]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
-    }
-    return failed;
-}
-
-int va_dcm_exact_z_bound(void *const *at)
-{
-    return (int)va_dcm_exact_z((const va_nav *)at[0], (const va_imu *)at[1], (const va_master *)at[2], (bs_real *)at[3]);
-}
-
-size_t va_dcm_exact_h_batch(size_t n, const bs_real *x, size_t x_stride, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *h, unsigned char *status)
-{
-    size_t failed = 0;
-    for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_dcm_exact_h(&x[i * x_stride], &nav[i * nav_stride], &imu[i * imu_stride], &master[i * master_stride], &h[i * 3U]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
-    }
-    return failed;
-}
-
-int va_dcm_exact_h_bound(void *const *at)
-{
-    return (int)va_dcm_exact_h((const bs_real *)at[0], (const va_nav *)at[1], (const va_imu *)at[2], (const va_master *)at[3], (bs_real *)at[4]);
-}
-
-size_t va_dcm_exact_H_batch(size_t n, const bs_real *x, size_t x_stride, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *H, unsigned char *status)
-{
-    size_t failed = 0;
-    for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_dcm_exact_H(&x[i * x_stride], &nav[i * nav_stride], &imu[i * imu_stride], &master[i * master_stride], &H[i * 48U]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
-    }
-    return failed;
-}
-
-int va_dcm_exact_H_bound(void *const *at)
-{
-    return (int)va_dcm_exact_H((const bs_real *)at[0], (const va_nav *)at[1], (const va_imu *)at[2], (const va_master *)at[3], (bs_real *)at[4]);
 }
 
 size_t va_quaternion_z_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *z, unsigned char *status)

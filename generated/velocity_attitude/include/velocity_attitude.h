@@ -99,6 +99,8 @@ typedef struct {
  * out  F: system matrix (1/s and mixed); 16 x 16, dense, row-major; 41 of 256 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_F(const va_nav *nav, const va_imu *imu, bs_real F[16 * VA_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status va_F_nz(const va_nav *nav, const va_imu *imu, bs_real F_nz[41]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2.
  * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
@@ -109,6 +111,22 @@ bs_status va_F(const va_nav *nav, const va_imu *imu, bs_real F[16 * VA_N_STATES]
  * out  Phi: transition matrix (mixed); 16 x 16, dense, row-major; 82 of 256 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_Phi(const va_nav *nav, const va_imu *imu, bs_real Phi[16 * VA_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status va_Phi_nz(const va_nav *nav, const va_imu *imu, bs_real Phi_nz[82]);
+
+/* What the noise adds to the covariance a second, G W G'.
+ * in   nav->q_b2n_wxyz: attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   noise->gyro_noise: root power spectral density of the gyros (rad/sqrt(s), body); 0 to 0.1
+ * in   noise->accel_noise: root power spectral density of the accelerometers (m/s/sqrt(s), body); 0 to 10
+ * in   noise->gyro_bias_noise: root power spectral density of the gyro biases' random walk (rad/s/sqrt(s), body); 0 to 0.1
+ * in   noise->accel_bias_noise: root power spectral density of the accelerometer biases' random walk (m/s^2/sqrt(s), body); 0 to 10
+ * in   noise->mu_noise: root power spectral density of the misalignment's random walk (rad/sqrt(s), body); 0 to 0.1
+ * in   noise->tau_noise: root power spectral density of the delay's random walk (sqrt(s)); 0 to 0.1
+ * out  Qc: density of the noise (mixed); 16 x 16, dense, row-major; 28 of 256 are not zero
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
+bs_status va_Qc(const va_nav *nav, const va_noise *noise, bs_real Qc[16 * VA_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status va_Qc_nz(const va_nav *nav, const va_noise *noise, bs_real Qc_nz[28]);
 
 /* Covariance that the noise adds over dt.
  * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
@@ -125,6 +143,8 @@ bs_status va_Phi(const va_nav *nav, const va_imu *imu, bs_real Phi[16 * VA_N_STA
  * out  Q: covariance of the noise (mixed); 16 x 16, dense, row-major; 118 of 256 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_Q(const va_nav *nav, const va_imu *imu, const va_noise *noise, bs_real Q[16 * VA_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status va_Q_nz(const va_nav *nav, const va_imu *imu, const va_noise *noise, bs_real Q_nz[118]);
 
 /* Velocity expected of the master less the reported one: measured minus predicted; rows n, e, d: kang-2025 (1), kang-2025 (3).
  * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
@@ -149,44 +169,8 @@ bs_status va_velocity_z(const va_nav *nav, const va_imu *imu, const va_mounting 
  * out  H: rows n, e, d (m/s a unit of x); 3 x 16, dense, row-major; 24 of 48 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_velocity_H(const va_nav *nav, const va_imu *imu, const va_mounting *mounting, const va_master *master, bs_real H[3 * VA_N_STATES]);
-
-/* The same with finite rotations in its derivative: measured minus predicted; rows n, e, d: kang-2025 (1), kang-2025 (3).
- * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
- * in   nav->v_n: velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz: attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b: angular rate, bias removed (rad/s, body); -20 to 20
- * in   mounting->lever_b: lever arm, from the master to the slave (m, body); -100 to 100
- * in   master->v_m_n: velocity that the master reports (m/s, NED); -1000 to 1000
- * in   master->a_n: rate of change of the velocity expected of the master (m/s^2, NED); -500 to 500
- * in   master->lag: how much older the master's data is believed to be than the slave's state given (s); -1 to 1
- * out  z: n, e, d (m/s); 3, dense
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status va_velocity_exact_z(const va_nav *nav, const va_imu *imu, const va_mounting *mounting, const va_master *master, bs_real z[3]);
-
-/* The same with finite rotations in its derivative: what the residual is expected to be for an error state x; rows n, e, d: kang-2025 (1), kang-2025 (3).
- * in   x: error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -1 to 1
- * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
- * in   nav->v_n: velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz: attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b: angular rate, bias removed (rad/s, body); -20 to 20
- * in   mounting->lever_b: lever arm, from the master to the slave (m, body); -100 to 100
- * in   master->a_n: rate of change of the velocity expected of the master (m/s^2, NED); -500 to 500
- * in   master->lag: how much older the master's data is believed to be than the slave's state given (s); -1 to 1
- * out  h: n, e, d (m/s); 3, dense
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status va_velocity_exact_h(const bs_real x[VA_N_STATES], const va_nav *nav, const va_imu *imu, const va_mounting *mounting, const va_master *master, bs_real h[3]);
-
-/* The same with finite rotations in its derivative: measurement matrix, d(residual) / d(x); rows n, e, d: kang-2025 (1), kang-2025 (3).
- * in   x: error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -1 to 1
- * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
- * in   nav->v_n: velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz: attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b: angular rate, bias removed (rad/s, body); -20 to 20
- * in   mounting->lever_b: lever arm, from the master to the slave (m, body); -100 to 100
- * in   master->a_n: rate of change of the velocity expected of the master (m/s^2, NED); -500 to 500
- * out  H: rows n, e, d (m/s a unit of x); 3 x 16, dense, row-major; 24 of 48 are not zero
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status va_velocity_exact_H(const bs_real x[VA_N_STATES], const va_nav *nav, const va_imu *imu, const va_mounting *mounting, const va_master *master, bs_real H[3 * VA_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status va_velocity_H_nz(const va_nav *nav, const va_imu *imu, const va_mounting *mounting, const va_master *master, bs_real H_nz[24]);
 
 /* Turn of the expected attitude of the master from the reported one: measured minus predicted; rows n, e, d: kang-2025 (4), kang-2025 (5).
  * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
@@ -209,46 +193,10 @@ bs_status va_dcm_z(const va_nav *nav, const va_imu *imu, const va_master *master
  * out  H: rows n, e, d (rad a unit of x); 3 x 16, dense, row-major; 15 of 48 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_dcm_H(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H[3 * VA_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status va_dcm_H_nz(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H_nz[15]);
 
-/* The same with finite rotations in its derivative: measured minus predicted; rows n, e, d: kang-2025 (4), kang-2025 (5).
- * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
- * in   nav->v_n: velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz: attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz: estimated mounting of the slave (1, slave body to master body); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b: angular rate, bias removed (rad/s, body); -20 to 20
- * in   master->q_m2n_wxyz: attitude that the master reports (1, master body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   master->lag: how much older the master's data is believed to be than the slave's state given (s); -1 to 1
- * out  z: n, e, d (rad); 3, dense
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status va_dcm_exact_z(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real z[3]);
-
-/* The same with finite rotations in its derivative: what the residual is expected to be for an error state x; rows n, e, d: kang-2025 (4), kang-2025 (5).
- * in   x: error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -1 to 1
- * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
- * in   nav->v_n: velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz: attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz: estimated mounting of the slave (1, slave body to master body); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b: angular rate, bias removed (rad/s, body); -20 to 20
- * in   master->q_m2n_wxyz: attitude that the master reports (1, master body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   master->lag: how much older the master's data is believed to be than the slave's state given (s); -1 to 1
- * out  h: n, e, d (rad); 3, dense
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status va_dcm_exact_h(const bs_real x[VA_N_STATES], const va_nav *nav, const va_imu *imu, const va_master *master, bs_real h[3]);
-
-/* The same with finite rotations in its derivative: measurement matrix, d(residual) / d(x); rows n, e, d: kang-2025 (4), kang-2025 (5).
- * in   x: error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -1 to 1
- * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
- * in   nav->v_n: velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz: attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz: estimated mounting of the slave (1, slave body to master body); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b: angular rate, bias removed (rad/s, body); -20 to 20
- * in   master->q_m2n_wxyz: attitude that the master reports (1, master body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   master->lag: how much older the master's data is believed to be than the slave's state given (s); -1 to 1
- * out  H: rows n, e, d (rad a unit of x); 3 x 16, dense, row-major; 30 of 48 are not zero
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status va_dcm_exact_H(const bs_real x[VA_N_STATES], const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H[3 * VA_N_STATES]);
-
-/* The same turn as twice the vector part of its quaternion: measured minus predicted; rows n, e, d.
+/* The same turn, of any size, as twice the vector part of its quaternion: measured minus predicted; rows n, e, d.
  * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
  * in   nav->v_n: velocity over the ground (m/s, NED); -1000 to 1000
  * in   nav->q_b2n_wxyz: attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
@@ -260,7 +208,7 @@ bs_status va_dcm_exact_H(const bs_real x[VA_N_STATES], const va_nav *nav, const 
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_quaternion_z(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real z[3]);
 
-/* The same turn as twice the vector part of its quaternion: what the residual is expected to be for an error state x; rows n, e, d.
+/* The same turn, of any size, as twice the vector part of its quaternion: what the residual is expected to be for an error state x; rows n, e, d.
  * in   x: error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -1 to 1
  * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
  * in   nav->v_n: velocity over the ground (m/s, NED); -1000 to 1000
@@ -273,7 +221,7 @@ bs_status va_quaternion_z(const va_nav *nav, const va_imu *imu, const va_master 
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_quaternion_h(const bs_real x[VA_N_STATES], const va_nav *nav, const va_imu *imu, const va_master *master, bs_real h[3]);
 
-/* The same turn as twice the vector part of its quaternion: measurement matrix, d(residual) / d(x); rows n, e, d.
+/* The same turn, of any size, as twice the vector part of its quaternion: measurement matrix, d(residual) / d(x); rows n, e, d.
  * in   x: error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -1 to 1
  * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
  * in   nav->v_n: velocity over the ground (m/s, NED); -1000 to 1000
@@ -285,6 +233,8 @@ bs_status va_quaternion_h(const bs_real x[VA_N_STATES], const va_nav *nav, const
  * out  H: rows n, e, d (rad a unit of x); 3 x 16, dense, row-major; 30 of 48 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_quaternion_H(const bs_real x[VA_N_STATES], const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H[3 * VA_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status va_quaternion_H_nz(const bs_real x[VA_N_STATES], const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H_nz[30]);
 
 /* Expected Euler angles of the master less the reported: measured minus predicted; rows roll, pitch, yaw: song-lee-2001 (13).
  * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
@@ -307,6 +257,8 @@ bs_status va_euler_z(const va_nav *nav, const va_imu *imu, const va_master *mast
  * out  H: rows roll, pitch, yaw (rad a unit of x); 3 x 16, dense, row-major; 20 of 48 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_euler_H(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H[3 * VA_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status va_euler_H_nz(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H_nz[20]);
 
 /* The slave after one step of inertial increments, estimated biases removed.
  * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000

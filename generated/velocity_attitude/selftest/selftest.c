@@ -77,6 +77,12 @@ int main(void)
         (void)printf("FAILED va_Phi\n");
         ++failed;
     }
+    if (test_va_Qc() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED va_Qc\n");
+        ++failed;
+    }
     if (test_va_Q() == 0) {
         ++passed;
     } else {
@@ -95,24 +101,6 @@ int main(void)
         (void)printf("FAILED va_velocity_H\n");
         ++failed;
     }
-    if (test_va_velocity_exact_z() == 0) {
-        ++passed;
-    } else {
-        (void)printf("FAILED va_velocity_exact_z\n");
-        ++failed;
-    }
-    if (test_va_velocity_exact_h() == 0) {
-        ++passed;
-    } else {
-        (void)printf("FAILED va_velocity_exact_h\n");
-        ++failed;
-    }
-    if (test_va_velocity_exact_H() == 0) {
-        ++passed;
-    } else {
-        (void)printf("FAILED va_velocity_exact_H\n");
-        ++failed;
-    }
     if (test_va_dcm_z() == 0) {
         ++passed;
     } else {
@@ -123,24 +111,6 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED va_dcm_H\n");
-        ++failed;
-    }
-    if (test_va_dcm_exact_z() == 0) {
-        ++passed;
-    } else {
-        (void)printf("FAILED va_dcm_exact_z\n");
-        ++failed;
-    }
-    if (test_va_dcm_exact_h() == 0) {
-        ++passed;
-    } else {
-        (void)printf("FAILED va_dcm_exact_h\n");
-        ++failed;
-    }
-    if (test_va_dcm_exact_H() == 0) {
-        ++passed;
-    } else {
-        (void)printf("FAILED va_dcm_exact_H\n");
         ++failed;
     }
     if (test_va_quaternion_z() == 0) {

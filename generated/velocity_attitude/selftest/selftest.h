@@ -15,17 +15,12 @@ int selftest_compare(const char *what, int vector, const bs_real *out, int n, co
 
 int test_va_F(void);
 int test_va_Phi(void);
+int test_va_Qc(void);
 int test_va_Q(void);
 int test_va_velocity_z(void);
 int test_va_velocity_H(void);
-int test_va_velocity_exact_z(void);
-int test_va_velocity_exact_h(void);
-int test_va_velocity_exact_H(void);
 int test_va_dcm_z(void);
 int test_va_dcm_H(void);
-int test_va_dcm_exact_z(void);
-int test_va_dcm_exact_h(void);
-int test_va_dcm_exact_H(void);
 int test_va_quaternion_z(void);
 int test_va_quaternion_h(void);
 int test_va_quaternion_H(void);

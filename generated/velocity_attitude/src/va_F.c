@@ -4,7 +4,7 @@
 
 #include "va_F_kernel.h"
 
-bs_status va_F(const va_nav *nav, const va_imu *imu, bs_real F[16 * VA_N_STATES])
+bs_status va_F_nz(const va_nav *nav, const va_imu *imu, bs_real F_nz[41])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -14,11 +14,8 @@ bs_status va_F(const va_nav *nav, const va_imu *imu, bs_real F[16 * VA_N_STATES]
     static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
     static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-    static const unsigned short F_index[41] = { 1, 2, 4, 6, 7, 8, 16, 18, 19, 22, 23, 24, 32, 33, 36, 38, 39, 40, 49, 50, 51, 52, 53, 57, 58, 59, 64, 66, 67, 68, 69, 73, 74, 75, 80, 81, 83, 84, 89, 90, 91 };
-    bs_real F_nz[41];
     bs_status status;
-
-    if ((nav == 0) || (imu == 0) || (F == 0)) {
+    if ((nav == 0) || (imu == 0) || (F_nz == 0)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -43,11 +40,25 @@ bs_status va_F(const va_nav *nav, const va_imu *imu, bs_real F[16 * VA_N_STATES]
     }
 
     va_F_kernel(nav->position, nav->v_n, nav->q_b2n_wxyz, imu->f_b, F_nz);
-    for (int i = 0; i < 256; ++i) {
-        F[i] = BS_REAL(0.0);
-    }
-    for (int i = 0; i < 41; ++i) {
-        F[F_index[i]] = F_nz[i];
-    }
     return BS_OK;
+}
+
+bs_status va_F(const va_nav *nav, const va_imu *imu, bs_real F[16 * VA_N_STATES])
+{
+    static const unsigned short F_index[41] = { 1, 2, 4, 6, 7, 8, 16, 18, 19, 22, 23, 24, 32, 33, 36, 38, 39, 40, 49, 50, 51, 52, 53, 57, 58, 59, 64, 66, 67, 68, 69, 73, 74, 75, 80, 81, 83, 84, 89, 90, 91 };
+    bs_real F_nz[41];
+    bs_status status;
+    if (F == 0) {
+        return BS_NULL_POINTER;
+    }
+    status = va_F_nz(nav, imu, F_nz);
+    if (status == BS_OK) {
+        for (int i = 0; i < 256; ++i) {
+            F[i] = BS_REAL(0.0);
+        }
+        for (int i = 0; i < 41; ++i) {
+            F[F_index[i]] = F_nz[i];
+        }
+    }
+    return status;
 }

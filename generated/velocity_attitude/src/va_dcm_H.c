@@ -4,7 +4,7 @@
 
 #include "va_dcm_H_kernel.h"
 
-bs_status va_dcm_H(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H[3 * VA_N_STATES])
+bs_status va_dcm_H_nz(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H_nz[15])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -16,11 +16,8 @@ bs_status va_dcm_H(const va_nav *nav, const va_imu *imu, const va_master *master
     static const bs_real omega_ib_b_high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
     static const bs_real q_m2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001) };
     static const bs_real q_m2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
-    static const unsigned short H_index[15] = { 0, 12, 13, 14, 15, 17, 28, 29, 30, 31, 34, 44, 45, 46, 47 };
-    bs_real H_nz[15];
     bs_status status;
-
-    if ((nav == 0) || (imu == 0) || (master == 0) || (H == 0)) {
+    if ((nav == 0) || (imu == 0) || (master == 0) || (H_nz == 0)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -53,11 +50,25 @@ bs_status va_dcm_H(const va_nav *nav, const va_imu *imu, const va_master *master
     }
 
     va_dcm_H_kernel(nav->position, nav->v_n, nav->q_b2n_wxyz, imu->omega_ib_b, master->q_m2n_wxyz, H_nz);
-    for (int i = 0; i < 48; ++i) {
-        H[i] = BS_REAL(0.0);
-    }
-    for (int i = 0; i < 15; ++i) {
-        H[H_index[i]] = H_nz[i];
-    }
     return BS_OK;
+}
+
+bs_status va_dcm_H(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H[3 * VA_N_STATES])
+{
+    static const unsigned short H_index[15] = { 0, 12, 13, 14, 15, 17, 28, 29, 30, 31, 34, 44, 45, 46, 47 };
+    bs_real H_nz[15];
+    bs_status status;
+    if (H == 0) {
+        return BS_NULL_POINTER;
+    }
+    status = va_dcm_H_nz(nav, imu, master, H_nz);
+    if (status == BS_OK) {
+        for (int i = 0; i < 48; ++i) {
+            H[i] = BS_REAL(0.0);
+        }
+        for (int i = 0; i < 15; ++i) {
+            H[H_index[i]] = H_nz[i];
+        }
+    }
+    return status;
 }
