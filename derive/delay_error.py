@@ -170,8 +170,8 @@ def derivation() -> Derivation:
                 "look at it",
                 (Relation((dmu_z, by_ratio)), Relation((Symbol("max dmu_z"), largest))),
                 "the size of the sea cancels, only the ratio rho = P / R remains, and the heading is not in it.  "
-                "Largest, tau omega, for equal amplitudes a quarter of a period apart, where misalignment and delay are "
-                "one and the same signal, and zero for roll and pitch in phase",
+                "Largest, tau omega, for equal amplitudes a quarter of a period apart, where misalignment and delay "
+                "are one and the same signal, and zero for roll and pitch in phase",
             ),
             Step(
                 "add the velocity",
