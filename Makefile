@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 PYTHON ?= python3
 
-.PHONY: run test check docs bench clean tools
+.PHONY: run test check evidence docs bench clean tools
 
 run: $(VENV)/.installed
 	$(BIN)/boresight generate
@@ -20,6 +20,9 @@ check: $(VENV)/.tested
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+
+evidence: $(VENV)/.tested
+	$(BIN)/python -m boresight.evidence
 
 bench: $(VENV)/.installed
 	$(BIN)/python -m benchmarks.call

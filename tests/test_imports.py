@@ -7,12 +7,13 @@ import sys
 import pytest
 from conftest import ROOT
 
-LAYERS = ("derive", "codegen", "runtime", "studies")
+LAYERS = ("derive", "codegen", "runtime", "studies", "evidence")
 ARROWS = {
     "derive": set(),
     "runtime": set(),
     "codegen": {"derive", "runtime"},
     "studies": {"runtime"},
+    "evidence": {"derive", "codegen", "runtime"},
 }
 # SymPy and CasADi stop at codegen: what flies needs neither.
 FORBIDDEN = {"runtime": {"sympy", "casadi"}, "studies": {"sympy", "casadi"}, "derive": {"casadi", "numpy", "scipy"}}

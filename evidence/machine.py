@@ -1,0 +1,157 @@
+"""An emulated Cortex-M that runs one function at a time: exact instruction counts, exact stack."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.evidence.targets import GROUPS, ROOM, Build, Run, recorded, symbol_table
+
+STACK_TOP, STACK_SIZE = 0x2080_0000, 0x40_0000
+RETURN = 0x3000_0000  # where the function that was called goes back to
+PAINT, PAINTED = b"\xa5", 12 * 1024
+FPU_ON = 0x00F0_0000
+
+
+@dataclass
+class Cost:
+    """Of one public function over the calls that were watched: instructions with what it calls, bytes of stack below
+    the caller's."""
+
+    calls: int = 0
+    least: int = 0
+    most: int = 0
+    stack: int = 0
+
+    def add(self, instructions: int, stack: int) -> None:
+        self.least = min(self.least, instructions) if self.calls else instructions
+        self.most = max(self.most, instructions)
+        self.stack = max(self.stack, stack)
+        self.calls += 1
+
+
+@dataclass
+class Frame:
+    """A watched function that has not returned yet."""
+
+    name: str
+    back: int
+    pointer: int  # stack pointer when it was entered
+    instructions: int  # executed before it was entered
+    lowest: int
+
+
+@dataclass
+class Machine:
+    """One image, loaded.  After `call` nothing of a former call remains but what the program keeps itself."""
+
+    made: Build
+    image: Path
+    watched: tuple[str, ...] = ()
+    costs: dict[str, Cost] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        import unicorn as u
+        from elftools.elf.elffile import ELFFile
+        from unicorn import arm_const as arm
+
+        self.arm = arm
+        if self.made.target.double:
+            # the emulator's Cortex-M7 has no double FPU; its largest core knows every instruction of FPv5
+            mode, model = u.UC_MODE_THUMB, arm.UC_CPU_ARM_MAX
+        else:
+            mode, model = u.UC_MODE_THUMB | u.UC_MODE_MCLASS, arm.UC_CPU_ARM_CORTEX_M4
+        self.core = u.Uc(u.UC_ARCH_ARM, mode)
+        self.core.ctl_set_cpu_model(model)
+        with self.image.open("rb") as file:
+            elf = ELFFile(file)
+            segments = [s for s in elf.iter_segments() if s["p_type"] == "PT_LOAD" and s["p_memsz"]]
+            low = min(s["p_vaddr"] for s in segments) & ~0xFFFF
+            high = max(s["p_vaddr"] + s["p_memsz"] for s in segments) + 0x40_0000  # and a heap behind it
+            self.core.mem_map(low, (high - low + 0xFFFF) & ~0xFFFF)
+            for s in segments:
+                self.core.mem_write(s["p_vaddr"], s.data())
+        self.symbols = {s.name: s["st_value"] for s in symbol_table(self.image)}
+        self.core.mem_map(STACK_TOP - STACK_SIZE, STACK_SIZE)
+        self.core.mem_map(RETURN, 0x1000)
+        self.core.mem_write(RETURN, b"\x00\xbf" * 8)
+        self.core.mem_map(0xE000_E000, 0x1000)
+        self.core.reg_write(arm.UC_ARM_REG_C1_C0_2, FPU_ON)
+        self.core.reg_write(arm.UC_ARM_REG_FPEXC, 0x4000_0000)
+        self.lengths: dict[tuple[int, int], int] = {}
+        self.frames: list[Frame] = []
+        self.executed = 0
+        if self.watched:
+            self.entries = {self.symbols[name] & ~1: name for name in self.watched if name in self.symbols}
+            self.core.hook_add(u.UC_HOOK_BLOCK, self._block)
+
+    def call(self, name: str, most: int = 2_000_000_000) -> int:
+        """What the function (without arguments) returns."""
+        arm, core = self.arm, self.core
+        core.reg_write(arm.UC_ARM_REG_SP, STACK_TOP - 64)
+        core.reg_write(arm.UC_ARM_REG_LR, RETURN | 1)
+        core.emu_start(self.symbols[name] | 1, RETURN, count=0)
+        if core.reg_read(arm.UC_ARM_REG_PC) & ~1 != RETURN:
+            raise BoresightError(f"{name} did not return on the emulated {self.made.target.name}")
+        value = int(core.reg_read(arm.UC_ARM_REG_R0))
+        return value - 2**32 if value >= 2**31 else value
+
+    def instructions(self, address: int, size: int) -> int:
+        """How many instructions a block holds; Thumb's are two or four bytes long."""
+        key = (address, size)
+        if key not in self.lengths:
+            halves = np.frombuffer(bytes(self.core.mem_read(address, size)), dtype="<u2")
+            at = count = 0
+            while at < len(halves):
+                at += 2 if halves[at] >> 11 in (0b11101, 0b11110, 0b11111) else 1
+                count += 1
+            self.lengths[key] = count
+        return self.lengths[key]
+
+    def _block(self, core: Any, address: int, size: int, _: Any) -> None:
+        if not self.frames and address not in self.entries:
+            return
+        pointer = core.reg_read(self.arm.UC_ARM_REG_SP)
+        while self.frames and address == self.frames[-1].back and pointer == self.frames[-1].pointer:
+            done = self.frames.pop()
+            below = bytes(core.mem_read(done.pointer - PAINTED, PAINTED))
+            touched = PAINTED - (len(below) - len(below.lstrip(PAINT)))
+            deepest = max(touched, done.pointer - done.lowest)
+            self.costs.setdefault(done.name, Cost()).add(self.executed - done.instructions, deepest)
+            if self.frames:
+                self.frames[-1].lowest = min(self.frames[-1].lowest, done.pointer - deepest)
+        for frame in self.frames:
+            frame.lowest = min(frame.lowest, pointer)
+        if address in self.entries:
+            back = core.reg_read(self.arm.UC_ARM_REG_LR) & ~1
+            # what an earlier call left below the stack pointer is not this one's
+            core.mem_write(pointer - PAINTED, PAINT * PAINTED)
+            self.frames.append(Frame(self.entries[address], back, pointer, self.executed, pointer))
+        if self.frames:
+            self.executed += self.instructions(address, size)
+
+    def read(self, name: str, dtype: type[np.generic], count: int) -> np.ndarray:
+        size = count * np.dtype(dtype).itemsize
+        return np.frombuffer(bytes(self.core.mem_read(self.symbols[name], size)), dtype=dtype)
+
+    def run_tests(self, names: Iterable[str] | None = None) -> dict[str, Run]:
+        """Each unit's shipped test, by the unit's name."""
+        runs = {}
+        for unit in self.made.folder.units:
+            if not unit.test.is_file() or (names is not None and unit.name not in names):
+                continue
+            for counter in ("evidence_count", "evidence_groups"):
+                self.core.mem_write(self.symbols[counter], bytes(4))
+            failures = self.call(unit.test_function)
+            (count,), (groups,) = (self.read(name, np.int32, 1) for name in ("evidence_count", "evidence_groups"))
+            runs[unit.name] = recorded(
+                failures,
+                self.read("evidence_record", self.made.real, min(int(count), ROOM)),
+                self.read("evidence_lengths", np.int32, min(int(groups), GROUPS)),
+                int(count),
+                int(groups),
+            )
+        return runs

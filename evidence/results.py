@@ -1,0 +1,30 @@
+"""The committed results: a file for each generated folder, an entry for each kind of evidence."""
+
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+from boresight.evidence.sources import Folder
+
+PLACE = Path(__file__).resolve().parent / "results"
+
+
+def sources_hash(folder: Folder) -> str:
+    """Of everything that a result of this folder depends on: its C, its headers, its tests."""
+    key = hashlib.sha256()
+    for path in folder.files("src/*") + folder.files("include/*") + folder.files("selftest/*"):
+        key.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
+    return key.hexdigest()
+
+
+def read(folder: Folder) -> dict[str, Any]:
+    """By kind of evidence: `sources` (the hash above), `tools`, and `units` by name.  Empty if nothing is committed."""
+    path = PLACE / f"{folder.name}.json"
+    return dict(json.loads(path.read_text())) if path.is_file() else {}
+
+
+def write(folder: Folder, results: dict[str, Any]) -> None:
+    PLACE.mkdir(exist_ok=True)
+    text = json.dumps(results, indent=1, sort_keys=True) + "\n"
+    (PLACE / f"{folder.name}.json").write_text(text)

@@ -1,0 +1,106 @@
+"""The generated C as files: which units there are, what tests them, and a hash of what each is compiled from."""
+
+import hashlib
+import re
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from boresight.runtime.manifest import GENERATED, read_manifest
+
+LIBM = re.compile(r"BS_(SIN|COS|ATAN2)\(")
+TEST = re.compile(r"^int (test_\w+)\(void\)$", re.MULTILINE)
+INCLUDED = re.compile(r'^#include "(\w+\.h)"', re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Folder:
+    """One generated folder: a model or a kernel."""
+
+    path: Path
+
+    @cached_property
+    def manifest(self) -> dict[str, Any]:
+        return read_manifest(self.path)
+
+    @property
+    def name(self) -> str:
+        return self.path.name
+
+    @property
+    def include(self) -> Path:
+        return self.path / "include"
+
+    def files(self, pattern: str) -> list[Path]:
+        """Of the files that the manifest lists, those below this folder whose path matches."""
+        return [self.path / name for name in sorted(self.manifest["files"]) if Path(name).match(pattern)]
+
+    @cached_property
+    def units(self) -> list["Source"]:
+        return [Source(self, path) for path in self.files("src/*.c")]
+
+
+@dataclass(frozen=True)
+class Source:
+    """One unit: a C file of src/, with the headers that it includes."""
+
+    folder: Folder
+    path: Path
+
+    @property
+    def name(self) -> str:
+        return self.path.stem
+
+    @cached_property
+    def described(self) -> dict[str, Any] | None:
+        """What the manifest says of a printed unit; None for a kernel template, whose structs it does not list."""
+        for name, unit in self.folder.manifest["units"].items():
+            if unit["file"] == self.name and "structs" in unit:
+                return {"name": name, **unit}
+        return None
+
+    @cached_property
+    def test(self) -> Path:
+        """The shipped test of this unit."""
+        return self.folder.path / "selftest" / f"test_{self.name}.c"
+
+    @cached_property
+    def test_function(self) -> str:
+        (name,) = TEST.findall(self.test.read_text())
+        return str(name)
+
+    @cached_property
+    def text(self) -> list[Path]:
+        """The C file and every header of the folder that it includes, directly or not."""
+        found = [self.path]
+        for path in found:
+            for name in INCLUDED.findall(path.read_text()):
+                for place in (self.path.parent / name, self.folder.include / name):
+                    if place.is_file() and place not in found:
+                        found.append(place)
+        return found
+
+    def hash(self, *more: Path) -> str:
+        """Of the unit's text, and of further files."""
+        key = hashlib.sha256()
+        for path in (*self.text, *more):
+            key.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
+        return key.hexdigest()
+
+    @property
+    def operations(self) -> int | None:
+        """The printed instruction list's length."""
+        return None if self.described is None else int(self.described["operations"])
+
+    @cached_property
+    def calls_libm(self) -> bool:
+        """Whether a function of the target's library takes part that need not be correctly rounded."""
+        return any(
+            re.search(r"BS_(SIN|COS|ATAN2)\(", path.read_text()) for path in self.text if path.name != "boresight.h"
+        )
+
+
+def folders() -> list[Folder]:
+    """Every folder that is committed."""
+    return [Folder(path.parent) for path in sorted(GENERATED.resolve().glob("*/manifest.json"))]

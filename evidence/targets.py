@@ -1,0 +1,270 @@
+"""The machines that the C is built for, and what a build of a generated folder holds.
+
+A build is the shipped C and its shipped self-test, compiled under the flags of this project with every warning an
+error; the self-test's comparison is wrapped so that every number it sees can be read back (harness/recorder.c).
+"""
+
+import ctypes
+import functools
+import re
+import shutil
+import subprocess
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.evidence.sources import Folder
+
+HARNESS = Path(__file__).parent / "harness"
+WARNINGS = (
+    *("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow"),
+    *("-Wmissing-prototypes", "-Werror", "-ffp-contract=off"),
+)
+OPTIMISED = ("-O2", "-ffunction-sections", "-fdata-sections")
+PRECISIONS: dict[str, tuple[str, ...]] = {"float": ("-DBORESIGHT_FLOAT",), "double": ()}
+RENAMED = ("selftest_compare", "main")  # of the shipped selftest.c, to shipped_compare and shipped_main
+JOBS = 2
+ROOM, GROUPS = 400_000, 20_000  # numbers and comparisons that the recorder keeps of one test
+
+
+@dataclass(frozen=True)
+class Target:
+    """compiler: its command.  flags: of the machine.  double: whether it has a double-precision FPU.  emulator: the
+    core's name there, or empty for this machine."""
+
+    name: str
+    compiler: str
+    flags: tuple[str, ...]
+    double: bool = True
+    emulator: str = ""
+
+    @property
+    def missing(self) -> str:
+        """Why nothing can be built for it here, or nothing."""
+        return "" if shutil.which(self.compiler) else f"{self.compiler} is not installed"
+
+    def tool(self, name: str) -> str:
+        """One of the binary utilities, such as objcopy."""
+        return self.compiler.replace("gcc", name) if self.emulator else name
+
+    @functools.cached_property
+    def version(self) -> str:
+        """First line of what the compiler says of itself."""
+        return run([self.compiler, "--version"]).splitlines()[0]
+
+
+GCC = Target("x86-64", "gcc", ("-fPIC",))
+CLANG = Target("x86-64 clang", "clang", ("-fPIC",))
+M4F = Target(
+    *("cortex-m4f", "arm-none-eabi-gcc"),
+    ("-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"),
+    double=False,
+    emulator="cortex-m4",
+)
+M7 = Target(
+    *("cortex-m7", "arm-none-eabi-gcc"),
+    ("-mcpu=cortex-m7", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-d16"),
+    emulator="cortex-m7",
+)
+HOSTS, CORES = (GCC, CLANG), (M4F, M7)
+
+
+@dataclass(frozen=True)
+class Build:
+    """objects: of the units, by name.  image: what can be run: a shared library on this machine, else an ELF file.
+    same: the same objects with the sines of harness/same_sines.c in place of the library's."""
+
+    folder: Folder
+    target: Target
+    precision: str
+    objects: dict[str, Path]
+    image: Path
+    same: Path
+
+    @property
+    def real(self) -> type[np.floating]:
+        return np.float32 if self.precision == "float" else np.float64
+
+
+def run(command: Iterable[object], **more: object) -> str:
+    """Standard output of a command.  Raises BoresightError with its first words of complaint."""
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, **more)  # type: ignore[call-overload]
+    if done.returncode != 0:
+        words = [str(word) for word in command]
+        raise BoresightError(f"{' '.join(words[:3])} ... failed: {(done.stderr or done.stdout).strip()[:2000]}")
+    return str(done.stdout)
+
+
+def side_by_side(commands: list[list[object]]) -> None:
+    with ThreadPoolExecutor(JOBS) as pool:
+        for _ in pool.map(run, commands):
+            pass
+
+
+def compile_units(folder: Folder, target: Target, precision: str, out: Path, *flags: str) -> dict[str, Path]:
+    """Every unit's object, by the unit's name; a warning is an error."""
+    out.mkdir(parents=True, exist_ok=True)
+    objects = {unit.name: out / f"{unit.name}.o" for unit in folder.units}
+    common = [target.compiler, *WARNINGS, *target.flags, *PRECISIONS[precision], *(flags or OPTIMISED)]
+    side_by_side([[*common, "-I", folder.include, "-c", unit.path, "-o", objects[unit.name]] for unit in folder.units])
+    return objects
+
+
+def build(folder: Folder, target: Target, precision: str, out: Path) -> Build:
+    """The folder's units and self-test for one target, below `out`."""
+    out = out / f"{folder.name}-{target.name.replace(' ', '-')}-{precision}"
+    objects = compile_units(folder, target, precision, out)
+    common = [target.compiler, *WARNINGS, *target.flags, *PRECISIONS[precision], "-O1", "-I", folder.include]
+    common += ["-I", folder.path / "selftest", f"-DEVIDENCE_ROOM={ROOM}", f"-DEVIDENCE_GROUPS={GROUPS}"]
+    tests = folder.files("selftest/*.c")
+    jobs = [[*common, "-c", path, "-o", out / f"{path.stem}.o"] for path in tests]
+    jobs += [
+        [*common, "-fno-builtin", "-c", HARNESS / f"{name}.c", "-o", out / f"{name}.o"]
+        for name in ("recorder", "same_sines")
+    ]
+    side_by_side(jobs)
+    renamed = [f"--redefine-sym={name}=shipped_{name.removeprefix('selftest_')}" for name in RENAMED]
+    run([target.tool("objcopy"), *renamed, out / "selftest.o"])
+    linked = [*objects.values(), *(out / f"{path.stem}.o" for path in tests), out / "recorder.o"]
+    images = []
+    for name, more in (("image", []), ("same", [out / "same_sines.o"])):
+        images.append(out / f"{name}.{'elf' if target.emulator else 'so'}")
+        if target.emulator:
+            kept = [f"-Wl,-u,{unit.test_function}" for unit in folder.units if unit.test.is_file()]
+            link = ["-nostartfiles", "--specs=nosys.specs", "-Wl,-e,shipped_main", "-Wl,--gc-sections", *kept]
+            link += ["-Wl,--no-warnings"]  # of the C library's missing files and processes, which nothing uses
+        else:
+            link = ["-shared", "-Wl,-Bsymbolic"]
+        run([target.compiler, *target.flags, *link, *linked, *more, "-lm", "-o", images[-1]])
+    return Build(folder, target, precision, objects, *images)
+
+
+def link_alone(made: Build, unit: str) -> Path:
+    """One unit and what it needs of the others and of the target's libraries: what would be flown."""
+    image = made.image.with_name("alone.elf")
+    kept = public_functions(made.objects[unit])
+    link = ["-nostartfiles", "--specs=nosys.specs", "-Wl,--gc-sections", f"-Wl,-e,{kept[0]}"]
+    link += [f"-Wl,-u,{name}" for name in kept]
+    run([made.target.compiler, *made.target.flags, *link, *made.objects.values(), "-lm", "-o", image])
+    return image
+
+
+def symbol_table(path: Path) -> list[Any]:
+    """Every symbol of an object or an ELF file that has a name."""
+    from elftools.elf.elffile import ELFFile
+
+    with path.open("rb") as file:
+        table: Any = ELFFile(file).get_section_by_name(".symtab")
+        return [symbol for symbol in table.iter_symbols() if symbol.name]
+
+
+def public_functions(path: Path) -> list[str]:
+    """Names of the functions that an object offers to others."""
+    return [
+        s.name
+        for s in symbol_table(path)
+        if s["st_info"]["type"] == "STT_FUNC" and s["st_info"]["bind"] == "STB_GLOBAL" and s["st_shndx"] != "SHN_UNDEF"
+    ]
+
+
+def text_size(path: Path) -> int:
+    """Bytes of code and constants of one object."""
+    from elftools.elf.elffile import ELFFile
+
+    with path.open("rb") as file:
+        return sum(s["sh_size"] for s in ELFFile(file).iter_sections() if re.match(r"\.(text|rodata)", s.name))
+
+
+DOUBLE = re.compile(r"^__aeabi_(d(?!iv)|cd|f2d|i2d|ui2d|l2d|ul2d)|df[0-9]$|df$")
+
+
+def doubles(made: Build) -> dict[str, list[str]]:
+    """What of double precision each unit of a float build holds: instructions; without a double FPU, helpers too, also
+    those of the library functions that it calls."""
+    found = {}
+    for name, path in made.objects.items():
+        disassembly = run([made.target.tool("objdump"), "-d", path])
+        found[name] = sorted({line.split("\t")[2] for line in disassembly.splitlines() if ".f64" in line})
+        if not made.target.double:
+            found[name] += sorted({s.name for s in symbol_table(link_alone(made, name)) if DOUBLE.search(s.name)})
+    return found
+
+
+@dataclass(frozen=True)
+class Run:
+    """What one unit's shipped test did: its verdict, and every number it compared, one array a comparison."""
+
+    failures: int
+    outputs: list[np.ndarray]
+
+
+def recorded(failures: int, values: np.ndarray, lengths: np.ndarray, count: int, groups: int) -> Run:
+    if count > ROOM or groups > GROUPS:
+        raise BoresightError(f"{count} numbers in {groups} comparisons, room for {ROOM} in {GROUPS}")
+    return Run(failures, np.split(values, np.cumsum(lengths)[:-1]))
+
+
+def run_on_host(made: Build, image: Path) -> dict[str, Run]:
+    """Each unit's test in this process, by the unit's name."""
+    library = ctypes.CDLL(str(image))
+    count, groups = (ctypes.c_int.in_dll(library, f"evidence_{name}") for name in ("count", "groups"))
+    real = ctypes.c_float if made.precision == "float" else ctypes.c_double
+    record = np.ctypeslib.as_array((real * ROOM).in_dll(library, "evidence_record"))
+    lengths = np.ctypeslib.as_array((ctypes.c_int * GROUPS).in_dll(library, "evidence_lengths"))
+    runs = {}
+    for unit in made.folder.units:
+        if not unit.test.is_file():
+            continue
+        count.value = groups.value = 0
+        failures = getattr(library, unit.test_function)()
+        runs[unit.name] = recorded(
+            failures, record[: count.value].copy(), lengths[: groups.value].copy(), count.value, groups.value
+        )
+    return runs
+
+
+def same_bits(a: Run, b: Run) -> bool:
+    """Every bit of every number; a NaN is a NaN, whatever its bits, which no standard fixes."""
+
+    def plain(run: Run) -> list[bytes]:
+        return [np.where(np.isnan(x), np.nan, x).tobytes() for x in run.outputs]
+
+    return plain(a) == plain(b)
+
+
+def ulps_apart(a: Run, b: Run) -> float:
+    """The largest difference of two runs in units in the last place of the largest number of the same output.
+
+    Infinite if a number is finite in one alone, or if the runs did not compare the same numbers.
+    """
+    if [x.shape for x in a.outputs] != [x.shape for x in b.outputs]:
+        return float("inf")
+    worst = 0.0
+    for x, y in zip(a.outputs, b.outputs, strict=True):
+        finite = np.isfinite(x)
+        if (finite != np.isfinite(y)).any():
+            return float("inf")
+        if finite.any():
+            difference = np.abs(x[finite].astype(float) - y[finite].astype(float)).max()
+            worst = max(worst, float(difference / np.spacing(np.abs(x[finite]).max())))
+    return worst
+
+
+def ulps_each(a: Run, b: Run) -> float:
+    """The largest difference of two runs in units in the last place of each number itself."""
+    if [x.shape for x in a.outputs] != [x.shape for x in b.outputs]:
+        return float("inf")
+    worst = 0.0
+    for x, y in zip(a.outputs, b.outputs, strict=True):
+        both = np.isfinite(x) & np.isfinite(y)
+        if (np.isfinite(x) != np.isfinite(y)).any():
+            return float("inf")
+        if both.any():
+            difference = np.abs(x[both].astype(float) - y[both].astype(float))
+            worst = max(worst, float((difference / np.spacing(np.abs(x[both]).astype(a.outputs[0].dtype))).max()))
+    return worst
