@@ -96,6 +96,8 @@ def _here(expression, alike) -> Iterator[tuple[str, object]]:
         yield f"{_short(expression)} -> {_short(base)}", base
         if exponent == 2:
             yield f"{_short(expression)} -> cube", base**3
+    elif expression.func == transpose:
+        yield f"{_short(expression)} -> not transposed", arguments[0]
     elif expression.func in OTHER_FUNCTIONS:
         for other in OTHER_FUNCTIONS[expression.func]:
             yield f"{_short(expression)} -> {other.__name__}", other(*arguments)

@@ -254,6 +254,9 @@ class _Latex(LatexPrinter):
             return super()._print_Function(expr, exp)
         return self._print_call(expr)
 
+    def _print_transpose(self, expr, exp=None):
+        return rf"{{{self.parenthesize(expr.args[0], PRECEDENCE['Pow'])}}}^{{T}}"
+
     def _print_call(self, expr):
         name = expr.func.__name__
         arguments = ", ".join(self._print(argument) for argument in expr.args)

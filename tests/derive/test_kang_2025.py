@@ -1,0 +1,367 @@
+"""The ledger of Kang 2025: statuses, orders, mutations, functions against the witness, and what the errata do."""
+
+import os
+import re
+import subprocess
+import sys
+import xml.dom.minidom
+from collections import Counter
+from dataclasses import replace
+from pathlib import Path
+
+import mpmath as mp
+import pytest
+from sympy import Float, Matrix
+
+from boresight import BoresightError
+from boresight.derive import ellipsoid
+from boresight.derive import ledger as led
+from boresight.derive.equation import Relation, negative, total
+from boresight.derive.ledger import equations, findings, judge, ledger
+from boresight.derive.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED, survivors
+from boresight.derive.papers import kang_2025 as paper
+from boresight.derive.papers import kang_2025_print as printed
+from boresight.derive.papers import kang_2025_world as world
+from boresight.derive.render import errata_table, render
+from boresight.derive.witness import DIGITS, Point, residual, skew, vector
+
+PAPER = "kang-2025"
+ROOT = Path(__file__).resolve().parents[2]
+SOURCE = ROOT.parent / "shared" / "papers" / "kang-2025-sea-state-transfer-alignment.txt"
+EQUATIONS = {equation.number: equation for equation in equations(PAPER)}
+STATUS = {"1": "first-order", "2": "first-order", "3": "erratum", "4": "erratum", "5": "erratum", "6": "erratum"}
+# number: (mutants, survivors that say the same, that put another name, that differ in second order).
+# The slave's velocity has three names, v_s, v_S and v_s(k); eye(3) is its own transpose.
+MUTANTS = {
+    "1": (74, 0, 4, 0),
+    "2": (60, 0, 2, 0),
+    "3": (132, 0, 4, 0),
+    "4": (57, 0, 2, 0),
+    "5": (24, 0, 0, 0),
+    "6": (15, 0, 0, 0),
+}
+
+
+@pytest.fixture(autouse=True)
+def many_digits():
+    with mp.workdps(DIGITS):
+        yield
+
+
+@pytest.fixture(scope="module")
+def entries():
+    return {entry.number: entry for entry in ledger(PAPER)}
+
+
+def values(seed=1, scale=1.0, small=()):
+    return led.witness_point(PAPER, seed, scale, small).values
+
+
+def symbols_at(matrix):
+    """mpmath numbers as SymPy's, all digits kept."""
+    return Matrix(matrix.rows, matrix.cols, [Float(entry, DIGITS) for entry in matrix])
+
+
+def numbers(M):
+    return mp.matrix([[mp.mpf(str(entry.evalf(DIGITS))) for entry in M.row(i)] for i in range(M.rows)])
+
+
+def unskewed(M):
+    return vector(M[2, 1], M[0, 2], M[1, 0])
+
+
+# ---- The ledger ------------------------------------------------------------------------------------------------------
+
+
+def test_every_equation_has_its_status_kind_and_origin(entries):
+    assert {number: entry.status for number, entry in entries.items()} == STATUS
+    for entry in entries.values():
+        expected = ("structure", "print") if entry.status == "erratum" else ("", "")
+        assert (entry.kind, entry.origin) == expected
+        assert all(isinstance(value, str) for value in entry.to_dict().values())
+
+
+@pytest.mark.parametrize("number, factor", [("1", 4), ("2", 4), ("3", 4), ("4", 8), ("5", 4)])
+def test_remainder_of_the_derived_form_falls_at_its_order_when_errors_are_halved(number, factor):
+    """(4) is the skew-symmetric part of a rotation: no second order."""
+    equation = EQUATIONS[number]
+    sizes = []
+    for scale in (1e-3, 5e-4):
+        point = led.witness_point(PAPER, 11, scale, equation.small)
+        sizes.append(max(abs(x) for relation in equation.derived for x in residual(relation.sides, point)))
+    assert sizes[0] / sizes[1] == pytest.approx(factor, rel=0.02)
+
+
+def test_the_reading_of_6_is_there_only_because_an_arcsine_fails():
+    assert {n for n, equation in EQUATIONS.items() if equation.readings} == {"6"}
+    six = EQUATIONS["6"]
+    assert judge(six, six.printed).status == "refuted"
+    (relation,) = six.read()
+    amplitude = Relation((relation.sides[0], relation.sides[1] / 2))
+    assert judge(six, (amplitude,)).status == "exact"
+
+
+@pytest.mark.parametrize("number", list(EQUATIONS))
+def test_every_single_mutation_changes_the_status_or_says_the_same(number):
+    count, found = survivors(EQUATIONS[number])
+    reasons = Counter(survivor.reason for survivor in found)
+    assert not reasons[UNEXPLAINED], [survivor for survivor in found if survivor.reason == UNEXPLAINED]
+    assert (count, reasons[SAME], reasons[ALIAS], reasons[SECOND_ORDER]) == MUTANTS[number]
+
+
+def test_a_wrong_derivation_is_refused(monkeypatch):
+    five = EQUATIONS["5"]
+    monkeypatch.setattr(paper, "equations", lambda: (replace(five, derived=five.printed),))
+    led._own_definitions(PAPER)  # of the whole paper, before it is cut down
+    with pytest.raises(BoresightError, match=r"\(5\): the derived form itself is refuted"):
+        ledger(PAPER)
+
+
+# ---- (1): the lever arm ----------------------------------------------------------------------------------------------
+
+
+def test_lever_arm_runs_from_master_to_slave():
+    """The other direction refutes (1), both lines of it."""
+    one = EQUATIONS["1"]
+
+    def worst(turned, scale):
+        point = led.witness_point(PAPER, 1, scale, one.small)
+        changed = {"L": point.values["L"] * turned, "dL/dt": point.values["dL/dt"] * turned}
+        return max(abs(x) for x in residual(one.printed[0].sides, Point(dict(point.values) | changed)))
+
+    assert worst(1, 5e-7) / worst(1, 1e-6) == pytest.approx(0.25, rel=1e-3)
+    assert worst(-1, 5e-7) / worst(-1, 1e-6) == pytest.approx(0.5, rel=1e-3)
+
+
+def test_second_line_of_1_is_the_rate_of_the_lever_arm_exactly():
+    v = values()
+    arm = v["[ω_in_n x]"] * v["C_S2n"] * v["L"] - v["C_S2n"] * v["[ω_ib_b x]"] * v["L"]
+    assert mp.norm(arm + v["dL/dt"]) < 1e-28
+
+
+def test_earth_rate_alone_is_exact_in_the_axes_of_one_place():
+    """Two points of a body turn against the Earth, not against north; both variants leave v L / R."""
+    sizes = world.lever_sizes()
+    assert sizes["earth rate, one"] < 1e-40
+    for name in ("print, own", "print, one", "earth rate, own"):
+        assert 0.2 < sizes[name] / (5 * 3 / 6.37e6) < 3
+
+
+# ---- (2), (3): the delay in the velocity -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("step, delay", [(1.0, 0.01), (0.1, 0.01), (0.01, 0.005)])
+def test_straight_line_errs_by_half_the_jerk_times_both_parts_of_the_interval(step, delay):
+    """Up to the curvature of a sine over the step, 10 % at 1 s of a period of 10 s."""
+    error, change = world.interpolation(4.0, step, delay)
+    surge = 2 * mp.pi * 0.1
+    assert error == pytest.approx(float(4 * surge**3 * delay * (step - delay) / 2), rel=0.02)
+    assert change == pytest.approx(float(4 * surge**2 * delay), rel=0.001)
+
+
+def test_what_3_leaves_out_is_the_acceleration_of_the_lever_arm_times_the_delay():
+    v = values(scale=1e-6, small=("delay", "step"))
+    (relation,) = EQUATIONS["3"].printed
+    missing = residual(relation.sides, Point(v))
+    base = world.draw(1, world.Conditions().scaled(1e-6, ("delay", "step")))
+    with mp.workdps(ellipsoid.WORKING):
+        motion = world._motion(base, True)
+        second = ellipsoid.rate(motion.lever_rate)  # d2L/dt2 as seen from n
+    expected = second * v["δt_d"]  # z_v has -dL/dt of the earlier time, the print that of now
+    assert mp.norm(mp.matrix(missing) - expected) < 1e-5 * mp.norm(expected)
+
+
+def test_what_3_leaves_out_on_a_rolling_hull():
+    assert world.dropped_by_3(0.1, 0.1, 2.0) == pytest.approx(0.01 * 2 * 0.1 * (2 * 3.14159 * 0.1) ** 2, rel=1e-3)
+
+
+# ---- (4), (5): the attitude ------------------------------------------------------------------------------------------
+
+
+def test_printed_brackets_of_4_give_one_and_a_half_times_the_turn():
+    small = values(scale=1e-6)
+    (relation,) = EQUATIONS["4"].printed
+    A = led.evaluate(relation.sides[1], Point(small))
+    ratio = unskewed(A - A.T) / 2
+    assert all(abs(ratio[i] / unskewed(small["A"])[i] - mp.mpf("1.5")) < 1e-9 for i in range(3))
+
+
+def test_half_of_the_symmetric_part_is_a_second_order():
+    parts = []
+    for scale in (1e-3, 5e-4):
+        v = values(scale=scale)
+        A = led.evaluate(EQUATIONS["4"].printed[0].sides[1], Point(v))
+        parts.append(mp.mnorm(A + A.T, mp.inf))
+    assert parts[0] / parts[1] == pytest.approx(4, rel=0.01)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("frame", ["n", "b"])
+def test_only_minus_and_only_the_body_rate_satisfy_5(sign, frame):
+    five = EQUATIONS["5"]
+    seen, _ = five.printed[0].sides[1].args
+    term = five.derived[0].sides[1].args[1]
+    late = negative(term) if sign > 0 else term
+    if frame == "n":
+        letters = {q.symbol.name: q.symbol for q in printed.quantities()}
+        late = Relation((late, late)).replaced({letters["ω_nb_b"]: letters["ω_nb_n"]}).sides[0]
+    status = judge(five, (Relation((five.printed[0].sides[0], total(seen, late))),)).status
+    assert status == ("first-order" if (sign, frame) == (-1, "b") else "refuted")
+
+
+def test_no_meaning_of_the_delay_satisfies_both_3_and_5_as_printed():
+    """Were the master's data newer by dt_d, the plus of (5) would be right, and (2) and (3) wrong."""
+    five = EQUATIONS["5"]
+    seen, late = five.derived[0].sides[1].args
+    plus = Relation((five.derived[0].sides[0], total(seen, negative(late))))
+
+    def worst(relation, scale, small, sign):
+        point = led.witness_point(PAPER, 1, scale, small)
+        changed = dict(point.values) | {"δt_d": point.values["δt_d"] * sign}
+        return max(abs(x) for x in residual(relation.sides, Point(changed)))
+
+    for relation, small, right in (
+        (plus, (), -1),
+        (EQUATIONS["2"].printed[0], ("delay", "step"), 1),
+        (EQUATIONS["3"].derived[0], ("delay", "step"), 1),
+    ):
+        for sign in (1, -1):
+            falls = worst(relation, 5e-7, small, sign) / worst(relation, 1e-6, small, sign)
+            assert falls == pytest.approx(0.25 if sign == right else 0.5, rel=1e-3)
+
+
+def test_printed_5_finds_a_delay_of_the_other_sign_and_none_across():
+    found = {h: world.delay_by_attitude("printed", h) for h in (0, 90, 180)}
+    assert found == pytest.approx({0: -0.01, 90: 0, 180: 0.01}, rel=1e-3, abs=1e-6)
+    for heading in (0, 90, 180):
+        assert world.delay_by_attitude("derived", heading) == pytest.approx(0.01, rel=1e-3)
+
+
+# ---- The functions against the witness -------------------------------------------------------------------------------
+
+
+def test_functions_are_the_derived_forms():
+    v = values(scale=1e-9)
+    C, L, v_S = (symbols_at(v[name]) for name in ("C_S2n", "L", "v_S"))
+    rates = [symbols_at(unskewed(v[name])) for name in ("[ω_in_n x]", "[ω_ib_b x]")]
+    expected = paper.master_velocity(v_S, C, *rates, L)
+    assert mp.norm(numbers(expected) - v["v_S"] + v["dL/dt"]) < 1e-28
+    v_rate = (v["v_s(k)"] + v["u(k)"] - v["v_s(k-1)"] - v["u(k-1)"]) / v["dt"]
+    lag = Float(v["δt_d"], DIGITS)
+    z_v = numbers(paper.velocity_residual(expected, symbols_at(v_rate), lag, symbols_at(v["v_M"])))
+    assert mp.norm(z_v - v["z_v"]) < 1e-16  # second order of 1e-10 s
+    C_expected = C * symbols_at(v["C_M2S"])
+    z = numbers(paper.attitude_residual(C_expected, symbols_at(v["ω_nb_n"]), lag, symbols_at(v["C_M2n"])))
+    assert mp.norm(z - v["z_DCM"]) < 1e-16
+
+
+@pytest.mark.parametrize("which", ["velocity", "attitude"])
+def test_measurement_matrices_are_first_order_of_the_residuals(which):
+    """z = H x by the witness, all errors at once, a misalignment of any size, no delay: what is left falls fourfold."""
+    remainders = []
+    for scale in (1e-6, 5e-7):
+        base = replace(world.draw(3, world.Conditions().scaled(scale)), delay=(mp.mpf(0),) * 3)
+        v, now = world.world(base, {}), mp.mpf(0)
+        with mp.workdps(ellipsoid.WORKING):
+            truth = world._motion(base, False)
+            v_true, omega_ib, omega_in = (
+                truth.velocity(truth.slave, now) - truth.lever_rate(now),
+                truth.omega_ib_b(now),
+                truth.omega_in_n(now),
+            )
+        hat_ib, hat_in = unskewed(v["[ω_ib_b x]"]), unskewed(v["[ω_in_n x]"])
+        C, L = symbols_at(v["C_S2n"]), symbols_at(v["L"])
+        if which == "velocity":
+            H = paper.velocity_matrix(C, symbols_at(hat_in), symbols_at(hat_ib), L, Matrix([0, 0, 0]))
+            # The rate of the level is taken as known: what its error does is no part of H.
+            z = v["v_S"] - v["dL/dt"] - v_true - skew(hat_in - omega_in) * v["C_S2n"] * v["L"]
+        else:
+            H, z = paper.attitude_matrix(symbols_at(v["C_M2n"]), symbols_at(v["ω_nb_n"])), v["z_DCM"]
+        # What the gyros show too much and is not taken off is minus the error of the bias' estimate.
+        parts = (base.phi, base.velocity_error, omega_ib - hat_ib, [0, 0, 0], base.dmu, [0])
+        x = vector(*(entry for part in parts for entry in part))
+        remainders.append(mp.norm(z - numbers(H) * x))
+    assert remainders[0] / remainders[1] == pytest.approx(4, rel=0.01)
+
+
+# ---- The text and the tables -----------------------------------------------------------------------------------------
+
+
+def test_grades_of_the_code_table():
+    assert [world.grade(h) for h in (0, 0.05, 0.1, 0.11, 0.5, 1.25, 2.5, 4, 4.01, 6, 9, 14, 15)] == [
+        0, 1, 1, 2, 2, 3, 4, 5, 6, 6, 7, 8, 9,
+    ]  # fmt: skip
+
+
+def test_findings_and_evidence_say_what_was_computed(entries):
+    text = " ".join(findings(PAPER))
+    for piece in ("grades 2 to 6", "grades 1, 1, 2, 3, 4, 5", "33.8 mil are left of 35.6", "2.7 mil"):
+        assert piece in text
+    for number, piece in (
+        ("1", "and nothing if both"),
+        ("2", "4.9 mm/s, 31 % of the 15.8 mm/s"),
+        ("3", "6.54 % at grade 6"),
+        ("4", "1.5 times it"),
+        ("5", "-10 ms at 0 deg, 0 ms at 90 deg, 10 ms at 180 deg"),
+        ("6", "5 m (6), 8 m (7)"),
+    ):
+        assert piece in entries[number].evidence
+
+
+# Where CI is true the text must be there, and these tests fail without it.
+needs_source = pytest.mark.skipif(
+    not SOURCE.exists() and os.environ.get("CI", "").lower() != "true",
+    reason="the paper's text is not beside the checkout",
+)
+
+
+@needs_source
+@pytest.mark.parametrize("number", list(printed.PRINTED))
+def test_printed_latex_stands_at_its_lines_of_the_source(number):
+    (first, last), displays = printed.PRINTED[number]
+    lines = SOURCE.read_text(encoding="utf-8").splitlines()[first - 1 : last]
+    assert displays[0] in lines[0] and f"({number})" in lines[-1]
+
+
+@needs_source
+def test_text_and_tables_stand_at_their_lines():
+    lines = SOURCE.read_text(encoding="utf-8").splitlines()
+    for line, text in (
+        printed.RATE_OF_N,
+        printed.WHEN,
+        printed.BETWEEN,
+        printed.RESIDUALS,
+        printed.HEIGHT,
+        printed.GRADES_RUN,
+        printed.GRADES_READ,
+        printed.AT_REST,
+        printed.ROLLING,
+    ):
+        assert text in lines[line - 1], text
+    for (first, last), table in (
+        (printed.TABLE_1_LINES, printed.TABLE_1),
+        (printed.TABLE_2_LINES, printed.TABLE_2),
+    ):
+        assert [tuple(line.split("\t")) for line in lines[first - 1 : last]] == list(table)
+
+
+# ---- Pages -----------------------------------------------------------------------------------------------------------
+
+
+def test_pages_are_well_formed_and_the_errata_table_of_the_documentation_is_fresh():
+    page = render(PAPER, None, "html")
+    for formula in re.findall(r"<math.*?</math>", page, re.DOTALL):
+        xml.dom.minidom.parseString(formula.replace("&InvisibleTimes;", ""))
+    assert len(re.findall(r'<section id="eq-\d+">', page)) == 6
+    assert max(map(len, render(PAPER).splitlines())) <= 110
+    assert errata_table(PAPER) in (ROOT / "docs" / "derivations" / "kang-2025.md").read_text(encoding="utf-8")
+
+
+def test_importing_the_paper_derives_nothing():
+    code = (
+        "import sys; from boresight.derive.papers import kang_2025 as p; "
+        "assert p.equations.cache_info().currsize == 0; "
+        "assert 'boresight.derive.ledger' not in sys.modules; "
+        "assert 'boresight.derive.papers.kang_2025_world' not in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)
