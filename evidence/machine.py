@@ -100,7 +100,10 @@ class Machine:
         return value - 2**32 if value >= 2**31 else value
 
     def instructions(self, address: int, size: int) -> int:
-        """How many instructions a block holds; Thumb's are two or four bytes long."""
+        """How many instructions a block holds, those whose condition fails among them: the core fetches them too.
+
+        Thumb's are two or four bytes long, as their first half says.
+        """
         key = (address, size)
         if key not in self.lengths:
             halves = np.frombuffer(bytes(self.core.mem_read(address, size)), dtype="<u2")
