@@ -343,9 +343,10 @@ def _lever() -> str:
     sizes = lever_sizes()
     exact = "nothing" if sizes["earth rate, one"] < 1e-28 else f"{sizes['earth rate, one']:.1g} m/s"
     return (
-        f"there the lever-arm velocity is up to {sizes['lever arm']:.2g} m/s, and v L / R is {5 * 3 / 6.37e6:.1g} m/s; "
-        f"with the Earth's rate alone for ω_in {sizes['earth rate, own']:.2g} m/s are left, and {exact} if both "
-        f"velocities are resolved in the slave's north, where the print leaves {sizes['print, one']:.2g} m/s"
+        f"there the lever-arm velocity is up to {sizes['lever arm']:.2g} m/s, v L / R is {5 * 3 / 6.37e6:.1g} m/s, and "
+        f"the print leaves {sizes['print, own']:.2g} m/s; with the Earth's rate alone for ω_in it would leave "
+        f"{sizes['earth rate, own']:.2g} m/s, and {exact} if both velocities were resolved in the slave's north, where "
+        f"the print leaves {sizes['print, one']:.2g} m/s"
     )
 
 
@@ -369,7 +370,7 @@ def _interpolation() -> str:
     return (
         f"k and k-1 are updates, by the text, so dt is 1 s in Table 2: at grade 6 the line errs by {slow * 1e3:.2g} "
         f"mm/s, {100 * slow / change:.2g} % of the {change * 1e3:.3g} mm/s which it is to take out at 10 ms, for it "
-        f"takes the mean acceleration of the second before; by {bench * 1e3:.2g} mm/s with the 0.1 s of the bench; "
+        f"takes the mean acceleration of the second before, by {bench * 1e3:.2g} mm/s with the 0.1 s of the bench, and "
         f"by {fast * 1e3:.2g} mm/s between steps of 10 ms of the navigator, at 5 ms"
     )
 
