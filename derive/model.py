@@ -7,6 +7,7 @@ documents and tests are derived from it.  Nothing here assumes navigation.
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from typing import Any
 
 from sympy import ImmutableMatrix, Matrix, Symbol
 
@@ -243,6 +244,19 @@ class Model:
         )
 
 
+def symbols_in(*matrices: Matrix) -> set[Symbol]:
+    """All symbols that the matrices read.  What an expression holds many times is looked at once: SymPy's own
+    free_symbols takes seconds where residuals are nested rotations."""
+    seen: set[Any] = set()
+    stack = [entry for matrix in matrices for entry in matrix]
+    while stack:
+        part = stack.pop()
+        if part not in seen:
+            seen.add(part)
+            stack += part.args
+    return {part for part in seen if part.is_Symbol}
+
+
 def check(model: Model) -> None:
     """Raise BoresightError on a model whose parts do not fit: shapes, names, symbols that nothing declares."""
 
@@ -300,7 +314,7 @@ def check(model: Model) -> None:
     general += [(f.name, output.value) for f in model.functions for output in f.outputs]
     for parts, known in ((linear, inputs), (general, inputs | states)):
         for label, matrix in parts:
-            unknown = sorted(symbol.name for symbol in ImmutableMatrix(matrix).free_symbols - known)
+            unknown = sorted(symbol.name for symbol in symbols_in(matrix) - known)
             if unknown:
                 fail(f"{label} uses {', '.join(unknown)}, which is no input" + ("" if known is inputs else " or state"))
     if n > 0 and model.dt not in inputs:
