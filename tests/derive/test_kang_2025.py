@@ -7,6 +7,7 @@ import sys
 import xml.dom.minidom
 from collections import Counter
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import mpmath as mp
@@ -255,30 +256,35 @@ def test_functions_are_the_derived_forms():
     assert mp.norm(z - v["z_DCM"]) < 1e-16
 
 
+def at_master(motion, t):
+    """Velocity of the slave less the rate of the lever arm as seen from n."""
+    return motion.velocity(motion.slave, t) - motion.lever_rate(t)
+
+
 @pytest.mark.parametrize("which", ["velocity", "attitude"])
 def test_measurement_matrices_are_first_order_of_the_residuals(which):
-    """z = H x by the witness, all errors at once, a misalignment of any size, no delay: what is left falls fourfold."""
+    """z = H x by the witness, all errors at once, a misalignment of any size: what is left falls fourfold.
+
+    No delay is taken off, so the error of its estimate, 0, is minus the delay.
+    """
     remainders = []
     for scale in (1e-6, 5e-7):
-        base = replace(world.draw(3, world.Conditions().scaled(scale)), delay=(mp.mpf(0),) * 3)
-        v, now = world.world(base, {}), mp.mpf(0)
+        base = world.draw(3, world.Conditions().scaled(scale))
+        v, now, delay = world.world(base, {}), mp.mpf(0), base.delay[0]
         with mp.workdps(ellipsoid.WORKING):
-            truth = world._motion(base, False)
-            v_true, omega_ib, omega_in = (
-                truth.velocity(truth.slave, now) - truth.lever_rate(now),
-                truth.omega_ib_b(now),
-                truth.omega_in_n(now),
-            )
+            truth, slave = world._motion(base, False), world._motion(base, True)
+            v_m, a_n = at_master(truth, -delay), ellipsoid.rate(partial(at_master, slave))
+            omega_ib, omega_in = truth.omega_ib_b(now), truth.omega_in_n(now)
         hat_ib, hat_in = unskewed(v["[ω_ib_b x]"]), unskewed(v["[ω_in_n x]"])
-        C, L = symbols_at(v["C_S2n"]), symbols_at(v["L"])
         if which == "velocity":
-            H = paper.velocity_matrix(C, symbols_at(hat_in), symbols_at(hat_ib), L, Matrix([0, 0, 0]))
+            C, L = symbols_at(v["C_S2n"]), symbols_at(v["L"])
+            H = paper.velocity_matrix(C, symbols_at(hat_in), symbols_at(hat_ib), L, symbols_at(a_n))
             # The rate of the level is taken as known: what its error does is no part of H.
-            z = v["v_S"] - v["dL/dt"] - v_true - skew(hat_in - omega_in) * v["C_S2n"] * v["L"]
+            z = v["v_S"] - v["dL/dt"] - v_m - skew(hat_in - omega_in) * v["C_S2n"] * v["L"]
         else:
-            H, z = paper.attitude_matrix(symbols_at(v["C_M2n"]), symbols_at(v["ω_nb_n"])), v["z_DCM"]
+            H, z = paper.attitude_matrix(symbols_at(v["C_M2n"]), symbols_at(v["ω_nb_n"])), unskewed(v["A"])
         # What the gyros show too much and is not taken off is minus the error of the bias' estimate.
-        parts = (base.phi, base.velocity_error, omega_ib - hat_ib, [0, 0, 0], base.dmu, [0])
+        parts = (base.phi, base.velocity_error, omega_ib - hat_ib, [0, 0, 0], base.dmu, [-delay])
         x = vector(*(entry for part in parts for entry in part))
         remainders.append(mp.norm(z - numbers(H) * x))
     assert remainders[0] / remainders[1] == pytest.approx(4, rel=0.01)
