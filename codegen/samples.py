@@ -44,8 +44,21 @@ def sample(args: tuple[Variable, ...], corners: int, count: int, rng: np.random.
     return points
 
 
-def answered(unit: Unit, corners: int, count: int, rng: np.random.Generator) -> list[np.ndarray]:
-    """`count` points (none for a function without arguments) at which the unit answers.
+def single(args: tuple[Variable, ...], points: list[np.ndarray]) -> list[np.ndarray]:
+    """The points moved to numbers that a float holds, inside the box."""
+    moved = []
+    for arg, part in zip(args, points, strict=True):
+        near = part.astype(np.float32)
+        near = np.where(near > np.array(arg.high), np.nextafter(near, np.float32(-np.inf)), near)
+        near = np.where(near < np.array(arg.low), np.nextafter(near, np.float32(np.inf)), near)
+        moved.append(near.astype(float))
+    return moved
+
+
+def answered(
+    unit: Unit, corners: int, count: int, rng: np.random.Generator, *, in_float: bool = False
+) -> list[np.ndarray]:
+    """`count` points (none for a function without arguments) at which the unit answers; in_float: in either precision.
 
     There its results lie in their own boxes and rounding errors are bounded.  Near a singularity, such as a pitch of
     90 deg, the bound is infinite and proves nothing.
@@ -53,12 +66,13 @@ def answered(unit: Unit, corners: int, count: int, rng: np.random.Generator) -> 
     if not unit.args:
         return []  # a constant: one point without coordinates
     points = sample(unit.args, 2 * corners, 2 * count, rng)
-    values, bounds = evaluate(unit.tape, points)
+    points = single(unit.args, points) if in_float else points
+    values, bounds = evaluate(unit.tape, points, real=np.float32 if in_float else np.float64)
     keep = np.isfinite(np.array(bounds)).all(axis=0)
-    for (output, nz, _), value in zip(unit.tape.results, values, strict=True):
+    for (output, nz, _), value, bound in zip(unit.tape.results, values, bounds, strict=True):
         result = unit.results[output]
         if result.low:
-            keep &= (value >= result.low[nz]) & (value <= result.high[nz])
+            keep &= (value - bound >= result.low[nz]) & (value + bound <= result.high[nz])
     chosen = np.flatnonzero(keep)[:count]
     if len(chosen) < count:
         raise BoresightError(

@@ -20,7 +20,6 @@ NAMES = (
 )
 OPERATIONS = {getattr(ca, f"OP_{name.upper()}"): name for name in NAMES.split()}
 FREE = {"const", "input"}  # no work at run time
-UNIT_ROUNDOFF = 2.0**-53
 
 
 @dataclass(frozen=True)
@@ -162,16 +161,16 @@ TESTS = {
 
 @np.errstate(over="ignore", divide="ignore", invalid="ignore")  # where nothing bounds the error, it is infinite
 def evaluate(
-    program: Tape, inputs: list[np.ndarray], libm_ulps: float = 1.0
+    program: Tape, inputs: list[np.ndarray], libm_ulps: float = 1.0, real: type[np.floating] = np.float64
 ) -> tuple[list[np.ndarray], list[np.ndarray]]:
-    """Each result of the tape in double and a bound on its error against exact arithmetic, at many points at once.
+    """Each result of the tape in double and a bound on the error of arithmetic in `real`, at many points at once.
 
     inputs: one (points, size) array an argument, taken as exact.  libm_ulps: what sin, cos and atan2 may err by.
     Returns values and bounds, (points,) each, in the order of `program.results`.  A running error analysis: each
     operation adds its own rounding to what its operands bring; second-order products of errors are covered by the
     factor at the end.
     """
-    u = UNIT_ROUNDOFF
+    u = float(np.finfo(real).eps) / 2
     zero = np.zeros(inputs[0].shape[0] if inputs else 1)
     value: list[np.ndarray] = []
     error: list[np.ndarray] = []
@@ -181,7 +180,7 @@ def evaluate(
             v, e = inputs[step.source[0]][:, step.source[1]], zero
         elif step.op == "const":
             # A constant that is no small dyadic number was rounded once when it was printed.
-            exact = float(step.constant * 2**20).is_integer()
+            exact = float(step.constant * 2**20).is_integer() and float(real(step.constant)) == step.constant
             v = zero + step.constant
             e = zero if exact else abs(v) * u
         else:
@@ -224,7 +223,7 @@ def evaluate(
         error.append(e + zero)
     # 1 + 1e-9 covers the rounding of the bounds themselves; the smallest number covers underflow.
     slack = 1 + 1e-9
-    tiny = np.finfo(float).tiny
+    tiny = float(np.finfo(real).tiny)
     return (
         [value[position] for _, _, position in program.results],
         [error[position] * slack + tiny for _, _, position in program.results],

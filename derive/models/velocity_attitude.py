@@ -130,7 +130,8 @@ def velocity_attitude() -> Model:
         accel_noise,
         root_density("gyro_bias_noise", "rad/s/sqrt(s)", "the gyro biases' random walk", 0.1),
         root_density("accel_bias_noise", "m/s^2/sqrt(s)", "the accelerometer biases' random walk", 10.0),
-        root_density("mu_noise", "rad/sqrt(s)", "the misalignment's random walk", 0.1),
+        variable("mu_noise", "mu_noise_x mu_noise_y mu_noise_z", "rad/sqrt(s)",
+                 "root power spectral density of the misalignment's random walk", 0, 0.1, frame="master body"),
         variable("tau_noise", "tau_noise", "sqrt(s)", "root power spectral density of the delay's random walk", 0, 0.1),
     )  # fmt: skip
     C_b2n = dcm_from_quaternion(Q.vector)
