@@ -1,0 +1,142 @@
+"""The heading error of an unknown delay: the closed form against the flown filter, wherever its variables are varied.
+
+Sea state 5, no yaw, a fixed delay, nothing random.  derive/delay_error.py derives the form; `predicted_heading` of the
+study is its general case.  Beside it, the two ways to handle a delay that is known of.
+"""
+
+from dataclasses import replace
+from typing import Any, Literal
+
+import numpy as np
+
+from boresight.runtime import hull, sea
+from boresight.studies.sea_flight import DEG, FILTERS, GRADES, HEIGHT_M, MIL, Scenario, fly
+
+Array = np.ndarray
+
+# What is varied, one at a time, about the first of each.
+VARIED: dict[str, tuple[float, ...]] = {
+    "delay_ms": (7.5, 1.0, 2.5, 5.0, 10.0, 20.0),
+    "ratio": (0.5, 0.1, 0.25, 1.0, 2.0, 4.0),  # amplitude of pitch over that of roll
+    "phase_deg": (90.0, 0.0, 30.0, 60.0, 120.0, 180.0, 225.0, 270.0, 315.0),  # of pitch ahead of roll
+    "frequency_hz": (0.1, 0.05, 0.075, 0.15, 0.2, 0.3),
+    "heading_deg": (30.0, 0.0, 75.0, 120.0, 200.0, 290.0),
+    "grade": (5.0, 3.0, 4.0, 6.0),
+}
+ALLOWED_PART, ALLOWED_MIL = 0.05, 0.1
+
+
+def closed_form(delay_s: Any, ratio: Any, phase: Any, frequency_hz: Any) -> Array:
+    """yaw_hat - yaw, rad, steady: 2 tau omega rho sin(epsilon) / (1 + rho^2), pitch ahead of roll by epsilon (rad)."""
+    ratio, omega = np.asarray(ratio, float), 2 * np.pi * np.asarray(frequency_hz, float)
+    return 2 * np.asarray(delay_s, float) * omega * ratio * np.sin(phase) / (1 + ratio**2)
+
+
+def predicted_heading(motion: hull.Motion, delay_s: Any) -> Array:
+    """Steady yaw_hat - yaw (rad) of an unknown delay, by the closed form: (states, ...) of a motion of any kind.
+
+    With e the swing (roll, pitch, yaw about their means) the misalignment errs by tau <|e|^2 - e e'>^-1 <e x e'>, whose
+    third part is tau (<r p'> - <p r'>) / (<r^2> + <p^2>) without yaw; the heading by minus that.  Means over all phases
+    of the sinusoids: derive/delay_error.py.
+    """
+    swing = motion.freedoms.amplitude[..., 3:, :]
+    rate = 1j * motion.freedoms.omega[..., None, :] * swing
+    spin = np.cross(swing, np.conj(rate), axis=-2).real.sum(-1) / 2
+    spread = np.einsum("...ik,...jk->...ij", swing, np.conj(swing)).real / 2
+    inertia = np.trace(spread, axis1=-2, axis2=-1)[..., None, None] * np.eye(3) - spread
+    # a swing about one axis says nothing about that axis
+    turn = np.linalg.pinv(inertia, rcond=1e-9, hermitian=True) @ spin[..., None]
+    return -turn[..., 2, 0] * np.asarray(delay_s, float)
+
+
+def cases() -> list[dict[str, float]]:
+    """Every variable through its values, the others at their first."""
+    base = {name: values[0] for name, values in VARIED.items()}
+    return [base] + [{**base, name: value} for name, values in VARIED.items() for value in values[1:]]
+
+
+def swing(rows: list[dict[str, float]]) -> hull.Motion:
+    """Roll of the wave's slope, pitch beside it, heave; where the frequency is varied the slope stays sea state 5's."""
+    columns = {name: np.array([row[name] for row in rows]) for name in VARIED}
+    steady, f = VARIED["frequency_hz"][0], columns["frequency_hz"]
+    a = np.array([HEIGHT_M[int(grade) - 1] for grade in columns["grade"]]) * (steady / f) ** 2
+    slope = sea.wave_number(2 * np.pi * f) * a
+    zero = np.zeros_like(a)
+    amplitude = np.stack([zero, zero, a, slope, columns["ratio"] * slope, zero], axis=-1)
+    phase = np.stack([zero, zero, zero, zero, columns["phase_deg"] * DEG, zero], axis=-1)
+    motion = hull.sinusoids(amplitude[:, None], phase[:, None], f[:, None])
+    return replace(motion, heading=(columns["heading_deg"] * DEG)[:, None])
+
+
+def against_simulation(model: Any, scenario: Scenario, seed: int = 0) -> dict[str, Any]:
+    """One run of each case without noise; the error is the mean of the last ten seconds, a period or more.
+
+    Returns cases: each with its variables, closed_mil, flown_mil, good (within 5 % or 0.1 mil); worst_mil and all_good.
+    """
+    rows = cases()
+    columns = {name: np.array([row[name] for row in rows]) for name in VARIED}
+    tau = columns["delay_ms"] * 1e-3
+    flight = fly(model, swing(rows), scenario, runs=1, seed=seed, delay_s=tau[:, None], noise=0.0)
+    last = round(10 * scenario.update_hz)
+    flown = flight.heading[-last:, FILTERS.index("without"), :, 0].mean(axis=0) / MIL
+    closed = closed_form(tau, columns["ratio"], columns["phase_deg"] * DEG, columns["frequency_hz"]) / MIL
+    away = np.abs(flown - closed)
+    good = (away <= ALLOWED_PART * np.abs(closed)) | (away <= ALLOWED_MIL)
+    return {
+        "cases": [
+            {**row, "closed_mil": float(c), "flown_mil": float(f), "good": bool(g)}
+            for row, c, f, g in zip(rows, closed, flown, good, strict=True)
+        ],
+        "worst_mil": float(away.max()),
+        "all_good": bool(good.all()),
+    }
+
+
+WAYS: dict[str, Literal["extrapolate", "buffer"]] = {"the paper's": "extrapolate", "by a buffer": "buffer"}
+
+
+def ways(model: Any, scenario: Scenario, *, runs: int, seed: int) -> dict[str, Any]:
+    """A delay that is compensated, both ways, the same runs, under "slope": now and moved back, or as it was then.
+
+    Once with the paper's delays and once ten times as long.  Returns grades, delay_ms (2 by 2), and way -> for each of
+    the two: heading_mil (mean error after 60 s), delay_error_ms (rms), nis (of six rows, after 10 s), all (2, 6).
+    """
+    delays = [scenario.delay_ms, (10 * scenario.delay_ms[0], 10 * scenario.delay_ms[1])]
+    out: dict[str, Any] = {"grades": list(GRADES), "delay_ms": [list(delay) for delay in delays]}
+    i = FILTERS.index("with")
+    for name, way in WAYS.items():
+        part: dict[str, list] = {"heading_mil": [], "delay_error_ms": [], "nis": []}
+        for delay in delays:
+            one = replace(scenario, delay_ms=delay, delay_sigma_ms=delay[1])
+            flight = fly(model, "slope", one, runs=runs, seed=seed, way=way)
+            part["heading_mil"].append((np.abs(flight.heading[-1, i]).mean(-1) / MIL).tolist())
+            part["delay_error_ms"].append((np.sqrt(np.mean(flight.error[-1, i, ..., 15] ** 2, axis=-1)) * 1e3).tolist())
+            part["nis"].append(flight.nis[10 * one.update_hz :, i].sum(-1).mean((0, 2)).tolist())
+        out[name] = part
+    return out
+
+
+def report(closed: dict[str, Any], two: dict[str, Any]) -> str:
+    """The closed form variable by variable, and the two ways side by side."""
+    lines = [
+        "an unknown delay, closed form and simulation: yaw_hat - yaw in mil; sea state 5, no yaw, "
+        + ", ".join(f"{name} {values[0]:g}" for name, values in VARIED.items() if name != "grade")
+    ]
+    base = closed["cases"][0]
+    lines.append(f"  as declared   closed {base['closed_mil']:.3f}  flown {base['flown_mil']:.3f}")
+    for name, values in VARIED.items():
+        chosen = [row for row in closed["cases"][1:] if row[name] != values[0]]
+        cells = (f"{row[name]:g}: {row['closed_mil']:.2f} {row['flown_mil']:.2f}" for row in chosen)
+        lines.append(f"  {name:13} " + ",  ".join(cells))
+    verdict = "all" if closed["all_good"] else "NOT all"
+    lines.append(f"  {verdict} within 5 % or 0.1 mil; the farthest by {closed['worst_mil']:.3f} mil")
+    lines.append("a delay compensated, after 60 s in states 3 to 6 under slope: heading in mil, delay in ms, NIS of 6")
+    for row, delay in enumerate(two["delay_ms"]):
+        for name in WAYS:
+            cells = (
+                f"{two[name]['heading_mil'][row][g]:6.2f}{two[name]['delay_error_ms'][row][g]:6.2f}"
+                f"{two[name]['nis'][row][g]:6.2f}"
+                for g in range(2, 6)
+            )
+            lines.append(f"  {delay[0]:g} to {delay[1]:g} ms {name:12}" + "  |".join(cells))
+    return "\n".join(lines) + "\n"
