@@ -39,6 +39,7 @@ class Verdict(IntEnum):
     AHEAD = 6  # measured later than the slave's newest sample
     TOO_OLD = 7  # measured before the oldest sample kept
     REPEATED = 8  # the same numbers again although the slave has moved
+    SATURATED = 9  # measured while the slave was at full scale, or just before
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,7 @@ class Rules:
     silent_s: float = 1.0  # without a message taken, after which a note says so
     full_scale: tuple[float, float] | None = None  # of the slave: rad/s, m/s^2
     overshoot: float = 0.5  # one sigma of what a saturated axis misses, as a part of full scale
+    quiet_s: float = 5.0  # the same verdict on the same run is told again only after this
 
     def __post_init__(self) -> None:
         for name in ("buffer_s", "half_span_s", "gate", "silent_s"):
@@ -161,6 +163,51 @@ class History:
         return value
 
 
+@dataclass(frozen=True)
+class LeverSeen:
+    """How far the velocity residuals move with the turning of the hull: the sums of a least-squares fit, run by run.
+
+    A lever arm that is wrong by d puts -C (omega x d) into them.  The filter follows part of it, so that the fit shows
+    that a lever arm is wrong, and not by how much.  No message weighs more than one that just fits.
+    """
+
+    N: Array  # (..., 3, 3)
+    b: Array  # (..., 3)
+    square: Array  # (...,) of the residuals over their sigmas
+    messages: Array  # (...,)
+    large: Array  # (...,) messages beyond the 95 % bound
+
+    @staticmethod
+    def nothing(runs: tuple[int, ...]) -> "LeverSeen":
+        return LeverSeen(np.zeros((*runs, 3, 3)), np.zeros((*runs, 3)), *(np.zeros(runs) for _ in range(3)))
+
+    def with_message(self, z: Array, S: Array, rows: Array, C_b2n: Array, omega_ib_b: Array) -> "LeverSeen":
+        """z, S, rows: (..., 3) residuals, variances, and which there are."""
+        A = -C_b2n @ np.cross(omega_ib_b[..., None, :], -np.eye(3))  # omega x d is the matrix of rows -omega x e_i
+        nis = np.sum(rows * z**2 / S, axis=-1)
+        weight = rows / S / np.maximum(1.0, nis / 3)[..., None]
+        return LeverSeen(
+            self.N + np.einsum("...ij,...i,...ik->...jk", A, weight, A),
+            self.b + np.einsum("...ij,...i,...i->...j", A, weight, z),
+            self.square + np.sum(weight * z**2, axis=-1),
+            self.messages + rows.any(-1),
+            self.large + (nis > 7.81),
+        )
+
+    @property
+    def share(self) -> Array:
+        """(...,) of the residuals' squares that such a movement explains; about 0.01 where the lever arm is right."""
+        scale = np.maximum(np.einsum("...ii->...", self.N), 1e-300)[..., None, None]
+        d = np.linalg.solve(self.N / scale + 1e-9 * np.eye(3), (self.b / scale[..., 0])[..., None])[..., 0]
+        explained: Array = np.einsum("...i,...i->...", self.b, d) / np.maximum(self.square, 1e-300)
+        return explained
+
+    @property
+    def suspect(self) -> Array:
+        """(...,) bool, after 50 messages, three times as many beyond the bound as there should be."""
+        return (self.messages >= 50) & (self.large > 0.15 * self.messages) & (self.share > 0.15)
+
+
 class Transfer:
     """The filter with its past.  `slave` takes increments, `master` takes messages.
 
@@ -183,13 +230,12 @@ class Transfer:
         matching: tuple[str, str] = ("velocity", "dcm"),
         way: Literal["buffer", "extrapolate"] = "buffer",
         every: int = 1,
-        iterations: int = 1,
         rules: Rules | None = None,
     ):
         if way not in ("buffer", "extrapolate"):
             raise BoresightError(f"transfer: no way {way!r}; there are buffer and extrapolate")
         self.rules, self.way, self.matching = rules or Rules(), way, matching
-        self.every, self.iterations = every, iterations
+        self.every = every
         self.runs = np.shape(P)[:-2]
         whole = {name: np.asarray(value, float) for name, value in nav.items()}
         self.filter = Filter(
@@ -208,13 +254,18 @@ class Transfer:
         self._before: tuple[Array, Array] | None = None
         self._predicted = self.time  # of the covariance
         self._steps = 0
-        self._saturated_s = np.zeros((*self.runs, 6))
+        self._saturated_s = np.zeros((*self.runs, 6))  # without a break
+        self._at_full = np.zeros((*self.runs, 2), bool)  # told, and its end not yet
+        self._saturated_at = np.full((*self.runs, 6), -np.inf)
         self._stamp = np.full(self.runs, -np.inf)  # of the last message looked at
         self._taken_at = np.full(self.runs, self.time)
         self._silent = np.zeros(self.runs, bool)
         self._gated = np.zeros(self.runs, int)  # in a row
         self._refused = np.zeros(self.runs, int)  # in a row, for whatever reason
-        self._verdict = np.zeros(self.runs, int)
+        self._told_at = np.full((len(Verdict), *self.runs), -np.inf)
+        self._open = np.zeros(self.runs, bool)  # a refusal was told, its end not yet
+        self._seen = LeverSeen.nothing(self.runs)
+        self._lever_told = np.zeros(self.runs, bool)
         self._last: dict[str, Array] = {}  # what the last message said, and what was expected of it
 
     @property
@@ -291,14 +342,18 @@ class Transfer:
         full = np.repeat([gyro, accel], 3)
         seen = np.abs(np.concatenate([dtheta, dv], axis=-1)) >= full * dt * (1 - 1e-9)
         before = self._saturated_s
+        since = self.time - self._saturated_at
+        for i, what in enumerate(("gyro", "accelerometer")):
+            # an axis in noise crosses its full scale many times: told once, and its end after a while within
+            axes = slice(3 * i, 3 * i + 3)
+            now, told = seen[..., axes].any(-1), self._at_full[..., i]
+            within = told & (since[..., axes].min(-1) > self.rules.silent_s) & ~now
+            self._note(now & ~told, f"the slave's {what} is at full scale; its noise is opened")
+            self._note(within, f"the slave's {what} has been within its range again for {self.rules.silent_s:g} s")
+            self._at_full[..., i] = (told | now) & ~within
         if not (seen.any() or before.any()):
             return
-        begins, ends = seen & (before == 0), ~seen & (before > 0)
-        for axes, what in ((slice(0, 3), "gyro"), (slice(3, 6), "accelerometer")):
-            self._note(begins[..., axes].any(-1), f"the slave's {what} is at full scale; its noise is opened")
-            over = ends[..., axes].any(-1)
-            longest = before[..., axes].max(initial=0.0)
-            self._note(over, f"the slave's {what} is back within its range after {longest:.3f} s")
+        self._saturated_at = np.where(seen, self.time, self._saturated_at)
         self._saturated_s = np.where(seen, before + dt, 0.0)
         variance = (self.rules.overshoot * full) ** 2 * np.where(seen, self._saturated_s**2 - before**2, 0.0)
         C = rotation.matrix_from_quaternion(self.filter.nav["q_b2n_wxyz"])
@@ -319,9 +374,11 @@ class Transfer:
         oldest = self.time - self.history.time[0]
         verdict = np.full(runs, int(Verdict.TAKEN))
         for code, where in (
+            (Verdict.OUT_OF_ORDER, stamp <= self._stamp),
             (Verdict.TOO_OLD, lag > oldest),
             (Verdict.AHEAD, ~(lag >= -rules.ahead_s)),
-            (Verdict.OUT_OF_ORDER, stamp <= self._stamp),
+            # what the slave missed since cannot be told from what it missed before, nor its rates be trusted
+            (Verdict.SATURATED, self._saturated_at.max(-1) > self.time - lag - 3 * rules.half_span_s),
             (Verdict.INVALID, ~rows.any(-1) | ~np.isfinite(stamp)),
             (Verdict.ABSENT, ~came),
         ):
@@ -353,6 +410,8 @@ class Transfer:
         P_now = loop.P
         P = there @ P_now @ np.swapaxes(there, -1, -2)
         innovations = self._update(P, R, rows, inputs)
+        if self.matching[0] in innovations:
+            self._watch_lever(innovations[self.matching[0]], rows[..., :3], inputs)
         nis = np.sum([part.nis for part in innovations.values()], axis=0)
         used = rows.sum(-1)
         gated = nis > chdtri(np.maximum(used, 1), rules.gate)
@@ -384,15 +443,25 @@ class Transfer:
             loop.nav["position"] = np.where(usable[..., None], position, loop.nav["position"])
         return self._told(verdict, innovations, nis, used, believed, stamp)
 
+    def _watch_lever(self, innovation: Innovation, rows: Array, inputs: dict[str, Any]) -> None:
+        C = rotation.matrix_from_quaternion(inputs["q_b2n_wxyz"])
+        self._seen = self._seen.with_message(innovation.nu, innovation.S, rows, C, inputs["omega_ib_b"])
+        suspect = self._seen.suspect
+        self._note(suspect & ~self._lever_told, "the velocity residuals are too large and move with the turning of the "
+                   "hull: compare the lever arm and its sign (from master to slave, in the slave's axes)")  # fmt: skip
+        self._lever_told |= suspect
+
     def _update(self, P: Array, R: Array, rows: Array, inputs: dict[str, Any]) -> dict[str, Innovation]:
+        """Attitude first: the residual of a large turn depends on x, and that of the velocity does not."""
         self.filter.x, self.filter.P = np.zeros(P.shape[:-1]), P
-        return {
-            name: self.filter.update(
-                name, R[..., part], rows=rows[..., part], iterations=self.iterations, **inputs
-            )
-            for name, part in zip(self.matching, (slice(0, 3), slice(3, 6)), strict=True)
-            if all(field in inputs for field in ("v_m_n" if part.start == 0 else self._attitude_field(),))
-        }  # fmt: skip
+        out = {}
+        for name, part, field in (
+            (self.matching[1], slice(3, 6), self._attitude_field()),
+            (self.matching[0], slice(0, 3), "v_m_n"),
+        ):
+            if field in inputs:
+                out[name] = self.filter.update(name, R[..., part], rows=rows[..., part], **inputs)
+        return out
 
     def _attitude_field(self) -> str:
         return "euler_m" if self.matching[1].startswith("euler") else "q_m2n_wxyz"
@@ -511,7 +580,6 @@ class Transfer:
               stamp: Array) -> Result:  # fmt: skip
         taken, came = verdict <= Verdict.REOPENED, verdict != Verdict.ABSENT
         oldest = self.time - self.history.time[0]
-        changed = (verdict != self._verdict) & came
         saying = {
             Verdict.REOPENED: f"{self.rules.reopen_after} messages in a row did not fit; the master has jumped, or the "
             "slave: velocity and attitude are opened and follow it",
@@ -521,27 +589,29 @@ class Transfer:
             Verdict.AHEAD: "message refused: it lies {ahead:.3f} s ahead of the slave; compare the clocks",
             Verdict.TOO_OLD: f"message refused: it is {{lag:.3f}} s old and the past is kept for {oldest:.3f} s; "
             "raise buffer_s",
+            Verdict.SATURATED: "message refused: the slave was at full scale when it was measured, or since",
             Verdict.REPEATED: "message refused: the master repeats its last one while the slave moves",
         }  # fmt: skip
-        if changed.any():
-            for code, text in saying.items():
-                where = changed & (verdict == code)
-                if where.any():
-                    first = np.unravel_index(np.argmax(where), where.shape) if where.ndim else ()
-                    self._note(where, text.format(nis=float(nis[first]), used=int(used[first]), lag=float(lag[first]),
-                                                  ahead=-float(lag[first]), stamp=float(stamp[first])))  # fmt: skip
+        for code, text in saying.items():
+            where = (verdict == code) & (self.time - self._told_at[code] >= self.rules.quiet_s)
+            if where.any():
+                first = np.unravel_index(np.argmax(where), where.shape)
+                self._note(where, text.format(nis=float(nis[first]), used=int(used[first]), lag=float(lag[first]),
+                                              ahead=-float(lag[first]), stamp=float(stamp[first])))  # fmt: skip
+                self._told_at[code] = np.where(where, self.time, self._told_at[code])
+                self._open |= where & (verdict > Verdict.REOPENED)
         returned = taken & self._silent
         if returned.any():
             longest = float(np.max(np.where(returned, self.time - self._taken_at, 0.0)))
             self._note(returned, f"the master is back after {longest:.1f} s")
-        again = taken & (self._refused > 0) & ~returned & (verdict == Verdict.TAKEN)
+        again = taken & self._open & ~returned
         if again.any():
             most = int(np.max(np.where(again, self._refused, 0)))
             self._note(again, f"messages are taken again, after {most} refused")
-        self._refused = np.where(verdict == Verdict.TAKEN, 0, self._refused + (came & ~taken))
-        self._verdict = np.where(came, verdict, self._verdict)
-        in_order = came & (verdict != Verdict.OUT_OF_ORDER) & (verdict != Verdict.AHEAD) & (verdict != Verdict.INVALID)
-        self._stamp = np.where(in_order, stamp, self._stamp)
+        self._open &= ~taken
+        self._refused = np.where(taken, 0, self._refused + came)
+        looked_at = came & (verdict != Verdict.AHEAD) & (verdict != Verdict.INVALID)
+        self._stamp = np.where(looked_at, np.fmax(stamp, self._stamp), self._stamp)
         self._taken_at = np.where(taken, self.time, self._taken_at)
         self._silent = self._silent & ~taken
         return Result(verdict, innovations, np.asarray(nis), used, lag)

@@ -1,15 +1,16 @@
 """The transfer-alignment loop on a ship whose motion is analytic: truth, both ways with a delay, and NEES."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from boresight import BoresightError
 from boresight.runtime import hull, inertial, rotation
 from boresight.runtime.library import load
 from boresight.runtime.simulation import generator
-from boresight.runtime.transfer import Message, Transfer, Verdict, first
+from boresight.runtime.transfer import Message, Rules, Transfer, Verdict, first
 
 DEG, MIL = np.pi / 180, 2 * np.pi / 6400
 RATE_HZ = 400
@@ -20,6 +21,7 @@ V_SIGMA, A_SIGMA = 0.01, 0.3e-3  # m/s, rad of the master
 NOISE = {"gyro_noise": np.full(3, 3e-5), "accel_noise": np.full(3, 1e-3), "gyro_bias_noise": np.full(3, 1e-8),
          "accel_bias_noise": np.full(3, 1e-7), "mu_noise": np.full(3, 1e-8), "tau_noise": 1e-7}  # fmt: skip
 R = np.repeat([V_SIGMA, A_SIGMA], 3) ** 2
+STEP = np.array([1.0, -0.5, 0.0])  # m/s, a jump
 BIAS_G, BIAS_A = 5e-5, 0.01  # rad/s, m/s^2, one sigma
 
 
@@ -69,6 +71,7 @@ class Flight:
     sigmas: np.ndarray
     nees: np.ndarray  # (K, runs)
     nis: np.ndarray  # (K, runs), of messages taken; nan otherwise
+    every_nis: np.ndarray  # (K, runs), of all that came, before the gate
     verdicts: np.ndarray
     times: np.ndarray
 
@@ -99,11 +102,13 @@ def fly(ship, *, runs=20, seed=0, seconds=None, way="buffer", delay=None, known_
         start, q_b2m_wxyz=q_believed, mounting_sigma=2 * DEG * np.array([0.3, 0.3, 1]), velocity_sigma=np.full(3, 0.02),
         gyro_bias_sigma=np.full(3, BIAS_G), accel_bias_sigma=np.full(3, BIAS_A), tau_sigma=tau_sigma,
     )  # fmt: skip
-    loop = Transfer(ship.model, nav, P, {"lever_b": lever_b, **NOISE}, way=way, every=4, **more)
+    loop = Transfer(
+        ship.model, nav, P, {"lever_b": lever_b, **NOISE}, way=way, every=round(0.04 / ship.track.dt), **more
+    )
 
     steps = len(ship.dtheta) if seconds is None else round(seconds / dt)
     stamps = 1 / master_hz * np.arange(1, int(steps * dt * master_hz)) + jitter * np.abs(normals(10000)[:, None, 0])
-    errors, sigmas, nees, nis, verdicts, times = [], [], [], [], [], []
+    errors, sigmas, nees, nis, every_nis, verdicts, times = ([] for _ in range(7))
     noise_g, noise_a = NOISE["gyro_noise"] * np.sqrt(dt), NOISE["accel_noise"] * np.sqrt(dt)
     k = 0
     for step in range(steps):
@@ -135,9 +140,10 @@ def fly(ship, *, runs=20, seed=0, seconds=None, way="buffer", delay=None, known_
             sigmas.append(np.sqrt(np.einsum("rii->ri", loop.P)))
             nees.append(np.einsum("ri,ri->r", e, np.linalg.solve(loop.P, e[..., None])[..., 0]))
             nis.append(np.where(result.taken, result.nis, np.nan))
+            every_nis.append(np.where(result.rows > 0, result.nis, np.nan))
             verdicts.append(result.verdict)
             times.append(time)
-    return Flight(loop, *(np.array(part) for part in (errors, sigmas, nees, nis, verdicts, times)))
+    return Flight(loop, *(np.array(part) for part in (errors, sigmas, nees, nis, every_nis, verdicts, times)))
 
 
 def error(loop, ship, sample, bias_g, bias_a, tau):
@@ -171,3 +177,221 @@ def test_errors_are_as_large_as_the_filter_says(flights, way):
     assert low < np.nanmean(flight.nis) < high
     assert np.sqrt(np.mean(flight.errors[-1, :, 14] ** 2)) < 0.5 * MIL
     assert np.sqrt(np.mean(flight.errors[-1, :, 15] ** 2)) < 0.6e-3
+
+
+# ---- bad input: what each rule does, what it says, and that the filter recovers
+
+
+@pytest.fixture(scope="module")
+def short(compiled_once):
+    """Twenty-five seconds of the same at 100 Hz."""
+    return sail(sea(), 25.0, 100)
+
+
+def spoilt(short, begin, end, change, **more):
+    """Six runs whose messages number begin to end - 1, ten a second, are changed."""
+    return fly(short, runs=6, change=lambda k, message: change(message) if begin <= k < end else message, **more)
+
+
+def said(flight):
+    return [note.text for note in flight.loop.notes]
+
+
+def only(flight, *verdicts):
+    return set(np.unique(flight.verdicts)) == {Verdict.TAKEN, Verdict.ABSENT, *verdicts}
+
+
+def recovered(flight, nees=25.0):
+    """In the last five seconds: NIS in its band, and NEES of 16 below what 6 runs exceed once in 100000."""
+    nis = flight.nis[-50:]
+    spread = np.sqrt(2 * 6 / np.isfinite(nis).sum())
+    return abs(np.nanmean(nis) - 6) < 4 * spread and flight.nees[-50:].mean() < nees
+
+
+def test_a_delay_longer_than_the_buffer_is_refused_and_told(short):
+    flight = spoilt(short, 80, 110, lambda m: replace(m, time=m.time - 0.7))
+    assert only(flight, Verdict.TOO_OLD)
+    assert "the past is kept for 0.5" in said(flight)[0] and "raise buffer_s" in said(flight)[0]
+    assert any("the master is back after 3." in text for text in said(flight))
+    assert recovered(flight)
+
+
+def test_a_master_that_stops_leaves_the_slave_alone_and_is_welcome_when_it_comes_back(short):
+    flight = spoilt(short, 80, 180, lambda m: None)
+    assert only(flight)
+    assert "no message of the master was taken for 1 s" in said(flight)[0]
+    assert "the master is back after 10." in said(flight)[-1]
+    first_after = np.flatnonzero(flight.times > 18)[0]
+    # ten seconds alone: the error has grown, and the filter knows it
+    assert flight.sigmas[first_after - 1, :, 3].mean() < 0.003
+    assert np.abs(flight.errors[first_after + 1, :, 3:6]).max() < 0.03
+    assert flight.nees[first_after : first_after + 20].mean() < 25
+    assert recovered(flight)
+
+
+def test_messages_out_of_order_and_sent_twice_are_refused(short):
+    earlier = {}
+
+    def swap(k, message):
+        """Every tenth message comes after the one that follows it; every tenth comes twice."""
+        if k % 10 == 3:
+            earlier["message"] = message
+            return None
+        return earlier["message"] if k % 10 in (5, 6) else message
+
+    flight = fly(short, runs=6, change=swap)
+    assert only(flight, Verdict.OUT_OF_ORDER)
+    # the held back one and its copy; a run that lost the copy's row has lost the message
+    assert (flight.verdicts == Verdict.OUT_OF_ORDER).mean() == pytest.approx(0.2 * 0.9, abs=0.05)
+    assert "is not later than the last one's" in said(flight)[0]
+    assert recovered(flight)
+
+
+def test_a_message_from_the_future_is_refused(short):
+    flight = spoilt(short, 80, 110, lambda m: replace(m, time=m.time + 0.3))
+    assert only(flight, Verdict.AHEAD)
+    assert "compare the clocks" in said(flight)[0]
+    assert recovered(flight)
+
+
+def test_what_is_not_finite_counts_as_absent(short):
+    flight = spoilt(short, 80, 110, lambda m: replace(m, v_m_n=np.nan * m.v_m_n, q_m2n_wxyz=0 * m.q_m2n_wxyz))
+    assert only(flight, Verdict.INVALID)
+    assert "no finite value" in said(flight)[0]
+    assert recovered(flight)
+    flight = spoilt(short, 80, 110, lambda m: replace(m, v_m_n=np.nan * m.v_m_n))
+    assert only(flight)  # the attitude is taken, alone
+    assert np.nanmean(flight.nis[80:110]) == pytest.approx(3, abs=4 * np.sqrt(6 / 160))
+    assert recovered(flight)
+    flight = spoilt(short, 80, 110, lambda m: replace(m, time=np.nan))
+    assert only(flight, Verdict.INVALID)
+
+
+def test_a_single_outlier_is_refused_and_changes_nothing(short):
+    flight = spoilt(short, 80, 81, lambda m: replace(m, v_m_n=m.v_m_n + 1.0))
+    assert only(flight, Verdict.GATED)
+    assert "it does not fit (NIS 2" in said(flight)[0]
+    assert "taken again, after 1 refused" in said(flight)[1]
+    assert recovered(flight)
+
+
+def turned_in_n(message, vector):
+    C = rotation.matrix_from_vector(np.array(vector)) @ rotation.matrix_from_quaternion(message.q_m2n_wxyz)
+    return replace(message, q_m2n_wxyz=rotation.quaternion_from_matrix(C))
+
+
+def test_a_velocity_that_jumps_for_good_is_followed_after_five_messages(short):
+    flight = spoilt(short, 80, 10000, lambda m: replace(m, v_m_n=m.v_m_n + STEP))
+    assert only(flight, Verdict.GATED, Verdict.REOPENED)
+    assert (flight.verdicts == Verdict.REOPENED).sum(axis=0).tolist() == [1] * 6
+    assert (flight.verdicts == Verdict.GATED).sum(axis=0).tolist() == [4] * 6
+    assert any("velocity and attitude are opened" in text for text in said(flight))
+    # the slave has the master's velocity, and keeps what it knew of mounting, delay and biases
+    off = flight.errors[-1, :, 3:6] - STEP
+    assert np.abs(off).max() < 0.02
+    rest = slice(6, 16)
+    assert (np.abs(flight.errors[-1, :, rest]) < 4 * flight.sigmas[-1, :, rest]).all()
+    assert abs(np.nanmean(flight.nis[-50:]) - 6) < 4 * np.sqrt(12 / 300)
+
+
+@pytest.mark.parametrize(
+    ("jump", "matching"),
+    [
+        (lambda m: replace(m, v_m_n=m.v_m_n + STEP), "dcm"),
+        (lambda m: turned_in_n(m, [1 * DEG, 0, 0]), "dcm"),
+        (lambda m: turned_in_n(m, [0, 0, 60 * DEG]), "dcm"),
+        (lambda m: turned_in_n(m, [0, 0, 150 * DEG]), "quaternion"),
+    ],
+    ids=["velocity", "roll", "heading-60", "heading-150"],
+)
+def test_a_jump_there_and_back_is_survived(short, jump, matching):
+    """Five seconds of it.  A large turn is taken in parts, since the model's range ends at 0.5 rad."""
+    flight = spoilt(short, 80, 130, jump, matching=("velocity", matching))
+    assert only(flight, Verdict.GATED, Verdict.REOPENED)
+    assert recovered(flight)
+    assert np.abs(flight.errors[-1, :, 14]).max() < 1.0 * MIL
+
+
+def test_a_master_that_repeats_itself_is_refused_while_the_slave_moves(short):
+    kept = {}
+
+    def freeze(k, message):
+        if k == 80:
+            kept["message"] = message
+        same = kept.get("message")
+        return replace(message, v_m_n=same.v_m_n, q_m2n_wxyz=same.q_m2n_wxyz) if 80 < k < 110 else message
+
+    flight = fly(short, runs=6, change=freeze, drop=0.0)
+    assert only(flight, Verdict.REPEATED) or set(np.unique(flight.verdicts)) == {Verdict.TAKEN, Verdict.REPEATED}
+    assert (flight.verdicts == Verdict.REPEATED).sum(axis=0).tolist() == [29] * 6
+    assert "repeats its last one while the slave moves" in said(flight)[0]
+    assert recovered(flight)
+
+
+def test_a_saturated_gyro_opens_the_attitude_and_recovers(short):
+    """For 0.2 s the gyro's first axis stands at its full scale, 0.3 rad/s, where the truth is some 0.1."""
+    full = 0.3
+
+    def shock(time, dtheta, dv):
+        if 12.0 < time <= 12.2:
+            dtheta = dtheta.copy()
+            dtheta[:, 0] = full * 0.01
+        return dtheta, dv
+
+    rules = Rules(full_scale=(full, 100.0))
+    flight = fly(short, runs=6, slave_change=shock, rules=rules)
+    assert only(flight, Verdict.SATURATED)
+    assert said(flight)[0].startswith("the slave's gyro is at full scale")
+    assert any(text.startswith("the slave's gyro has been within its range again for 1 s") for text in said(flight))
+    assert recovered(flight)
+    blind = fly(short, runs=6, slave_change=shock)  # the same without being told the full scale
+    assert (blind.verdicts == Verdict.GATED).any()
+    during = (flight.times > 12.2) & (flight.times < 13)
+    assert flight.nees[during].mean() < 0.01 * blind.nees[during].mean()
+
+
+def test_a_saturated_accelerometer_opens_the_velocity_and_recovers(short):
+    full = 20.0
+
+    def shock(time, dtheta, dv):
+        if 12.0 < time <= 12.1:
+            dv = dv.copy()
+            dv[:, 1] = -full * 0.01
+        return dtheta, dv
+
+    flight = fly(short, runs=6, slave_change=shock, rules=Rules(full_scale=(5.0, full)))
+    assert only(flight, Verdict.SATURATED)
+    assert said(flight)[0].startswith("the slave's accelerometer is at full scale")
+    assert recovered(flight)
+
+
+def test_a_gap_in_the_slaves_data_is_refused(short):
+    flight = fly(short, runs=2, seconds=1.0)
+    loop = flight.loop
+    with pytest.raises(BoresightError, match=r"the slave's data goes from 1\.0000 s to 1\.1000 s"):
+        loop.slave(1.11, np.zeros(3), np.zeros(3), 0.01)
+
+
+def test_a_lever_arm_of_the_wrong_sign_shows_in_the_nis_and_is_told(short):
+    nis = {}
+    for sign in (1.0, 0.0, -1.0):
+        flight = fly(short, runs=4, seconds=15.0, lever_b=sign * LEVER_B)
+        nis[sign] = np.nanmean(flight.every_nis)
+        told = [text for text in said(flight) if "compare the lever arm and its sign" in text]
+        assert bool(told) == (sign != 1.0)
+        assert len(told) == 0 or flight.loop._lever_told.all()
+    assert nis[1.0] == pytest.approx(6, abs=0.3)
+    assert nis[0.0] > 50
+    assert nis[-1.0] > 2 * nis[0.0]
+
+
+def test_other_faults_are_not_blamed_on_the_lever_arm(short):
+    for change in (
+        lambda m: replace(m, v_m_n=m.v_m_n + STEP),
+        lambda m: turned_in_n(m, [0, 0, 1 * DEG]),
+    ):
+        flight = spoilt(short, 80, 130, change)
+        assert not any("lever arm" in text for text in said(flight))
+    noisy = spoilt(short, 0, 10000, lambda m: replace(m, R=R / 4))
+    assert np.nanmean(noisy.nis) > 15
+    assert not any("lever arm" in text for text in said(noisy))
