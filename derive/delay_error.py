@@ -6,18 +6,35 @@ misalignment about the vertical, which mixes roll and pitch.  What is derived he
 
 Conventions of the model velocity-attitude: NED, error = computed - true, C_hat_b2n = (I - [phi x]) C_b2n,
 C_hat_b2m = (I - [dmu x]) C_b2m with dmu in master axes.  `heading` errors are yaw_hat - yaw = -phi_d.
-Roll and pitch here are their parts about the mean; yaw is constant.
+Roll, pitch and yaw here are their parts about the mean.
 """
 
 from functools import cache
 
-from sympy import Integral, Matrix, Poly, S, Symbol, cos, diff, integrate, linsolve, pi, simplify, sin, symbols
+from sympy import (
+    Integral,
+    Matrix,
+    Poly,
+    S,
+    Symbol,
+    cos,
+    diff,
+    eye,
+    integrate,
+    linsolve,
+    pi,
+    simplify,
+    sin,
+    symbols,
+    zeros,
+)
 
-from boresight.derive.equation import Derivation, Relation, Step, column, matrix
+from boresight.derive.equation import Derivation, Relation, Step, column, matrix, product
 from boresight.derive.papers import kang_2025
 from boresight.derive.rotation import dcm_from_euler, rotation_z
 
-ROLL, PITCH, ROLL_RATE, PITCH_RATE = symbols("r p r' p'", real=True)
+SWING = ROLL, PITCH, YAW = symbols("r p s", real=True)
+RATE = ROLL_RATE, PITCH_RATE, YAW_RATE = symbols("r' p' s'", real=True)
 HEADING = Symbol("psi", real=True)
 DELAY = Symbol("tau", positive=True)
 DMU = Matrix(symbols("dmu_x dmu_y dmu_z", real=True))
@@ -25,7 +42,7 @@ V_NORTH, V_EAST, A_NORTH, A_EAST = symbols("v_n v_e a_n a_e", real=True)
 SIGMA_ANGLE, SIGMA_VELOCITY = symbols("sigma_a sigma_v", positive=True)
 AMPLITUDES = ROLL_AMPLITUDE, PITCH_AMPLITUDE = symbols("R P", positive=True)
 FREQUENCY, PHASE, TIME = Symbol("omega", positive=True), Symbol("epsilon", real=True), Symbol("t", real=True)
-MOVING = (ROLL, PITCH, ROLL_RATE, PITCH_RATE, V_NORTH, V_EAST, A_NORTH, A_EAST)
+MOVING = (*SWING, *RATE, V_NORTH, V_EAST, A_NORTH, A_EAST)
 
 
 def first_order(expression, *small):
@@ -41,16 +58,21 @@ def residual() -> Matrix:
 
     z = H x of the model's own H, with x = (phi, ..., dmu, d_tau) and d_tau = 0 - tau.
     """
-    C_m2n = dcm_from_euler(ROLL, PITCH, HEADING)
-    # The rate of the body against the level, from its own matrix: the vector of C' C^T, here with the yaw at rest.
-    C_rate = C_m2n.diff(ROLL) * ROLL_RATE + C_m2n.diff(PITCH) * PITCH_RATE
-    turn = C_rate * C_m2n.T
+    C_m2n = dcm_from_euler(ROLL, PITCH, HEADING + YAW)
+    # the rate of the body against the level, from its own matrix: the vector of C' C^T
+    turn = sum((C_m2n.diff(angle) * rate for angle, rate in zip(SWING, RATE, strict=True)), zeros(3)) * C_m2n.T
     omega_nb = Matrix([turn[2, 1], turn[0, 2], turn[1, 0]])
     H = kang_2025.attitude_matrix(C_m2n, omega_nb)
     z = rotation_z(HEADING).T * (H[:, 12:15] * DMU - H[:, 15] * DELAY)
     # products of the misalignment with an angle, and of the delay with a rate, are the first that do not stand still
-    varying = (z - z.subs({symbol: 0 for symbol in MOVING[:4]})).applyfunc(simplify)
-    return varying.applyfunc(lambda entry: first_order(entry, *MOVING[:4]))
+    small = SWING + RATE
+    varying = z - z.subs(dict.fromkeys(small, 0))
+    return varying.applyfunc(lambda entry: first_order(entry, *small))
+
+
+def steady(expression):
+    """The same where the yaw is constant."""
+    return expression.subs({YAW: 0, YAW_RATE: 0})
 
 
 def velocity_residual() -> Matrix:
@@ -93,13 +115,24 @@ def steady_misalignment():
 
     For any swing, regular or not, that is long against its own period.
     """
-    return minimum((residual(), 1))[DMU[2]]
+    return minimum((steady(residual()), 1))[DMU[2]]
+
+
+def spread() -> Matrix:
+    """<|e|^2 I - e e'>, 3x3, of the swing e = (r, p, s): its moment of inertia, were it a cloud of points."""
+    e = Matrix(SWING)
+    return (e.dot(e) * eye(3) - e * e.T).applyfunc(mean)
+
+
+def spin() -> Matrix:
+    """<e x e'>, 3x1: its angular momentum."""
+    return Matrix(SWING).cross(Matrix(RATE)).applyfunc(mean)
 
 
 @cache
 def steady_misalignment_with_velocity():
     """The same where the velocity is matched as well: white noises sigma_a, sigma_v, equal on all axes."""
-    return minimum((residual(), SIGMA_ANGLE**-2), (velocity_residual(), SIGMA_VELOCITY**-2))[DMU[2]]
+    return minimum((steady(residual()), SIGMA_ANGLE**-2), (velocity_residual(), SIGMA_VELOCITY**-2))[DMU[2]]
 
 
 @cache
@@ -138,23 +171,30 @@ def derivation() -> Derivation:
             Step(
                 "keep first order",
                 (Relation((z, matrix(residual()))),),
-                "the model's z = H x in level axes along the heading, yaw at rest: phi and dmu are constants, and what "
-                "varies are their products with roll and pitch, and the delay's with their rates",
+                "the model's z = H x in level axes along the heading: phi and dmu are constants, and what varies is "
+                "e x dmu + e' tau, of the swing e = (r, p, s) of roll, pitch and yaw",
             ),
             Step(
                 "leave out the mean",
                 (),
-                "the constants -phi + dmu take it up, whatever phi is: three equations, and phi is in no other term.  "
-                "The vertical one holds phi_d to dmu_z, so that the heading error is -dmu_z",
+                "the constants -phi + dmu take it up, whatever phi is, which is in no other term.  The vertical one "
+                "holds phi_d to dmu_z, so that the heading error is -dmu_z",
             ),
             Step(
                 "least squares",
                 (
                     Relation((cost, Symbol("min"))),
-                    Relation((dmu_z, steady_misalignment())),
+                    Relation((product(matrix(spread()), matrix(DMU)), product(DELAY, matrix(spin())))),
                 ),
-                "the limit of a filter whose prior is used up and whose rows about north and east have equal weight, "
-                "at each frequency: white noise or the gyros' random walk between.  dmu_x and dmu_y stay right",
+                "the limit of a filter whose prior is used up and whose three rows have equal weight, at each "
+                "frequency: white noise, or the gyros' random walk between.  The left is a moment of inertia, the "
+                "right an angular momentum: the misalignment errs by what the swing turns on in tau, as if it were a "
+                "rigid body",
+            ),
+            Step(
+                "keep the yaw at rest",
+                (Relation((dmu_z, steady_misalignment())),),
+                "dmu_x and dmu_y stay right, and the vertical row plays no part",
             ),
             Step(
                 "insert sinusoids",
