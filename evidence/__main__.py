@@ -1,17 +1,22 @@
 """`make evidence`: what is out of date is computed anew, results and docs/evidence.md are written."""
 
+import multiprocessing
 import sys
 import tempfile
 import time
 from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from boresight.evidence import results
 from boresight.evidence.golden import golden
+from boresight.evidence.guards import guards
+from boresight.evidence.mutants import mutants
+from boresight.evidence.rounding import rounding
 from boresight.evidence.sources import Folder, folders
-from boresight.evidence.targets import M4F
+from boresight.evidence.targets import GCC, M4F
 
 UNITS = dict[str, dict[str, Any]]
 
@@ -26,29 +31,47 @@ class Kind:
     tools: Callable[[], str]
 
 
-KINDS = (Kind("golden", golden, M4F.missing, lambda: M4F.version),)
+KINDS = (
+    Kind("golden", golden, M4F.missing, lambda: M4F.version),
+    Kind("guards", guards, GCC.missing, lambda: ""),
+    Kind("mutants", mutants, GCC.missing, lambda: ""),
+    Kind("rounding", rounding, GCC.missing, lambda: ""),
+)
+JOBS = 2
+
+
+def out_of_date(folder: Folder, kind: Kind) -> bool:
+    before = results.read(folder).get(kind.name, {})
+    return bool(before.get("sources") != results.sources_hash(folder) or before.get("tools") != kind.tools())
+
+
+def make(folder: Folder, name: str) -> tuple[UNITS, float]:
+    """One kind of evidence of one folder, and how long it took."""
+    kind = next(kind for kind in KINDS if kind.name == name)
+    start = time.perf_counter()
+    with tempfile.TemporaryDirectory() as out:
+        return kind.make(folder, Path(out)), time.perf_counter() - start
 
 
 def main() -> int:
-    names = sys.argv[1:]
-    for folder in folders():
-        if names and folder.name not in names:
-            continue
-        kept = results.read(folder)
-        sources = results.sources_hash(folder)
-        for kind in KINDS:
-            if kind.missing:
-                print(f"{folder.name}: {kind.name} skipped, {kind.missing}")
-                continue
-            before = kept.get(kind.name, {})
-            if before.get("sources") == sources and before.get("tools") == kind.tools():
-                continue
-            start = time.perf_counter()
-            with tempfile.TemporaryDirectory() as out:
-                units = kind.make(folder, Path(out))
-            kept[kind.name] = {"sources": sources, "tools": kind.tools(), "units": units}
-            results.write(folder, kept)
-            print(f"{folder.name}: {kind.name}, {time.perf_counter() - start:.1f} s", flush=True)
+    """Everything, or the folders named on the command line."""
+    named = sys.argv[1:]
+    for kind in KINDS:
+        if kind.missing:
+            print(f"{kind.name}: skipped, {kind.missing}")
+    with ProcessPoolExecutor(JOBS, mp_context=multiprocessing.get_context("spawn")) as pool:
+        running = {
+            pool.submit(make, folder, kind.name): (folder, kind)
+            for kind in KINDS
+            for folder in folders()
+            if not kind.missing and (not named or folder.name in named) and out_of_date(folder, kind)
+        }
+        for done in as_completed(running):
+            folder, kind = running[done]
+            units, seconds = done.result()
+            entry = {"sources": results.sources_hash(folder), "tools": kind.tools(), "units": units}
+            results.write(folder, {**results.read(folder), kind.name: entry})
+            print(f"{folder.name}: {kind.name}, {seconds:.1f} s", flush=True)
     return 0
 
 

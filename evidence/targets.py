@@ -125,12 +125,12 @@ def build(folder: Folder, target: Target, precision: str, out: Path) -> Build:
     jobs = [[*common, "-c", path, "-o", out / f"{path.stem}.o"] for path in tests]
     jobs += [
         [*common, "-fno-builtin", "-c", HARNESS / f"{name}.c", "-o", out / f"{name}.o"]
-        for name in ("recorder", "same_sines")
+        for name in ("recorder", "quiet", "same_sines")
     ]
     side_by_side(jobs)
     renamed = [f"--redefine-sym={name}=shipped_{name.removeprefix('selftest_')}" for name in RENAMED]
     run([target.tool("objcopy"), *renamed, out / "selftest.o"])
-    linked = [*objects.values(), *(out / f"{path.stem}.o" for path in tests), out / "recorder.o"]
+    linked = [*objects.values(), *(out / f"{path.stem}.o" for path in tests), out / "recorder.o", out / "quiet.o"]
     images = []
     for name, more in (("image", []), ("same", [out / "same_sines.o"])):
         images.append(out / f"{name}.{'elf' if target.emulator else 'so'}")

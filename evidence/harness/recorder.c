@@ -1,7 +1,5 @@
 /* recorder.c - keeps every number that the shipped self-test compares, and then lets it compare them.
  * The self-test's own comparison is compiled under the name shipped_compare. */
-#include <stdio.h>
-
 #include "selftest.h"
 
 int shipped_compare(const char *what, int vector, const bs_real *out, int n, const double *expected, const double *tolerance,
@@ -11,24 +9,6 @@ bs_real evidence_record[EVIDENCE_ROOM];
 int evidence_count = 0; /* beyond EVIDENCE_ROOM: too little room, which the reader refuses */
 int evidence_lengths[EVIDENCE_GROUPS]; /* how many numbers each comparison saw */
 int evidence_groups = 0;
-
-/* What the self-test has to say goes nowhere: an emulated core would spend its time on the digits. */
-int printf(const char *format, ...)
-{
-    (void)format;
-    return 0;
-}
-
-int puts(const char *text)
-{
-    (void)text;
-    return 0;
-}
-
-int putchar(int letter)
-{
-    return letter;
-}
 
 int selftest_compare(const char *what, int vector, const bs_real *out, int n, const double *expected, const double *tolerance,
                      const unsigned short *at, int nnz, int angle)

@@ -3,19 +3,14 @@
 import importlib.util
 
 import pytest
+from committed import NAMES, folder_of, spoilt
 
 from boresight import BoresightError
 from boresight.evidence import results
 from boresight.evidence.golden import SOFT_ULPS, allowed_ulps, golden
-from boresight.evidence.sources import Folder, folders
 from boresight.evidence.targets import CLANG, CORES, GCC, HOSTS, M4F, PRECISIONS, build, compile_units, run_on_host
 
 MISSING = M4F.missing or ("" if importlib.util.find_spec("unicorn") else "unicorn is not installed")
-NAMES = [folder.name for folder in folders()]
-
-
-def folder_of(name):
-    return next(folder for folder in folders() if folder.name == name)
 
 
 @pytest.mark.parametrize("host", HOSTS, ids=lambda host: host.compiler)
@@ -53,31 +48,16 @@ def test_golden_vectors_bits_and_cost_on_each_target(name, tmp_path):
         pytest.skip(f"everything but the cost: it is committed for {committed['tools']}, here is {M4F.version}")
 
 
-@pytest.fixture
-def spoilt(em_copy):
-    """A way to spoil a file of a copied folder, whose manifest then vouches for it."""
-
-    def change(path, old, new):
-        text = (em_copy / path).read_text()
-        assert old in text
-        (em_copy / path).write_text(text.replace(old, new))
-        folder = Folder(em_copy)
-        folder.__dict__["manifest"] = folder_of("euler_matching").manifest
-        return folder
-
-    return change
-
-
-def test_a_warning_is_an_error(spoilt, tmp_path):
-    folder = spoilt("src/em_F_kernel.h", "-omega_in_n[1]", "-omega_in_n[1] * 1.5")
+def test_a_warning_is_an_error(em_copy, tmp_path):
+    folder = spoilt(em_copy, "src/em_F_kernel.h", "-omega_in_n[1]", "-omega_in_n[1] * 1.5")
     with pytest.raises(BoresightError, match="float"):
         compile_units(folder, GCC, "float", tmp_path)
 
 
 @pytest.mark.skipif(bool(MISSING), reason=MISSING or "-")
-def test_double_in_a_float_build_and_a_dearer_call_are_seen(spoilt, tmp_path):
+def test_double_in_a_float_build_and_a_dearer_call_are_seen(em_copy, tmp_path):
     # a cast keeps the compilers quiet about it
-    folder = spoilt("src/em_F_kernel.h", "-omega_in_n[1]", "(bs_real)((double)-omega_in_n[1] + 1e-30)")
+    folder = spoilt(em_copy, "src/em_F_kernel.h", "-omega_in_n[1]", "(bs_real)((double)-omega_in_n[1] + 1e-30)")
     found = golden(folder, tmp_path)
     assert any(word.startswith("cortex-m4f float: __aeabi_dadd") for word in found["em_F"]["doubles"])
     assert any(word.startswith("cortex-m7 float: vadd.f64") for word in found["em_F"]["doubles"])

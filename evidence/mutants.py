@@ -1,0 +1,285 @@
+"""Mutants of the C text of a unit, run through its shipped self-test.
+
+The preprocessed unit is parsed, and each real operation or comparison swapped, each sign flipped, each constant off by
+1e-3 becomes a choice that one global number makes: one executable holds all of them, and forks for each.  What the
+self-test lets pass is compared with the unit itself at 1e4 points of its box and beside the box's edges: a mutant with
+equal bits throughout is equivalent, and counted apart.
+"""
+
+import ctypes
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pycparser import c_ast, c_generator, c_parser
+
+from boresight import BoresightError
+from boresight.codegen.samples import generator
+from boresight.evidence.calls import Caller, Points, layout, points_of, shared_library
+from boresight.evidence.sources import Folder, Source
+from boresight.evidence.targets import GCC, HARNESS, compile_units, run, side_by_side
+
+MOST = 2000  # mutants of a unit
+POINTS, CORNERS = 10_000, 2_000  # at which a survivor is compared
+FLAGS = ("-std=gnu99", "-O1", "-fPIC", "-ffp-contract=off", "-w")
+OFF = 1e-3
+SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="}
+LOGICAL = {"&&": "||", "||": "&&"}
+ASSIGNING = {"+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
+LIBRARY = {"sqrt", "sin", "cos", "atan2", "fabs"}
+CALLS = {"sin": "cos", "cos": "sin"}
+REAL = {"bs_real", "double"}
+
+
+def parsed(unit: Source) -> Any:
+    """The unit with the headers of its folder, preprocessed for double."""
+    text, ours = [], False
+    for line in run(["gcc", "-E", "-std=c99", "-I", unit.folder.include, unit.path]).splitlines():
+        mark = re.match(r'# (\d+) "([^"]*)"', line)
+        if mark:
+            ours = Path(mark[2]).is_relative_to(unit.folder.path)
+            if ours:
+                text.append(f'#line {mark[1]} "{mark[2]}"')
+        elif ours:
+            text.append(line)
+    return c_parser.CParser().parse("\n".join(text) + "\n", filename=str(unit.path))
+
+
+class Types(c_ast.NodeVisitor):
+    """Names that hold, point to, or return real numbers, and the functions that are called."""
+
+    def __init__(self, tree: Any):
+        self.real: set[str] = set(LIBRARY)
+        self.called: set[str] = set()
+        self.visit(tree)
+
+    def visit_Decl(self, node: Any) -> None:
+        inner = node.type
+        while isinstance(inner, (c_ast.ArrayDecl, c_ast.PtrDecl, c_ast.FuncDecl)):
+            inner = inner.type
+        names = getattr(getattr(inner, "type", None), "names", ())
+        if set(names) & REAL:
+            self.real.add(node.name)
+        self.generic_visit(node)
+
+    def visit_FuncCall(self, node: Any) -> None:
+        if isinstance(node.name, c_ast.ID):
+            self.called.add(node.name.name)
+        self.generic_visit(node)
+
+    def is_real(self, node: Any) -> bool:
+        if isinstance(node, c_ast.Constant):
+            return bool(node.type in ("double", "float"))
+        if isinstance(node, c_ast.ID):
+            return node.name in self.real
+        if isinstance(node, c_ast.ArrayRef):
+            return self.is_real(node.name)
+        if isinstance(node, c_ast.StructRef):
+            return self.is_real(node.field)
+        if isinstance(node, c_ast.UnaryOp):
+            return node.op in ("-", "+", "*") and self.is_real(node.expr)
+        if isinstance(node, c_ast.BinaryOp):
+            return node.op in ("+", "-", "*", "/") and (self.is_real(node.left) or self.is_real(node.right))
+        if isinstance(node, c_ast.TernaryOp):
+            return self.is_real(node.iftrue)
+        if isinstance(node, c_ast.FuncCall):
+            return self.is_real(node.name)
+        if isinstance(node, c_ast.Cast):
+            return bool(set(getattr(getattr(node.to_type.type, "type", None), "names", ())) & REAL)
+        return False
+
+
+class Mutator(c_generator.CGenerator):
+    """Prints the unit; where it mutates, the text chooses by evidence_mutant.
+
+    chosen: numbers of the candidates that are to be mutants, or None to list the candidates only.
+    """
+
+    def __init__(self, unit: Source, types: Types, chosen: dict[int, int] | None):
+        super().__init__()
+        self.unit, self.types, self.chosen = unit, types, chosen
+        self.candidates: list[str] = []
+        self.inside = False
+
+    def choice(self, node: Any, what: str, otherwise: str, mutant: str) -> str:
+        """`otherwise`, or the mutant's text if its number is up."""
+        number = len(self.candidates)
+        line = node.coord.line if node.coord else 0
+        self.candidates.append(f"line {line}: {what}")
+        if self.chosen is None or number not in self.chosen:
+            return otherwise
+        return f"((evidence_mutant == {self.chosen[number]}) ? ({mutant}) : ({otherwise}))"
+
+    def visit_FuncDef(self, n: Any) -> str:
+        here = Path(n.coord.file)
+        # what all units share is mutated in each that calls it
+        self.inside = here.name != "boresight.h" or n.decl.name in self.types.called
+        text = str(super().visit_FuncDef(n))
+        self.inside = False
+        return text
+
+    def visit_Decl(self, n: Any, no_type: bool = False) -> str:
+        if self.inside and "static" in n.storage and n.init is not None:
+            n.storage = [word for word in n.storage if word != "static"]  # its numbers are chosen at run time
+        return str(super().visit_Decl(n, no_type))
+
+    def visit_BinaryOp(self, n: Any) -> str:
+        left, right = self.visit(n.left), self.visit(n.right)
+        plain = f"(({left}) {n.op} ({right}))"
+        if not self.inside:
+            return plain
+        if n.op in LOGICAL:  # the right side may only be looked at if the left one says so
+            return self.choice(n, f"{n.op} to {LOGICAL[n.op]}", plain, f"(({left}) {LOGICAL[n.op]} ({right}))")
+        pointer = isinstance(n.right, c_ast.Constant) and n.op in ("==", "!=")
+        if n.op not in SWAPS or not (self.types.is_real(n.left) or self.types.is_real(n.right) or pointer):
+            return plain
+        a, b = f"a{len(self.candidates)}", f"b{len(self.candidates)}"
+        chosen = self.choice(n, f"{n.op} to {SWAPS[n.op]}", f"{a} {n.op} {b}", f"{a} {SWAPS[n.op]} {b}")
+        return f"({{ __auto_type {a} = ({left}); __auto_type {b} = ({right}); {chosen}; }})" if "?" in chosen else plain
+
+    def visit_UnaryOp(self, n: Any) -> str:
+        text = str(super().visit_UnaryOp(n))
+        if self.inside and n.op == "-" and self.types.is_real(n.expr):
+            return self.choice(n, "minus dropped", text, text.split("-", 1)[1])
+        return text
+
+    def visit_Constant(self, n: Any) -> str:
+        text = str(n.value)
+        if self.inside and self.types.is_real(n) and float(n.value.rstrip("fF")) != 0:
+            more = self.choice(n, f"{text} * {1 + OFF}", text, f"{text} * {1 + OFF}")
+            return self.choice(n, f"{text} * {1 - OFF}", more, f"{text} * {1 - OFF}")
+        return text
+
+    def visit_FuncCall(self, n: Any) -> str:
+        text = str(super().visit_FuncCall(n))
+        if not self.inside or not isinstance(n.name, c_ast.ID) or n.name.name not in LIBRARY:
+            return text
+        if n.name.name in CALLS:
+            other = f"{CALLS[n.name.name]}{text[len(n.name.name) :]}"
+            text = self.choice(n, f"{n.name.name} to {CALLS[n.name.name]}", text, other)
+        return self.choice(n, f"sign of {n.name.name}", text, f"-({text})")
+
+    def visit_Assignment(self, n: Any) -> str:
+        if not self.inside or not self.types.is_real(n.lvalue):
+            return str(super().visit_Assignment(n))
+        left, right = self.visit(n.lvalue), self.visit(n.rvalue)
+        if n.op in ASSIGNING:
+            text = f"{left} {n.op} ({right})"
+            return self.choice(n, f"{n.op} to {ASSIGNING[n.op]}", text, f"{left} {ASSIGNING[n.op]} ({right})")
+        if isinstance(n.rvalue, c_ast.Constant) and float(n.rvalue.value.rstrip("fF")) == 0:
+            return f"{left} {n.op} {right}"  # minus zero is no other number
+        return f"{left} {n.op} {self.choice(n, 'sign of what is assigned', right, f'-({right})')}"
+
+
+def candidates(unit: Source) -> list[str]:
+    """Every mutant that there could be, in words."""
+    tree = parsed(unit)
+    mutator = Mutator(unit, Types(tree), None)
+    mutator.visit(tree)
+    return mutator.candidates
+
+
+def mutated(unit: Source, most: int) -> tuple[str, list[str]]:
+    """The text with at most `most` mutants, drawn evenly, and what they are."""
+    words = candidates(unit)
+    rng = generator("mutants", unit.name)
+    picked = sorted(rng.permutation(len(words))[:most].tolist())
+    tree = parsed(unit)
+    mutator = Mutator(unit, Types(tree), {number: i for i, number in enumerate(picked)})
+    text = mutator.visit(tree)
+    return "#include <math.h>\nextern int evidence_mutant;\n" + text, [words[number] for number in picked]
+
+
+def mutants(folder: Folder, out: Path, most: int = MOST) -> dict[str, dict[str, Any]]:
+    """By unit: mutants tried, killed by the shipped self-test, equivalent, and the others by name."""
+    objects = compile_units(folder, GCC, "double", out)
+    common = [
+        "gcc",
+        "-std=c99",
+        "-O1",
+        "-w",
+        "-ffunction-sections",
+        "-I",
+        folder.include,
+        "-I",
+        folder.path / "selftest",
+    ]
+    tests = {path: out / f"{path.stem}.o" for path in folder.files("selftest/*.c")}
+    side_by_side([[*common, "-c", path, "-o", made] for path, made in tests.items()])
+    run(["objcopy", "--redefine-sym=main=shipped_main", out / "selftest.o"])
+    return {
+        unit.name: of_unit(unit, objects, list(tests.values()), out, most)
+        for unit in folder.units
+        if unit.test.is_file()
+    }
+
+
+def of_unit(unit: Source, objects: dict[str, Path], tests: list[Path], out: Path, most: int) -> dict[str, Any]:
+    text, words = mutated(unit, most)
+    source, made, program = out / "mutated.c", out / "mutated.o", out / "mutants"
+    source.write_text(text)
+    run(["gcc", *FLAGS, "-c", source, "-o", made])
+    others = {name: path for name, path in objects.items() if name != unit.name}
+    harness = ["gcc", "-std=gnu99", "-O1", "-fno-builtin", f"-DEVIDENCE_TEST={unit.test_function}"]
+    parts = [HARNESS / "mutants.c", HARNESS / "quiet.c", made, *others.values(), *tests]
+    run([*harness, "-Wl,--gc-sections", *parts, "-lm", "-o", program])
+    verdicts = run([program, len(words)])
+    if len(verdicts) != len(words):
+        raise BoresightError(f"{unit.name}: {len(verdicts)} verdicts for {len(words)} mutants")
+    survivors = [i for i, verdict in enumerate(verdicts) if verdict == "0"]
+    alike = set(equivalent(unit, {**others, unit.name: made}, survivors, out)) if unit.described else set()
+    return {
+        "candidates": len(candidates(unit)),
+        "tried": len(words),
+        "killed": verdicts.count("1"),
+        "equivalent": len(alike),
+        "survivors": [words[i] for i in survivors if i not in alike],
+    }
+
+
+def equivalent(unit: Source, objects: dict[str, Path], survivors: list[int], out: Path) -> Iterator[int]:
+    """Those survivors that give the unit's own bits and status at every point."""
+    if not survivors:
+        return
+    extra = out / "number.c"
+    extra.write_text("int evidence_mutant = -1;\n")
+    run(["gcc", "-fPIC", "-c", extra, "-o", out / "number.o"])
+    image = shared_library(unit.folder, "double", out, objects | {"number": out / "number.o"})
+    image = image.rename(out / f"equivalent-{unit.name}.so")  # a library is loaded once by its name
+    library = ctypes.CDLL(str(image))
+    number = ctypes.c_int.in_dll(library, "evidence_mutant")
+    caller = Caller(library, unit, "double")
+    rng = generator("equivalence", unit.name)
+    points = [points_of(unit, POINTS, CORNERS, rng), edges(unit, rng)]
+    number.value = -1
+    expected = [bits(caller, at) for at in points]
+    for mutant in survivors:
+        number.value = mutant
+        if all(bits(caller, at) == was for at, was in zip(points, expected, strict=True)):
+            yield mutant
+
+
+def bits(caller: Caller, points: Points) -> list[bytes]:
+    outputs, status = caller(points)
+    return [array.tobytes() for array in (*outputs, status)]
+
+
+def edges(unit: Source, rng: np.random.Generator) -> Points:
+    """Points with one number, or one norm, half of OFF inside and outside an end of its range."""
+    base = points_of(unit, 1, 0, rng)
+    rows: list[Points] = []
+    for struct, start, field in layout(unit):
+        part = slice(start, start + field["size"])
+        for share in (1 - OFF / 2, 1 + OFF / 2):
+            for ends in (field["low"], field["high"]):
+                for i, end in enumerate(ends):
+                    point = {name: value.copy() for name, value in base.items()}
+                    point[struct][0, start + i] = end * share
+                    rows.append(point)
+            for norm in field["norm"] or ():
+                point = {name: value.copy() for name, value in base.items()}
+                point[struct][:, part] *= norm * share / np.linalg.norm(point[struct][:, part])
+                rows.append(point)
+    return {name: np.vstack([row[name] for row in rows]) for name in base}

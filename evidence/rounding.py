@@ -1,0 +1,99 @@
+"""Rounding in single precision: a bound on every output along the instruction list, held against the C in float.
+
+The bound is a running one: at each point it follows every rounding of the printed list, and it holds there.  The C in
+float runs at 1e5 random points of the box and at corners; no error may exceed the bound at its point.
+"""
+
+import ctypes
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight.codegen.generate import load_model
+from boresight.codegen.samples import generator
+from boresight.codegen.tape import evaluate
+from boresight.codegen.units import Unit, units
+from boresight.evidence.calls import Caller, Points, layout, points_of, shared_library
+from boresight.evidence.sources import Folder, Source
+
+RUNS, CORNERS, CHUNK = 100_000, 2_000, 4_000
+LIBM_ULPS = 1.0  # what sinf, cosf and atan2f of this machine's library may err by
+
+
+def rounding(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
+    """By printed unit: runs, violations of the bound, and for each output what `of_unit` says; nothing of a kernel."""
+    if folder.manifest.get("kernel"):
+        return {}
+    model = load_model(folder.manifest["model"])
+    made = {unit.name: unit for unit in units(model)}
+    library = ctypes.CDLL(str(shared_library(folder, "float", out)))
+    return {
+        source.name: of_unit(source, made[source.described["name"]], Caller(library, source, "float"))
+        for source in folder.units
+        if source.described is not None
+    }
+
+
+def of_unit(source: Source, unit: Unit, caller: Caller) -> dict[str, Any]:
+    """`outputs`: result, row, column, and over all runs its largest size, largest bound and largest error.
+
+    `loose`: the median of bound over error, of the outputs that err at all.  `relative`: the largest bound, as a part
+    of the largest number of the same matrix.
+    """
+    rng = generator("rounding", source.name)
+    results = unit.tape.results
+    largest, bound, error = (np.zeros(len(results)) for _ in range(3))
+    runs = violations = drawn = 0
+    while runs < RUNS and drawn < 3 * RUNS:
+        points = points_of(source, CHUNK, CORNERS if drawn == 0 else 0, rng) if unit.args else {}
+        points = {name: values.astype(np.float32).astype(float) for name, values in points.items()}
+        drawn += CHUNK
+        outputs, status = caller(points)
+        inputs = fields(source, unit, points)
+        values, floats = evaluate(unit.tape, inputs, LIBM_ULPS, np.float32)
+        _, doubles = evaluate(unit.tape, inputs, LIBM_ULPS)
+        keep = (status == 0) & np.isfinite(np.array(floats)).all(axis=0)
+        for i, (o, nz, _) in enumerate(results):
+            result = unit.results[o]
+            row, column = result.nonzeros[nz]
+            got = outputs[o][keep, row * result.shape[1] + column].astype(float)
+            value, most = (np.broadcast_to(x, status.shape)[keep] for x in (values[i], floats[i] + doubles[i]))
+            off = np.abs(got - value)
+            if result.angle or result.unit == "rad":
+                off = np.minimum(off, np.abs(off - 2 * np.pi))  # an angle goes round
+            violations += int((~(off <= most)).sum())
+            if len(off):
+                largest[i] = max(largest[i], np.abs(value).max())
+                bound[i], error[i] = max(bound[i], most.max()), max(error[i], off.max())
+        runs += int(keep.sum())
+        if not unit.args:
+            break
+    scale = {o: max(largest[i] for i, (other, _, _) in enumerate(results) if other == o) for o, _, _ in results}
+    moved = error > 0
+    return {
+        "runs": runs,
+        "drawn": drawn if unit.args else 1,
+        "violations": violations,
+        "relative": rounded(max(bound[i] / (scale[o] or 1) for i, (o, _, _) in enumerate(results))),
+        "loose": rounded(np.median(bound[moved] / error[moved])) if moved.any() else None,
+        "outputs": [
+            [unit.results[o].name, *unit.results[o].nonzeros[nz], *map(rounded, (largest[i], bound[i], error[i]))]
+            for i, (o, nz, _) in enumerate(results)
+        ],
+    }
+
+
+def rounded(value: float) -> float:
+    """Three digits are enough to print."""
+    return float(f"{float(value):.3g}")
+
+
+def fields(source: Source, unit: Unit, points: Points) -> list[np.ndarray]:
+    """The points as the instruction list takes them: one array an argument."""
+    where = {field["name"]: (struct, start, field["size"]) for struct, start, field in layout(source)}
+    taken = []
+    for arg in unit.args:
+        struct, start, size = where[arg.name]
+        taken.append(points[struct][:, start : start + size])
+    return taken
