@@ -13,6 +13,8 @@ import numpy as np
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from boresight import BoresightError
+from boresight.codegen.kernels.covariance import covariance_view, filter_view, has_filter, nonzeros, test_view
+from boresight.codegen.kernels.covariance_vectors import vectors_view
 from boresight.codegen.samples import answered, generator
 from boresight.codegen.tape import Tape, evaluate
 from boresight.codegen.units import DIGITS, Result, Unit, state_variable
@@ -20,6 +22,7 @@ from boresight.derive.model import Model, Variable
 
 LIBM_ULPS = 4  # what the self-test grants the sine, cosine and arctangent of a target's library
 VECTORS, CORNERS = 64, 24
+DIFFERENTIATED = 1e-45  # what is left of 80 digits where the reference was differentiated numerically and is zero
 MATRICES = {"F", "Phi", "Q", "H"}  # two axes in NumPy, even for a model with one state
 
 
@@ -189,6 +192,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
                 "low": ", ".join(number(v) for v in r.low),
                 "high": ", ".join(number(v) for v in r.high),
                 "parameter": f"bs_real {r.name}[{size}]",
+                "nz_parameter": f"bs_real {nz_name(r)}[{len(positions)}]",
                 "text": f"{r.name}: {r.meaning} ({r.unit}); {shape}, {kind}"
                 + (", wrapped to [-pi, pi]" if r.angle else "")
                 + (f"; {span(r.low, r.high)}" if r.low else ""),
@@ -210,12 +214,17 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         "args": args,
         "results": results,
         "prototype": f"bs_status {c_name}({', '.join(inputs + [r['parameter'] for r in results])})",
-        "null_test": " || ".join(f"({p} == 0)" for p in pointers) if len(pointers) > 1 else f"{pointers[0]} == 0",
+        "null_test": null_test(pointers),
+        "sparse": any(r["index"] for r in results),
+        "nz_prototype": f"bs_status {c_name}_nz({', '.join(inputs + [r['nz_parameter'] for r in results])})",
+        "nz_null_test": null_test(reads + [r["nz_name"] for r in results]),
+        "result_null_test": null_test([r["name"] for r in results]),
+        "nz_call": f"{c_name}_nz({', '.join(reads + [r['nz_name'] for r in results])})",
         "kernel_parameters": ", ".join(
             [f"const bs_real {a.name}[{a.size}]" for a in unit.args]
             + [f"bs_real {r['nz_name']}[{r['nnz']}]" for r in results]
         ),
-        "kernel_arguments": ", ".join([a["access"] for a in args] + [r["nz_name"] for r in results]),
+        "kernel_inputs": "".join(f"{a['access']}, " for a in args),
         "statements": statements(unit, columns),
         "casadi": {
             "arg": max(1, unit.function.sz_arg()),
@@ -247,6 +256,10 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
             + [f"&{r['name']}[i * {r['total']}U]" for r in results]
         ),
     }  # fmt: skip
+
+
+def null_test(pointers: list[str]) -> str:
+    return " || ".join(f"({p} == 0)" for p in pointers) if len(pointers) > 1 else f"{pointers[0]} == 0"
 
 
 def ranges(variable: Variable) -> str:
@@ -298,6 +311,7 @@ def model_view(model: Model, unit_views: list[dict[str, Any]]) -> dict[str, Any]
             for s in model.structs
         ],
         "units": unit_views,
+        "parts": [],  # sources beside the units, each with a test of its own
     }
 
 
@@ -334,7 +348,8 @@ def unit_files(model: Model, unit: Unit, with_vectors: bool = True) -> dict[str,
 
 def model_files(model: Model, made: list[Unit]) -> dict[str, str]:
     """Path -> text of what all units share."""
-    m = model_view(model, [view(model, unit) for unit in made])
+    views = [view(model, unit) for unit in made]
+    m = model_view(model, views)
     names = {
         "include/boresight.h": "boresight.h.j2",
         f"include/{m['snake']}.h": "model.h.j2",
@@ -343,7 +358,26 @@ def model_files(model: Model, made: list[Unit]) -> dict[str, str]:
         "selftest/selftest.c": "selftest.c.j2",
         "CMakeLists.txt": "CMakeLists.txt.j2",
     }
-    return {path: templates().get_template(name).render(m=m) for path, name in names.items()}
+    extra: dict[str, Any] = {"f": None}
+    if has_filter(model):
+        extra = {"c": covariance_view(model, made), "f": filter_view(model, made, views)}
+        m["parts"] = [f"{m['prefix']}_covariance", f"{m['prefix']}_filter"]
+        for part in ("covariance", "filter"):
+            names[f"include/{m['snake']}_{part}.h"] = f"{part}.h.j2"
+            names[f"src/{m['prefix']}_{part}.c"] = f"{part}.c.j2"
+        extra["t"] = test_view(model, made, extra["f"])
+        names[f"selftest/test_{m['prefix']}_filter.c"] = "test_filter.c.j2"
+    return {path: templates().get_template(name).render(m=m, **extra) for path, name in names.items()}
+
+
+def covariance_test(model: Model, made: list[Unit]) -> str:
+    """The self-test of the covariance kernels, whose golden vectors depend on nothing but sizes and places."""
+    v = vectors_view(model.n, nonzeros(made, "F"), nonzeros(made, "Qc"))
+    return (
+        templates()
+        .get_template("test_covariance.c.j2")
+        .render(m=model_view(model, []), c=covariance_view(model, made), v=v)
+    )
 
 
 def casadi_c(unit: Unit) -> str:
@@ -364,36 +398,54 @@ def exact(unit: Unit, points: list[np.ndarray], k: int) -> list[list[Any]]:
 
 
 def vectors(model: Model, unit: Unit) -> dict[str, Any]:
-    """Golden vectors as text: inputs, expected outputs and tolerances in hexadecimal."""
-    points = answered(unit, CORNERS, VECTORS, generator(model.name, unit.name))
-    _, bounds = evaluate(unit.tape, points, LIBM_ULPS)
+    """Golden vectors as hexadecimal text: inputs that a float holds, expected outputs, tolerances of each precision.
+
+    The expected value is rounded to double, which comes on top of what the C may err by.
+    """
+    points = answered(unit, CORNERS, VECTORS, generator(model.name, unit.name), in_float=True)
     count = len(points[0]) if points else 1
     references = [exact(unit, points, k) for k in range(count)]
-    bound = {(output, nz): bounds[i] for i, (output, nz, _) in enumerate(unit.tape.results)}
+    places = {(output, nz): i for i, (output, nz, _) in enumerate(unit.tape.results)}
 
-    def table(rows: list[list[float]]) -> str:
-        return ",\n".join("    { " + ", ".join(float(v).hex() for v in row) + " }" for row in rows)
+    def table(rows: np.ndarray) -> str:
+        return ",\n".join("    { " + ", ".join(v.hex() for v in row) + " }" for row in rows.tolist())
 
-    outputs, tolerances = [], []
-    for o, result in enumerate(unit.results):
-        outputs.append(table([[float(v) for v in references[k][o]] for k in range(count)]))
-        tolerances.append(
+    expected = [
+        np.array([[float(v) for v in references[k][o]] for k in range(count)]) for o in range(len(unit.results))
+    ]
+
+    def tolerances(real: type[np.floating]) -> list[str]:
+        _, bounds = evaluate(unit.tape, points, LIBM_ULPS, real)
+        return [
             table(
-                [
-                    # the rounding of the expected value itself comes on top
-                    [
-                        bound[o, nz][k] + abs(float(references[k][o][nz])) * 2.0**-53
-                        for nz in range(len(result.nonzeros))
-                    ]
-                    for k in range(count)
-                ]
+                np.array([bounds[places[o, nz]] for nz in range(len(result.nonzeros))]).T
+                + abs(expected[o]) * 2.0**-53
+                + DIFFERENTIATED
             )
-        )
+            for o, result in enumerate(unit.results)
+        ]
+
     return {
         "count": count,
-        "inputs": [table(p.tolist()) for p in points],
-        "outputs": outputs,
-        "tolerances": tolerances,
+        "inputs": [table(p) for p in points],
+        "outputs": [table(values) for values in expected],
+        "tolerances": tolerances(np.float64),
+        "float_tolerances": tolerances(np.float32),
+    }
+
+
+def filter_manifest(model: Model, made: list[Unit]) -> dict[str, Any]:
+    """What a caller of the whole filter in C must know: its sources, its structs and what each function is given."""
+    f = filter_view(model, made, [view(model, unit) for unit in made])
+    return {
+        "sources": [f"{model.c_prefix}_covariance", f"{model.c_prefix}_filter"],
+        "carried": f["carried"],
+        "propagate": {key: f["propagate"][key] for key in ("structs", "fields")},
+        "correct": f["correct"] and {key: f["correct"][key] for key in ("structs", "fields", "written")},
+        "measurements": {
+            m["name"]: {key: m[key] for key in ("m", "structs", "fields", "nonlinear")} | {"brings_z": m["z"] is None}
+            for m in f["measurements"]
+        },
     }
 
 
@@ -440,6 +492,7 @@ def manifest(model: Model, made: list[Unit], files: dict[str, str], versions: di
             for m in model.measurements
         },
         "units": described,
+        "filter": filter_manifest(model, made) if has_filter(model) else None,
         "files": {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()},
         "versions": versions,
     }  # fmt: skip

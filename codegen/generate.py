@@ -279,6 +279,10 @@ def make(
         else:
             files |= emit.unit_files(model, unit)
     files |= emit.model_files(model, made)
+    if emit.has_filter(model):
+        kernels, vectors = f"src/{model.c_prefix}_covariance.c", f"selftest/test_{model.c_prefix}_covariance.c"
+        keep = may_keep and same(folder / kernels, files[kernels]) and (folder / vectors).is_file()
+        files[vectors] = (folder / vectors).read_text() if keep else emit.covariance_test(model, made)
     files["manifest.json"] = emit.manifest(model, made, files, versions())
     return files, {unit.name: unit.tape.operations for unit in made}, hashes
 

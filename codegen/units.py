@@ -11,8 +11,9 @@ import mpmath as mp
 import sympy as sp
 
 from boresight.codegen.convert import to_casadi
+from boresight.codegen.reference import evaluator
 from boresight.codegen.tape import Tape, share_reciprocals, tape
-from boresight.derive.model import Measurement, Model, Variable
+from boresight.derive.model import Measurement, Model, Variable, symbols_in
 
 Values = dict[str, list[Any]]  # field name -> components as mpf
 DIGITS = 50
@@ -112,7 +113,7 @@ class UnitMaker:
     def numeric(self, *matrices: sp.Matrix) -> Callable[[Values], list[Any]]:
         """The matrices as functions of 50-digit numbers, straight from SymPy."""
         symbols = [s for v in self.variables for s in v.symbols]
-        used = set().union(*(sp.Matrix(m).free_symbols for m in matrices))
+        used = symbols_in(*matrices)
         order = [s for s in symbols if s in used]
         where = {s: (v.name, i) for v in self.variables for i, s in enumerate(v.symbols)}
         # A derivative may not depend on what its function reads; any value in the box will then do.
@@ -123,11 +124,9 @@ class UnitMaker:
 
         def evaluate(values: Values) -> list[Any]:
             if not compiled:
-                compiled.append(sp.lambdify(order, [sp.Matrix(m) for m in matrices], modules="mpmath", cse=True))
-            with mp.workdps(max(mp.mp.dps, DIGITS)):
-                return list(
-                    compiled[0](*(values.get(name, anywhere[name])[i] for name, i in (where[s] for s in order)))
-                )
+                compiled.append(evaluator(order, matrices))
+            given = [values.get(name, anywhere[name])[i] for name, i in (where[s] for s in order)]
+            return list(compiled[0](given, max(mp.mp.dps, DIGITS)))
 
         return evaluate
 
@@ -217,6 +216,11 @@ class UnitMaker:
 
         identity = sparse(mp.eye(n))
 
+        def density(values: Values) -> list[Any]:
+            with mp.workdps(DIGITS):
+                g, root = G_exact(values)
+                return [g * mp.diag([w * w for w in root]) * g.T]
+
         def Phi_exact(values: Values) -> list[Any]:
             with mp.workdps(DIGITS):
                 f, h = sparse(F_exact(values)[0]), values[where][0]
@@ -259,6 +263,13 @@ class UnitMaker:
                 source,
             ),
             self.unit(
+                "Qc",
+                "what the noise adds to the covariance a second, G W G'",
+                [(spread, described("Qc", "mixed", "density of the noise"))],
+                density,
+                source,
+            ),
+            self.unit(
                 "Q",
                 "covariance that the noise adds over dt",
                 [(Q, described("Q", "mixed", "covariance of the noise"))],
@@ -268,14 +279,17 @@ class UnitMaker:
         ]
 
     def differentiate(self, matrix: sp.Matrix) -> Callable[[Values], list[Any]]:
-        """The Jacobian of a column by the error state, by central differences in 80 digits: 50 of them survive."""
+        """The Jacobian of a column by the error state, by central differences in 110 digits: 60 survive, and what is
+        smaller than that is zero."""
         state, function = self.variables[0], self.numeric(matrix)
-        seen = [i for i, symbol in enumerate(state.symbols) if symbol in matrix.free_symbols]
+        used = symbols_in(matrix)
+        seen = [i for i, symbol in enumerate(state.symbols) if symbol in used]
         anywhere = [mp.mpf(lo / 4 + hi * 3 / 4) for lo, hi in zip(state.low, state.high, strict=True)]
 
         def jacobian(values: Values) -> list[Any]:
-            with mp.workdps(80):
-                step, result = mp.mpf(10) ** -27, mp.zeros(matrix.rows, self.model.n)
+            with mp.workdps(110):
+                step, least = mp.mpf(10) ** -35, mp.mpf(10) ** -60
+                result = mp.zeros(matrix.rows, self.model.n)
                 for i in seen:
                     sides = []
                     for sign in (1, -1):
@@ -284,7 +298,7 @@ class UnitMaker:
                         sides.append(function({**values, "x": x})[0])
                     slope = (sides[0] - sides[1]) / (2 * step)
                     for row in range(matrix.rows):
-                        result[row, i] = slope[row]
+                        result[row, i] = slope[row] if abs(slope[row]) > least else 0
                 return [result]
 
         return jacobian
@@ -300,7 +314,7 @@ class UnitMaker:
             ("z", m.z, "measured minus predicted"),
             ("h", m.h, "what the residual is expected to be for an error state x"),
         ):
-            if matrix is not None:
+            if matrix is not None and not (label == "h" and m.H is not None):
                 printed = wrapped(matrix)
                 made.append(
                     self.unit(

@@ -13,7 +13,7 @@ import shlex
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -79,6 +79,7 @@ def compile_library(
             jobs.append((folder / "src" / f"{stem}.c", instead))
             if backend == "casadi":
                 jobs.append((folder / "casadi" / f"{stem}_casadi.c", ["-Wno-unused-parameter"]))
+        jobs += [(folder / "src" / f"{stem}.c", []) for stem in (manifest.get("filter") or {}).get("sources", [])]
         for source, extra in jobs:
             out = Path(name) / f"{source.stem}.o"
             run_compiler([*command, *FLAGS, *include, *extra, "-c", str(source), "-o", str(out)])
@@ -131,44 +132,23 @@ class Unit:
         self._many.restype = ctypes.c_size_t
 
     def __call__(self, **fields: Any) -> Any:
-        library, given = self._library, {}
+        library = self._library
         if set(fields) != set(self.fields):
             raise BoresightError(
                 f"{self.name} takes {', '.join(self.fields)}; it was given {', '.join(fields) or 'nothing'}"
             )
-        shapes = []
-        for name, value in fields.items():
-            size = library.field[name]["size"]
-            array = np.asarray(value, dtype=float)
-            if size > 1 and (array.ndim == 0 or array.shape[-1] != size):
-                raise BoresightError(f"{self.name}: {name} has shape {array.shape}; its last axis must be {size} long")
-            given[name] = array if size > 1 else array[..., None]
-            shapes.append(given[name].shape[:-1])
-        try:
-            runs = np.broadcast_shapes(*shapes)
-        except ValueError:
-            listed = ", ".join(f"{name} {np.shape(value)}" for name, value in fields.items())
-            raise BoresightError(f"{self.name}: these shapes do not go together: {listed}") from None
+        given, runs = library.arrange(self.name, fields)
         n = int(np.prod(runs, dtype=int))
 
         arguments: list[Any] = [ctypes.c_size_t(n)]
-        kept = []
-        for struct in self.structs:
-            layout = library.layout[struct]
-            used = [(name, part) for name, part in layout.items() if name in given]
-            shared = all(given[name].ndim == 1 for name, _ in used)
-            packed = np.zeros((() if shared else runs) + (library.width[struct],))
-            for name, part in used:
-                packed[..., part] = given[name]
-            kept.append(packed)
-            # x is a plain array, whose stride counts numbers; a struct's counts structs
-            stride = 0 if shared else (library.width[struct] if struct == "x" else 1)
+        kept = library.pack(self.structs, given, runs)
+        for packed, stride in kept:
             arguments += [ctypes.c_void_p(packed.ctypes.data), ctypes.c_size_t(stride)]
         results = {r["name"]: np.empty((n, r["shape"][0] * r["shape"][1])) for r in self.described["results"]}
         status = np.empty(n, dtype=np.uint8)
         arguments += [ctypes.c_void_p(out.ctypes.data) for out in (*results.values(), status)]
         if self._many(*arguments):
-            self._explain(given, runs, status.reshape(runs))
+            library.explain(self.name, given, runs, status.reshape(runs))
         shaped = {}
         for r in self.described["results"]:
             rows, columns = r["shape"]
@@ -177,32 +157,6 @@ class Unit:
                 shape = runs  # a scalar that goes out as it came in
             shaped[r["name"]] = results[r["name"]].reshape(shape)
         return shaped if len(shaped) > 1 else next(iter(shaped.values()))
-
-    def _explain(self, given: dict[str, np.ndarray], runs: tuple[int, ...], status: np.ndarray) -> None:
-        """Raise BoresightError that names the first field, component and run that was refused."""
-        where = tuple(int(i) for i in np.argwhere(status != 0)[0])
-        at = f" of run {where[0] if len(where) == 1 else where}" if where else ""
-        for name, array in given.items():
-            value = np.broadcast_to(array, (*runs, array.shape[-1]))[where]
-            box = self._library.field[name]
-            for i, v in enumerate(value):
-                label = f"{name}[{i}]" if len(value) > 1 else name
-                if not np.isfinite(v):
-                    raise BoresightError(f"{self.name}: {label}{at} is {v}; give a finite number")
-                if not box["low"][i] <= v <= box["high"][i]:
-                    unit = box["unit"] if "," not in box["unit"] else ""  # a vector of several units names none
-                    raise BoresightError(
-                        f"{self.name}: {label}{at} is {v:.6g} {unit}".rstrip()
-                        + f"; it must lie within {box['low'][i]:.6g} to {box['high'][i]:.6g}"
-                    )
-            if box["norm"] and not box["norm"][0] <= np.linalg.norm(value) <= box["norm"][1]:
-                raise BoresightError(
-                    f"{self.name}: {name}{at} has the norm {np.linalg.norm(value):.6g}; it must lie within "
-                    f"{box['norm'][0]:.6g} to {box['norm'][1]:.6g}"
-                )
-        raise BoresightError(
-            f"{self.name}: an input{at} was refused ({STATUS.get(int(status[where]), 'unknown status')})"
-        )
 
     def bind(self) -> "Bound":
         """The function for one run, bound to its own arrays: for loops where a microsecond counts."""
@@ -262,6 +216,62 @@ class Library:
                 start += field["size"]
             self.width[struct] = start
         self.units = {name: Unit(self, name, described) for name, described in manifest["units"].items()}
+
+    def arrange(self, function: str, fields: dict[str, Any]) -> tuple[dict[str, np.ndarray], tuple[int, ...]]:
+        """The fields as arrays (..., size), for a scalar (..., 1), and the shape of the runs they broadcast to."""
+        given = {}
+        for name, value in fields.items():
+            size = self.field[name]["size"]
+            array = np.asarray(value, dtype=float)
+            if size > 1 and (array.ndim == 0 or array.shape[-1] != size):
+                raise BoresightError(f"{function}: {name} has shape {array.shape}; its last axis must be {size} long")
+            given[name] = array if size > 1 else array[..., None]
+        try:
+            return given, np.broadcast_shapes(*(array.shape[:-1] for array in given.values()))
+        except ValueError:
+            listed = ", ".join(f"{name} {np.shape(value)}" for name, value in fields.items())
+            raise BoresightError(f"{function}: these shapes do not go together: {listed}") from None
+
+    def pack(
+        self, structs: Sequence[str], given: dict[str, np.ndarray], runs: tuple[int, ...]
+    ) -> list[tuple[np.ndarray, int]]:
+        """Each struct filled from the fields, for each run or, with a stride of 0, once for all, and that stride."""
+        packed = []
+        for struct in structs:
+            used = [(name, part) for name, part in self.layout[struct].items() if name in given]
+            shared = all(given[name].ndim == 1 for name, _ in used)
+            array = np.zeros((() if shared else runs) + (self.width[struct],))
+            for name, part in used:
+                array[..., part] = given[name]
+            # x is a plain array, whose stride counts numbers; a struct's counts structs
+            packed.append((array, 0 if shared else self.width[struct] if struct == "x" else 1))
+        return packed
+
+    def explain(self, function: str, given: dict[str, np.ndarray], runs: tuple[int, ...], status: np.ndarray) -> None:
+        """Raise BoresightError that names the first field, component and run that was refused."""
+        where = tuple(int(i) for i in np.argwhere(status != 0)[0])
+        at = f" of run {where[0] if len(where) == 1 else where}" if where else ""
+        for name, array in given.items():
+            value = np.broadcast_to(array, (*runs, array.shape[-1]))[where]
+            box = self.field[name]
+            for i, v in enumerate(value):
+                label = f"{name}[{i}]" if len(value) > 1 else name
+                if not np.isfinite(v):
+                    raise BoresightError(f"{function}: {label}{at} is {v}; give a finite number")
+                if not box["low"][i] <= v <= box["high"][i]:
+                    unit = box["unit"] if "," not in box["unit"] else ""  # a vector of several units names none
+                    raise BoresightError(
+                        f"{function}: {label}{at} is {v:.6g} {unit}".rstrip()
+                        + f"; it must lie within {box['low'][i]:.6g} to {box['high'][i]:.6g}"
+                    )
+            if box["norm"] and not box["norm"][0] <= np.linalg.norm(value) <= box["norm"][1]:
+                raise BoresightError(
+                    f"{function}: {name}{at} has the norm {np.linalg.norm(value):.6g}; it must lie within "
+                    f"{box['norm'][0]:.6g} to {box['norm'][1]:.6g}"
+                )
+        raise BoresightError(
+            f"{function}: an input{at} was refused ({STATUS.get(int(status[where]), 'unknown status')})"
+        )
 
     def __getattr__(self, name: str) -> Unit:
         units = self.__dict__.get("units", {})

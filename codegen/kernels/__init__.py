@@ -15,7 +15,7 @@ def make_kernel(name: str, versions: dict[str, str]) -> tuple[dict[str, str], di
     stem = snake(name)
     described: dict[str, Any] = importlib.import_module(f"boresight.codegen.kernels.{stem}").description()
     units = [{"file": stem, "c_name": stem}]
-    m = described | {"name": name, "snake": stem, "units": units}
+    m = described | {"name": name, "snake": stem, "units": units, "parts": []}
     names = {
         "include/boresight.h": "boresight.h.j2",
         f"include/{stem}.h": f"{stem}.h.j2",
@@ -26,7 +26,7 @@ def make_kernel(name: str, versions: dict[str, str]) -> tuple[dict[str, str], di
         f"selftest/test_{stem}.c": f"test_{stem}.c.j2",
         "CMakeLists.txt": "CMakeLists.txt.j2",
     }
-    files = {path: templates().get_template(template).render(m=m) for path, template in names.items()}
+    files = {path: templates().get_template(template).render(m=m, f=None) for path, template in names.items()}
     source = files[f"src/{stem}.c"]
     lines, digest = len(source.splitlines()), hashlib.sha256(source.encode()).hexdigest()
     document = {

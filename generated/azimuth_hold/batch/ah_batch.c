@@ -5,11 +5,14 @@
 #include <stddef.h>
 
 #include "azimuth_hold.h"
+#include "azimuth_hold_filter.h"
 
 size_t ah_F_batch(size_t n, const ah_nav *nav, size_t nav_stride, const ah_imu *imu, size_t imu_stride, bs_real *F, unsigned char *status);
 int ah_F_bound(void *const *at);
 size_t ah_Phi_batch(size_t n, const ah_nav *nav, size_t nav_stride, const ah_imu *imu, size_t imu_stride, bs_real *Phi, unsigned char *status);
 int ah_Phi_bound(void *const *at);
+size_t ah_Qc_batch(size_t n, const ah_nav *nav, size_t nav_stride, const ah_noise *noise, size_t noise_stride, bs_real *Qc, unsigned char *status);
+int ah_Qc_bound(void *const *at);
 size_t ah_Q_batch(size_t n, const ah_nav *nav, size_t nav_stride, const ah_imu *imu, size_t imu_stride, const ah_noise *noise, size_t noise_stride, bs_real *Q, unsigned char *status);
 int ah_Q_bound(void *const *at);
 size_t ah_zupt_z_batch(size_t n, const ah_nav *nav, size_t nav_stride, bs_real *z, unsigned char *status);
@@ -55,6 +58,21 @@ size_t ah_Phi_batch(size_t n, const ah_nav *nav, size_t nav_stride, const ah_imu
 int ah_Phi_bound(void *const *at)
 {
     return (int)ah_Phi((const ah_nav *)at[0], (const ah_imu *)at[1], (bs_real *)at[2]);
+}
+
+size_t ah_Qc_batch(size_t n, const ah_nav *nav, size_t nav_stride, const ah_noise *noise, size_t noise_stride, bs_real *Qc, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)ah_Qc(&nav[i * nav_stride], &noise[i * noise_stride], &Qc[i * 225U]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+int ah_Qc_bound(void *const *at)
+{
+    return (int)ah_Qc((const ah_nav *)at[0], (const ah_noise *)at[1], (bs_real *)at[2]);
 }
 
 size_t ah_Q_batch(size_t n, const ah_nav *nav, size_t nav_stride, const ah_imu *imu, size_t imu_stride, const ah_noise *noise, size_t noise_stride, bs_real *Q, unsigned char *status)
@@ -175,5 +193,107 @@ size_t ah_feedback_batch(size_t n, const bs_real *x, size_t x_stride, const ah_n
 int ah_feedback_bound(void *const *at)
 {
     return (int)ah_feedback((const bs_real *)at[0], (const ah_nav *)at[1], (bs_real *)at[2], (bs_real *)at[3], (bs_real *)at[4], (bs_real *)at[5], (bs_real *)at[6]);
+}
+
+
+/* The filter: its structs lie one after another. */
+size_t ah_filter_size(void);
+size_t ah_filter_size(void)
+{
+    return sizeof(ah_filter) / sizeof(bs_real);
+}
+size_t ah_filter_propagate_batch(size_t n, ah_filter *filter, const ah_imu *imu, size_t imu_stride, const ah_noise *noise, size_t noise_stride, unsigned char *status);
+size_t ah_filter_propagate_batch(size_t n, ah_filter *filter, const ah_imu *imu, size_t imu_stride, const ah_noise *noise, size_t noise_stride, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)ah_filter_propagate(&filter[i], &imu[i * imu_stride], &noise[i * noise_stride]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+size_t ah_filter_correct_batch(size_t n, ah_filter *filter, unsigned char *status);
+size_t ah_filter_correct_batch(size_t n, ah_filter *filter, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)ah_filter_correct(&filter[i]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+
+/* rows, nu, S and used: 3 for each run. */
+size_t ah_filter_measure_zupt_batch(size_t n, ah_filter *filter, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status);
+size_t ah_filter_measure_zupt_batch(size_t n, ah_filter *filter, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        ah_innovation innovation = { {0}, {0}, 0U };
+        unsigned int chosen = 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+        }
+        status[i] = (unsigned char)ah_filter_measure_zupt(&filter[i], &R[i * R_stride], chosen, *gate, &innovation);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            nu[(i * 3U) + k] = innovation.nu[k];
+            S[(i * 3U) + k] = innovation.S[k];
+            used[(i * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        }
+    }
+    return failed;
+}
+
+/* rows, nu, S and used: 1 for each run. */
+size_t ah_filter_measure_azimuth_batch(size_t n, ah_filter *filter, const ah_reference *reference, size_t reference_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status);
+size_t ah_filter_measure_azimuth_batch(size_t n, ah_filter *filter, const ah_reference *reference, size_t reference_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        ah_innovation innovation = { {0}, {0}, 0U };
+        unsigned int chosen = 0U;
+        for (unsigned int k = 0U; k < 1U; ++k) {
+            chosen |= (rows[(i * 1U) + k] != 0U) ? (1U << k) : 0U;
+        }
+        status[i] = (unsigned char)ah_filter_measure_azimuth(&filter[i], &reference[i * reference_stride], &R[i * R_stride], chosen, *gate, &innovation);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        for (unsigned int k = 0U; k < 1U; ++k) {
+            nu[(i * 1U) + k] = innovation.nu[k];
+            S[(i * 1U) + k] = innovation.S[k];
+            used[(i * 1U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        }
+    }
+    return failed;
+}
+
+/* rows, nu, S and used: 3 for each run. */
+size_t ah_filter_measure_zaru_batch(size_t n, ah_filter *filter, const ah_imu *imu, size_t imu_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status);
+size_t ah_filter_measure_zaru_batch(size_t n, ah_filter *filter, const ah_imu *imu, size_t imu_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        ah_innovation innovation = { {0}, {0}, 0U };
+        unsigned int chosen = 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+        }
+        status[i] = (unsigned char)ah_filter_measure_zaru(&filter[i], &imu[i * imu_stride], &R[i * R_stride], chosen, *gate, &innovation);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            nu[(i * 3U) + k] = innovation.nu[k];
+            S[(i * 3U) + k] = innovation.S[k];
+            used[(i * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        }
+    }
+    return failed;
 }
 

@@ -73,6 +73,8 @@ typedef struct {
  * out  F: system matrix (1/s and mixed); 15 x 15, dense, row-major; 60 of 225 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_F(const ah_nav *nav, const ah_imu *imu, bs_real F[15 * AH_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ah_F_nz(const ah_nav *nav, const ah_imu *imu, bs_real F_nz[60]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2: kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->position: longitude, not wrapped, geodetic latitude, height above the ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353, -500 to 30000
@@ -83,6 +85,20 @@ bs_status ah_F(const ah_nav *nav, const ah_imu *imu, bs_real F[15 * AH_N_STATES]
  * out  Phi: transition matrix (mixed); 15 x 15, dense, row-major; 121 of 225 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_Phi(const ah_nav *nav, const ah_imu *imu, bs_real Phi[15 * AH_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ah_Phi_nz(const ah_nav *nav, const ah_imu *imu, bs_real Phi_nz[121]);
+
+/* What the noise adds to the covariance a second, G W G': kim-2018 (9), kim-2018 (10), kim-2018 (11).
+ * in   nav->q_b2n_wxyz: attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   noise->gyro_noise: root power spectral density of the gyros (rad/sqrt(s), body); 0 to 0.1
+ * in   noise->accel_noise: root power spectral density of the accelerometers (m/s/sqrt(s), body); 0 to 10
+ * in   noise->gyro_bias_noise: root power spectral density of the gyro biases' random walk (rad/s/sqrt(s), body); 0 to 0.1
+ * in   noise->accel_bias_noise: root power spectral density of the accelerometer biases' random walk (m/s^2/sqrt(s), body); 0 to 10
+ * out  Qc: density of the noise (mixed); 15 x 15, dense, row-major; 24 of 225 are not zero
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
+bs_status ah_Qc(const ah_nav *nav, const ah_noise *noise, bs_real Qc[15 * AH_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ah_Qc_nz(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24]);
 
 /* Covariance that the noise adds over dt: kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->position: longitude, not wrapped, geodetic latitude, height above the ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353, -500 to 30000
@@ -97,6 +113,8 @@ bs_status ah_Phi(const ah_nav *nav, const ah_imu *imu, bs_real Phi[15 * AH_N_STA
  * out  Q: covariance of the noise (mixed); 15 x 15, dense, row-major; 177 of 225 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_Q(const ah_nav *nav, const ah_imu *imu, const ah_noise *noise, bs_real Q[15 * AH_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ah_Q_nz(const ah_nav *nav, const ah_imu *imu, const ah_noise *noise, bs_real Q_nz[177]);
 
 /* Velocity of a body at rest, which should be zero: measured minus predicted; rows e, n, u: kim-2018 (16), kim-2018 (17).
  * in   nav->v_n: velocity over the ground (m/s, ENU); -1000 to 1000
@@ -108,6 +126,8 @@ bs_status ah_zupt_z(const ah_nav *nav, bs_real z[3]);
  * out  H: rows e, n, u (m/s a unit of x); 3 x 15, dense, row-major; 3 of 45 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_zupt_H(bs_real H[3 * AH_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ah_zupt_H_nz(bs_real H_nz[3]);
 
 /* Turn of the attitude about up, against the reference: measured minus predicted; rows up: kim-2018 (20), kim-2018 (21), kim-2018 (23).
  * in   nav->q_b2n_wxyz: attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
@@ -120,6 +140,8 @@ bs_status ah_azimuth_z(const ah_nav *nav, const ah_reference *reference, bs_real
  * out  H: rows up (rad a unit of x); 1 x 15, dense, row-major; 1 of 15 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_azimuth_H(bs_real H[1 * AH_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ah_azimuth_H_nz(bs_real H_nz[1]);
 
 /* Rate of a body at rest, less the Earth's: measured minus predicted; rows x, y, z.
  * in   nav->position: longitude, not wrapped, geodetic latitude, height above the ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353, -500 to 30000
@@ -135,6 +157,8 @@ bs_status ah_zaru_z(const ah_nav *nav, const ah_imu *imu, bs_real z[3]);
  * out  H: rows x, y, z (rad/s a unit of x); 3 x 15, dense, row-major; 15 of 45 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_zaru_H(const ah_nav *nav, bs_real H[3 * AH_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ah_zaru_H_nz(const ah_nav *nav, bs_real H_nz[15]);
 
 /* Navigation with the estimated errors taken out: kim-2018 (27), kim-2018 (28), kim-2018 (29).
  * in   x: error state (rad, rad, m, m/s, rad, rad/s, m/s^2); -0.00872665 to 0.00872665, -0.00872665 to 0.00872665, -1000 to 1000, -100 to 100, -100 to 100, -100 to 100, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1

@@ -77,6 +77,12 @@ int main(void)
         (void)printf("FAILED ah_Phi\n");
         ++failed;
     }
+    if (test_ah_Qc() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED ah_Qc\n");
+        ++failed;
+    }
     if (test_ah_Q() == 0) {
         ++passed;
     } else {
@@ -123,6 +129,18 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED ah_feedback\n");
+        ++failed;
+    }
+    if (test_ah_covariance() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED ah_covariance\n");
+        ++failed;
+    }
+    if (test_ah_filter() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED ah_filter\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

@@ -15,6 +15,7 @@ int selftest_compare(const char *what, int vector, const bs_real *out, int n, co
 
 int test_ah_F(void);
 int test_ah_Phi(void);
+int test_ah_Qc(void);
 int test_ah_Q(void);
 int test_ah_zupt_z(void);
 int test_ah_zupt_H(void);
@@ -23,5 +24,7 @@ int test_ah_azimuth_H(void);
 int test_ah_zaru_z(void);
 int test_ah_zaru_H(void);
 int test_ah_feedback(void);
+int test_ah_covariance(void);
+int test_ah_filter(void);
 
 #endif

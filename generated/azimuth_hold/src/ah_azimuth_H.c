@@ -4,21 +4,32 @@
 
 #include "ah_azimuth_H_kernel.h"
 
-bs_status ah_azimuth_H(bs_real H[1 * AH_N_STATES])
+bs_status ah_azimuth_H_nz(bs_real H_nz[1])
 {
-    static const unsigned short H_index[1] = { 8 };
-    bs_real H_nz[1];
-
-    if (H == 0) {
+    if (H_nz == 0) {
         return BS_NULL_POINTER;
     }
 
     ah_azimuth_H_kernel(H_nz);
-    for (int i = 0; i < 15; ++i) {
-        H[i] = BS_REAL(0.0);
-    }
-    for (int i = 0; i < 1; ++i) {
-        H[H_index[i]] = H_nz[i];
-    }
     return BS_OK;
+}
+
+bs_status ah_azimuth_H(bs_real H[1 * AH_N_STATES])
+{
+    static const unsigned short H_index[1] = { 8 };
+    bs_real H_nz[1];
+    bs_status status;
+    if (H == 0) {
+        return BS_NULL_POINTER;
+    }
+    status = ah_azimuth_H_nz(H_nz);
+    if (status == BS_OK) {
+        for (int i = 0; i < 15; ++i) {
+            H[i] = BS_REAL(0.0);
+        }
+        for (int i = 0; i < 1; ++i) {
+            H[H_index[i]] = H_nz[i];
+        }
+    }
+    return status;
 }

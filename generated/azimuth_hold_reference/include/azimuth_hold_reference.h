@@ -76,6 +76,8 @@ typedef struct {
  * out  F: system matrix (1/s and mixed); 16 x 16, dense, row-major; 60 of 256 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ahr_F(const ahr_nav *nav, const ahr_imu *imu, bs_real F[16 * AHR_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ahr_F_nz(const ahr_nav *nav, const ahr_imu *imu, bs_real F_nz[60]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2: kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->position: longitude, not wrapped, geodetic latitude, height above the ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353, -500 to 30000
@@ -86,6 +88,20 @@ bs_status ahr_F(const ahr_nav *nav, const ahr_imu *imu, bs_real F[16 * AHR_N_STA
  * out  Phi: transition matrix (mixed); 16 x 16, dense, row-major; 122 of 256 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ahr_Phi(const ahr_nav *nav, const ahr_imu *imu, bs_real Phi[16 * AHR_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ahr_Phi_nz(const ahr_nav *nav, const ahr_imu *imu, bs_real Phi_nz[122]);
+
+/* What the noise adds to the covariance a second, G W G': kim-2018 (9), kim-2018 (10), kim-2018 (11).
+ * in   nav->q_b2n_wxyz: attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   noise->gyro_noise: root power spectral density of the gyros (rad/sqrt(s), body); 0 to 0.1
+ * in   noise->accel_noise: root power spectral density of the accelerometers (m/s/sqrt(s), body); 0 to 10
+ * in   noise->gyro_bias_noise: root power spectral density of the gyro biases' random walk (rad/s/sqrt(s), body); 0 to 0.1
+ * in   noise->accel_bias_noise: root power spectral density of the accelerometer biases' random walk (m/s^2/sqrt(s), body); 0 to 10
+ * out  Qc: density of the noise (mixed); 16 x 16, dense, row-major; 24 of 256 are not zero
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
+bs_status ahr_Qc(const ahr_nav *nav, const ahr_noise *noise, bs_real Qc[16 * AHR_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ahr_Qc_nz(const ahr_nav *nav, const ahr_noise *noise, bs_real Qc_nz[24]);
 
 /* Covariance that the noise adds over dt: kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->position: longitude, not wrapped, geodetic latitude, height above the ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353, -500 to 30000
@@ -100,6 +116,8 @@ bs_status ahr_Phi(const ahr_nav *nav, const ahr_imu *imu, bs_real Phi[16 * AHR_N
  * out  Q: covariance of the noise (mixed); 16 x 16, dense, row-major; 177 of 256 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ahr_Q(const ahr_nav *nav, const ahr_imu *imu, const ahr_noise *noise, bs_real Q[16 * AHR_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ahr_Q_nz(const ahr_nav *nav, const ahr_imu *imu, const ahr_noise *noise, bs_real Q_nz[177]);
 
 /* Velocity of a body at rest, which should be zero: measured minus predicted; rows e, n, u: kim-2018 (16), kim-2018 (17).
  * in   nav->v_n: velocity over the ground (m/s, ENU); -1000 to 1000
@@ -111,6 +129,8 @@ bs_status ahr_zupt_z(const ahr_nav *nav, bs_real z[3]);
  * out  H: rows e, n, u (m/s a unit of x); 3 x 16, dense, row-major; 3 of 48 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ahr_zupt_H(bs_real H[3 * AHR_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ahr_zupt_H_nz(bs_real H_nz[3]);
 
 /* Rate of a body at rest, less the Earth's: measured minus predicted; rows x, y, z.
  * in   nav->position: longitude, not wrapped, geodetic latitude, height above the ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353, -500 to 30000
@@ -126,6 +146,8 @@ bs_status ahr_zaru_z(const ahr_nav *nav, const ahr_imu *imu, bs_real z[3]);
  * out  H: rows x, y, z (rad/s a unit of x); 3 x 16, dense, row-major; 15 of 48 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ahr_zaru_H(const ahr_nav *nav, bs_real H[3 * AHR_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ahr_zaru_H_nz(const ahr_nav *nav, bs_real H_nz[15]);
 
 /* Turn of the attitude about up, against the reference: measured minus predicted; rows up: kim-2018 (20), kim-2018 (21), kim-2018 (23).
  * in   nav->q_b2n_wxyz: attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
@@ -139,6 +161,8 @@ bs_status ahr_azimuth_z(const ahr_nav *nav, const ahr_reference *reference, bs_r
  * out  H: rows up (rad a unit of x); 1 x 16, dense, row-major; 2 of 16 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ahr_azimuth_H(bs_real H[1 * AHR_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status ahr_azimuth_H_nz(bs_real H_nz[2]);
 
 /* Navigation with the estimated errors taken out: kim-2018 (27), kim-2018 (28), kim-2018 (29).
  * in   x: error state (rad, rad, m, m/s, rad, rad/s, m/s^2, rad); -0.00872665 to 0.00872665, -0.00872665 to 0.00872665, -1000 to 1000, -100 to 100, -100 to 100, -100 to 100, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1, -0.5 to 0.5

@@ -77,6 +77,12 @@ int main(void)
         (void)printf("FAILED ahr_Phi\n");
         ++failed;
     }
+    if (test_ahr_Qc() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED ahr_Qc\n");
+        ++failed;
+    }
     if (test_ahr_Q() == 0) {
         ++passed;
     } else {
@@ -123,6 +129,18 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED ahr_feedback\n");
+        ++failed;
+    }
+    if (test_ahr_covariance() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED ahr_covariance\n");
+        ++failed;
+    }
+    if (test_ahr_filter() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED ahr_filter\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

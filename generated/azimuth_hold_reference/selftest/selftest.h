@@ -15,6 +15,7 @@ int selftest_compare(const char *what, int vector, const bs_real *out, int n, co
 
 int test_ahr_F(void);
 int test_ahr_Phi(void);
+int test_ahr_Qc(void);
 int test_ahr_Q(void);
 int test_ahr_zupt_z(void);
 int test_ahr_zupt_H(void);
@@ -23,5 +24,7 @@ int test_ahr_zaru_H(void);
 int test_ahr_azimuth_z(void);
 int test_ahr_azimuth_H(void);
 int test_ahr_feedback(void);
+int test_ahr_covariance(void);
+int test_ahr_filter(void);
 
 #endif

@@ -4,21 +4,32 @@
 
 #include "ahr_zupt_H_kernel.h"
 
-bs_status ahr_zupt_H(bs_real H[3 * AHR_N_STATES])
+bs_status ahr_zupt_H_nz(bs_real H_nz[3])
 {
-    static const unsigned short H_index[3] = { 3, 20, 37 };
-    bs_real H_nz[3];
-
-    if (H == 0) {
+    if (H_nz == 0) {
         return BS_NULL_POINTER;
     }
 
     ahr_zupt_H_kernel(H_nz);
-    for (int i = 0; i < 48; ++i) {
-        H[i] = BS_REAL(0.0);
-    }
-    for (int i = 0; i < 3; ++i) {
-        H[H_index[i]] = H_nz[i];
-    }
     return BS_OK;
+}
+
+bs_status ahr_zupt_H(bs_real H[3 * AHR_N_STATES])
+{
+    static const unsigned short H_index[3] = { 3, 20, 37 };
+    bs_real H_nz[3];
+    bs_status status;
+    if (H == 0) {
+        return BS_NULL_POINTER;
+    }
+    status = ahr_zupt_H_nz(H_nz);
+    if (status == BS_OK) {
+        for (int i = 0; i < 48; ++i) {
+            H[i] = BS_REAL(0.0);
+        }
+        for (int i = 0; i < 3; ++i) {
+            H[H_index[i]] = H_nz[i];
+        }
+    }
+    return status;
 }

@@ -5,11 +5,14 @@
 #include <stddef.h>
 
 #include "euler_matching.h"
+#include "euler_matching_filter.h"
 
 size_t em_F_batch(size_t n, const em_step *step, size_t step_stride, bs_real *F, unsigned char *status);
 int em_F_bound(void *const *at);
 size_t em_Phi_batch(size_t n, const em_step *step, size_t step_stride, bs_real *Phi, unsigned char *status);
 int em_Phi_bound(void *const *at);
+size_t em_Qc_batch(size_t n, const em_nav *nav, size_t nav_stride, const em_noise *noise, size_t noise_stride, bs_real *Qc, unsigned char *status);
+int em_Qc_bound(void *const *at);
 size_t em_Q_batch(size_t n, const em_nav *nav, size_t nav_stride, const em_step *step, size_t step_stride, const em_noise *noise, size_t noise_stride, bs_real *Q, unsigned char *status);
 int em_Q_bound(void *const *at);
 size_t em_euler_z_batch(size_t n, const em_nav *nav, size_t nav_stride, const em_angles *angles, size_t angles_stride, bs_real *z, unsigned char *status);
@@ -59,6 +62,21 @@ size_t em_Phi_batch(size_t n, const em_step *step, size_t step_stride, bs_real *
 int em_Phi_bound(void *const *at)
 {
     return (int)em_Phi((const em_step *)at[0], (bs_real *)at[1]);
+}
+
+size_t em_Qc_batch(size_t n, const em_nav *nav, size_t nav_stride, const em_noise *noise, size_t noise_stride, bs_real *Qc, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)em_Qc(&nav[i * nav_stride], &noise[i * noise_stride], &Qc[i * 36U]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+int em_Qc_bound(void *const *at)
+{
+    return (int)em_Qc((const em_nav *)at[0], (const em_noise *)at[1], (bs_real *)at[2]);
 }
 
 size_t em_Q_batch(size_t n, const em_nav *nav, size_t nav_stride, const em_step *step, size_t step_stride, const em_noise *noise, size_t noise_stride, bs_real *Q, unsigned char *status)
@@ -209,5 +227,94 @@ size_t em_omega_in_n_batch(size_t n, const em_place *place, size_t place_stride,
 int em_omega_in_n_bound(void *const *at)
 {
     return (int)em_omega_in_n((const em_place *)at[0], (bs_real *)at[1]);
+}
+
+
+/* The filter: its structs lie one after another. */
+size_t em_filter_size(void);
+size_t em_filter_size(void)
+{
+    return sizeof(em_filter) / sizeof(bs_real);
+}
+size_t em_filter_propagate_batch(size_t n, em_filter *filter, const em_step *step, size_t step_stride, const em_noise *noise, size_t noise_stride, unsigned char *status);
+size_t em_filter_propagate_batch(size_t n, em_filter *filter, const em_step *step, size_t step_stride, const em_noise *noise, size_t noise_stride, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)em_filter_propagate(&filter[i], &step[i * step_stride], &noise[i * noise_stride]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+size_t em_filter_strapdown_batch(size_t n, em_filter *filter, const em_step *step, size_t step_stride, unsigned char *status);
+size_t em_filter_strapdown_batch(size_t n, em_filter *filter, const em_step *step, size_t step_stride, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)em_filter_strapdown(&filter[i], &step[i * step_stride]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+size_t em_filter_correct_batch(size_t n, em_filter *filter, unsigned char *status);
+size_t em_filter_correct_batch(size_t n, em_filter *filter, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)em_filter_correct(&filter[i]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+
+/* rows, nu, S and used: 3 for each run. */
+size_t em_filter_measure_euler_batch(size_t n, em_filter *filter, const em_angles *angles, size_t angles_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status);
+size_t em_filter_measure_euler_batch(size_t n, em_filter *filter, const em_angles *angles, size_t angles_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        em_innovation innovation = { {0}, {0}, 0U };
+        unsigned int chosen = 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+        }
+        status[i] = (unsigned char)em_filter_measure_euler(&filter[i], &angles[i * angles_stride], &R[i * R_stride], chosen, *gate, &innovation);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            nu[(i * 3U) + k] = innovation.nu[k];
+            S[(i * 3U) + k] = innovation.S[k];
+            used[(i * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        }
+    }
+    return failed;
+}
+
+/* rows, nu, S and used: 3 for each run. */
+size_t em_filter_measure_euler_exact_batch(size_t n, em_filter *filter, const em_angles *angles, size_t angles_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, const int *iterations, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status);
+size_t em_filter_measure_euler_exact_batch(size_t n, em_filter *filter, const em_angles *angles, size_t angles_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, const int *iterations, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        em_innovation innovation = { {0}, {0}, 0U };
+        unsigned int chosen = 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+        }
+        status[i] = (unsigned char)em_filter_measure_euler_exact(&filter[i], &angles[i * angles_stride], &R[i * R_stride], chosen, *gate, *iterations, &innovation);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            nu[(i * 3U) + k] = innovation.nu[k];
+            S[(i * 3U) + k] = innovation.S[k];
+            used[(i * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        }
+    }
+    return failed;
 }
 

@@ -59,6 +59,8 @@ typedef struct {
  * out  F: system matrix (1/s and mixed); 6 x 6, dense, row-major; 6 of 36 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status em_F(const em_step *step, bs_real F[6 * EM_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status em_F_nz(const em_step *step, bs_real F_nz[6]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2: song-lee-2001 (20), song-lee-2001 (21).
  * in   step->omega_in_n: rate of the local level against inertial space (rad/s, NED); -0.01 to 0.01
@@ -66,6 +68,17 @@ bs_status em_F(const em_step *step, bs_real F[6 * EM_N_STATES]);
  * out  Phi: transition matrix (mixed); 6 x 6, dense, row-major; 12 of 36 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status em_Phi(const em_step *step, bs_real Phi[6 * EM_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status em_Phi_nz(const em_step *step, bs_real Phi_nz[12]);
+
+/* What the noise adds to the covariance a second, G W G': song-lee-2001 (20), song-lee-2001 (21).
+ * in   nav->q_b2n_wxyz: attitude of the slave (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   noise->gyro_noise: root power spectral density of the gyros (rad/sqrt(s), slave body); 0 to 0.1
+ * out  Qc: density of the noise (mixed); 6 x 6, dense, row-major; 9 of 36 are not zero
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
+bs_status em_Qc(const em_nav *nav, const em_noise *noise, bs_real Qc[6 * EM_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status em_Qc_nz(const em_nav *nav, const em_noise *noise, bs_real Qc_nz[9]);
 
 /* Covariance that the noise adds over dt: song-lee-2001 (20), song-lee-2001 (21).
  * in   nav->q_b2n_wxyz: attitude of the slave (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
@@ -75,6 +88,8 @@ bs_status em_Phi(const em_step *step, bs_real Phi[6 * EM_N_STATES]);
  * out  Q: covariance of the noise (mixed); 6 x 6, dense, row-major; 9 of 36 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status em_Q(const em_nav *nav, const em_step *step, const em_noise *noise, bs_real Q[6 * EM_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status em_Q_nz(const em_nav *nav, const em_step *step, const em_noise *noise, bs_real Q_nz[9]);
 
 /* Euler angles of the slave minus those of the master, first order in the misalignment: measured minus predicted; rows roll, pitch, yaw: song-lee-2001 (16), song-lee-2001 (18), song-lee-2001 (19).
  * in   nav->mu: estimated misalignment, C_b2n = C_r2n exp([mu x]) (rad, master body); -0.5 to 0.5
@@ -90,6 +105,8 @@ bs_status em_euler_z(const em_nav *nav, const em_angles *angles, bs_real z[3]);
  * out  H: rows roll, pitch, yaw (rad a unit of x); 3 x 6, dense, row-major; 14 of 18 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status em_euler_H(const em_angles *angles, bs_real H[3 * EM_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status em_euler_H_nz(const em_angles *angles, bs_real H_nz[14]);
 
 /* The master's Euler angles predicted by finite rotations minus those measured: measured minus predicted; rows roll, pitch, yaw: song-lee-2001 (14), song-lee-2001 (16).
  * in   nav->mu: estimated misalignment, C_b2n = C_r2n exp([mu x]) (rad, master body); -0.5 to 0.5

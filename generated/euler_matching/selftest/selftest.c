@@ -77,6 +77,12 @@ int main(void)
         (void)printf("FAILED em_Phi\n");
         ++failed;
     }
+    if (test_em_Qc() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED em_Qc\n");
+        ++failed;
+    }
     if (test_em_Q() == 0) {
         ++passed;
     } else {
@@ -135,6 +141,18 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED em_omega_in_n\n");
+        ++failed;
+    }
+    if (test_em_covariance() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED em_covariance\n");
+        ++failed;
+    }
+    if (test_em_filter() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED em_filter\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

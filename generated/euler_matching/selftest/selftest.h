@@ -15,6 +15,7 @@ int selftest_compare(const char *what, int vector, const bs_real *out, int n, co
 
 int test_em_F(void);
 int test_em_Phi(void);
+int test_em_Qc(void);
 int test_em_Q(void);
 int test_em_euler_z(void);
 int test_em_euler_H(void);
@@ -25,5 +26,7 @@ int test_em_euler_angles(void);
 int test_em_strapdown(void);
 int test_em_feedback(void);
 int test_em_omega_in_n(void);
+int test_em_covariance(void);
+int test_em_filter(void);
 
 #endif

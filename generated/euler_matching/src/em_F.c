@@ -4,15 +4,12 @@
 
 #include "em_F_kernel.h"
 
-bs_status em_F(const em_step *step, bs_real F[6 * EM_N_STATES])
+bs_status em_F_nz(const em_step *step, bs_real F_nz[6])
 {
     static const bs_real omega_in_n_low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
     static const bs_real omega_in_n_high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
-    static const unsigned short F_index[6] = { 1, 2, 6, 8, 12, 13 };
-    bs_real F_nz[6];
     bs_status status;
-
-    if ((step == 0) || (F == 0)) {
+    if ((step == 0) || (F_nz == 0)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(step->omega_in_n, omega_in_n_low, omega_in_n_high, 3);
@@ -21,11 +18,25 @@ bs_status em_F(const em_step *step, bs_real F[6 * EM_N_STATES])
     }
 
     em_F_kernel(step->omega_in_n, F_nz);
-    for (int i = 0; i < 36; ++i) {
-        F[i] = BS_REAL(0.0);
-    }
-    for (int i = 0; i < 6; ++i) {
-        F[F_index[i]] = F_nz[i];
-    }
     return BS_OK;
+}
+
+bs_status em_F(const em_step *step, bs_real F[6 * EM_N_STATES])
+{
+    static const unsigned short F_index[6] = { 1, 2, 6, 8, 12, 13 };
+    bs_real F_nz[6];
+    bs_status status;
+    if (F == 0) {
+        return BS_NULL_POINTER;
+    }
+    status = em_F_nz(step, F_nz);
+    if (status == BS_OK) {
+        for (int i = 0; i < 36; ++i) {
+            F[i] = BS_REAL(0.0);
+        }
+        for (int i = 0; i < 6; ++i) {
+            F[F_index[i]] = F_nz[i];
+        }
+    }
+    return status;
 }

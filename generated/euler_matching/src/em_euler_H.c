@@ -4,17 +4,14 @@
 
 #include "em_euler_H_kernel.h"
 
-bs_status em_euler_H(const em_angles *angles, bs_real H[3 * EM_N_STATES])
+bs_status em_euler_H_nz(const em_angles *angles, bs_real H_nz[14])
 {
     static const bs_real euler_b_low[3] = { BS_REAL(-3.141592653589793), BS_REAL(-1.3962634015954636), BS_REAL(-3.141592653589793) };
     static const bs_real euler_b_high[3] = { BS_REAL(3.141592653589793), BS_REAL(1.3962634015954636), BS_REAL(3.141592653589793) };
     static const bs_real euler_r_low[3] = { BS_REAL(-3.141592653589793), BS_REAL(-1.3962634015954636), BS_REAL(-3.141592653589793) };
     static const bs_real euler_r_high[3] = { BS_REAL(3.141592653589793), BS_REAL(1.3962634015954636), BS_REAL(3.141592653589793) };
-    static const unsigned short H_index[14] = { 0, 1, 3, 4, 5, 6, 7, 10, 11, 12, 13, 14, 16, 17 };
-    bs_real H_nz[14];
     bs_status status;
-
-    if ((angles == 0) || (H == 0)) {
+    if ((angles == 0) || (H_nz == 0)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(angles->euler_b, euler_b_low, euler_b_high, 3);
@@ -27,11 +24,25 @@ bs_status em_euler_H(const em_angles *angles, bs_real H[3 * EM_N_STATES])
     }
 
     em_euler_H_kernel(angles->euler_b, angles->euler_r, H_nz);
-    for (int i = 0; i < 18; ++i) {
-        H[i] = BS_REAL(0.0);
-    }
-    for (int i = 0; i < 14; ++i) {
-        H[H_index[i]] = H_nz[i];
-    }
     return BS_OK;
+}
+
+bs_status em_euler_H(const em_angles *angles, bs_real H[3 * EM_N_STATES])
+{
+    static const unsigned short H_index[14] = { 0, 1, 3, 4, 5, 6, 7, 10, 11, 12, 13, 14, 16, 17 };
+    bs_real H_nz[14];
+    bs_status status;
+    if (H == 0) {
+        return BS_NULL_POINTER;
+    }
+    status = em_euler_H_nz(angles, H_nz);
+    if (status == BS_OK) {
+        for (int i = 0; i < 18; ++i) {
+            H[i] = BS_REAL(0.0);
+        }
+        for (int i = 0; i < 14; ++i) {
+            H[H_index[i]] = H_nz[i];
+        }
+    }
+    return status;
 }

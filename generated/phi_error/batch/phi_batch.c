@@ -10,6 +10,8 @@ size_t phi_F_batch(size_t n, const phi_nav *nav, size_t nav_stride, const phi_st
 int phi_F_bound(void *const *at);
 size_t phi_Phi_batch(size_t n, const phi_nav *nav, size_t nav_stride, const phi_step *step, size_t step_stride, bs_real *Phi, unsigned char *status);
 int phi_Phi_bound(void *const *at);
+size_t phi_Qc_batch(size_t n, const phi_nav *nav, size_t nav_stride, const phi_noise *noise, size_t noise_stride, bs_real *Qc, unsigned char *status);
+int phi_Qc_bound(void *const *at);
 size_t phi_Q_batch(size_t n, const phi_nav *nav, size_t nav_stride, const phi_step *step, size_t step_stride, const phi_noise *noise, size_t noise_stride, bs_real *Q, unsigned char *status);
 int phi_Q_bound(void *const *at);
 size_t phi_psi_from_phi_batch(size_t n, const phi_nav *nav, size_t nav_stride, bs_real *T, unsigned char *status);
@@ -45,6 +47,21 @@ int phi_Phi_bound(void *const *at)
     return (int)phi_Phi((const phi_nav *)at[0], (const phi_step *)at[1], (bs_real *)at[2]);
 }
 
+size_t phi_Qc_batch(size_t n, const phi_nav *nav, size_t nav_stride, const phi_noise *noise, size_t noise_stride, bs_real *Qc, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)phi_Qc(&nav[i * nav_stride], &noise[i * noise_stride], &Qc[i * 81U]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+int phi_Qc_bound(void *const *at)
+{
+    return (int)phi_Qc((const phi_nav *)at[0], (const phi_noise *)at[1], (bs_real *)at[2]);
+}
+
 size_t phi_Q_batch(size_t n, const phi_nav *nav, size_t nav_stride, const phi_step *step, size_t step_stride, const phi_noise *noise, size_t noise_stride, bs_real *Q, unsigned char *status)
 {
     size_t failed = 0;
@@ -74,4 +91,5 @@ int phi_psi_from_phi_bound(void *const *at)
 {
     return (int)phi_psi_from_phi((const phi_nav *)at[0], (bs_real *)at[1]);
 }
+
 

@@ -77,6 +77,12 @@ int main(void)
         (void)printf("FAILED phi_Phi\n");
         ++failed;
     }
+    if (test_phi_Qc() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED phi_Qc\n");
+        ++failed;
+    }
     if (test_phi_Q() == 0) {
         ++passed;
     } else {

@@ -15,6 +15,7 @@ int selftest_compare(const char *what, int vector, const bs_real *out, int n, co
 
 int test_phi_F(void);
 int test_phi_Phi(void);
+int test_phi_Qc(void);
 int test_phi_Q(void);
 int test_phi_psi_from_phi(void);
 

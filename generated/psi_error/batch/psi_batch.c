@@ -10,6 +10,8 @@ size_t psi_F_batch(size_t n, const psi_nav *nav, size_t nav_stride, const psi_st
 int psi_F_bound(void *const *at);
 size_t psi_Phi_batch(size_t n, const psi_nav *nav, size_t nav_stride, const psi_step *step, size_t step_stride, bs_real *Phi, unsigned char *status);
 int psi_Phi_bound(void *const *at);
+size_t psi_Qc_batch(size_t n, const psi_nav *nav, size_t nav_stride, const psi_noise *noise, size_t noise_stride, bs_real *Qc, unsigned char *status);
+int psi_Qc_bound(void *const *at);
 size_t psi_Q_batch(size_t n, const psi_nav *nav, size_t nav_stride, const psi_step *step, size_t step_stride, const psi_noise *noise, size_t noise_stride, bs_real *Q, unsigned char *status);
 int psi_Q_bound(void *const *at);
 size_t psi_phi_from_psi_batch(size_t n, const psi_nav *nav, size_t nav_stride, bs_real *T, unsigned char *status);
@@ -45,6 +47,21 @@ int psi_Phi_bound(void *const *at)
     return (int)psi_Phi((const psi_nav *)at[0], (const psi_step *)at[1], (bs_real *)at[2]);
 }
 
+size_t psi_Qc_batch(size_t n, const psi_nav *nav, size_t nav_stride, const psi_noise *noise, size_t noise_stride, bs_real *Qc, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)psi_Qc(&nav[i * nav_stride], &noise[i * noise_stride], &Qc[i * 81U]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+int psi_Qc_bound(void *const *at)
+{
+    return (int)psi_Qc((const psi_nav *)at[0], (const psi_noise *)at[1], (bs_real *)at[2]);
+}
+
 size_t psi_Q_batch(size_t n, const psi_nav *nav, size_t nav_stride, const psi_step *step, size_t step_stride, const psi_noise *noise, size_t noise_stride, bs_real *Q, unsigned char *status)
 {
     size_t failed = 0;
@@ -74,4 +91,5 @@ int psi_phi_from_psi_bound(void *const *at)
 {
     return (int)psi_phi_from_psi((const psi_nav *)at[0], (bs_real *)at[1]);
 }
+
 

@@ -28,6 +28,15 @@ typedef double bs_real;
 #define BS_FABS fabs
 #endif
 
+/* The form in which the filters carry their covariance: factors U D U' in single precision, the matrix itself in double. */
+#ifndef BORESIGHT_UD
+#ifdef BORESIGHT_FLOAT
+#define BORESIGHT_UD 1
+#else
+#define BORESIGHT_UD 0
+#endif
+#endif
+
 #define BS_SELECT(condition, value) (((condition) > BS_REAL(0.0)) ? (value) : BS_REAL(0.0))
 #define BS_TRUTH(condition) ((condition) ? BS_REAL(1.0) : BS_REAL(0.0))
 
@@ -36,8 +45,24 @@ typedef enum {
     BS_NULL_POINTER = 1, /* an argument is a null pointer; nothing is written */
     BS_NOT_FINITE = 2,   /* an input is NaN or infinite; nothing is written */
     BS_OUT_OF_RANGE = 3, /* an input lies outside its box; nothing is written */
-    BS_NOT_READY = 4     /* too few samples so far; nothing is decided */
+    BS_NOT_READY = 4,    /* too few samples so far; nothing is decided */
+    BS_NOT_POSITIVE = 5  /* a covariance is none, or a variance is not above zero */
 } bs_status;
+
+/* One scalar measurement z = h x + noise of variance R, for the covariance kernels. */
+typedef struct {
+    const bs_real *h;         /* the non-zeros of h */
+    const unsigned short *at; /* the states that they belong to, ascending */
+    int count;                /* how many */
+    bs_real z;
+    bs_real R;
+    bs_real gate; /* leave it out if |nu| exceeds this many sigmas; 0 for no gate */
+    bs_real nu;   /* out: z - h x */
+    bs_real S;    /* out: h P h' + R */
+    int used;     /* in: whether to take it; out: whether it was taken */
+} bs_row;
+
+#define BS_ALL_ROWS 0xFFFFFFFFU
 
 /* Status of n values against their box, both ends included. */
 static inline bs_status bs_check(const bs_real *value, const bs_real *low, const bs_real *high, int n)

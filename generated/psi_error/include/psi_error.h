@@ -55,6 +55,8 @@ typedef struct {
  * out  F: system matrix (1/s and mixed); 9 x 9, dense, row-major; 33 of 81 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status psi_F(const psi_nav *nav, const psi_step *step, bs_real F[9 * PSI_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status psi_F_nz(const psi_nav *nav, const psi_step *step, bs_real F_nz[33]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2.
  * in   nav->position: longitude, not wrapped, geodetic latitude, height above the ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353, -500 to 30000
@@ -64,6 +66,18 @@ bs_status psi_F(const psi_nav *nav, const psi_step *step, bs_real F[9 * PSI_N_ST
  * out  Phi: transition matrix (mixed); 9 x 9, dense, row-major; 60 of 81 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status psi_Phi(const psi_nav *nav, const psi_step *step, bs_real Phi[9 * PSI_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status psi_Phi_nz(const psi_nav *nav, const psi_step *step, bs_real Phi_nz[60]);
+
+/* What the noise adds to the covariance a second, G W G'.
+ * in   nav->q_b2n_wxyz: attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   noise->gyro_noise: root power spectral density of the gyros (rad/sqrt(s), body); 0 to 0.1
+ * in   noise->accel_noise: root power spectral density of the accelerometers (m/s/sqrt(s), body); 0 to 10
+ * out  Qc: density of the noise (mixed); 9 x 9, dense, row-major; 18 of 81 are not zero
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
+bs_status psi_Qc(const psi_nav *nav, const psi_noise *noise, bs_real Qc[9 * PSI_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status psi_Qc_nz(const psi_nav *nav, const psi_noise *noise, bs_real Qc_nz[18]);
 
 /* Covariance that the noise adds over dt.
  * in   nav->position: longitude, not wrapped, geodetic latitude, height above the ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353, -500 to 30000
@@ -83,5 +97,7 @@ bs_status psi_Q(const psi_nav *nav, const psi_step *step, const psi_noise *noise
  * out  T: the map; a covariance goes by T P T' (mixed); 9 x 9, dense, row-major; 17 of 81 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status psi_phi_from_psi(const psi_nav *nav, bs_real T[9 * PSI_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status psi_phi_from_psi_nz(const psi_nav *nav, bs_real T_nz[17]);
 
 #endif

@@ -77,6 +77,12 @@ int main(void)
         (void)printf("FAILED psi_Phi\n");
         ++failed;
     }
+    if (test_psi_Qc() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED psi_Qc\n");
+        ++failed;
+    }
     if (test_psi_Q() == 0) {
         ++passed;
     } else {

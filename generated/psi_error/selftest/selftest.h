@@ -15,6 +15,7 @@ int selftest_compare(const char *what, int vector, const bs_real *out, int n, co
 
 int test_psi_F(void);
 int test_psi_Phi(void);
+int test_psi_Qc(void);
 int test_psi_Q(void);
 int test_psi_phi_from_psi(void);
 

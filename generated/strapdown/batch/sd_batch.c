@@ -58,3 +58,4 @@ int sd_earth_bound(void *const *at)
     return (int)sd_earth((const sd_nav *)at[0], (bs_real *)at[1], (bs_real *)at[2], (bs_real *)at[3]);
 }
 
+

@@ -66,5 +66,7 @@ bs_status sd_rates(const sd_nav *nav, const sd_motion *motion, bs_real position_
  * out  gravity_n: gravity, ENU (m/s^2); 3, dense, row-major; 1 of 3 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status sd_earth(const sd_nav *nav, bs_real omega_ie_n[3], bs_real omega_en_n[3], bs_real gravity_n[3]);
+/* The same, the non-zeros alone, row after row. */
+bs_status sd_earth_nz(const sd_nav *nav, bs_real omega_ie_n_nz[2], bs_real omega_en_n_nz[3], bs_real gravity_n_nz[1]);
 
 #endif

@@ -4,20 +4,14 @@
 
 #include "sd_earth_kernel.h"
 
-bs_status sd_earth(const sd_nav *nav, bs_real omega_ie_n[3], bs_real omega_en_n[3], bs_real gravity_n[3])
+bs_status sd_earth_nz(const sd_nav *nav, bs_real omega_ie_n_nz[2], bs_real omega_en_n_nz[3], bs_real gravity_n_nz[1])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
     static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
     static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-    static const unsigned short omega_ie_n_index[2] = { 1, 2 };
-    static const unsigned short gravity_n_index[1] = { 2 };
-    bs_real omega_ie_n_nz[2];
-    bs_real omega_en_n_nz[3];
-    bs_real gravity_n_nz[1];
     bs_status status;
-
-    if ((nav == 0) || (omega_ie_n == 0) || (omega_en_n == 0) || (gravity_n == 0)) {
+    if ((nav == 0) || (omega_ie_n_nz == 0) || (omega_en_n_nz == 0) || (gravity_n_nz == 0)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -30,20 +24,37 @@ bs_status sd_earth(const sd_nav *nav, bs_real omega_ie_n[3], bs_real omega_en_n[
     }
 
     sd_earth_kernel(nav->position, nav->v_n, omega_ie_n_nz, omega_en_n_nz, gravity_n_nz);
-    for (int i = 0; i < 3; ++i) {
-        omega_ie_n[i] = BS_REAL(0.0);
-    }
-    for (int i = 0; i < 2; ++i) {
-        omega_ie_n[omega_ie_n_index[i]] = omega_ie_n_nz[i];
-    }
-    for (int i = 0; i < 3; ++i) {
-        omega_en_n[i] = omega_en_n_nz[i];
-    }
-    for (int i = 0; i < 3; ++i) {
-        gravity_n[i] = BS_REAL(0.0);
-    }
-    for (int i = 0; i < 1; ++i) {
-        gravity_n[gravity_n_index[i]] = gravity_n_nz[i];
-    }
     return BS_OK;
+}
+
+bs_status sd_earth(const sd_nav *nav, bs_real omega_ie_n[3], bs_real omega_en_n[3], bs_real gravity_n[3])
+{
+    static const unsigned short omega_ie_n_index[2] = { 1, 2 };
+    static const unsigned short gravity_n_index[1] = { 2 };
+    bs_real omega_ie_n_nz[2];
+    bs_real omega_en_n_nz[3];
+    bs_real gravity_n_nz[1];
+    bs_status status;
+    if ((omega_ie_n == 0) || (omega_en_n == 0) || (gravity_n == 0)) {
+        return BS_NULL_POINTER;
+    }
+    status = sd_earth_nz(nav, omega_ie_n_nz, omega_en_n_nz, gravity_n_nz);
+    if (status == BS_OK) {
+        for (int i = 0; i < 3; ++i) {
+            omega_ie_n[i] = BS_REAL(0.0);
+        }
+        for (int i = 0; i < 2; ++i) {
+            omega_ie_n[omega_ie_n_index[i]] = omega_ie_n_nz[i];
+        }
+        for (int i = 0; i < 3; ++i) {
+            omega_en_n[i] = omega_en_n_nz[i];
+        }
+        for (int i = 0; i < 3; ++i) {
+            gravity_n[i] = BS_REAL(0.0);
+        }
+        for (int i = 0; i < 1; ++i) {
+            gravity_n[gravity_n_index[i]] = gravity_n_nz[i];
+        }
+    }
+    return status;
 }

@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "velocity_attitude.h"
+#include "velocity_attitude_filter.h"
 
 size_t va_F_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, bs_real *F, unsigned char *status);
 int va_F_bound(void *const *at);
@@ -277,5 +278,142 @@ size_t va_feedback_batch(size_t n, const bs_real *x, size_t x_stride, const va_n
 int va_feedback_bound(void *const *at)
 {
     return (int)va_feedback((const bs_real *)at[0], (const va_nav *)at[1], (bs_real *)at[2], (bs_real *)at[3], (bs_real *)at[4], (bs_real *)at[5], (bs_real *)at[6], (bs_real *)at[7]);
+}
+
+
+/* The filter: its structs lie one after another. */
+size_t va_filter_size(void);
+size_t va_filter_size(void)
+{
+    return sizeof(va_filter) / sizeof(bs_real);
+}
+size_t va_filter_propagate_batch(size_t n, va_filter *filter, const va_imu *imu, size_t imu_stride, const va_noise *noise, size_t noise_stride, unsigned char *status);
+size_t va_filter_propagate_batch(size_t n, va_filter *filter, const va_imu *imu, size_t imu_stride, const va_noise *noise, size_t noise_stride, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)va_filter_propagate(&filter[i], &imu[i * imu_stride], &noise[i * noise_stride]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+size_t va_filter_strapdown_batch(size_t n, va_filter *filter, const va_imu *imu, size_t imu_stride, const va_increments *increments, size_t increments_stride, unsigned char *status);
+size_t va_filter_strapdown_batch(size_t n, va_filter *filter, const va_imu *imu, size_t imu_stride, const va_increments *increments, size_t increments_stride, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)va_filter_strapdown(&filter[i], &imu[i * imu_stride], &increments[i * increments_stride]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+size_t va_filter_correct_batch(size_t n, va_filter *filter, unsigned char *status);
+size_t va_filter_correct_batch(size_t n, va_filter *filter, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)va_filter_correct(&filter[i]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+
+/* rows, nu, S and used: 3 for each run. */
+size_t va_filter_measure_velocity_batch(size_t n, va_filter *filter, const va_imu *imu, size_t imu_stride, const va_mounting *mounting, size_t mounting_stride, const va_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status);
+size_t va_filter_measure_velocity_batch(size_t n, va_filter *filter, const va_imu *imu, size_t imu_stride, const va_mounting *mounting, size_t mounting_stride, const va_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        va_innovation innovation = { {0}, {0}, 0U };
+        unsigned int chosen = 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+        }
+        status[i] = (unsigned char)va_filter_measure_velocity(&filter[i], &imu[i * imu_stride], &mounting[i * mounting_stride], &master[i * master_stride], &R[i * R_stride], chosen, *gate, &innovation);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            nu[(i * 3U) + k] = innovation.nu[k];
+            S[(i * 3U) + k] = innovation.S[k];
+            used[(i * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        }
+    }
+    return failed;
+}
+
+/* rows, nu, S and used: 3 for each run. */
+size_t va_filter_measure_dcm_batch(size_t n, va_filter *filter, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status);
+size_t va_filter_measure_dcm_batch(size_t n, va_filter *filter, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        va_innovation innovation = { {0}, {0}, 0U };
+        unsigned int chosen = 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+        }
+        status[i] = (unsigned char)va_filter_measure_dcm(&filter[i], &imu[i * imu_stride], &master[i * master_stride], &R[i * R_stride], chosen, *gate, &innovation);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            nu[(i * 3U) + k] = innovation.nu[k];
+            S[(i * 3U) + k] = innovation.S[k];
+            used[(i * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        }
+    }
+    return failed;
+}
+
+/* rows, nu, S and used: 3 for each run. */
+size_t va_filter_measure_quaternion_batch(size_t n, va_filter *filter, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, const int *iterations, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status);
+size_t va_filter_measure_quaternion_batch(size_t n, va_filter *filter, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, const int *iterations, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        va_innovation innovation = { {0}, {0}, 0U };
+        unsigned int chosen = 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+        }
+        status[i] = (unsigned char)va_filter_measure_quaternion(&filter[i], &imu[i * imu_stride], &master[i * master_stride], &R[i * R_stride], chosen, *gate, *iterations, &innovation);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            nu[(i * 3U) + k] = innovation.nu[k];
+            S[(i * 3U) + k] = innovation.S[k];
+            used[(i * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        }
+    }
+    return failed;
+}
+
+/* rows, nu, S and used: 3 for each run. */
+size_t va_filter_measure_euler_batch(size_t n, va_filter *filter, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status);
+size_t va_filter_measure_euler_batch(size_t n, va_filter *filter, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        va_innovation innovation = { {0}, {0}, 0U };
+        unsigned int chosen = 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+        }
+        status[i] = (unsigned char)va_filter_measure_euler(&filter[i], &imu[i * imu_stride], &master[i * master_stride], &R[i * R_stride], chosen, *gate, &innovation);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            nu[(i * 3U) + k] = innovation.nu[k];
+            S[(i * 3U) + k] = innovation.S[k];
+            used[(i * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        }
+    }
+    return failed;
 }
 

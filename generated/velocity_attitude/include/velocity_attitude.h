@@ -73,7 +73,7 @@ typedef struct {
     bs_real accel_noise[3]; /* root power spectral density of the accelerometers (m/s/sqrt(s), body); 0 to 10 */
     bs_real gyro_bias_noise[3]; /* root power spectral density of the gyro biases' random walk (rad/s/sqrt(s), body); 0 to 0.1 */
     bs_real accel_bias_noise[3]; /* root power spectral density of the accelerometer biases' random walk (m/s^2/sqrt(s), body); 0 to 10 */
-    bs_real mu_noise[3]; /* root power spectral density of the misalignment's random walk (rad/sqrt(s), body); 0 to 0.1 */
+    bs_real mu_noise[3]; /* root power spectral density of the misalignment's random walk (rad/sqrt(s), master body); 0 to 0.1 */
     bs_real tau_noise; /* root power spectral density of the delay's random walk (sqrt(s)); 0 to 0.1 */
 } va_noise;
 
@@ -120,7 +120,7 @@ bs_status va_Phi_nz(const va_nav *nav, const va_imu *imu, bs_real Phi_nz[82]);
  * in   noise->accel_noise: root power spectral density of the accelerometers (m/s/sqrt(s), body); 0 to 10
  * in   noise->gyro_bias_noise: root power spectral density of the gyro biases' random walk (rad/s/sqrt(s), body); 0 to 0.1
  * in   noise->accel_bias_noise: root power spectral density of the accelerometer biases' random walk (m/s^2/sqrt(s), body); 0 to 10
- * in   noise->mu_noise: root power spectral density of the misalignment's random walk (rad/sqrt(s), body); 0 to 0.1
+ * in   noise->mu_noise: root power spectral density of the misalignment's random walk (rad/sqrt(s), master body); 0 to 0.1
  * in   noise->tau_noise: root power spectral density of the delay's random walk (sqrt(s)); 0 to 0.1
  * out  Qc: density of the noise (mixed); 16 x 16, dense, row-major; 28 of 256 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
@@ -138,7 +138,7 @@ bs_status va_Qc_nz(const va_nav *nav, const va_noise *noise, bs_real Qc_nz[28]);
  * in   noise->accel_noise: root power spectral density of the accelerometers (m/s/sqrt(s), body); 0 to 10
  * in   noise->gyro_bias_noise: root power spectral density of the gyro biases' random walk (rad/s/sqrt(s), body); 0 to 0.1
  * in   noise->accel_bias_noise: root power spectral density of the accelerometer biases' random walk (m/s^2/sqrt(s), body); 0 to 10
- * in   noise->mu_noise: root power spectral density of the misalignment's random walk (rad/sqrt(s), body); 0 to 0.1
+ * in   noise->mu_noise: root power spectral density of the misalignment's random walk (rad/sqrt(s), master body); 0 to 0.1
  * in   noise->tau_noise: root power spectral density of the delay's random walk (sqrt(s)); 0 to 0.1
  * out  Q: covariance of the noise (mixed); 16 x 16, dense, row-major; 118 of 256 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */

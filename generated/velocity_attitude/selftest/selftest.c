@@ -161,6 +161,18 @@ int main(void)
         (void)printf("FAILED va_feedback\n");
         ++failed;
     }
+    if (test_va_covariance() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED va_covariance\n");
+        ++failed;
+    }
+    if (test_va_filter() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED va_filter\n");
+        ++failed;
+    }
     (void)printf("%d passed, %d failed\n", passed, failed);
     return (failed == 0) ? 0 : 1;
 }

@@ -29,5 +29,7 @@ int test_va_euler_H(void);
 int test_va_strapdown(void);
 int test_va_expected(void);
 int test_va_feedback(void);
+int test_va_covariance(void);
+int test_va_filter(void);
 
 #endif

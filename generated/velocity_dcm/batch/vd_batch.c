@@ -5,11 +5,14 @@
 #include <stddef.h>
 
 #include "velocity_dcm.h"
+#include "velocity_dcm_filter.h"
 
 size_t vd_F_batch(size_t n, const vd_nav *nav, size_t nav_stride, const vd_imu *imu, size_t imu_stride, bs_real *F, unsigned char *status);
 int vd_F_bound(void *const *at);
 size_t vd_Phi_batch(size_t n, const vd_nav *nav, size_t nav_stride, const vd_imu *imu, size_t imu_stride, bs_real *Phi, unsigned char *status);
 int vd_Phi_bound(void *const *at);
+size_t vd_Qc_batch(size_t n, const vd_nav *nav, size_t nav_stride, const vd_noise *noise, size_t noise_stride, bs_real *Qc, unsigned char *status);
+int vd_Qc_bound(void *const *at);
 size_t vd_Q_batch(size_t n, const vd_nav *nav, size_t nav_stride, const vd_imu *imu, size_t imu_stride, const vd_noise *noise, size_t noise_stride, bs_real *Q, unsigned char *status);
 int vd_Q_bound(void *const *at);
 size_t vd_velocity_z_batch(size_t n, const vd_nav *nav, size_t nav_stride, const vd_master *master, size_t master_stride, bs_real *z, unsigned char *status);
@@ -57,6 +60,21 @@ size_t vd_Phi_batch(size_t n, const vd_nav *nav, size_t nav_stride, const vd_imu
 int vd_Phi_bound(void *const *at)
 {
     return (int)vd_Phi((const vd_nav *)at[0], (const vd_imu *)at[1], (bs_real *)at[2]);
+}
+
+size_t vd_Qc_batch(size_t n, const vd_nav *nav, size_t nav_stride, const vd_noise *noise, size_t noise_stride, bs_real *Qc, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)vd_Qc(&nav[i * nav_stride], &noise[i * noise_stride], &Qc[i * 100U]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+int vd_Qc_bound(void *const *at)
+{
+    return (int)vd_Qc((const vd_nav *)at[0], (const vd_noise *)at[1], (bs_real *)at[2]);
 }
 
 size_t vd_Q_batch(size_t n, const vd_nav *nav, size_t nav_stride, const vd_imu *imu, size_t imu_stride, const vd_noise *noise, size_t noise_stride, bs_real *Q, unsigned char *status)
@@ -192,5 +210,107 @@ size_t vd_feedback_batch(size_t n, const bs_real *x, size_t x_stride, const vd_n
 int vd_feedback_bound(void *const *at)
 {
     return (int)vd_feedback((const bs_real *)at[0], (const vd_nav *)at[1], (bs_real *)at[2], (bs_real *)at[3], (bs_real *)at[4], (bs_real *)at[5]);
+}
+
+
+/* The filter: its structs lie one after another. */
+size_t vd_filter_size(void);
+size_t vd_filter_size(void)
+{
+    return sizeof(vd_filter) / sizeof(bs_real);
+}
+size_t vd_filter_propagate_batch(size_t n, vd_filter *filter, const vd_imu *imu, size_t imu_stride, const vd_noise *noise, size_t noise_stride, unsigned char *status);
+size_t vd_filter_propagate_batch(size_t n, vd_filter *filter, const vd_imu *imu, size_t imu_stride, const vd_noise *noise, size_t noise_stride, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)vd_filter_propagate(&filter[i], &imu[i * imu_stride], &noise[i * noise_stride]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+size_t vd_filter_correct_batch(size_t n, vd_filter *filter, unsigned char *status);
+size_t vd_filter_correct_batch(size_t n, vd_filter *filter, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)vd_filter_correct(&filter[i]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+
+/* rows, nu, S and used: 3 for each run. */
+size_t vd_filter_measure_velocity_batch(size_t n, vd_filter *filter, const vd_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status);
+size_t vd_filter_measure_velocity_batch(size_t n, vd_filter *filter, const vd_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        vd_innovation innovation = { {0}, {0}, 0U };
+        unsigned int chosen = 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+        }
+        status[i] = (unsigned char)vd_filter_measure_velocity(&filter[i], &master[i * master_stride], &R[i * R_stride], chosen, *gate, &innovation);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            nu[(i * 3U) + k] = innovation.nu[k];
+            S[(i * 3U) + k] = innovation.S[k];
+            used[(i * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        }
+    }
+    return failed;
+}
+
+/* rows, nu, S and used: 3 for each run. */
+size_t vd_filter_measure_dcm_batch(size_t n, vd_filter *filter, const vd_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status);
+size_t vd_filter_measure_dcm_batch(size_t n, vd_filter *filter, const vd_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        vd_innovation innovation = { {0}, {0}, 0U };
+        unsigned int chosen = 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+        }
+        status[i] = (unsigned char)vd_filter_measure_dcm(&filter[i], &master[i * master_stride], &R[i * R_stride], chosen, *gate, &innovation);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            nu[(i * 3U) + k] = innovation.nu[k];
+            S[(i * 3U) + k] = innovation.S[k];
+            used[(i * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        }
+    }
+    return failed;
+}
+
+/* rows, nu, S and used: 3 for each run. */
+size_t vd_filter_measure_dcm_exact_batch(size_t n, vd_filter *filter, const vd_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, const int *iterations, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status);
+size_t vd_filter_measure_dcm_exact_batch(size_t n, vd_filter *filter, const vd_master *master, size_t master_stride, const bs_real *R, size_t R_stride, const unsigned char *rows,
+    const bs_real *gate, const int *iterations, bs_real *nu, bs_real *S, unsigned char *used, unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        vd_innovation innovation = { {0}, {0}, 0U };
+        unsigned int chosen = 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+        }
+        status[i] = (unsigned char)vd_filter_measure_dcm_exact(&filter[i], &master[i * master_stride], &R[i * R_stride], chosen, *gate, *iterations, &innovation);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        for (unsigned int k = 0U; k < 3U; ++k) {
+            nu[(i * 3U) + k] = innovation.nu[k];
+            S[(i * 3U) + k] = innovation.S[k];
+            used[(i * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        }
+    }
+    return failed;
 }
 

@@ -68,6 +68,8 @@ typedef struct {
  * out  F: system matrix (1/s and mixed); 10 x 10, dense, row-major; 18 of 100 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vd_F(const vd_nav *nav, const vd_imu *imu, bs_real F[10 * VD_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status vd_F_nz(const vd_nav *nav, const vd_imu *imu, bs_real F_nz[18]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2: kim-2018 (2), kim-2018 (3).
  * in   nav->position: longitude, not wrapped, geodetic latitude, height above the ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353, -500 to 30000
@@ -78,6 +80,18 @@ bs_status vd_F(const vd_nav *nav, const vd_imu *imu, bs_real F[10 * VD_N_STATES]
  * out  Phi: transition matrix (mixed); 10 x 10, dense, row-major; 31 of 100 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vd_Phi(const vd_nav *nav, const vd_imu *imu, bs_real Phi[10 * VD_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status vd_Phi_nz(const vd_nav *nav, const vd_imu *imu, bs_real Phi_nz[31]);
+
+/* What the noise adds to the covariance a second, G W G': kim-2018 (2), kim-2018 (3).
+ * in   nav->q_b2n_wxyz: attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   noise->gyro_noise: root power spectral density of the gyros (rad/sqrt(s), body); 0 to 0.1
+ * in   noise->accel_noise: root power spectral density of the accelerometers (m/s/sqrt(s), body); 0 to 10
+ * out  Qc: density of the noise (mixed); 10 x 10, dense, row-major; 18 of 100 are not zero
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
+bs_status vd_Qc(const vd_nav *nav, const vd_noise *noise, bs_real Qc[10 * VD_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status vd_Qc_nz(const vd_nav *nav, const vd_noise *noise, bs_real Qc_nz[18]);
 
 /* Covariance that the noise adds over dt: kim-2018 (2), kim-2018 (3).
  * in   nav->position: longitude, not wrapped, geodetic latitude, height above the ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353, -500 to 30000
@@ -90,6 +104,8 @@ bs_status vd_Phi(const vd_nav *nav, const vd_imu *imu, bs_real Phi[10 * VD_N_STA
  * out  Q: covariance of the noise (mixed); 10 x 10, dense, row-major; 36 of 100 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vd_Q(const vd_nav *nav, const vd_imu *imu, const vd_noise *noise, bs_real Q[10 * VD_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status vd_Q_nz(const vd_nav *nav, const vd_imu *imu, const vd_noise *noise, bs_real Q_nz[36]);
 
 /* Velocity of the slave, tau_hat ago, less the master's: measured minus predicted; rows e, n, u: kim-2018 (4), kim-2018 (6).
  * in   nav->v_n: velocity over the ground (m/s, ENU); -1000 to 1000
@@ -103,6 +119,8 @@ bs_status vd_velocity_z(const vd_nav *nav, const vd_master *master, bs_real z[3]
  * out  H: rows e, n, u (m/s a unit of x); 3 x 10, dense, row-major; 6 of 30 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vd_velocity_H(const vd_master *master, bs_real H[3 * VD_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status vd_velocity_H_nz(const vd_master *master, bs_real H_nz[6]);
 
 /* Turn of the predicted attitude of the master from the reported one: measured minus predicted; rows e, n, u: kim-2018 (5), kim-2018 (6).
  * in   nav->q_b2n_wxyz: attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
@@ -118,6 +136,8 @@ bs_status vd_dcm_z(const vd_nav *nav, const vd_master *master, bs_real z[3]);
  * out  H: rows e, n, u (rad a unit of x); 3 x 10, dense, row-major; 15 of 30 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vd_dcm_H(const vd_master *master, bs_real H[3 * VD_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status vd_dcm_H_nz(const vd_master *master, bs_real H_nz[15]);
 
 /* The same with finite rotations in its derivative: measured minus predicted; rows e, n, u: kim-2018 (5).
  * in   nav->q_b2n_wxyz: attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
@@ -146,6 +166,8 @@ bs_status vd_dcm_exact_h(const bs_real x[VD_N_STATES], const vd_nav *nav, const 
  * out  H: rows e, n, u (rad a unit of x); 3 x 10, dense, row-major; 21 of 30 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vd_dcm_exact_H(const bs_real x[VD_N_STATES], const vd_nav *nav, const vd_master *master, bs_real H[3 * VD_N_STATES]);
+/* The same, the non-zeros alone, row after row. */
+bs_status vd_dcm_exact_H_nz(const bs_real x[VD_N_STATES], const vd_nav *nav, const vd_master *master, bs_real H_nz[21]);
 
 /* The slave with the estimated errors taken out.
  * in   x: error state (m/s, rad, rad, s); -100 to 100, -100 to 100, -100 to 100, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -1 to 1

@@ -77,6 +77,12 @@ int main(void)
         (void)printf("FAILED vd_Phi\n");
         ++failed;
     }
+    if (test_vd_Qc() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED vd_Qc\n");
+        ++failed;
+    }
     if (test_vd_Q() == 0) {
         ++passed;
     } else {
@@ -129,6 +135,18 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED vd_feedback\n");
+        ++failed;
+    }
+    if (test_vd_covariance() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED vd_covariance\n");
+        ++failed;
+    }
+    if (test_vd_filter() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED vd_filter\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

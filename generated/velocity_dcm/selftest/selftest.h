@@ -15,6 +15,7 @@ int selftest_compare(const char *what, int vector, const bs_real *out, int n, co
 
 int test_vd_F(void);
 int test_vd_Phi(void);
+int test_vd_Qc(void);
 int test_vd_Q(void);
 int test_vd_velocity_z(void);
 int test_vd_velocity_H(void);
@@ -24,5 +25,7 @@ int test_vd_dcm_exact_z(void);
 int test_vd_dcm_exact_h(void);
 int test_vd_dcm_exact_H(void);
 int test_vd_feedback(void);
+int test_vd_covariance(void);
+int test_vd_filter(void);
 
 #endif

@@ -4,17 +4,14 @@
 
 #include "vd_dcm_H_kernel.h"
 
-bs_status vd_dcm_H(const vd_master *master, bs_real H[3 * VD_N_STATES])
+bs_status vd_dcm_H_nz(const vd_master *master, bs_real H_nz[15])
 {
     static const bs_real q_r2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001) };
     static const bs_real q_r2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
     static const bs_real omega_nr_n_low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
     static const bs_real omega_nr_n_high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-    static const unsigned short H_index[15] = { 3, 6, 7, 8, 9, 14, 16, 17, 18, 19, 25, 26, 27, 28, 29 };
-    bs_real H_nz[15];
     bs_status status;
-
-    if ((master == 0) || (H == 0)) {
+    if ((master == 0) || (H_nz == 0)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(master->q_r2n_wxyz, q_r2n_wxyz_low, q_r2n_wxyz_high, 4);
@@ -31,11 +28,25 @@ bs_status vd_dcm_H(const vd_master *master, bs_real H[3 * VD_N_STATES])
     }
 
     vd_dcm_H_kernel(master->q_r2n_wxyz, master->omega_nr_n, H_nz);
-    for (int i = 0; i < 30; ++i) {
-        H[i] = BS_REAL(0.0);
-    }
-    for (int i = 0; i < 15; ++i) {
-        H[H_index[i]] = H_nz[i];
-    }
     return BS_OK;
+}
+
+bs_status vd_dcm_H(const vd_master *master, bs_real H[3 * VD_N_STATES])
+{
+    static const unsigned short H_index[15] = { 3, 6, 7, 8, 9, 14, 16, 17, 18, 19, 25, 26, 27, 28, 29 };
+    bs_real H_nz[15];
+    bs_status status;
+    if (H == 0) {
+        return BS_NULL_POINTER;
+    }
+    status = vd_dcm_H_nz(master, H_nz);
+    if (status == BS_OK) {
+        for (int i = 0; i < 30; ++i) {
+            H[i] = BS_REAL(0.0);
+        }
+        for (int i = 0; i < 15; ++i) {
+            H[H_index[i]] = H_nz[i];
+        }
+    }
+    return status;
 }

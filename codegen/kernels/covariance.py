@@ -1,0 +1,236 @@
+"""What the templates of the covariance kernels and of the whole filter are filled with, from a model and its units."""
+
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.codegen.samples import generator, sample
+from boresight.codegen.tape import evaluate
+from boresight.codegen.units import Unit
+from boresight.derive.model import Model
+
+FLOWN = 4  # points at which the self-test flies the filter
+BLOCK = 5  # columns of a product that are summed at a time: what the registers of a small target hold
+LEAST_R, MOST_R = 1e-30, 1e30  # variances of measurements, within the range of a float
+
+Places = tuple[tuple[int, int], ...]
+
+
+def has_filter(model: Model) -> bool:
+    """Whether there is something to predict and something to update by."""
+    return model.n > 0 and bool(model.measurements)
+
+
+def table(places: Places, rows: int) -> dict[str, Any]:
+    """Where row after row of a sparse matrix begins, and the columns of its non-zeros, as text."""
+    ordered = sorted(places)
+    start = [sum(row < i for row, _ in ordered) for i in range(rows + 1)]
+    return {
+        "nnz": len(ordered),
+        "start": ", ".join(map(str, start)),
+        "at": ", ".join(str(column) for _, column in ordered),
+    }
+
+
+def nonzeros(made: list[Unit], name: str) -> Places:
+    (unit,) = (unit for unit in made if unit.name == name)
+    return unit.results[0].nonzeros
+
+
+def phi_places(n: int, F: Places) -> Places:
+    """Non-zeros of I + F + F F, whatever the numbers."""
+    below: dict[int, set[int]] = {i: {column for row, column in F if row == i} for i in range(n)}
+    places = {(i, i) for i in range(n)} | set(F)
+    places |= {(i, column) for i in range(n) for k in below[i] for column in below[k]}
+    return tuple(sorted(places))
+
+
+def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
+    """Sizes and index tables of the kernels."""
+    n = model.n
+    F, Qc = nonzeros(made, "F"), nonzeros(made, "Qc")
+    Phi = phi_places(n, F)
+    block = -(-n // -(-n // BLOCK))  # as even as the number of states allows
+    row = -(-n // block) * block
+    leftmost = [min(column for i, column in Phi if i == j) for j in range(n)]
+    packed = n * (n + 1) // 2
+    return {
+        "packed": packed,
+        "block": block,
+        "row": row,
+        # a nonlinear measurement keeps P and H there
+        "work": max(2 * row * row, packed + max(len(nonzeros(made, f"{m.name}_H")) for m in model.measurements)),
+        "F": table(F, n),
+        "Qc": table(Qc, n),
+        "Phi": table(Phi, n),
+        "first": ", ".join(str(min(leftmost[j:])) for j in range(n)),
+        "sixth": repr(1 / 6),
+    }
+
+
+def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, Any]:
+    """The functions of the filter: which structs it carries, which it is given, and how it calls the units."""
+    by_name = {unit.name: (unit, view) for unit, view in zip(made, views, strict=True)}
+    owner = {field.name: struct.name for struct in model.structs for field in struct.fields}
+    moving = [by_name[name][0] for name in ("feedback", "strapdown") if writes_fields(by_name, name, owner)]
+    written = {owner[r.name] for unit in moving for r in unit.results}
+    carried = [s.name for s in model.structs if s.name in written]
+
+    def given(*names: str) -> list[str]:
+        read = {struct for name in names for struct in by_name[name][1]["reads"]}
+        return [s.name for s in model.structs if s.name in read and s.name not in carried]
+
+    def fields(*names: str) -> list[str]:
+        """The inputs that these units read."""
+        read = {a.name for name in names for a in by_name[name][0].args}
+        return [a.name for a in model.inputs if a.name in read]
+
+    def reach(struct: str) -> str:
+        return "filter->x" if struct == "x" else f"&filter->{struct}" if struct in carried else struct
+
+    def call(name: str, *out: str) -> str:
+        view = by_name[name][1]
+        arguments = ", ".join([*(reach(struct) for struct in view["reads"]), *out])
+        return f"{view['c_name']}{'_nz' if view['sparse'] else ''}({arguments})"
+
+    def call_dense(name: str) -> str:
+        """The same into `dense`, zeros too: what the self-test calls."""
+        view = by_name[name][1]
+        return f"{view['c_name']}({', '.join([*(reach(struct) for struct in view['reads']), 'dense'])})"
+
+    def change(name: str) -> dict[str, Any] | None:
+        """A function whose outputs are fields: it writes into copies of the structs that it changes."""
+        if not writes_fields(by_name, name, owner):
+            return None
+        unit, view = by_name[name]
+        out = [f"{'&' if len(r.nonzeros) == 1 else ''}next_{owner[r.name]}.{r.name}" for r in unit.results]
+        structs = [s.name for s in model.structs if s.name in {owner[r.name] for r in unit.results}]
+        arguments = ", ".join([*(reach(struct) for struct in view["reads"]), *out])
+        return {
+            "meaning": unit.meaning, "structs": given(name), "changed": structs, "fields": fields(name),
+            "written": [r.name for r in unit.results],
+            "call": f"{view['c_name']}({arguments})",
+        }  # fmt: skip
+
+    measurements = []
+    for m in model.measurements:
+        if len(m.rows) > 32:
+            raise BoresightError(f"measurement {m.name} has {len(m.rows)} rows; a filter in C takes 32 at most")
+        H = by_name[f"{m.name}_H"][0]
+        nonlinear = any(a.name == "x" for a in H.args)
+        used = [f"{m.name}_H"] + [f"{m.name}_z"] * (m.z is not None) + [f"{m.name}_h"] * nonlinear
+        at = "H" if nonlinear else "filter->work"
+        measurements.append(
+            {
+                "name": m.name, "meaning": m.meaning, "names": ", ".join(m.rows), "unit": m.unit, "m": len(m.rows),
+                "equations": m.equations, "nonlinear": nonlinear, "structs": given(*used), "fields": fields(*used),
+                "z": call(f"{m.name}_z", "z") if m.z is not None else None,
+                "h": call(f"{m.name}_h", "target") if nonlinear else None,
+                "H": call(f"{m.name}_H", at), "H_dense": call_dense(f"{m.name}_H"), "all": 2 ** len(m.rows) - 1,
+                **table(H.results[0].nonzeros, len(m.rows)),
+            }
+        )  # fmt: skip
+    dt = next(v for v in model.inputs if model.dt in v.symbols)
+    place = dt.symbols.index(model.dt)
+    path = f"filter->{owner[dt.name]}.{dt.name}" if owner[dt.name] in carried else f"{owner[dt.name]}->{dt.name}"
+    value = path if dt.size == 1 else f"{path}[{place}]"
+    structs = given("F", "Qc")
+    if owner[dt.name] not in (*carried, *structs):
+        structs = [s.name for s in model.structs if s.name in (*structs, owner[dt.name])]
+    return {
+        "carried": carried,
+        "checked": [box(f"{s.name}->{a.name}", a) for s in model.structs if s.name in carried for a in s.fields],
+        "max_rows": max(len(m.rows) for m in model.measurements),
+        "least_R": repr(LEAST_R),
+        "most_R": repr(MOST_R),
+        "dt": box(value, dt, place) | {"value": value},
+        "propagate": {
+            "structs": structs, "F": call("F", "filter->F"), "Qc": call("Qc", "filter->Qc"),
+            "F_dense": call_dense("F"), "Qc_dense": call_dense("Qc"),
+            "fields": [*fields("F", "Qc"), dt.name],
+        },
+        "measurements": measurements,
+        "correct": change("feedback"),
+        "strapdown": change("strapdown"),
+    }  # fmt: skip
+
+
+def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, Any]:
+    """Points at which every unit answers, and which function of the filter reads what, for its self-test."""
+    points = answered_by_all(model, made)
+    structs, spoilt, start = [], [], 0
+    for s in model.structs:
+        fields, offset = [], 0
+        for a in s.fields:
+            fields.append({"name": a.name, "size": a.size, "offset": offset})
+            offset += a.size
+            item = f"{a.name}[i]" if a.size > 1 else a.name
+            held = f"flown.{s.name}" if s.name in f["carried"] else f"given_{s.name}"
+            readers = [("init", f"&given_{s.name}.{item}")] if s.name in f["carried"] else []
+            functions = {"propagate": f["propagate"], "strapdown": f["strapdown"], "correct": f["correct"]}
+            functions |= {f"measure_{u['name']}": u for u in f["measurements"]}
+            readers += [(name, f"&{held}.{item}") for name, u in functions.items() if u and a.name in u["fields"]]
+            spoilt.append(
+                {
+                    "name": a.name, "size": a.size, "functions": readers,
+                    "low": ", ".join(repr(lo - (hi - lo)) for lo, hi in zip(a.low, a.high, strict=True)),
+                    "high": ", ".join(repr(hi + (hi - lo)) for lo, hi in zip(a.low, a.high, strict=True)),
+                }
+            )  # fmt: skip
+        rows = np.hstack(points[start : start + len(s.fields)])
+        start += len(s.fields)
+        text = ",\n".join("    { " + ", ".join(float(v).hex() for v in row) + " }" for row in rows)
+        structs.append({"name": s.name, "size": offset, "fields": fields, "rows": text})
+    box_size = [hi - lo for block in model.states for lo, hi in zip(block.low, block.high, strict=True)]
+
+    def places(name: str) -> str:
+        return ", ".join(str(row * model.n + column) for row, column in nonzeros(made, name))
+
+    return {
+        "count": FLOWN,
+        "structs": structs,
+        "spoilt": [g for g in spoilt if g["functions"]],
+        "sigma": ", ".join(repr(size * 1e-4) for size in box_size),
+        "F_places": places("F"),
+        "Qc_places": places("Qc"),
+    }
+
+
+def answered_by_all(model: Model, made: list[Unit]) -> list[np.ndarray]:
+    """FLOWN points of all inputs, (FLOWN, size) each, at which every unit answers for an error state of zero."""
+    count = 64 * FLOWN
+    drawn = sample(model.inputs, 0, count, generator("filter", model.name))
+    values = {v.name: part for v, part in zip(model.inputs, drawn, strict=True)} | {"x": np.zeros((count, model.n))}
+    keep = np.ones(count, dtype=bool)
+    for unit in made:
+        results, bounds = evaluate(unit.tape, [values[a.name] for a in unit.args])
+        for (output, nz, _), value, bound in zip(unit.tape.results, results, bounds, strict=True):
+            result = unit.results[output]
+            keep &= np.isfinite(bound)
+            if result.low:
+                keep &= (value >= result.low[nz]) & (value <= result.high[nz])
+    chosen = np.flatnonzero(keep)[:FLOWN]
+    if len(chosen) < FLOWN:
+        raise BoresightError(
+            f"{model.name}: {len(chosen)} of {count} points of its boxes have an answer everywhere; narrow them"
+        )
+    return [part[chosen] for part in drawn]
+
+
+def writes_fields(by_name: dict[str, Any], name: str, owner: dict[str, str]) -> bool:
+    """Whether the model has this function and everything it gives is an input field of the model."""
+    return name in by_name and all(r.name in owner for r in by_name[name][0].results)
+
+
+def box(access: str, v: Any, place: int | None = None) -> dict[str, Any]:
+    """A field with its bounds as C; one component of it if `place` is given."""
+    from boresight.codegen.emit import number
+
+    chosen = slice(None) if place is None else slice(place, place + 1)
+    size = v.size if place is None else 1
+    return {
+        "name": v.name, "size": size, "access": access if v.size > 1 and place is None else f"&{access}",
+        "low": ", ".join(map(number, v.low[chosen])), "high": ", ".join(map(number, v.high[chosen])),
+        "norm": tuple(number(b * b) for b in v.norm) if v.norm else None,
+    }  # fmt: skip

@@ -1,0 +1,181 @@
+"""Golden vectors of the covariance kernels: rational arithmetic on numbers of a few bits.
+
+The self-test in C draws the same numbers, by the same generator; here they are integers with a common power of two, and
+`test_covariance.c.j2` must draw in this order.  A state is scaled by its own power of two, which is exact, so it is put
+on at the end.
+
+Tolerances, u being the unit roundoff: with s_i = sum_k |Phi_ik| sqrt(P_kk) every term of (Phi P Phi')_ij is bounded by
+s_i s_j in sum, because |P_kl|^2 <= P_kk P_ll, and likewise for Q with the variances of Qc; a sum of n products rounds n
+times.  In the factors, sum_k |U_ik| d_k |U_jk| <= sqrt(P_ii P_jj) by Cauchy-Schwarz, so that each of the n columns of a
+factorization, an orthogonalization or an update adds n roundings of the same size; a pivot that is rounding alone,
+but above the last that counts, may add n^2 of them.  In an update, rounding of g = P h is relative to
+sum_k |h_k| sqrt(P_kk) sqrt(P_ii) and that of S to R + (sum_k |h_k| sqrt(P_kk))^2, whose ratio to S multiplies all.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from math import ldexp, sqrt
+from typing import Any
+
+import numpy as np
+
+VECTORS = 64
+DT_POWER = -4
+Places = tuple[tuple[int, int], ...]
+
+
+def generator(seed: int) -> Iterator[int]:
+    """0 to 255, as `draw` in C."""
+    while True:
+        seed = (seed * 1664525 + 1013904223) % 2**32
+        yield seed >> 24
+
+
+@dataclass(frozen=True)
+class Case:
+    """Integers: F, Qc and P in 2^-8, x in 2^-4, h in 2^-6, R in 2^-24, z in 2^-3; scale are powers of two."""
+
+    scale: list[int]
+    P: Any  # (n, n) of int
+    F: Any
+    Qc: Any
+    x: Any
+    h: Any
+    R: int
+    z: int
+
+
+def draw_case(k: int, n: int, F_places: Places, Qc_places: Places) -> Case:
+    kind, numbers = k % 8, generator(k + 1)
+
+    def draw() -> int:
+        return next(numbers)
+
+    def table() -> Any:
+        return np.zeros((n, n), dtype=object)
+
+    for _ in range(4):
+        draw()
+    scale = [(draw() % 8 - 4) * (4 if k % 4 == 3 else 1) for _ in range(n)]
+    root = table()
+    for i in range(n):
+        for j in range(n):
+            value = draw() // 8 - 16
+            empty = kind == 0 or (kind == 1 and i != j) or (kind == 2 and j > 1)
+            root[i, j] = 0 if empty else value
+    F, Qc = table(), table()
+    for place in F_places:
+        value = draw()
+        F[place] = 0 if kind == 4 else value // 2 + 64 if value % 2 else -(value // 2 + 64)
+    for i, j in Qc_places:
+        if i < j:
+            Qc[i, j] = Qc[j, i] = draw() - 128
+    for i, j in Qc_places:
+        if i == j:
+            Qc[i, i] = sum(abs(Qc[i, other]) for other in range(n) if other != i) + draw() + 1
+    if kind == 5:
+        Qc = table()
+    x, h = np.zeros(n, dtype=object), np.zeros(n, dtype=object)
+    for i in range(n):
+        value = draw() - 128
+        chosen = draw() % 4 == 0 or k % 3 == 0 or i == k % n
+        x[i] = draw() - 128
+        h[i] = value if chosen else 0
+    R = (draw() + 1) * (1 if k % 5 == 4 else 2**16)
+    return Case(scale, root @ root.T, F, Qc, x, h, R, draw() - 128)
+
+
+def rounded(value: int | Fraction, power: int = 0) -> float:
+    """value 2^power, rounded once."""
+    exact = Fraction(value)
+    return float(exact * 2**power if power >= 0 else exact / 2**-power)
+
+
+def upper(size: int) -> list[tuple[int, int]]:
+    return [(i, j) for j in range(size) for i in range(j + 1)]
+
+
+def predicted(case: Case) -> tuple[list[float], list[float], list[float], list[float], bool]:
+    """Phi P Phi' + Q packed, Phi x, sizes of rounding errors in both; whether Q, cut after dt^3, is a covariance."""
+    n = len(case.scale)
+    one = np.array([[int(i == j) for j in range(n)] for i in range(n)], dtype=object)
+    a = 8 - DT_POWER  # A = F dt in 2^-a
+    A, S = case.F, case.Qc  # S = Qc dt in 2^-a too
+    twice_Phi = (one << (2 * a + 1)) + (A << (a + 1)) + A @ A  # in 2^-(2 a + 1)
+    AS = A @ S
+    AAS = A @ AS
+    # Q = S + (A S + S A') / 2 + (A A S + 2 A S A' + S A' A') / 6, six times, in 2^-3a
+    six_Q = (6 * S << (2 * a)) + (3 * (AS + AS.T) << a) + AAS + AAS.T + 2 * AS @ A.T
+    PhiPPhi = twice_Phi @ case.P @ twice_Phi.T  # in 2^-(4 a + 10)
+    first = [Fraction(PhiPPhi[at], 2 ** (4 * a + 10)) + Fraction(six_Q[at], 6 * 2 ** (3 * a)) for at in upper(n)]
+    P = [rounded(value, case.scale[i] + case.scale[j]) for (i, j), value in zip(upper(n), first, strict=True)]
+    definite = bool(np.linalg.eigvalsh(np.array(six_Q / 2 ** (3 * a), dtype=float)).min() > -1e-15)
+    x = [rounded(value, s - 2 * a - 5) for value, s in zip(twice_Phi @ case.x, case.scale, strict=True)]
+    size_Phi = (one << (2 * a + 1)) + (abs(A) << (a + 1)) + abs(A) @ abs(A)
+    size_Phi = np.array(size_Phi / 2 ** (2 * a + 1), dtype=float)
+    sigma = np.sqrt(np.array(np.diag(case.P) / 2**8, dtype=float))
+    noise = np.sqrt(np.array(np.diag(S) / 2**a, dtype=float))
+    size = np.hypot(size_Phi @ sigma, size_Phi @ noise)  # s_i s_j + q_i q_j <= the product of these
+    size_x = size_Phi @ np.array(abs(case.x) / 2**4, dtype=float)
+    size, size_x = ([ldexp(v, s) for v, s in zip(values, case.scale, strict=True)] for values in (size, size_x))
+    return P, x, size, size_x, definite
+
+
+def updated(case: Case) -> tuple[list[float], list[float], list[float], list[float], list[float]]:
+    """P after one row, x, the sizes of rounding errors in both, and nu, S with theirs."""
+    n = len(case.scale)
+    P = [[Fraction(value, 2**8) for value in row] for row in case.P]
+    h, x = [Fraction(v, 2**6) for v in case.h], [Fraction(v, 2**4) for v in case.x]
+    R, z = Fraction(case.R, 2**24), Fraction(case.z, 2**3)
+    seen = [i for i in range(n) if h[i]]
+    g = [sum((P[i][k] * h[k] for k in seen), Fraction(0)) for i in range(n)]
+    S = R + sum((h[i] * g[i] for i in seen), Fraction(0))
+    nu = z - sum((h[i] * x[i] for i in seen), Fraction(0))
+    after = [rounded(P[i][j] - g[i] * g[j] / S, case.scale[i] + case.scale[j]) for i, j in upper(n)]
+    after_x = [rounded(x[i] + g[i] * nu / S, case.scale[i]) for i in range(n)]
+    sigma = [sqrt(P[i][i]) for i in range(n)]
+    spread = sum(float(abs(h[i])) * sigma[i] for i in seen)
+    size_nu = float(abs(z) + sum((abs(h[i] * x[i]) for i in seen), Fraction(0)))
+    size_S = float(R) + spread**2
+    ratio = size_S / float(S)
+    size = [ldexp(sigma[i] * sqrt(ratio), case.scale[i]) for i in range(n)]
+    size_x = [
+        ldexp(float(abs(x[i])) + ratio * sigma[i] / sqrt(S) * size_nu, case.scale[i]) for i in range(n)
+    ]  # |K_i| <= sigma_i / sqrt(S)
+    return after, after_x, size, size_x, [float(nu), float(S), size_nu, size_S]
+
+
+def vectors_view(n: int, F: Places, Qc: Places) -> dict[str, Any]:
+    """The tables of `test_covariance.c.j2`."""
+    cases = [draw_case(k, n, F, Qc) for k in range(VECTORS)]
+    ahead, taken = [predicted(case) for case in cases], [updated(case) for case in cases]
+
+    def table(rows: list[list[float]]) -> str:
+        return ",\n".join("    { " + ", ".join(float(v).hex() for v in row) + " }" for row in rows)
+
+    def sizes(rows: list[list[float]]) -> str:
+        """Three digits, rounded up."""
+        return ",\n".join("    { " + ", ".join(f"{v * 1.01:.3g}" if v else "0.0" for v in row) + " }" for row in rows)
+
+    return {
+        "count": VECTORS,
+        "dt_power": DT_POWER,
+        # Phi x: n products and sums, on the n + 4 roundings of Phi
+        "of_state": 2 * n + 8,
+        # twice Phi, twice a sum of n; three terms of an update with n roundings in each of g, g and S
+        "of_joseph": 10 * n + 30,
+        "of_ud": 5 * n * n + 10 * n + 30,
+        "predicted_P": table([row[0] for row in ahead]),
+        "predicted_x": table([row[1] for row in ahead]),
+        "predicted_size": sizes([row[2] for row in ahead]),
+        "predicted_size_x": sizes([row[3] for row in ahead]),
+        "definite": ", ".join(str(int(row[4])) for row in ahead),
+        "updated_P": table([row[0] for row in taken]),
+        "updated_x": table([row[1] for row in taken]),
+        "updated_size": sizes([row[2] for row in taken]),
+        "updated_size_x": sizes([row[3] for row in taken]),
+        "updated_row": table([row[4] for row in taken]),
+        "F_rows": ", ".join(str(row) for row, _ in F),
+        "Qc_rows": ", ".join(str(row) for row, _ in Qc),
+    }

@@ -1,0 +1,162 @@
+"""The filter of `boresight.runtime.filter` with its algebra in the generated C, `src/PREFIX_filter.c`.
+
+The same methods with the same meaning, for one run or many; each is one call of C, in which the runs follow
+one another.  The results are those of the Python loop, to rounding.
+"""
+
+import ctypes
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.runtime.filter import Array, Filter, Innovation
+from boresight.runtime.library import Library
+
+NOT_POSITIVE = 5  # BS_NOT_POSITIVE
+
+
+class CompiledFilter(Filter):
+    """Predict, update by a named measurement, feed back.  model: a library of `boresight.runtime.library.load`.
+
+    nav, P and x are as in `Filter`, and may be assigned between calls.  A measurement that has no `NAME_z` takes its z,
+    (..., m), as a keyword.
+    """
+
+    def __init__(self, model: Library, nav: dict[str, Array], P: Array):
+        described = model.manifest.get("filter") if isinstance(model, Library) else None
+        if described is None:
+            raise BoresightError(
+                f"{getattr(model, 'name', model)!s} has no filter in C; give a library of a model that has measurements"
+            )
+        super().__init__(model, nav, P)
+        self.described = described
+        n = len(model.states)
+        size = getattr(model.dll, f"{model.manifest['c_prefix']}_filter_size")
+        size.restype = ctypes.c_size_t
+        self._width = int(size())
+        self._carried: dict[str, slice] = {}
+        start = 0
+        for struct in described["carried"]:
+            for name, part in model.layout[struct].items():
+                self._carried[name] = slice(start + part.start, start + part.stop)
+            start += model.width[struct]
+        self._x, self._P = slice(start, start + n), slice(start + n, start + n + n * (n + 1) // 2)
+        columns, rows = np.tril_indices(n)  # column after column of the upper triangle
+        self._upper = rows, columns
+        self._place = np.zeros((n, n), dtype=int)
+        self._place[rows, columns] = self._place[columns, rows] = np.arange(len(rows))
+
+    def predict(self, **inputs: Any) -> None:
+        """Carry x and P over `dt`."""
+        self._fly("propagate", self.described["propagate"], inputs)
+
+    def update(
+        self,
+        measurement: str,
+        R: Any,
+        *,
+        rows: Any = True,
+        gate: float | None = None,
+        iterations: int = 1,
+        **inputs: Any,
+    ) -> Innovation:
+        """Take one measurement, row after row: see `Filter.update`."""
+        known = self.described["measurements"]
+        if measurement not in known:
+            raise BoresightError(f"{self.model.name} has no measurement {measurement!r}; it has {', '.join(known)}")
+        if iterations < 1:
+            raise BoresightError(f"{measurement}: iterations is {iterations}; it must be at least 1")
+        described = known[measurement]
+        m = described["m"]
+        R, rows = np.atleast_1d(np.asarray(R, dtype=float)), np.atleast_1d(np.asarray(rows, dtype=bool))
+        if not (np.isfinite(R).all() and (R > 0).all()):
+            raise BoresightError(f"{measurement}: every variance in R must be finite and above zero")
+        vectors = {"R": R}
+        if described["brings_z"]:
+            if "z" not in inputs:
+                raise BoresightError(f"{measurement} needs z; pass it as a keyword")
+            vectors = {"z": np.atleast_1d(np.asarray(inputs.pop("z"), dtype=float))} | vectors
+        nu, S, used = self._fly(
+            f"measure_{measurement}", described, inputs, vectors, (rows, m, gate or 0.0, iterations)
+        )
+        return Innovation(nu, S, used)
+
+    def feedback(self) -> None:
+        """Correct nav by the estimate and begin again from zero."""
+        if self.described["correct"] is None:
+            raise BoresightError(f"{self.model.name} has no function 'feedback'")
+        self._fly("correct", self.described["correct"], {})
+
+    def _fly(
+        self,
+        function: str,
+        described: dict[str, Any],
+        inputs: dict[str, Any],
+        vectors: dict[str, Array] | None = None,
+        measured: tuple[Array, int, float, int] | None = None,
+    ) -> Any:
+        """Call `function` of the C filter for all runs.  vectors: R, and z if brought, (..., m).
+
+        measured: rows (..., m) bool, m, gate and iterations of a measurement, for which nu, S and used are returned.
+        """
+        library: Library = self.model
+        values = {**self.nav, **inputs}
+        missing = [name for name in described["fields"] if name not in values]
+        if missing:
+            raise BoresightError(f"{function} needs {', '.join(missing)}; pass it as a keyword")
+        read = {name: values[name] for name in {*described["fields"], *self._carried} if name in values}
+        given, runs = library.arrange(function, read)
+        shapes = [runs, self.x.shape[:-1], self.P.shape[:-2], *(v.shape[:-1] for v in (vectors or {}).values())]
+        if measured is not None:
+            shapes.append(measured[0].shape[:-1])
+        runs = np.broadcast_shapes(*shapes)
+        n = int(np.prod(runs, dtype=int))
+
+        memory = np.zeros((*runs, self._width))
+        for name, part in self._carried.items():
+            if name in given:
+                memory[..., part] = given[name]
+        memory[..., self._x] = self.x
+        memory[..., self._P] = self.P[(..., *self._upper)]
+        arguments: list[Any] = [ctypes.c_size_t(n), ctypes.c_void_p(memory.ctypes.data)]
+        kept: list[Any] = []
+        for packed, stride in library.pack(described["structs"], given, runs):
+            kept.append(packed)
+            arguments += [ctypes.c_void_p(packed.ctypes.data), ctypes.c_size_t(stride)]
+        out: tuple[Array, ...] = ()
+        if measured is not None:
+            rows, m, gate, iterations = measured
+            for vector in (vectors or {}).values():
+                kept.append(np.ascontiguousarray(np.broadcast_to(vector, (*runs, m))))
+                arguments += [ctypes.c_void_p(kept[-1].ctypes.data), ctypes.c_size_t(m)]
+            kept.append(np.ascontiguousarray(np.broadcast_to(rows, (*runs, m)), dtype=np.uint8))
+            arguments.append(ctypes.c_void_p(kept[-1].ctypes.data))
+            arguments.append(ctypes.byref(ctypes.c_double(gate)))
+            if described["nonlinear"]:
+                arguments.append(ctypes.byref(ctypes.c_int(iterations)))
+            out = np.zeros((*runs, m)), np.zeros((*runs, m)), np.zeros((*runs, m), dtype=np.uint8)
+            arguments += [ctypes.c_void_p(part.ctypes.data) for part in out]
+        status = np.empty(n, dtype=np.uint8)
+        arguments.append(ctypes.c_void_p(status.ctypes.data))
+        called = getattr(library.dll, f"{library.manifest['c_prefix']}_filter_{function}_batch")
+        called.restype = ctypes.c_size_t
+        if called(*arguments):
+            self._explain(function, given, runs, status.reshape(runs))
+        self.x = memory[..., self._x].copy()
+        self.P = memory[..., self._P][..., self._place]
+        if function == "correct":
+            for name in described["written"]:
+                value = memory[..., self._carried[name]]
+                self.nav[name] = value.copy() if library.field[name]["size"] > 1 else value[..., 0]
+        return (*out[:2], out[2].astype(bool)) if out else None
+
+    def _explain(self, function: str, given: dict[str, Array], runs: tuple[int, ...], status: Array) -> None:
+        where = tuple(int(i) for i in np.argwhere(status != 0)[0])
+        if status[where] == NOT_POSITIVE:
+            at = f" of run {where[0] if len(where) == 1 else where}" if where else ""
+            raise BoresightError(
+                f"{function}: an innovation or its variance{at} is no number; P has left what a double holds, so start "
+                "again from a new one"
+            )
+        self.model.explain(function, {**given, "x": self.x}, runs, status)
