@@ -136,8 +136,8 @@ def carried(master: Pose, lever_b: Any, q_b2m_wxyz: Any, bending: Harmonics | No
     """The slave on the master's hull: exact kinematics of a rigid body, and bending at the slave.
 
     lever_b: (..., 3) m from master to slave in the slave's axes.  q_b2m_wxyz: (..., 4) the mounting, of any size.
-    bending: D = 3, theta in rad in the master's axes, of a few mrad: C_b2m = exp([theta x]) C_mounting.  It turns the
-    slave where it stands: the lever arm stays as it is in the master's axes.
+    bending: D = 3, theta in rad in the master's axes, of a few mrad, its runs as they broadcast with the hull's: C_b2m =
+    exp([theta x]) C_mounting.  It turns the slave where it stands: the lever arm stays as it is in the master's axes.
     """
     C_b2m = rotation.matrix_from_quaternion(q_b2m_wxyz)
     lever_m = np.einsum("...ij,...j->...i", C_b2m, np.asarray(lever_b, float))
@@ -161,15 +161,15 @@ def carried(master: Pose, lever_b: Any, q_b2m_wxyz: Any, bending: Harmonics | No
         bend = theta_1 + sweep / 2 + np.cross(theta, sweep) / 6
         bend_1 = theta_2 + sweep_1 / 2 + (np.cross(theta_1, sweep) + np.cross(theta, sweep_1)) / 6
         omega, alpha = omega + bend, alpha + bend_1 - np.cross(bend, omega)
-    q_m = np.broadcast_to(C_m2n @ C_b2m, np.broadcast_shapes(C_m2n.shape, C_b2m.shape))
+    C_b2n = C_m2n @ C_b2m
 
     def to_b(vector_m: Array) -> Array:
         return np.einsum("...ji,...j->...i", C_b2m, vector_m)
 
     return Pose(
         time=master.time,
-        **place,
-        q_b2n_wxyz=rotation.quaternion_from_matrix(q_m),
+        **{name: np.broadcast_to(value, (*C_b2n.shape[:-2], 3)) for name, value in place.items()},
+        q_b2n_wxyz=rotation.quaternion_from_matrix(C_b2n),
         omega_nb_b=to_b(omega),
         alpha_nb_b=to_b(alpha),
     )

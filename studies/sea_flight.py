@@ -177,8 +177,8 @@ def truth(model: Any, motion: hull.Motion, scenario: Scenario, drawn: Drawn) -> 
     mounting = rotation.quaternion_from_euler(np.array([0.0, 0.0, s.misalignment_deg]) * DEG)
     bending, q_b2m = None, np.broadcast_to(mounting, (len(time[::per_update]), 1, 1, 4))
     if s.bending_mrad:
-        bending = hull.bending(np.full(3, s.bending_mrad * 1e-3), s.bending_s, hull.phases(drawn.streams, 3 * 40))
-        bent = rotation.matrix_from_vector(bending.at(time[::per_update])[:, None])
+        bending = hull.bending(np.full(3, s.bending_mrad * 1e-3), s.bending_s, hull.phases(drawn.streams, 3 * 40)[None])
+        bent = rotation.matrix_from_vector(bending.at(time[::per_update]))
         q_b2m = rotation.quaternion_from_matrix(bent @ rotation.matrix_from_quaternion(mounting))
     slave = hull.carried(hull.ride(motion, time), np.array(s.lever_b), mounting, bending)
     place = np.array([s.latitude_deg * DEG, 0.0, 0.0])

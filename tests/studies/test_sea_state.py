@@ -1,0 +1,220 @@
+"""The experiment at sea: truth against its own laws, filters against chi-square, an unknown delay against theory."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from boresight import BoresightError
+from boresight.derive import delay_error
+from boresight.runtime import hull, inertial, rotation, simulation
+from boresight.runtime.library import load
+from boresight.studies import sea_bench, sea_delay, sea_figures, sea_flight, sea_state
+from boresight.studies.sea_flight import DEG, FILTERS, MIL, Scenario, draw, fly, motion_of, truth
+
+WITH, WITHOUT = (FILTERS.index(name) for name in ("with", "without"))
+SHORT = Scenario(height_m=(1.25, 4.0), seconds=20)
+
+
+@pytest.fixture(scope="module")
+def model():
+    return load("velocity-attitude")
+
+
+@pytest.fixture(scope="module")
+def slope(model):
+    """States 1, 3 and 5 under the slope, 40 runs."""
+    return fly(model, "slope", Scenario(height_m=(0.01, 0.5, 2.5)), runs=40, seed=3)
+
+
+# ---- truth
+
+
+@pytest.mark.parametrize("kind", ["slope", "sea"])
+def test_ideal_increments_make_the_slave_that_rides_on_the_hull(model, kind):
+    s = replace(SHORT, seconds=3, gyro_misalignment_mrad=0.0)
+    drawn = draw(s, 0, 2)
+    motion = motion_of(kind, s, drawn.streams)
+    true = truth(model, motion, s, drawn)
+    first = {name: getattr(true.slave, name)[0] for name in ("position", "v_n", "q_b2n_wxyz")}
+    made = inertial.integrate(sea_flight.Ideal(model), first, true.dtheta, true.dv, 1 / s.navigation_hz)
+    time = np.arange(s.seconds * s.navigation_hz + 1) / s.navigation_hz
+    mounting = rotation.quaternion_from_euler([0, 0, 2 * DEG])
+    wanted = hull.carried(hull.ride(motion, time), np.array(s.lever_b), mounting)
+    np.testing.assert_allclose(made.v_n, wanted.v_n, atol=1e-9)
+    assert np.abs(rotation.attitude_error(made.q_b2n_wxyz, wanted.q_b2n_wxyz)).max() < 1e-10
+
+
+def test_the_master_reports_what_was_a_delay_ago(model):
+    drawn = draw(SHORT, 0, 3)
+    assert ((drawn.delay >= 5e-3) & (drawn.delay <= 10e-3)).all()
+    motion = motion_of("slope", SHORT, drawn.streams)
+    true = truth(model, motion, SHORT, drawn)
+    for run, delay in enumerate(drawn.delay):
+        then = hull.ride(motion, np.arange(SHORT.seconds + 1) - delay)
+        np.testing.assert_allclose(true.master.v_n[:, :, run], then.v_n[:, :, 0], atol=1e-12)
+
+
+def test_the_paper_s_sinusoid_is_heave_and_nothing_else():
+    motion = motion_of("wave", Scenario(), [])
+    time = np.linspace(0, 20, 81)
+    pose = hull.ride(motion, time)
+    for grade, height in enumerate((0.01, 0.1, 0.5, 1.25, 2.5, 4.0)):
+        wanted = -height * np.sin(2 * np.pi * 0.1 * time)  # a sin(2 pi f t), up; NED is down
+        np.testing.assert_allclose(pose.displacement_n[:, grade, 0, 2], wanted, atol=1e-12)
+    np.testing.assert_allclose(pose.displacement_n[..., :2], 0, atol=1e-12)
+    np.testing.assert_allclose(pose.omega_nb_b, 0, atol=1e-15)
+
+
+def test_a_run_is_the_same_whatever_runs_are_flown_beside_it(model):
+    s = replace(SHORT, seconds=3)
+    whole, part = (fly(model, "sea", s, runs=n, seed=5, first_run=k) for n, k in ((3, 0), (2, 1)))
+    np.testing.assert_allclose(whole.error[:, :, :, 1:], part.error, atol=1e-13)
+    np.testing.assert_array_equal(whole.delay[1:], part.delay)
+
+
+# ---- filter
+
+
+def test_without_errors_and_delay_the_filter_finds_the_truth(model):
+    flight = fly(model, "slope", SHORT, runs=1, seed=0, delay_s=np.zeros((2, 1)), noise=0.0)
+    # it began 35.6 mil off, of which second order is 0.6
+    assert (np.abs(flight.heading[-1]) < 0.1 * MIL).all()
+    np.testing.assert_allclose(flight.error[-1, ..., 15], 0.0, atol=1e-4)
+    assert np.abs(flight.error[-1, ..., 3:6]).max() < 1e-3
+
+
+def test_nees_and_nis_of_the_compensated_filter_lie_within_chi_square(slope):
+    """16 states at the end and 6 rows after 10 s; 40 runs, four sigmas of the mean."""
+    nis = slope.nis[10:, WITH].sum(-1).mean((0, 2))
+    assert (np.abs(nis - 6) < 4 * np.sqrt(12 / (50 * 40))).all()
+    e, P = slope.error[-1, WITH, 1:], slope.P[-1, WITH, 1:]
+    nees = np.einsum("...i,...i->...", e, np.linalg.solve(P, e[..., None])[..., 0]).mean(-1)
+    assert (np.abs(nees - 16) < 4 * np.sqrt(32 / 40)).all()
+
+
+def test_a_calm_does_not_show_the_heading_and_a_swell_does(slope):
+    sigma = slope.heading_sigma[-1, WITH].mean(-1) / MIL
+    assert sigma[0] > 20 and sigma[1] < 1.5 and sigma[2] < 0.3
+    assert (np.abs(slope.heading[-1, WITH]).mean(-1) < 2.0 * sigma).all()
+
+
+def test_the_nis_shows_a_delay_that_nobody_compensates(slope):
+    nis = slope.nis[10:, WITHOUT].sum(-1).mean((0, 2))
+    assert nis[2] > 10
+
+
+def test_heave_alone_leaves_the_heading_unknown(model):
+    flight = fly(model, "wave", replace(Scenario(), height_m=(4.0,)), runs=4, seed=0)
+    assert (flight.heading_sigma[-1, WITH] > 30 * MIL).all()
+
+
+def test_a_bending_that_has_no_state_shows_in_the_nis_and_not_in_the_heading(model):
+    stiff, soft = (fly(model, "slope", replace(SHORT, bending_mrad=bend), runs=3, seed=0) for bend in (0.0, 0.2))
+    nis = [flight.nis[10:, WITH].sum(-1).mean() for flight in (stiff, soft)]
+    assert nis[0] < 8 and nis[1] > 15
+    assert (np.abs(soft.heading[-1, WITH]).mean(-1) < 5 * MIL).all()
+
+
+# ---- an unknown delay
+
+
+def test_the_study_s_closed_form_is_the_derived_one():
+    from sympy import lambdify
+
+    form = lambdify(
+        (delay_error.DELAY, delay_error.FREQUENCY, *delay_error.AMPLITUDES, delay_error.PHASE), delay_error.sinusoidal()
+    )
+    rng = simulation.generator(0, 0)
+    for _ in range(20):
+        tau, f, roll, ratio, phase = rng.uniform([1e-3, 0.05, 0.01, 0.1, -3], [0.02, 0.5, 0.2, 3, 3])
+        derived = -form(tau, 2 * np.pi * f, roll, ratio * roll, phase)  # heading errs by -dmu_z
+        assert sea_delay.closed_form(tau, ratio, phase, f) == pytest.approx(derived, rel=1e-12)
+
+
+def test_the_general_form_holds_the_sinusoid_and_the_derived_moments():
+    rows = sea_delay.cases()
+    motion = sea_delay.swing(rows)
+    tau = 1e-3 * np.array([row["delay_ms"] for row in rows])
+    sinusoid = sea_delay.closed_form(
+        tau,
+        *(np.array([row[name] for row in rows]) * unit for name, unit in (("ratio", 1), ("phase_deg", DEG))),
+        np.array([row["frequency_hz"] for row in rows]),
+    )
+    np.testing.assert_allclose(sea_delay.predicted_heading(motion, tau[:, None])[:, 0], sinusoid, atol=1e-12)
+
+    # three axes and many frequencies: moments over a long time, put into the derived matrices
+    s = replace(Scenario(), height_m=(4.0,))
+    drawn = draw(s, 0, 1)
+    motion = motion_of("sea", s, drawn.streams)
+    value, rate, _ = motion.freedoms.thrice(np.arange(0, 20000, 0.5))
+    e, e_1 = value[:, 0, 0, 3:], rate[:, 0, 0, 3:]
+    moving = dict(zip(delay_error.MOVING[:6], (*e.T, *e_1.T), strict=True))
+    means = {delay_error.moment(a, b): np.mean(moving[a] * moving[b]) for a in moving for b in moving}
+    J, L = (np.array(part.subs(means), float) for part in (delay_error.spread(), delay_error.spin()))
+    wanted = -np.linalg.solve(J, L[:, 0])[2]
+    assert sea_delay.predicted_heading(motion, 1.0)[0, 0] == pytest.approx(wanted, rel=0.03)
+
+
+def test_simulation_follows_the_closed_form_wherever_its_variables_go(model):
+    result = sea_delay.against_simulation(model, Scenario())
+    assert len(result["cases"]) > 25
+    assert result["all_good"], [row for row in result["cases"] if not row["good"]]
+
+
+def test_in_a_random_sea_the_mean_error_is_the_predicted_one(model):
+    s = Scenario(height_m=(2.5,))
+    flight = fly(model, "sea", s, runs=30, seed=2)
+    motion = motion_of("sea", s, draw(s, 2, 30).streams)
+    predicted = sea_delay.predicted_heading(motion, flight.delay)[0] / MIL
+    flown = flight.heading[-1, WITHOUT, 0] / MIL
+    # each run sees 60 s of its sea: they scatter about the mean of all seas
+    assert flown.mean() == pytest.approx(predicted.mean(), abs=4 * flown.std() / np.sqrt(30))
+    assert predicted.mean() > 2
+
+
+def test_both_ways_compensate(model):
+    two = sea_delay.ways(model, replace(SHORT, height_m=(0.01, 0.1, 0.5, 1.25, 2.5, 4.0)), runs=3, seed=0)
+    for name in sea_delay.WAYS:
+        assert two[name]["heading_mil"][0][5] < 1.0
+    # a chord through 50 to 100 ms of a curve is what a buffer has no need of
+    assert two["by a buffer"]["nis"][1][5] < two["the paper's"]["nis"][1][5]
+
+
+# ---- the study
+
+
+def test_the_study_reports_and_draws(model, tmp_path):
+    result = sea_state.run(model, runs=2, motions=("slope",), bench_runs=0, scenario=Scenario(seconds=40))
+    assert json.loads(json.dumps(result)) == result
+    text = sea_state.report(result)
+    assert "sea-state: of the paper's six claims" in text.splitlines()[-1]
+    assert len(result["motions"]["slope"]["claims"]) == 6
+    written = sea_figures.sea_figures(result, tmp_path)
+    assert len(written) == 4 and all(path.stat().st_size > 10_000 for path in written)
+
+
+def test_the_bench_needs_a_roll(model):
+    s = replace(Scenario(), seconds=12)
+    result = sea_bench.experiment(model, s, runs=3, seed=0)
+    right = result["right"]
+    assert right["mean_deg"][0] > 1.0 and max(right["worst_deg"][1:]) < 1.0
+    assert right["sigma_deg"][1] > right["sigma_deg"][2] > right["sigma_deg"][3]
+    assert "at rest" in sea_bench.report(result)
+
+
+@pytest.mark.parametrize(
+    "change, says",
+    [
+        ({"gyro_bias_deg_h": -1.0}, "gyro_bias_deg_h is -1.0"),
+        ({"attitude_noise_deg": 0.0}, "attitude_noise_deg is 0"),
+        ({"latitude_deg": float("nan")}, "latitude_deg is nan"),
+        ({"covariance_hz": 7}, "multiple of covariance_hz 7"),
+    ],
+)
+def test_a_scenario_without_meaning_is_refused_by_name(change, says):
+    with pytest.raises(BoresightError, match=says):
+        sea_flight.checked(replace(Scenario(), **change))
+    with pytest.raises(BoresightError, match="no motion 'waves'"):
+        motion_of("waves", Scenario(), [])
