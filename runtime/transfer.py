@@ -23,7 +23,7 @@ from boresight.runtime.filter import Filter, Innovation
 
 Array = np.ndarray
 
-PHI, DV = slice(0, 3), slice(3, 6)  # of the error state
+PHI, DV, TAU = slice(0, 3), slice(3, 6), 15  # of the error state
 LARGEST = 0.45  # rad in one correction; the model's own range ends at 0.5
 
 
@@ -50,6 +50,9 @@ class Rules:
     ahead_s: float = 0.02  # how far beyond the newest sample a message may lie; the slave is extrapolated
     half_span_s: float = 0.02  # rates are means, and rates of change differences, over twice this
     gate: float = 1e-6  # a message is refused if its NIS would be exceeded by chance this often
+    coarse_rad: float = 0.1  # at first the gate is open while the sigma of an angle is above this,
+    coarse_s: float = 0.05  # or that of the delay above this,
+    settle_s: float = 5.0  # and so long after that
     reopen_after: int = 5  # messages gated in a row
     silent_s: float = 1.0  # without a message taken, after which a note says so
     full_scale: tuple[float, float] | None = None  # of the slave: rad/s, m/s^2
@@ -261,6 +264,8 @@ class Transfer:
         self._taken_at = np.full(self.runs, self.time)
         self._silent = np.zeros(self.runs, bool)
         self._gated = np.zeros(self.runs, int)  # in a row
+        self._fine_at = np.full(self.runs, -np.inf)  # from when on the gate works
+        self._acquired = np.zeros(self.runs, bool)
         self._refused = np.zeros(self.runs, int)  # in a row, for whatever reason
         self._told_at = np.full((len(Verdict), *self.runs), -np.inf)
         self._open = np.zeros(self.runs, bool)  # a refusal was told, its end not yet
@@ -370,7 +375,9 @@ class Transfer:
         came = np.broadcast_to(np.asarray(message.rows), (*runs, 6)).any(-1)
         said, rows = self._usable(message)
 
+        # A message that lies ahead is the clocks' fault; an estimate of the delay that says so is the filter's to mend.
         lag = self.time - stamp + loop.nav["tau"]
+        lag = np.where(stamp <= self.time + rules.ahead_s, np.maximum(lag, -rules.ahead_s), lag)
         oldest = self.time - self.history.time[0]
         verdict = np.full(runs, int(Verdict.TAKEN))
         for code, where in (
@@ -410,11 +417,17 @@ class Transfer:
         P_now = loop.P
         P = there @ P_now @ np.swapaxes(there, -1, -2)
         innovations = self._update(P, R, rows, inputs)
-        if self.matching[0] in innovations:
-            self._watch_lever(innovations[self.matching[0]], rows[..., :3], inputs)
-        nis = np.sum([part.nis for part in innovations.values()], axis=0)
         used = rows.sum(-1)
-        gated = nis > chdtri(np.maximum(used, 1), rules.gate)
+        # The gate presumes residuals that are linear in the errors: until angles and delay are known it is open.
+        sigma = np.sqrt(np.einsum("...ii->...i", P_now))
+        coarse = (sigma[..., self._angles()].max(-1) > rules.coarse_rad) | (sigma[..., TAU] > rules.coarse_s)
+        self._fine_at = np.where(coarse & ~self._acquired & (used > 0), self.time + rules.settle_s, self._fine_at)
+        fine = self.time >= self._fine_at
+        self._acquired |= fine & (used > 0)  # what is opened later is opened on purpose
+        if self.matching[0] in innovations:
+            self._watch_lever(innovations[self.matching[0]], rows[..., :3] & fine[..., None], inputs)
+        nis = np.sum([part.nis for part in innovations.values()], axis=0)
+        gated = (nis > chdtri(np.maximum(used, 1), rules.gate)) & fine
         self._gated = np.where(gated, self._gated + 1, np.where(used > 0, 0, self._gated))
         reopen = gated & (self._gated >= rules.reopen_after)
         if reopen.any():
@@ -587,8 +600,8 @@ class Transfer:
             Verdict.INVALID: "message refused: it holds no finite value within the model's range",
             Verdict.OUT_OF_ORDER: "message refused: its time, {stamp:.3f} s, is not later than the last one's",
             Verdict.AHEAD: "message refused: it lies {ahead:.3f} s ahead of the slave; compare the clocks",
-            Verdict.TOO_OLD: f"message refused: it is {{lag:.3f}} s old and the past is kept for {oldest:.3f} s; "
-            "raise buffer_s",
+            Verdict.TOO_OLD: f"message refused: it is {{lag:.3f}} s old and the past is known for {oldest:.3f} s"
+            + ("; raise buffer_s" if oldest >= self.rules.buffer_s else ", so far"),
             Verdict.SATURATED: "message refused: the slave was at full scale when it was measured, or since",
             Verdict.REPEATED: "message refused: the master repeats its last one while the slave moves",
         }  # fmt: skip

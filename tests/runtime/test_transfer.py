@@ -76,8 +76,9 @@ class Flight:
     times: np.ndarray
 
 
-def fly(ship, *, runs=20, seed=0, seconds=None, way="buffer", delay=None, known_age=0.0, jitter=0.003, drop=0.1,
-        change=None, slave_change=None, lever_b=LEVER_B, tau_sigma=0.01, master_hz=10, gyro=None, **more):  # fmt: skip
+def fly(ship, *, runs=20, seed=0, heading=2 * DEG, seconds=None, way="buffer", delay=None, known_age=0.0,
+        jitter=0.003, drop=0.1, change=None, slave_change=None, lever_b=LEVER_B, tau_sigma=0.01, master_hz=10,
+        **more):  # fmt: skip
     """Sensor errors, delays, jitter and drop-outs run by run.
 
     A message measured at s is stamped s + tau, and handed over known_age later, at the slave's next sample.
@@ -96,10 +97,11 @@ def fly(ship, *, runs=20, seed=0, seconds=None, way="buffer", delay=None, known_
         0.0, R, v_m_n=ship.track.v_n[0, 0] + 0.02 * normals(3),
         q_m2n_wxyz=rotation.turned(np.tile(q_m2n, (runs, 1)), A_SIGMA * normals(3)), position=PLACE,
     )  # fmt: skip
-    # two degrees of heading are believed to be none
-    q_believed = rotation.turned(MOUNTING, -2 * DEG * normals(3) * [0.3, 0.3, 1])
+    # so much of heading, one sigma, is believed to be none; of two levels 0.6 deg
+    sigma = np.array([0.6 * DEG, 0.6 * DEG, heading])
+    q_believed = rotation.turned(MOUNTING, -sigma * normals(3))
     nav, P = first(
-        start, q_b2m_wxyz=q_believed, mounting_sigma=2 * DEG * np.array([0.3, 0.3, 1]), velocity_sigma=np.full(3, 0.02),
+        start, q_b2m_wxyz=q_believed, mounting_sigma=sigma, velocity_sigma=np.full(3, 0.02),
         gyro_bias_sigma=np.full(3, BIAS_G), accel_bias_sigma=np.full(3, BIAS_A), tau_sigma=tau_sigma,
     )  # fmt: skip
     loop = Transfer(
@@ -179,6 +181,127 @@ def test_errors_are_as_large_as_the_filter_says(flights, way):
     assert np.sqrt(np.mean(flight.errors[-1, :, 15] ** 2)) < 0.6e-3
 
 
+# ---- what the two ways do with a message that is old
+
+
+def without_errors(ship, seconds, way, runs=()):
+    """A loop that knows everything and has flown ideal sensors up to a time."""
+    rate_hz = round(1 / ship.track.dt)
+    nav = {
+        "position": PLACE, "v_n": ship.track.v_n[0, 0], "q_b2n_wxyz": ship.track.q_b2n_wxyz[0, 0],
+        "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3), "q_b2m_wxyz": MOUNTING, "tau": 0.0,
+    }  # fmt: skip
+    P = np.diag(np.repeat([1e-6, 1e-4, 1e-10, 1e-6, 1e-6, 1e-6], [3, 3, 3, 3, 3, 1])) * np.ones((*runs, 1, 1))
+    loop = Transfer(ship.model, nav, P, {"lever_b": LEVER_B, **NOISE}, way=way)
+    for step in range(round(seconds * rate_hz)):
+        loop.slave((step + 1) / rate_hz, ship.dtheta[step], ship.dv[step], ship.track.dt)
+    return loop
+
+
+@pytest.mark.parametrize("lag", [0.05, 0.1, 0.2])
+def test_the_buffer_meets_the_master_and_extrapolation_misses_it_by_the_second_derivative(short, lag):
+    now = 3.0
+    pose = hull.ride(short.motion, np.array([now - lag, now]))
+    v, q = pose.v_n, pose.q_b2n_wxyz
+    message = Message(now - lag, R, v_m_n=v[0], q_m2n_wxyz=q[0])
+    residual = {}
+    for way in ("buffer", "extrapolate"):
+        loop = without_errors(short, now, way)
+        result = loop.master(message)
+        assert result.taken
+        residual[way] = np.concatenate([result.innovations[name].nu for name in ("velocity", "dcm")])
+    # 10 ms between samples, means over 40 ms: what is left is 1 mm/s and 5 urad
+    assert np.abs(residual["buffer"][:3]).max() < 1e-3
+    assert np.abs(residual["buffer"][3:]).max() < 5e-6
+    # analytic: v(t) - lag a(t) - v(t - lag), and the turn from then to now less lag omega
+    C = rotation.matrix_from_quaternion(q)
+    missed_v = v[1] - lag * pose.a_n[1] - v[0]
+    missed_turn = -rotation.attitude_error(q[1], q[0]) - lag * C[1] @ pose.omega_nb_b[1]
+    z = loop_residuals(without_errors(short, now, "extrapolate"), message)
+    np.testing.assert_allclose(z[:3], missed_v, atol=0.05 * np.abs(missed_v).max() + 1e-3)
+    np.testing.assert_allclose(z[3:], missed_turn, atol=0.05 * np.abs(missed_turn).max() + 5e-6)
+
+
+def loop_residuals(loop, message):
+    """(6,) velocity and attitude, before any update."""
+    inputs, _ = loop._match(np.asarray(loop.time - message.time))
+    inputs |= {"v_m_n": message.v_m_n, "q_m2n_wxyz": message.q_m2n_wxyz}
+    return np.concatenate([loop.filter.call(f"{name}_z", **inputs) for name in ("velocity", "dcm")])
+
+
+def test_a_feedback_corrects_the_kept_past_as_the_error_was_then(short):
+    """The error is known: what is left of it in the past falls with the square of the age, not with the age."""
+    loop = without_errors(short, 2.0, "buffer")
+    clean = loop.history.recent("v_n").copy(), loop.history.recent("q_b2n_wxyz").copy()
+    wrong = without_errors(short, 1.5, "buffer")
+    wrong.nav["q_b2n_wxyz"] = rotation.turned(wrong.nav["q_b2n_wxyz"], [2e-3, -1e-3, 3e-3])
+    for step in range(150, 200):
+        wrong.slave((step + 1) * 0.01, short.dtheta[step], short.dv[step], 0.01)
+    x = np.zeros(16)
+    x[:3] = rotation.attitude_error(wrong.nav["q_b2n_wxyz"], loop.nav["q_b2n_wxyz"])
+    x[3:6] = wrong.nav["v_n"] - loop.nav["v_n"]
+    wrong.filter.x = x
+    F = wrong.filter.call("F", **wrong._over(np.array([0.04])))
+    before = wrong.history.recent("v_n")[-20] - clean[0][-20]
+    wrong._correct_past(F)
+    left = np.linalg.norm(wrong.history.recent("v_n") - clean[0], axis=-1)[:, 0]
+    assert left[-1] < 1e-6
+    assert left[-20] < 0.02 * np.linalg.norm(before - x[3:6])  # of what taking out the error of now would leave
+    assert 3 < left[-41] / left[-21] < 5
+    assert np.abs(rotation.attitude_error(wrong.history.recent("q_b2n_wxyz"), clean[1])[-45:]).max() < 1e-6
+
+
+def test_runs_side_by_side_are_the_runs_alone(short):
+    """Two by three runs, each with its own time, noise and mask, against six loops of one run."""
+    rng = np.random.default_rng(4)
+    stamp = 0.95 - 0.03 * rng.random((2, 3))
+    v, q = short.master(stamp.ravel())
+    v, q = v.reshape(2, 3, 3) + 0.01 * rng.standard_normal((2, 3, 3)), q.reshape(2, 3, 4)
+    rows = rng.random((2, 3, 6)) > 0.3
+    together = without_errors(short, 1.0, "buffer", (2, 3))
+    result = together.master(Message(stamp, R, v_m_n=v, q_m2n_wxyz=q, rows=rows))
+    for i in np.ndindex(2, 3):
+        alone = without_errors(short, 1.0, "buffer")
+        one = alone.master(Message(stamp[i], R, v_m_n=v[i], q_m2n_wxyz=q[i], rows=rows[i]))
+        assert one.verdict == result.verdict[i] == Verdict.TAKEN
+        np.testing.assert_allclose(one.nis, result.nis[i], rtol=1e-10)
+        np.testing.assert_allclose(alone.P, together.P[i], rtol=1e-10, atol=1e-20)
+        for name, value in alone.nav.items():
+            np.testing.assert_allclose(
+                value, np.broadcast_to(together.nav[name], (2, 3, *np.shape(value)))[i], atol=1e-13
+            )
+
+
+def test_old_messages_cost_the_buffer_nothing_and_extrapolation_its_consistency(short):
+    """Handed over 0.1 s after they were stamped."""
+    buffer = fly(short, runs=8, known_age=0.1)
+    extrapolated = fly(short, runs=8, known_age=0.1, way="extrapolate")
+    assert buffer.nees[-50:].mean() < 23
+    assert np.nanmean(buffer.nis) == pytest.approx(6, abs=0.25)
+    assert extrapolated.nees[-50:].mean() > 50
+    assert np.nanmean(extrapolated.nis) > 8
+
+
+@pytest.mark.parametrize("matching", ["dcm", "quaternion"])
+def test_a_heading_that_is_unknown_to_35_degrees_is_found(short, matching):
+    """One sigma: of eight runs the furthest begins 68 degrees off."""
+    flight = fly(short, runs=8, heading=35 * DEG, matching=("velocity", matching))
+    assert np.abs(flight.errors[0, :, 14]).max() > 0.5
+    assert np.sqrt(np.mean(flight.errors[-1, :, 14] ** 2)) < 1.0 * MIL
+    assert flight.nees[-50:].mean() < 23
+    assert not any("lever" in text for text in said(flight))
+
+
+def test_a_delay_that_turns_out_longer_than_the_buffer_is_told_and_found_with_a_longer_one(short):
+    unknown = {"runs": 4, "delay": 0.7, "tau_sigma": 0.5, "drop": 0.0}
+    flight = fly(short, **unknown)
+    assert flight.verdicts[-1].tolist() == [Verdict.TOO_OLD] * 4
+    assert any("raise buffer_s" in text for text in said(flight))
+    flight = fly(short, **unknown, rules=Rules(buffer_s=1.5))
+    assert np.abs(flight.errors[-1, :, 15]).max() < 5e-3
+    assert abs(np.nanmean(flight.nis[-50:]) - 6) < 1.0
+
+
 # ---- bad input: what each rule does, what it says, and that the filter recovers
 
 
@@ -211,7 +334,7 @@ def recovered(flight, nees=25.0):
 def test_a_delay_longer_than_the_buffer_is_refused_and_told(short):
     flight = spoilt(short, 80, 110, lambda m: replace(m, time=m.time - 0.7))
     assert only(flight, Verdict.TOO_OLD)
-    assert "the past is kept for 0.5" in said(flight)[0] and "raise buffer_s" in said(flight)[0]
+    assert "the past is known for 0.5" in said(flight)[0] and "raise buffer_s" in said(flight)[0]
     assert any("the master is back after 3." in text for text in said(flight))
     assert recovered(flight)
 
