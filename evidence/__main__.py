@@ -11,12 +11,20 @@ from pathlib import Path
 from typing import Any
 
 from boresight.evidence import results
+from boresight.evidence.eva import MISSING as EVA_MISSING
+from boresight.evidence.eva import eva
+from boresight.evidence.eva import version as eva_version
 from boresight.evidence.golden import golden
 from boresight.evidence.guards import guards
+from boresight.evidence.misra import MISSING as MISRA_MISSING
+from boresight.evidence.misra import misra
+from boresight.evidence.misra import version as misra_version
 from boresight.evidence.mutants import mutants
+from boresight.evidence.riscv import riscv
 from boresight.evidence.rounding import rounding
 from boresight.evidence.sources import Folder, folders
-from boresight.evidence.targets import GCC, M4F
+from boresight.evidence.targets import GCC, M4F, RV32
+from boresight.evidence.trace import trace
 
 UNITS = dict[str, dict[str, Any]]
 
@@ -32,10 +40,14 @@ class Kind:
 
 
 KINDS = (
-    Kind("golden", golden, M4F.missing, lambda: M4F.version),
+    Kind("trace", trace, "", lambda: ""),
     Kind("guards", guards, GCC.missing, lambda: ""),
+    Kind("golden", golden, M4F.missing, lambda: M4F.version),
     Kind("mutants", mutants, GCC.missing, lambda: ""),
     Kind("rounding", rounding, GCC.missing, lambda: ""),
+    Kind("misra", misra, MISRA_MISSING, misra_version),
+    Kind("riscv", riscv, RV32.missing, lambda: RV32.version),
+    Kind("eva", eva, EVA_MISSING, eva_version),
 )
 JOBS = 2
 

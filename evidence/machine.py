@@ -1,4 +1,4 @@
-"""An emulated Cortex-M that runs one function at a time: exact instruction counts, exact stack."""
+"""An emulated core that runs one function at a time; on a Cortex-M with exact instruction counts and stack."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.evidence.targets import GROUPS, ROOM, Build, Run, recorded, symbol_table
+from boresight.evidence.targets import GROUPS, ROOM, RV32, Build, Run, recorded, symbol_table
 
 STACK_TOP, STACK_SIZE = 0x2080_0000, 0x40_0000
 RETURN = 0x3000_0000  # where the function that was called goes back to
 PAINT, PAINTED = b"\xa5", 12 * 1024
-FPU_ON = 0x00F0_0000
+ARM_FPU_ON, RISCV_FPU_ON = 0x00F0_0000, 0x6000
 
 
 @dataclass
@@ -57,20 +57,30 @@ class Machine:
         import unicorn as u
         from elftools.elf.elffile import ELFFile
         from unicorn import arm_const as arm
+        from unicorn import riscv_const as riscv
 
-        self.arm = arm
-        if self.made.target.double:
+        registers: Any
+        if self.made.target is RV32:
+            # the emulator's list of cores begins with one that has every extension
+            architecture, mode, model = u.UC_ARCH_RISCV, u.UC_MODE_RISCV32, riscv.UC_CPU_RISCV32_ANY
+            names, registers, self.thumb = ("PC", "SP", "RA", "A0"), riscv, 0
+        elif self.made.target.double:
             # the emulator's Cortex-M7 has no double FPU; its largest core knows every instruction of FPv5
-            mode, model = u.UC_MODE_THUMB, arm.UC_CPU_ARM_MAX
+            architecture, mode, model = u.UC_ARCH_ARM, u.UC_MODE_THUMB, arm.UC_CPU_ARM_MAX
+            names, registers, self.thumb = ("PC", "SP", "LR", "R0"), arm, 1
         else:
-            mode, model = u.UC_MODE_THUMB | u.UC_MODE_MCLASS, arm.UC_CPU_ARM_CORTEX_M4
-        self.core = u.Uc(u.UC_ARCH_ARM, mode)
+            architecture, mode = u.UC_ARCH_ARM, u.UC_MODE_THUMB | u.UC_MODE_MCLASS
+            model = arm.UC_CPU_ARM_CORTEX_M4
+            names, registers, self.thumb = ("PC", "SP", "LR", "R0"), arm, 1
+        family = "RISCV" if registers is riscv else "ARM"
+        self.pc, self.sp, self.lr, self.r0 = (getattr(registers, f"UC_{family}_REG_{name}") for name in names)
+        self.core = u.Uc(architecture, mode)
         self.core.ctl_set_cpu_model(model)
         with self.image.open("rb") as file:
             elf = ELFFile(file)
             segments = [s for s in elf.iter_segments() if s["p_type"] == "PT_LOAD" and s["p_memsz"]]
             low = min(s["p_vaddr"] for s in segments) & ~0xFFFF
-            high = max(s["p_vaddr"] + s["p_memsz"] for s in segments) + 0x40_0000  # and a heap behind it
+            high = max(s["p_vaddr"] + s["p_memsz"] for s in segments)
             self.core.mem_map(low, (high - low + 0xFFFF) & ~0xFFFF)
             for s in segments:
                 self.core.mem_write(s["p_vaddr"], s.data())
@@ -78,9 +88,12 @@ class Machine:
         self.core.mem_map(STACK_TOP - STACK_SIZE, STACK_SIZE)
         self.core.mem_map(RETURN, 0x1000)
         self.core.mem_write(RETURN, b"\x00\xbf" * 8)
-        self.core.mem_map(0xE000_E000, 0x1000)
-        self.core.reg_write(arm.UC_ARM_REG_C1_C0_2, FPU_ON)
-        self.core.reg_write(arm.UC_ARM_REG_FPEXC, 0x4000_0000)
+        if registers is riscv:
+            self.core.reg_write(riscv.UC_RISCV_REG_MSTATUS, RISCV_FPU_ON)
+            self.core.reg_write(riscv.UC_RISCV_REG_TP, STACK_TOP - STACK_SIZE + 0x1000)  # where errno lives
+        else:
+            self.core.reg_write(arm.UC_ARM_REG_C1_C0_2, ARM_FPU_ON)
+            self.core.reg_write(arm.UC_ARM_REG_FPEXC, 0x4000_0000)
         self.lengths: dict[tuple[int, int], int] = {}
         self.frames: list[Frame] = []
         self.executed = 0
@@ -88,15 +101,14 @@ class Machine:
             self.entries = {self.symbols[name] & ~1: name for name in self.watched if name in self.symbols}
             self.core.hook_add(u.UC_HOOK_BLOCK, self._block)
 
-    def call(self, name: str, most: int = 2_000_000_000) -> int:
+    def call(self, name: str) -> int:
         """What the function (without arguments) returns."""
-        arm, core = self.arm, self.core
-        core.reg_write(arm.UC_ARM_REG_SP, STACK_TOP - 64)
-        core.reg_write(arm.UC_ARM_REG_LR, RETURN | 1)
-        core.emu_start(self.symbols[name] | 1, RETURN, count=0)
-        if core.reg_read(arm.UC_ARM_REG_PC) & ~1 != RETURN:
+        self.core.reg_write(self.sp, STACK_TOP - 64)
+        self.core.reg_write(self.lr, RETURN | self.thumb)
+        self.core.emu_start(self.symbols[name] | self.thumb, RETURN)
+        if self.core.reg_read(self.pc) & ~1 != RETURN:
             raise BoresightError(f"{name} did not return on the emulated {self.made.target.name}")
-        value = int(core.reg_read(arm.UC_ARM_REG_R0))
+        value = int(self.core.reg_read(self.r0))
         return value - 2**32 if value >= 2**31 else value
 
     def instructions(self, address: int, size: int) -> int:
@@ -117,7 +129,7 @@ class Machine:
     def _block(self, core: Any, address: int, size: int, _: Any) -> None:
         if not self.frames and address not in self.entries:
             return
-        pointer = core.reg_read(self.arm.UC_ARM_REG_SP)
+        pointer = core.reg_read(self.sp)
         while self.frames and address == self.frames[-1].back and pointer == self.frames[-1].pointer:
             done = self.frames.pop()
             below = bytes(core.mem_read(done.pointer - PAINTED, PAINTED))
@@ -129,7 +141,7 @@ class Machine:
         for frame in self.frames:
             frame.lowest = min(frame.lowest, pointer)
         if address in self.entries:
-            back = core.reg_read(self.arm.UC_ARM_REG_LR) & ~1
+            back = core.reg_read(self.lr) & ~1
             # what an earlier call left below the stack pointer is not this one's
             core.mem_write(pointer - PAINTED, PAINT * PAINTED)
             self.frames.append(Frame(self.entries[address], back, pointer, self.executed, pointer))

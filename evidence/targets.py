@@ -34,14 +34,18 @@ ROOM, GROUPS = 400_000, 20_000  # numbers and comparisons that the recorder keep
 
 @dataclass(frozen=True)
 class Target:
-    """compiler: its command.  flags: of the machine.  double: whether it has a double-precision FPU.  emulator: the
-    core's name there, or empty for this machine."""
+    """compiler: its command.  flags: of the machine.  double: whether it has a double-precision FPU.  link: what makes
+    an image of a core; empty for this machine."""
 
     name: str
     compiler: str
     flags: tuple[str, ...]
     double: bool = True
-    emulator: str = ""
+    link: tuple[str, ...] = ()
+
+    @property
+    def emulated(self) -> bool:
+        return bool(self.link)
 
     @property
     def missing(self) -> str:
@@ -50,7 +54,7 @@ class Target:
 
     def tool(self, name: str) -> str:
         """One of the binary utilities, such as objcopy."""
-        return self.compiler.replace("gcc", name) if self.emulator else name
+        return self.compiler.replace("gcc", name) if self.emulated else name
 
     @functools.cached_property
     def version(self) -> str:
@@ -60,16 +64,23 @@ class Target:
 
 GCC = Target("x86-64", "gcc", ("-fPIC",))
 CLANG = Target("x86-64 clang", "clang", ("-fPIC",))
+BARE = ("-nostartfiles", "--specs=nosys.specs")
 M4F = Target(
     *("cortex-m4f", "arm-none-eabi-gcc"),
     ("-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"),
     double=False,
-    emulator="cortex-m4",
+    link=BARE,
 )
 M7 = Target(
     *("cortex-m7", "arm-none-eabi-gcc"),
     ("-mcpu=cortex-m7", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-d16"),
-    emulator="cortex-m7",
+    link=BARE,
+)
+MEMORY = ("flash=0x80000000", "flash_size=0x400000", "ram=0x80500000", "ram_size=0x800000", "stack_size=0x8000")
+RV32 = Target(
+    *("riscv32", "riscv64-unknown-elf-gcc"),
+    ("-march=rv32imafdc", "-mabi=ilp32d", "--specs=picolibc.specs"),
+    link=("-nostartfiles", *(f"-Wl,--defsym=__{word}" for word in MEMORY)),
 )
 HOSTS, CORES = (GCC, CLANG), (M4F, M7)
 
@@ -133,10 +144,10 @@ def build(folder: Folder, target: Target, precision: str, out: Path) -> Build:
     linked = [*objects.values(), *(out / f"{path.stem}.o" for path in tests), out / "recorder.o", out / "quiet.o"]
     images = []
     for name, more in (("image", []), ("same", [out / "same_sines.o"])):
-        images.append(out / f"{name}.{'elf' if target.emulator else 'so'}")
-        if target.emulator:
+        images.append(out / f"{name}.{'elf' if target.emulated else 'so'}")
+        if target.emulated:
             kept = [f"-Wl,-u,{unit.test_function}" for unit in folder.units if unit.test.is_file()]
-            link = ["-nostartfiles", "--specs=nosys.specs", "-Wl,-e,shipped_main", "-Wl,--gc-sections", *kept]
+            link = [*target.link, "-Wl,-e,shipped_main", "-Wl,--gc-sections", *kept]
             link += ["-Wl,--no-warnings"]  # of the C library's missing files and processes, which nothing uses
         else:
             link = ["-shared", "-Wl,-Bsymbolic"]
@@ -148,7 +159,7 @@ def link_alone(made: Build, unit: str) -> Path:
     """One unit and what it needs of the others and of the target's libraries: what would be flown."""
     image = made.image.with_name("alone.elf")
     kept = public_functions(made.objects[unit])
-    link = ["-nostartfiles", "--specs=nosys.specs", "-Wl,--gc-sections", f"-Wl,-e,{kept[0]}"]
+    link = [*made.target.link, "-Wl,--gc-sections", f"-Wl,-e,{kept[0]}"]
     link += [f"-Wl,-u,{name}" for name in kept]
     run([made.target.compiler, *made.target.flags, *link, *made.objects.values(), "-lm", "-o", image])
     return image

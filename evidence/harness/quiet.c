@@ -1,5 +1,7 @@
 /* quiet.c - nobody reads what the self-test has to say, and an emulated core would spend its time on the digits. */
-#include <stdio.h>
+int printf(const char *format, ...);
+int puts(const char *text);
+int putchar(int letter);
 
 int printf(const char *format, ...)
 {

@@ -1,0 +1,38 @@
+"""MISRA C:2012 by cppcheck's add-on over the whole folder, because some rules look at all files at once."""
+
+import re
+import shutil
+from pathlib import Path
+from typing import Any
+
+from boresight.evidence.sources import Folder
+from boresight.evidence.targets import run
+
+MISSING = "" if shutil.which("cppcheck") else "cppcheck is not installed"
+FINDING = re.compile(r"^misra-c2012-(\S+) (\S+)$")
+
+# Rules that the C deviates from on purpose, each with its reason.
+DEVIATED = {
+    "15.5": "a guard returns at once: what follows may rely on it, and an output is written by no later line",
+    "20.10": "BS_REAL joins a literal and its suffix: the one way to print it once for both precisions",
+    "2.5": "boresight.h offers the same macros to every model, and no model uses all",
+}
+
+
+def version() -> str:
+    return run(["cppcheck", "--version"]).strip()
+
+
+def misra(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
+    """By unit, and for the headers under `include`: how often each rule is broken, the deviated ones too."""
+    place = out / "findings"
+    command = ["cppcheck", "--addon=misra", "--quiet", f"--output-file={place}", "--template={id} {file}"]
+    run([*command, "-I", folder.include, *folder.files("src/*.c")], cwd=out)
+    found: dict[str, dict[str, Any]] = {unit.name: {"rules": {}} for unit in folder.units} | {"include": {"rules": {}}}
+    for line in place.read_text().splitlines():
+        match = FINDING.match(line)
+        if match:
+            name = Path(match[2]).stem.removesuffix("_kernel")
+            rules = found[name if name in found else "include"]["rules"]
+            rules[match[1]] = rules.get(match[1], 0) + 1
+    return found

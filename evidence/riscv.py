@@ -1,0 +1,25 @@
+"""The shipped golden vectors on an emulated 32-bit RISC-V: warnings, verdicts, bits."""
+
+from pathlib import Path
+from typing import Any
+
+from boresight.evidence.golden import note
+from boresight.evidence.machine import Machine
+from boresight.evidence.sources import Folder
+from boresight.evidence.targets import GCC, PRECISIONS, RV32, build, run_on_host
+
+
+def riscv(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
+    """By unit: `builds`, as golden has them."""
+    found: dict[str, dict[str, Any]] = {unit.name: {"builds": {}} for unit in folder.units}
+    for precision in PRECISIONS:
+        host, made = (build(folder, target, precision, out) for target in (GCC, RV32))
+        note(
+            found,
+            f"riscv32 {precision}",
+            Machine(made, made.image).run_tests(),
+            run_on_host(host, host.image),
+            Machine(made, made.same).run_tests(),
+            run_on_host(host, host.same),
+        )
+    return found

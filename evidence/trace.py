@@ -1,0 +1,164 @@
+"""From each statement of a printed kernel to the outputs that depend on it, their blocks, the equations and the test.
+
+Read from the C text alone, and then held against the manifest, the ledger of the papers and the shipped test, both
+ways: no statement without an output, no output without a statement, no field unread, none untested.
+`python -m boresight.evidence.trace euler_matching em_F` prints the whole table of one unit.
+"""
+
+import re
+import sys
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from boresight import BoresightError
+from boresight.derive.ledger import PAPERS, equations
+from boresight.evidence.sources import Folder, Source, folders
+
+STATEMENT = re.compile(r"^    const bs_real (\w+) = (.*);$")
+OUTPUT = re.compile(r"^    (\w+)_nz\[(\d+)\] = (.*); /\* (.*) \*/$")
+READ = re.compile(r"([A-Za-z_]\w*)(\[\d+\])?")
+PLACES = re.compile(r"static const unsigned short at_(\w+)\[\d+\] = \{ ([\d, ]*) \};")
+WORDS = {"BS_REAL", "BS_SQRT", "BS_SIN", "BS_COS", "BS_ATAN2", "BS_FABS", "BS_SELECT", "BS_TRUTH", "e"}
+
+
+@dataclass(frozen=True)
+class Line:
+    """One statement: its number in the kernel, its text, and the outputs that depend on it, as (result, non-zero)."""
+
+    number: int
+    text: str
+    outputs: tuple[tuple[str, int], ...]
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """outputs: (result, non-zero) -> the comment behind it, which names the element; read: inputs, as they stand."""
+
+    statements: tuple[Line, ...]
+    outputs: dict[tuple[str, int], str]
+    read: frozenset[str]
+
+
+def kernel(unit: Source) -> Kernel:
+    """The printed kernel of a unit.  Raises BoresightError on a line of its body that is no statement."""
+    path = unit.path.with_name(f"{unit.name}_kernel.h")
+    body = path.read_text().split("\n{\n", 1)[1].split("\n}\n", 1)[0].splitlines()
+    defined: dict[str, tuple[int, str, list[str]]] = {}
+    outputs: dict[tuple[str, int], str] = {}
+    needs: dict[tuple[str, int], list[str]] = {}
+    read: set[str] = set()
+    for number, line in enumerate(body):
+        statement, output = STATEMENT.match(line), OUTPUT.match(line)
+        if statement is None and output is None:
+            raise BoresightError(f"{path.name}: {line.strip()!r} is no statement of a kernel")
+        text = statement[2] if statement else output[3] if output else ""
+        names = [
+            f"{name}{index}" for name, index in READ.findall(re.sub(r"BS_REAL\([^)]*\)", "", text)) if name not in WORDS
+        ]
+        read |= {name for name in names if name not in defined}
+        if statement:
+            if statement[1] in defined:
+                raise BoresightError(f"{path.name}: {statement[1]} is assigned twice")
+            defined[statement[1]] = (number, line.strip(), names)
+        elif output:
+            key = (output[1], int(output[2]))
+            if key in outputs:
+                raise BoresightError(f"{path.name}: {key} is written twice")
+            outputs[key], needs[key] = output[4], names
+    reached: dict[str, set[tuple[str, int]]] = {name: set() for name in defined}
+    for key, names in needs.items():
+        left = [name for name in names if name in defined]
+        while left:
+            name = left.pop()
+            if key not in reached[name]:
+                reached[name].add(key)
+                left += [inner for inner in defined[name][2] if inner in defined]
+    lines = tuple(Line(number, text, tuple(sorted(reached[name]))) for name, (number, text, _) in defined.items())
+    return Kernel(lines, outputs, frozenset(read))
+
+
+@cache
+def printed(paper: str) -> frozenset[str]:
+    """Numbers of the equations that the ledger of a paper has."""
+    return frozenset(equation.number for equation in equations(paper))
+
+
+def known(citation: str) -> bool:
+    """Whether the ledger has the cited equation, as `song-lee-2001 (20)`."""
+    match = re.fullmatch(r"([\w-]+) \((\w+)\)", citation)
+    return match is not None and match[1] in PAPERS and match[2] in printed(match[1])
+
+
+def block(unit: Source, result: dict[str, Any], comment: str) -> str:
+    """The block that an element lies in: of a matrix by states the two blocks of states, else its row."""
+    row, _, column = comment.partition(", ")
+    blocks = {name: of["name"] for of in unit.folder.manifest["blocks"] for name in of["components"]}
+    states = unit.folder.manifest["states"]
+    right = blocks.get(column, column)
+    left = blocks[states[int(row)]] if right and result["shape"][0] == len(states) else row
+    return f"{result['name']}[{left}{', ' + right if right else ''}]"
+
+
+def trace(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
+    """By printed unit: statements, blocks with how many statements each depends on, equations, and what is missing."""
+    return {unit.name: of_unit(unit) for unit in folder.units if unit.described is not None}
+
+
+def of_unit(unit: Source) -> dict[str, Any]:
+    assert unit.described is not None
+    made, results = kernel(unit), {result["name"]: result for result in unit.described["results"]}
+    missing = [
+        f"statement {line.number} reaches no output: {line.text}" for line in made.statements if not line.outputs
+    ]
+    if len(made.statements) != unit.operations:
+        missing.append(f"{len(made.statements)} statements, {unit.operations} operations in the manifest")
+    tested = {
+        name: places.count(",") + 1 if places.strip() else 0 for name, places in PLACES.findall(unit.test.read_text())
+    }
+    for name, result in results.items():
+        written = sorted(k for of, k in made.outputs if of == name)
+        if written != list(range(result["nonzeros"])):
+            missing.append(f"{name}: {len(written)} non-zeros written, {result['nonzeros']} in the manifest")
+        if tested.get(name) != result["nonzeros"]:
+            missing.append(f"{name}: {tested.get(name)} of {result['nonzeros']} non-zeros in the test")
+    missing += [f"{name} is no result of the manifest" for name in {of for of, _ in made.outputs} - set(results)]
+    fields = {name.split("[")[0] for name in made.read}
+    missing += [f"field {name} is read by no statement" for name in set(unit.described["fields"]) - fields]
+    missing += [
+        f"{name} is read and is no field" for name in fields - set(unit.described["fields"]) if not name.isdigit()
+    ]
+    missing += [f"{citation} is in no ledger" for citation in unit.described["equations"] if not known(citation)]
+    blocks: dict[str, set[int]] = {block(unit, results[of], text): set() for (of, _), text in made.outputs.items()}
+    for line in made.statements:
+        for key in line.outputs:
+            blocks[block(unit, results[key[0]], made.outputs[key])].add(line.number)
+    return {
+        "statements": len(made.statements),
+        "outputs": len(made.outputs),
+        "blocks": {name: len(lines) for name, lines in sorted(blocks.items())},
+        "equations": unit.described["equations"],
+        "missing": missing,
+    }
+
+
+def table(unit: Source) -> str:
+    """Every statement with its blocks, a line each; the equations and the test at the head."""
+    assert unit.described is not None
+    made, results = kernel(unit), {result["name"]: result for result in unit.described["results"]}
+    cited = ", ".join(unit.described["equations"]) or "no paper prints it: the model itself"
+    lines = [f"{unit.described['c_name']}: {cited}; tested by {unit.test.name}"]
+    for line in made.statements:
+        seen = sorted({block(unit, results[key[0]], made.outputs[key]) for key in line.outputs})
+        lines.append(f"{line.text}  -> {' '.join(seen)}")
+    for (of, k), text in made.outputs.items():
+        lines.append(f"{of}_nz[{k}] at {text}  -> {block(unit, results[of], text)}")
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    (wanted,) = [
+        u for f in folders() if f.name == sys.argv[1] for u in f.units if u.name.split("_", 1)[1] == sys.argv[2]
+    ]
+    print(table(wanted))
