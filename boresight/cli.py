@@ -258,6 +258,20 @@ def verify(
     raise typer.Exit(0 if good else 1)
 
 
+@app.command()
+def export(
+    target: Annotated[str, typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False)],
+    out: Annotated[Path, typer.Option("-o", "--out", help="The new folder.", show_default=False)],
+    precision: Annotated[str, typer.Option(help="double, or float with the covariance as UD factors.")] = "double",
+    folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
+) -> None:
+    """Write a folder of C that needs nothing of Python: filter, self-test, example, Makefile, CMake package."""
+    from boresight.codegen.export import export as write
+
+    written = write(target, out, precision, folder)
+    print(f"{len(written)} files in {out}; try 'make -C {out} test example'")
+
+
 STUDIES = ["azimuth-hold", "euler-table"]
 
 
@@ -359,47 +373,87 @@ def azimuth_hold(
     return result, hold.report(result), written, True
 
 
+REPLAYED = ["euler-matching", "velocity-attitude", "velocity-attitude-lever", "azimuth-hold"]
+
+
 @app.command()
 def replay(
     recording: Annotated[str, typer.Argument(help="A recording, or the TOML file that describes one.")],
     model: Annotated[
-        str | None, typer.Option("--model", help="euler-matching with a master, azimuth-hold without one.")
+        str | None,
+        typer.Option("--model", help=f"{', '.join(REPLAYED[:3])} with a master, azimuth-hold without one."),
     ] = None,
     check: Annotated[bool, typer.Option("--check", help="Look at the recording and fly nothing.")] = False,
-    delay_ms: Annotated[float, typer.Option(help="How old the master's data is taken to be.")] = 0.0,
+    delay_ms: Annotated[
+        float, typer.Option(help="How old the master's data is; velocity-attitude begins there and estimates it.")
+    ] = 0.0,
     rate_hz: Annotated[float | None, typer.Option(help="Use the master no more often than this.")] = None,
-    measurement: Annotated[str, typer.Option(help="euler_exact, or euler as the paper has it.")] = "euler_exact",
+    measurement: Annotated[
+        str, typer.Option(help="euler-matching: euler_exact, or euler as the paper has it.")
+    ] = "euler_exact",
+    gyro_noise: Annotated[str | None, typer.Option(help='As "0.15 deg/sqrt(h)".')] = None,
+    accel_noise: Annotated[str | None, typer.Option(help='As "150 ug/sqrt(Hz)" or "0.1 m/s/sqrt(h)".')] = None,
+    gyro_bias: Annotated[str | None, typer.Option(help='One sigma before, as "1800 deg/h".')] = None,
+    accel_bias: Annotated[str | None, typer.Option(help='One sigma before, as "50 mg".')] = None,
+    velocity_noise: Annotated[str | None, typer.Option(help='Master: level and vertical, as "2, 4 mm/s".')] = None,
+    attitude_noise: Annotated[str | None, typer.Option(help='Master: level and heading, as "0.1, 0.3 deg".')] = None,
+    lever_arm: Annotated[
+        str | None, typer.Option(help='From master to slave: front, right, down, as "-8, -2, 12 cm".')
+    ] = None,
     out: Out = None,
     as_json: AsJson = False,
 ) -> None:
     """Fly a filter on a recording; exit 1 if its NIS is not consistent.
 
-    With a master: transfer alignment by Euler-angle matching.  Without one: stationary detection and zero-velocity
-    updates.  With --check: norms, gaps, rates and suspicious units; exit 1 if something is wrong.
+    With a master that has a velocity: transfer alignment by velocity and attitude, which estimates mounting, biases and
+    delay; without one, by Euler angles.  The noises that are not given are chosen by likelihood.  The options from
+    gyro-noise on belong to velocity-attitude.  Without a master: stationary detection and zero-velocity updates.  With
+    --check: norms, gaps, rates and suspicious units; exit 1 if something is wrong.
     """
-    from boresight.runtime.recording import read
+    from boresight.runtime.library import load
+    from boresight.runtime.recording import quantity, read
     from boresight.studies import replay as matched
-    from boresight.studies import zero_velocity
+    from boresight.studies import transfer_replay, zero_velocity
 
-    if not check:
-        master = read(recording).master is not None
-        fits = "euler-matching" if master else "azimuth-hold"
-        one_of(model or fits, ["euler-matching", "azimuth-hold"], "model to replay with")
-        if (model or fits) != fits:
-            raise BoresightError(f"{recording} has {'a' if master else 'no'} master; replay it with --model {fits}")
-    folder = None if out is None else str(make(out))
-    if not check and not master:
-        raise typer.Exit(zero_velocity.main(recording, folder=folder, as_json=as_json))
-    status = matched.main(
-        recording,
-        only_check=check,
-        folder=folder,
-        as_json=as_json,
-        delay=delay_ms * 1e-3,
-        rate_hz=rate_hz,
-        measurement=measurement,
+    if check:
+        raise typer.Exit(matched.main(recording, only_check=True, as_json=as_json))
+    data = read(recording)
+    master = data.master
+    fits = "azimuth-hold" if master is None else "euler-matching" if master.v_n is None else "velocity-attitude"
+    name = one_of(model or fits, REPLAYED, "model to replay with")
+    if (name == "azimuth-hold") != (master is None):
+        raise BoresightError(f"{recording} has {'no' if master is None else 'a'} master; replay it with --model {fits}")
+    noise, prior = (
+        {key: quantity(text, kind, count) for key, text, kind, count in rows if text is not None}
+        for rows in (
+            (
+                ("gyro", gyro_noise, "gyro noise", 1),
+                ("accel", accel_noise, "accelerometer noise", 1),
+                ("velocity", velocity_noise, "velocity", 2),
+                ("attitude", attitude_noise, "angle", 2),
+            ),
+            (("gyro_bias", gyro_bias, "angular rate", 1), ("accel_bias", accel_bias, "acceleration", 1)),
+        )
     )
-    raise typer.Exit(status)
+    if (noise or prior or lever_arm) and not name.startswith("velocity-attitude"):
+        raise BoresightError(f"noises, biases and a lever arm are options of velocity-attitude; {name} takes none")
+    folder = None if out is None else str(make(out))
+    if name == "azimuth-hold":
+        raise typer.Exit(zero_velocity.main(recording, folder=folder, as_json=as_json))
+    if name == "euler-matching":
+        status = matched.main(
+            recording, folder=folder, as_json=as_json, delay=delay_ms * 1e-3, rate_hz=rate_hz, measurement=measurement
+        )
+        raise typer.Exit(status)
+    from rich.console import Console
+
+    with Console(stderr=True).status("") as line:
+        result = transfer_replay.run(
+            data, load(name), noise=noise, prior={key: float(value[0]) for key, value in prior.items()},
+            lever_b=None if lever_arm is None else quantity(lever_arm, "length", 3), delay=delay_ms * 1e-3,
+            rate_hz=rate_hz, progress=line.update,
+        )  # fmt: skip
+    raise typer.Exit(transfer_replay.finish(result, folder=folder, as_json=as_json))
 
 
 def make(folder: Path) -> Path:

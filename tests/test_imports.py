@@ -45,11 +45,11 @@ def test_a_layer_imports_only_along_the_arrows(layer):
             assert parts[0] not in FORBIDDEN.get(layer, ()), f"{path} imports {name}"
 
 
-def test_codegen_takes_from_runtime_only_the_library_and_the_manifest():
+def test_codegen_takes_from_runtime_only_the_library_the_manifest_and_the_filter():
     for path in files("codegen"):
         for name in imported(path):
             if name.startswith("boresight.runtime."):
-                assert name.split(".")[2] in ("library", "manifest"), f"{path} imports {name}"
+                assert name.split(".")[2] in ("library", "manifest", "filter"), f"{path} imports {name}"
 
 
 def test_nobody_imports_the_folders_by_their_plain_names():

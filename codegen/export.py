@@ -1,0 +1,191 @@
+"""One folder of C that needs nothing of Python: a generated model in one precision, with its tests and an example."""
+
+import re
+import shutil
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.codegen.emit import templates
+from boresight.codegen.generate import generate
+from boresight.codegen.samples import generator
+from boresight.runtime.filter import Filter
+from boresight.runtime.library import Library, load
+from boresight.runtime.manifest import read_manifest
+
+PRECISIONS = ("double", "float")
+SECONDS = 60  # of the example
+GENTLE, WIDE = 1e-4, 1e-3  # of half a box: how far the example's inputs stray from its middle; one sigma at its start
+NEAR = {"double": 1e-9, "float": 1e-2}  # of a sigma: how far the example may end from the Python loop
+
+
+def export(target: str, out: Path, precision: str, folder: Path | None = None) -> list[Path]:
+    """Write the folder `out`, which must not exist or be empty; the files written.
+
+    target, folder: as for `generate`, whose output must be what the model says now.
+    """
+    if precision not in PRECISIONS:
+        raise BoresightError(f"there is no precision {precision!r}; choose {' or '.join(PRECISIONS)}")
+    if out.exists() and (not out.is_dir() or any(out.iterdir())):
+        raise BoresightError(f"{out} is not empty; choose another folder with -o, or remove it first")
+    report = generate(target, folder, check=True)
+    if report.written:
+        raise BoresightError(f"{report.folder} is not what {target} says now; run 'boresight generate {target}' first")
+    manifest = read_manifest(report.folder)
+    if not manifest.get("filter"):
+        raise BoresightError(f"{target} has no filter to export; take its folder {report.folder} as it is")
+    files = {
+        path: (report.folder / path).read_text()
+        for path in manifest["files"]
+        if not path.startswith(("casadi/", "batch/", "CMakeLists"))
+    }
+    if precision == "float":
+        files["include/boresight.h"] = in_float(files["include/boresight.h"])
+    view = export_view(manifest, load(report.folder), files, precision)
+    made = ["Makefile", "CMakeLists.txt", "README.md"]
+    for path in [*made, "example/main.c", "example/minute.h"] if view["minute"] else made:
+        files[path] = templates().get_template(f"export/{Path(path).name}.j2").render(e=view)
+    return write(out, files)
+
+
+def in_float(header: str) -> str:
+    """boresight.h for single precision, whatever the compiler is told."""
+    guard = "#define BORESIGHT_H\n"
+    choice = "\n#ifndef BORESIGHT_FLOAT\n#define BORESIGHT_FLOAT /* exported in single precision */\n#endif\n"
+    return header.replace(guard, guard + choice, 1)
+
+
+def write(out: Path, files: dict[str, str]) -> list[Path]:
+    """All files aside, then the whole folder into place."""
+    try:
+        out.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=out.parent, prefix=".writing-") as aside:
+            for path, text in files.items():
+                (Path(aside) / "new" / path).parent.mkdir(parents=True, exist_ok=True)
+                (Path(aside) / "new" / path).write_text(text)
+            if out.exists():
+                out.rmdir()
+            shutil.move(Path(aside) / "new", out)
+    except OSError as error:
+        raise BoresightError(f"cannot write to {out} ({error.strerror}); choose another folder with -o") from None
+    return [out / path for path in sorted(files)]
+
+
+# ---------------------------------------------------------------- what the templates ask for
+
+
+def export_view(manifest: dict[str, Any], library: Library, files: dict[str, str], precision: str) -> dict[str, Any]:
+    prefix, snake = manifest["c_prefix"], manifest["model"].replace("-", "_")
+    size = 4 if precision == "float" else 8
+    structs = {
+        name: sum(field["size"] for field in fields) for name, fields in manifest["structs"].items() if name != "x"
+    }
+    header = files[f"include/{snake}_covariance.h"]
+    counts = {name: int(n) for name, n in re.findall(rf"{prefix.upper()}_N_(\w+) = (\d+)", header)}
+    n = len(manifest["states"])
+    carried = sum(structs[name] for name in manifest["filter"]["carried"])
+    try:
+        flown, why_not = minute(manifest, library, precision), ""
+    except BoresightError as error:  # the middle of the boxes need not suit every model, nor an error state of zero
+        flown, why_not = None, str(error)
+    return {
+        "title": manifest["title"],
+        "model": manifest["model"],
+        "snake": snake,
+        "prefix": prefix,
+        "precision": precision,
+        "form": "UD factors" if precision == "float" else "symmetric Joseph form",
+        "n": n,
+        "states": manifest["states"],
+        "sources": sorted(Path(path).name for path in files if re.fullmatch(r"src/\w+\.c", path)),
+        "tests": sorted(Path(path).name for path in files if re.fullmatch(r"selftest/\w+\.c", path)),
+        "units": [{"name": unit["c_name"], **unit} for unit in manifest["units"].values()],
+        "memory": [(f"{prefix}_{name}", count * size) for name, count in structs.items()]
+        + [
+            (
+                f"{prefix}_filter",
+                size * (carried + n + 2 * counts["PACKED"] + sum(counts[k] for k in ("F", "QC", "PHI", "WORK"))),
+            )
+        ],
+        "measurements": manifest["measurements"],
+        "filter": manifest["filter"],
+        "minute": flown,
+        "why_not": why_not,
+        "seconds": SECONDS,
+        "near": NEAR[precision],
+    }
+
+
+def minute(manifest: dict[str, Any], library: Library, precision: str) -> dict[str, Any]:
+    """Inputs of the example, one set a second, and where the Python loop over the same units ends with them.
+
+    The inputs are drawn near the middle of their boxes, noises near zero: they exercise every function and describe no motion.
+    """
+    rng, described = generator("export", manifest["model"]), manifest["filter"]
+    real = np.float32 if precision == "float" else np.float64
+    fields = {field["name"]: field for listed in manifest["structs"].values() for field in listed}
+    text = np.float32 if precision == "float" else float
+
+    def near_middle(name: str) -> Any:
+        field = fields[name]
+        low, high, norm = (np.array(field[key]) for key in ("low", "high", "norm"))
+        middle = np.where(low == 0, WIDE * high, (low + high) / 2)  # what begins at zero is a noise: a small one
+        value = middle + GENTLE * (high - low) / 2 * rng.standard_normal(field["size"])
+        if field["norm"]:
+            value = np.eye(field["size"])[0] + GENTLE * rng.standard_normal(field["size"])
+            value *= norm.mean() / np.linalg.norm(value)
+        if name == "dt":
+            value = np.clip([1.0], low, high)
+        return np.clip(value, low, high).astype(real).astype(float)
+
+    def fill(structs: list[str]) -> dict[str, dict[str, Any]]:
+        return {s: {field["name"]: near_middle(field["name"]) for field in manifest["structs"][s]} for s in structs}
+
+    start = fill(described["carried"])
+    calls = [described["propagate"], *described["measurements"].values(), described["correct"] or {"structs": []}]
+    outside = [s for s in manifest["structs"] if any(s in call["structs"] for call in calls)]
+    seconds = [fill(outside) for _ in range(SECONDS)]
+    half = [(h - low) / 2 for block in manifest["blocks"] for low, h in zip(block["low"], block["high"], strict=True)]
+    P0 = np.diag(((WIDE * np.array(half)) ** 2).astype(real).astype(float))
+
+    def flat(given: dict[str, dict[str, Any]]) -> dict[str, Any]:
+        return {k: v if v.size > 1 else v[0] for part in given.values() for k, v in part.items()}
+
+    loop = Filter(library, flat(start), P0)
+    R: dict[str, list[float]] = {}
+    for given in map(flat, seconds):
+        loop.predict(**only(given, described["propagate"]["fields"]))
+        for name, m in described["measurements"].items():
+            if m["brings_z"]:
+                continue
+            inputs = only(given, m["fields"])
+            if name not in R:
+                H, z = loop.call(f"{name}_H", **inputs), loop.call(f"{name}_z", **inputs)
+                variance = (
+                    np.einsum("ij,jk,ik->i", H, P0, H) + np.max(z**2) + 1e-12
+                )  # as large as what is to be explained
+                R[name] = variance.astype(real).astype(float).tolist()
+            loop.update(name, np.array(R[name]), **inputs)
+        if described["correct"]:
+            loop.feedback()
+    return {
+        "start": start,
+        "seconds": seconds,
+        "P0": P0,
+        "R": R,
+        "sigma": np.sqrt(np.diag(loop.P)),
+        "literal": lambda values: literal(values, text),
+    }
+
+
+def only(given: dict[str, Any], fields: list[str]) -> dict[str, Any]:
+    return {name: given[name] for name in fields if name in given}
+
+
+def literal(values: Any, real: Any) -> str:
+    """Numbers as C, as short as `real` allows: a scalar, or a braced list."""
+    listed = [f"BS_REAL({np.format_float_scientific(real(v), trim='0')})" for v in np.atleast_1d(values)]
+    return listed[0] if len(listed) == 1 else "{ " + ", ".join(listed) + " }"
