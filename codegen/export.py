@@ -122,7 +122,8 @@ def export_view(manifest: dict[str, Any], library: Library, files: dict[str, str
 def minute(manifest: dict[str, Any], library: Library, precision: str) -> dict[str, Any]:
     """Inputs of the example, one set a second, and where the Python loop over the same units ends with them.
 
-    The inputs are drawn near the middle of their boxes, noises near zero: they exercise every function and describe no motion.
+    The inputs are drawn near the middle of their boxes, noises near zero: they exercise the functions and describe no
+    motion.
     """
     rng, described = generator("export", manifest["model"]), manifest["filter"]
     real = np.float32 if precision == "float" else np.float64
@@ -164,9 +165,8 @@ def minute(manifest: dict[str, Any], library: Library, precision: str) -> dict[s
             inputs = only(given, m["fields"])
             if name not in R:
                 H, z = loop.call(f"{name}_H", **inputs), loop.call(f"{name}_z", **inputs)
-                variance = (
-                    np.einsum("ij,jk,ik->i", H, P0, H) + np.max(z**2) + 1e-12
-                )  # as large as what is to be explained
+                # as large as what the filter is to explain by noise
+                variance = np.einsum("ij,jk,ik->i", H, P0, H) + np.max(z**2) + 1e-12
                 R[name] = variance.astype(real).astype(float).tolist()
             loop.update(name, np.array(R[name]), **inputs)
         if described["correct"]:
