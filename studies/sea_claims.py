@@ -49,6 +49,8 @@ VARIANTS = (
     Variant("no lever arm", changes={"lever_b": (0.0, 0.0, 0.0)}),
     Variant("delay known to 100 ms at first", changes={"delay_sigma_ms": 100.0}),
     Variant("flexure of 0.1 mrad, no state for it", changes={"bending_mrad": 0.1}),
+    Variant("told: mounting walks 0.1 mrad/sqrt(s)", changes={"mounting_walk_urad_sqrt_s": 100.0}),
+    Variant("told: mounting walks 1 mrad/sqrt(s)", changes={"mounting_walk_urad_sqrt_s": 1000.0}),
     Variant("quaternion instead of DCM", matching=("velocity", "quaternion")),
     Variant("(6) as roll in degrees", lambda s: as_freedom(3, np.array(HEIGHT_M) * DEG, s)),
     Variant("(6) as surge in metres", lambda s: as_freedom(0, np.array(HEIGHT_M), s)),

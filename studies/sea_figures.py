@@ -19,7 +19,7 @@ def heading(result: dict[str, Any], kind: str, which: int, path: Path) -> None:
     time, every = np.array(history["time_s"]), np.array(history["heading_mil"])[which]
     with figure(path, 9.0, 3.4, ncols=2) as (drawing, (whole, near)):
         for grade, runs, shade in zip(result["grades"], every, SHADES, strict=True):
-            for ax in (whole, near):
+            for ax in (whole, near) if grade >= 3 else (whole,):
                 low, high = np.percentile(runs, [10, 90], axis=0)
                 ax.fill_between(time, low, high, color=shade, alpha=0.2, linewidth=0)
                 ax.plot(time, runs.mean(axis=0), color=shade, label=f"sea state {grade}" if ax is whole else "")
@@ -29,7 +29,9 @@ def heading(result: dict[str, Any], kind: str, which: int, path: Path) -> None:
             ax.axhline(-limit, color="0.3", linewidth=0.7, linestyle=(0, (4, 3)))
             ax.set(xlim=(0, time[-1]), xlabel="time [s]")
         whole.set(ylabel="heading error [mil]", ylim=(-62, 32), title="all")
-        near.set(ylim=(-8, 8), title="near zero; dashed: 2 mil")
+        near.set(ylim=(-8, 8), title="states 3 to 6 near zero; dashed: 2 mil")
+        if (np.abs(every[2:, :, -1]) > 8).all():
+            near.text(0.5, 0.7, "no run comes near", transform=near.transAxes, ha="center", color="0.3")
         name = ("with", "without")[which]
         drawing.suptitle(f"{name} compensation of the delay: {result['motions'][kind]['says']}", fontsize=9)
         drawing.legend(*whole.get_legend_handles_labels(), loc="outside lower center", ncols=6)

@@ -74,6 +74,7 @@ class Scenario:
     start_velocity_m_s: float = 0.05
     start_angle_deg: float = 0.05
     delay_sigma_ms: float = 10.0  # about an estimate of zero
+    mounting_walk_urad_sqrt_s: float = 0.0  # of a mounting that moves, which it does not
     covariance_hz: int = 10
 
 
@@ -209,13 +210,14 @@ def start(scenario: Scenario, first: Message) -> tuple[dict[str, Array], Array]:
 
 
 def constants(scenario: Scenario) -> dict[str, Any]:
-    """Lever arm, and the sensors' noise as the filter is told it; biases, misalignment and delay are constants."""
-    nothing = dict.fromkeys(("gyro_bias_noise", "accel_bias_noise", "mu_noise"), np.zeros(3))
+    """Lever arm, and the noise that the filter is told; biases and delay are constants."""
+    nothing = dict.fromkeys(("gyro_bias_noise", "accel_bias_noise"), np.zeros(3))
     return {
         "lever_b": np.array(scenario.lever_b),
         "gyro_noise": np.full(3, scenario.gyro_walk_deg_sqrt_h * DEG / np.sqrt(HOUR)),
         "accel_noise": np.full(3, scenario.accel_walk_m_s_sqrt_h / np.sqrt(HOUR)),
         **nothing,
+        "mu_noise": np.full(3, scenario.mounting_walk_urad_sqrt_s * 1e-6),
         "tau_noise": 0.0,
     }
 

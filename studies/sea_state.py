@@ -104,7 +104,7 @@ def claims(result: dict[str, Any], scenario: Scenario) -> list[dict[str, Any]]:
         },
         {
             "claim": "compensation matters more as the sea grows",
-            "holds": bool((np.diff(gain[rough]) > 0).all()),
+            "holds": bool((np.diff(gain[rough]) > 0).all() and gain[-1] > LIMIT_MIL / 10),
             "numbers": f"states 3 to 6: {numbers(gain[rough])} mil less, that is by the factors "
             f"{numbers(bare_60[rough] / at_60[rough])}",
         },
