@@ -14,7 +14,8 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import frames, rotation, simulation
 from boresight.runtime.filter import Filter
-from boresight.runtime.recording import Master, Recording, best_delay, check, read, shifted
+from boresight.runtime.recording import Recording, best_delay, check, read, shifted, thinned
+from boresight.studies.innovations import consistency, minus_log_likelihood, most_likely
 
 Array = np.ndarray
 
@@ -71,16 +72,6 @@ def prepare(recording: Recording, model: Any, gyro_bias: Array, rate_hz: float |
     return Leg(master.time, master.euler, omega[:-1], tuple(pieces), np.array(turns))
 
 
-def thinned(master: Master, rate_hz: float | None) -> Master:
-    """Every n-th sample of the master, so that it comes at rate_hz or just above."""
-    if rate_hz is None:
-        return master
-    if not rate_hz > 0:
-        raise BoresightError(f"the master's rate is {rate_hz} Hz; it must be above zero")
-    usual = float(np.median(np.diff(master.time)))
-    return master.cut(slice(None, None, max(1, int(1 / (rate_hz * usual) + 1e-9))))
-
-
 def fly(
     leg: Leg, model: Any, gyro_noise: Array, angle_noise: Array, measurement: str, *, every_sample: bool = True
 ) -> dict[str, Array]:
@@ -128,70 +119,25 @@ def body_D_euler(euler: Array) -> Array:
 # ---------------------------------------------------------------- choosing the noises
 
 
-def minus_log_likelihood(track: dict[str, Array]) -> Array:
-    """(...,) of the innovations, up to a constant: what the noises are chosen by."""
-    cost: Array = 0.5 * np.sum(np.log(track["S"]) + track["nu"] ** 2 / track["S"], axis=(0, -1))
-    return cost
-
-
 def fit_noise(
     leg: Leg, model: Any, measurement: str, gyro_noise: Array | None = None, angle_noise: Array | None = None
 ) -> tuple[Array, Array, int]:
     """The noises under which the innovations are most likely: of the gyro (white rate), of the master (white angle).
 
-    Fisher scoring on the logarithms of all six, from FIRST_GUESS; the derivatives of nu and S are differences of runs
-    flown side by side.  What is given is kept.
+    From FIRST_GUESS; what is given is kept.
     Returns gyro_noise (3,) rad/sqrt(s), angle_noise (3,) rad, and the passes it took.
-    Raises BoresightError if it does not settle in 40 passes.
+    Raises BoresightError if it does not settle.
     """
-    first = np.log(np.repeat(FIRST_GUESS, 3))
-    given = np.zeros(6, dtype=bool)
+    first, free = np.repeat(FIRST_GUESS, 3), np.ones(6, dtype=bool)
     for part, value in ((slice(0, 3), gyro_noise), (slice(3, 6), angle_noise)):
         if value is not None:
-            first[part], given[part] = np.log(value), True
-    free = np.flatnonzero(~given)
-    if len(free) == 0:
-        return np.exp(first[:3]), np.exp(first[3:]), 0
+            first[part], free[part] = value, False
 
-    h, radius, n = 0.05, 1.5, len(free)
-    bump = h * np.eye(6)[free]
-    centre, best, trial = first, np.inf, first
-    gradient, information = np.zeros(n), np.eye(n)
-    for passes in range(1, 41):
-        points = np.exp(np.clip(np.vstack([trial, trial + bump, trial - bump]), *np.log(NOISE_RANGE)))
-        track = fly(leg, model, points[:, :3], points[:, 3:], measurement, every_sample=False)
-        cost = minus_log_likelihood(track)
-        if cost[0] < best:
-            centre, best, radius = trial, cost[0], min(2 * radius, 1.5)
-            gradient = (cost[1 : n + 1] - cost[n + 1 :]) / (2 * h)
-            S = track["S"][:, 0]
-            dS = (track["S"][:, 1 : n + 1] - track["S"][:, n + 1 :]) / (2 * h)
-            dnu = (track["nu"][:, 1 : n + 1] - track["nu"][:, n + 1 :]) / (2 * h)
-            information = np.einsum("kim,kjm,km->ij", dS, dS, 0.5 / S**2) + np.einsum("kim,kjm,km->ij", dnu, dnu, 1 / S)
-        else:  # too far
-            radius /= 4
-        step = np.zeros(6)
-        step[free] = damped_step(gradient, information, radius)
-        trial = np.clip(centre + step, *np.log(NOISE_RANGE))
-        # Settled: the likelihood would change by a hundredth, or no step however small makes it better.
-        if -gradient @ (trial - centre)[free] < 0.02 or radius < 1e-3:
-            return np.exp(centre[:3]), np.exp(centre[3:]), passes
-    raise BoresightError(
-        "the choice of noises did not settle in 40 passes; give gyro_noise and angle_noise, or look at --check"
-    )
+    def flown(noises: Array) -> dict[str, Array]:
+        return fly(leg, model, noises[:, :3], noises[:, 3:], measurement, every_sample=False)
 
-
-def damped_step(gradient: Array, information: Array, radius: float) -> Array:
-    """The step downhill, no component longer than RADIUS: damping turns a step that is too long towards the gradient.
-
-    Cutting the components instead would spoil the direction: where one noise hides another they must move together.
-    """
-    damping = 1e-3
-    while True:
-        step: Array = -np.linalg.solve(information + damping * np.eye(len(gradient)), gradient)
-        if np.abs(step).max() <= radius:
-            return step
-        damping *= 3
+    noises, passes = most_likely(flown, first, free, NOISE_RANGE)
+    return noises[:3], noises[3:], passes
 
 
 # ---------------------------------------------------------------- one replay
@@ -286,26 +232,9 @@ def _noise(name: str, given: Any) -> Array | None:
 
 
 def nis(w: Array) -> dict[str, Any]:
-    """Consistency of (K, 3) normalised innovations: their mean square and how far they are from white.
-
-    per_angle, mean: 1 if consistent; band: the 95 % band of mean.  by_quarter: the mean over each quarter of the time,
-    which a choice of noises does not make 1.  lag1: correlation of neighbours per angle; lag1_bound: two sigmas of
-    white noise.
-    """
-    K = len(w)
-    half = 1.96 * np.sqrt(2 / (3 * K))
-    white = [float(w[1:, i] @ w[:-1, i] / (w[:, i] @ w[:, i])) for i in range(3)]
-    mean = float(np.mean(w**2))
-    return {
-        "per_angle": np.mean(w**2, axis=0).tolist(),
-        "mean": mean,
-        "band": [1 - half, 1 + half],
-        "consistent": bool(abs(mean - 1) <= half),
-        "by_quarter": [float(np.mean(part**2)) for part in np.array_split(w, 4)],
-        "lag1": white,
-        "lag1_bound": 2 / np.sqrt(K),
-        "white": bool(np.max(np.abs(white)) <= 2 / np.sqrt(K)),
-    }
+    """`consistency` of (K, 3) normalised innovations of the master's angles."""
+    said = consistency(w)
+    return {"per_angle": said.pop("per_row"), **said}
 
 
 def observability(leg: Leg, P: Array, q_b2n_wxyz: Array) -> dict[str, Any]:

@@ -1,0 +1,565 @@
+"""Transfer alignment on a recording by velocity and attitude: mounting, biases and the master's delay from nothing.
+
+The slave takes over its master's velocity and attitude and knows of itself only what PRIOR says.  The noises that are
+not given are those under which the innovations are most likely.  What is found on a real recording: docs/recordings.md.
+"""
+
+import json
+import textwrap
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.runtime import rotation
+from boresight.runtime.recording import UNITS, G, Recording, thinned
+from boresight.runtime.transfer import DV, PHI, Message, Rules, Transfer, first
+from boresight.studies.innovations import consistency, minus_log_likelihood, most_likely
+
+Array = np.ndarray
+
+ROWS = ("velocity north", "velocity east", "velocity down", "attitude north", "attitude east", "attitude down")
+MATCHING = ("velocity", "dcm")
+BODY = ("front", "right", "down")
+# One sigma before the first message, SI and rad: a MEMS unit screwed in by eye, on a clock that nobody has compared.
+PRIOR = {"gyro_bias": np.radians(0.5), "accel_bias": 0.5, "misalignment": np.radians(2.0), "delay": 0.05, "lever": 1.0}
+VELOCITY_START = 0.5  # m/s, one sigma; covers what an unknown lever arm does to it
+HOLD_S = 0.15  # a message is handed over so late, so that a delay that is believed negative for a while stays inside
+GATE = 1e-300  # by chance; NIS 1400 of six rows
+COVARIANCE_S = 0.1  # at most, between two steps of it
+
+
+@dataclass(frozen=True)
+class Noise:
+    """One noise that a datasheet may give: kind and unit, its parts, and where a search for it begins and ends."""
+
+    kind: str  # of recording.UNITS
+    unit: str
+    parts: tuple[str, ...]
+    first: float  # SI and rad
+    limits: tuple[float, float]
+
+
+NOISES = {
+    "gyro": Noise("gyro noise", "deg/sqrt(h)", ("each axis",), 5e-5, (1e-7, 0.03)),
+    "accel": Noise("accelerometer noise", "m/s/sqrt(h)", ("each axis",), 2e-3, (1e-6, 1.0)),
+    "velocity": Noise("velocity", "mm/s", ("level", "vertical"), 5e-3, (1e-5, 3.0)),
+    "attitude": Noise("angle", "arcmin", ("level", "heading"), 5e-5, (1e-7, 0.03)),
+}
+PARTS = tuple(one for one in NOISES.values() for _ in one.parts)
+ENOUGH = 0.5  # of minus the log likelihood: the noises are then within one of their own sigmas
+# Of NOISES one after the other: which number serves which of the gyros, accelerometers, rows of velocity and attitude.
+SPREAD = np.array([0, 0, 0, 1, 1, 1, 2, 2, 3, 4, 4, 5])
+
+
+@dataclass(frozen=True)
+class Group:
+    """Error states that are reported together."""
+
+    name: str
+    key: str  # of PRIOR and of a recording's reference
+    first: str  # name of the first state
+    unit: str
+    scale: float  # of the unit, in SI and rad
+    axes: tuple[str, ...] = BODY
+
+
+GROUPS = (
+    Group("misalignment", "misalignment", "dmu_x", "arcmin", UNITS["angle"]["arcmin"], ("roll", "pitch", "yaw")),
+    Group("gyro bias", "gyro_bias", "dbg_x", "deg/h", UNITS["angular rate"]["deg/h"]),
+    Group("accelerometer bias", "accel_bias", "dba_x", "mg", G / 1000),
+    Group("delay", "delay", "d_tau", "ms", 1e-3, ("",)),
+    Group("lever arm", "lever", "d_lever_x", "cm", 0.01),
+)
+
+
+# ---------------------------------------------------------------- the filter on a recording
+
+
+def fly(
+    recording: Recording, model: Any, noises: Array, start: Array, prior: Mapping[str, float], delay_sigma: Any
+) -> dict[str, Any]:
+    """One pass of the filter over a recording whose master lies inside the slave's data, by HOLD_S at its end.
+
+    noises: (..., 6) in SI and rad, in the order of NOISES; leading axes are runs side by side.  start: (..., 19) where
+    the estimates begin, as `estimates` has them.  prior: one sigma of each by name; delay_sigma: (...,) s, the delay's.
+    Returns, first axis the K messages: time (K,) s, nu and S (K, ..., 6), estimate and sigma (K, ..., n); and notes,
+    pairs of run numbers and a line.  A message is refused where its NIS is beyond GATE only, which no filter that is
+    nearly right comes to: what one in flight would refuse shows in the innovations.
+    """
+    imu, master = recording.imu, recording.master
+    assert master is not None and master.v_n is not None and master.position is not None
+    runs = np.broadcast_shapes(np.shape(noises)[:-1], np.shape(start)[:-1], np.shape(delay_sigma))
+    noises, start = (np.broadcast_to(part, (*runs, np.shape(part)[-1])) for part in (noises, start))
+    spread = noises[..., SPREAD]
+    R = spread[..., 6:] ** 2
+    q = rotation.quaternion_from_euler(master.euler)
+
+    def message(k: int) -> Message:
+        assert master is not None and master.v_n is not None and master.position is not None
+        return Message(master.time[k], R, v_m_n=master.v_n[k], q_m2n_wxyz=q[k], position=master.position[k])
+
+    tau = start[..., 15]
+    mount = rotation.turned(np.array([1.0, 0, 0, 0]), start[..., 12:15])
+    nav, P = first(
+        message(0), q_b2m_wxyz=mount, tau=tau, mounting_sigma=np.full(3, prior["misalignment"]),
+        velocity_sigma=np.full(3, VELOCITY_START), gyro_bias_sigma=np.full(3, prior["gyro_bias"]),
+        accel_bias_sigma=np.full(3, prior["accel_bias"]), tau_sigma=delay_sigma,
+    )  # fmt: skip
+    # The slave takes over what was true a delay ago and moves it on by the delay that is believed: what is wrong with
+    # this is wrong with its attitude and velocity, phi = -omega d_tau and dv = a d_tau.
+    seconds = master.time[1] - master.time[0]
+    omega_n, a_n = rotation.attitude_error(q[0], q[1]) / seconds, (master.v_n[1] - master.v_n[0]) / seconds
+    C = rotation.matrix_from_vector(omega_n * tau[..., None]) @ rotation.matrix_from_quaternion(nav["q_b2n_wxyz"])
+    nav |= {
+        "q_b2n_wxyz": rotation.quaternion_from_matrix(C), "v_n": nav["v_n"] + a_n * tau[..., None],
+        "gyro_bias": start[..., 6:9], "accel_bias": start[..., 9:12],
+    }  # fmt: skip
+    tie = np.eye(16)
+    tie[PHI, 15], tie[DV, 15] = -omega_n, a_n
+    P = tie @ P @ tie.T
+    constants: dict[str, Any] = {
+        "gyro_noise": spread[..., :3], "accel_noise": spread[..., 3:6], "gyro_bias_noise": np.zeros(3),
+        "accel_bias_noise": np.zeros(3), "mu_noise": np.zeros(3), "tau_noise": 0.0, "lever_b": start[..., 16:],
+    }  # fmt: skip
+    if "d_lever_x" in model.states:
+        nav["lever_b"] = constants.pop("lever_b")
+        whole = np.zeros((*runs, 19, 19))
+        whole[..., :16, :16] = P
+        whole[..., range(16, 19), range(16, 19)] = prior["lever"] ** 2
+        P = whole
+
+    begin, end, dtheta, dv = imu.increments
+    i = int(np.searchsorted(end, master.time[0] - 1e-6 * imu.dt))
+    reach = HOLD_S + float(np.max(tau)) + 3 * float(np.max(delay_sigma)) + 0.1
+    loop = Transfer(
+        model, nav, np.broadcast_to(P, (*runs, *P.shape[-2:])), constants, time=end[i], matching=MATCHING,
+        every=max(1, round(COVARIANCE_S / imu.dt)), rules=Rules(gate=GATE, buffer_s=reach),
+    )  # fmt: skip
+    history: dict[str, list[Array]] = {name: [] for name in ("nu", "S", "estimate", "sigma")}
+    k = 1
+    for j in range(i + 1, len(end)):
+        loop.slave(end[j], dtheta[j], dv[j], end[j] - begin[j])
+        while k < len(master.time) and end[j] >= master.time[k] + HOLD_S - 1e-6 * imu.dt:
+            said = loop.master(message(k)).innovations
+            k += 1
+            history["nu"].append(np.concatenate([said[name].nu for name in MATCHING], axis=-1))
+            history["S"].append(np.concatenate([said[name].S for name in MATCHING], axis=-1))
+            history["estimate"].append(estimates(loop.nav, start))
+            history["sigma"].append(np.sqrt(np.diagonal(loop.P, axis1=-2, axis2=-1)))
+        if k == len(master.time):
+            break
+    return {name: np.array(values) for name, values in history.items()} | {
+        "time": master.time[1:k],
+        "notes": [(note.runs, str(note)) for note in loop.notes],
+    }
+
+
+def estimates(nav: dict[str, Array], start: Array) -> Array:
+    """(..., 19) in the order of the error states: zeros for attitude and velocity, then what is estimated or given."""
+    mu = rotation.vector_from_matrix(rotation.matrix_from_quaternion(nav["q_b2m_wxyz"]))
+    none = np.zeros((*mu.shape[:-1], 6))
+    lever = nav.get("lever_b", start[..., 16:])
+    return np.concatenate([none, nav["gyro_bias"], nav["accel_bias"], mu, nav["tau"][..., None], lever], axis=-1)
+
+
+# ---------------------------------------------------------------- one replay
+
+
+def prepare(recording: Recording, rate_hz: float | None) -> Recording:
+    """The recording with its master thinned and cut to what the slave covers."""
+    master = recording.master
+    if master is None:
+        raise BoresightError(f"{recording.name}: it has no master, and matching needs one; describe it in [master]")
+    for name, says in (("v_n", "velocity"), ("position", "position")):
+        if getattr(master, name) is None:
+            raise BoresightError(
+                f"{recording.name}: its master has no {says}; describe master.{says}, or use --model euler-matching"
+            )
+    _, end = recording.imu.intervals()
+    slack = 0.01 * recording.imu.dt
+    inside = (master.time >= end[0] - slack) & (master.time + HOLD_S <= end[-1] + slack)
+    master = thinned(master.cut(inside), rate_hz)
+    if len(master.time) < 10:
+        count = len(master.time)
+        raise BoresightError(f"{recording.name}: {count} samples of the master fall into the slave's data; it needs 10")
+    return replace(recording, master=master)
+
+
+def run(
+    recording: Recording,
+    model: Any,
+    *,
+    noise: Mapping[str, Any] | None = None,
+    prior: Mapping[str, float] | None = None,
+    lever_b: Any = None,
+    delay: float = 0.0,
+    rate_hz: float | None = None,
+    progress: Callable[[str], None] = lambda line: None,
+) -> dict[str, Any]:
+    """Replay a recording with the delay as a state and without it; what came out, as a dict that json can write.
+
+    noise: what is known of NOISES, in SI and rad, one number or one for each part; the rest is chosen by likelihood,
+    with the delay as a state.  prior: what is known otherwise than PRIOR has it, SI and rad.  lever_b: (3,) m, as
+    believed.  delay: s, where its estimate begins.  rate_hz: use the master no more often than this.
+    It is flown twice: what the first pass ends with is where the others begin, with the same sigmas, so that they are
+    linear about it.  Fields: docs/recordings.md.  Raises BoresightError if the recording cannot be replayed.
+    """
+    prior = {**PRIOR, **(prior or {})}
+    cut = prepare(recording, rate_hz)
+    noises, free = noise_vector(noise or {})
+    low, high = (np.array([one.limits[i] for one in PARTS]) for i in (0, 1))
+    start = np.zeros((2, 19))
+    start[:, 16:] = 0.0 if lever_b is None else lever_b
+    start[0, 15] = delay
+    delay_sigma = np.array([prior["delay"], 0.0])
+    progress("first pass")
+    track = fly(cut, model, noises, start, prior, delay_sigma)
+    start = track["estimate"][-1]
+    # A noise that is far too large comes down slowly; the second half's own scatter is near.
+    scatter = np.std(track["nu"][len(track["nu"]) // 2 :, 0], axis=0)
+    near = np.array([*noises[:2], scatter[:2].max(), scatter[2], scatter[3:5].max(), scatter[5]])
+    noises = np.where(free, np.clip(near, low, high), noises)
+
+    def flown(noises: Array) -> dict[str, Any]:
+        return fly(cut, model, noises, start[0], prior, prior["delay"])
+
+    noises, passes = most_likely(flown, noises, free, (low, high), enough=ENOUGH, progress=progress)
+    progress("last pass")
+    track = fly(cut, model, noises, start, prior, delay_sigma)
+    both = {
+        name: {part: values[:, i] for part, values in track.items() if part not in ("time", "notes")}
+        for i, name in enumerate(("with", "without"))
+    }
+    assert cut.master is not None
+    return {
+        "recording": recording.name,
+        "title": recording.title,
+        "model": model.name,
+        "duration_s": float(cut.master.time[-1] - cut.master.time[0]),
+        "updates": len(track["time"]),
+        "lever_given_m": None if lever_b is None else np.asarray(lever_b, float).tolist(),
+        "noise": said_noise(noises, free, passes),
+        "minus_log_likelihood": {name: float(minus_log_likelihood(part)) for name, part in both.items()},
+        "states": states(model, track["time"], both, recording.reference, prior),
+        "nis": {name: consistency(part["nu"] / np.sqrt(part["S"])) for name, part in both.items()},
+        "notes": [line for runs, line in track["notes"] if 0 in runs],
+        "history": history(model, track["time"], both),
+    }
+
+
+def noise_vector(given: Mapping[str, Any]) -> tuple[Array, Array]:
+    """(6,) noises where a search begins, or as given, and (6,) whether each is to be searched for."""
+    unknown = set(given) - set(NOISES)
+    if unknown:
+        raise BoresightError(f"no noise {sorted(unknown)[0]!r}; there are {', '.join(NOISES)}")
+    values, free = [], []
+    for name, one in NOISES.items():
+        said = given.get(name)
+        value = np.resize(np.asarray(one.first if said is None else said, float), len(one.parts))
+        if not ((value >= one.limits[0]) & (value <= one.limits[1])).all():
+            low, high = (f"{limit / UNITS[one.kind][one.unit]:.2g}" for limit in one.limits)
+            shown = ", ".join(f"{v / UNITS[one.kind][one.unit]:.3g}" for v in value)
+            raise BoresightError(f"{name} noise {shown} {one.unit} is out of range: {low} to {high}")
+        values.append(value)
+        free += [said is None] * len(one.parts)
+    return np.concatenate(values), np.array(free)
+
+
+def said_noise(noises: Array, free: Array, passes: int) -> dict[str, Any]:
+    """By name: unit, parts, value, whether it was chosen, and whether it is more than the least that is looked for."""
+    out: dict[str, Any] = {"passes": passes}
+    for name, one in NOISES.items():
+        mine = [i for i, part in enumerate(PARTS) if part is one]
+        out[name] = {
+            "unit": one.unit,
+            "parts": list(one.parts),
+            "value": (noises[mine] / UNITS[one.kind][one.unit]).tolist(),
+            "chosen": bool(free[mine].any()),
+            "seen": (noises[mine] > 1.05 * one.limits[0]).tolist(),
+        }
+    return out
+
+
+def states(
+    model: Any, time: Array, both: Mapping[str, Any], reference: Mapping[str, Array], prior: Mapping[str, float]
+) -> list[dict[str, Any]]:
+    """One entry for each quantity: what it is at the end, with and without the delay state, and what else is known."""
+    out = []
+    for group in GROUPS:
+        if group.first not in model.states:
+            continue
+        at = model.states.index(group.first)
+        known = reference.get({"lever": "lever_arm"}.get(group.key, group.key))
+        for i, axis in enumerate(group.axes):
+            (estimate, sigma), (bare, bare_sigma) = (
+                [both[name][part][-1, at + i] / group.scale for part in ("estimate", "sigma")]
+                for name in ("with", "without")
+            )
+            wide = np.flatnonzero(both["with"]["sigma"][:, at + i] > 2 * both["with"]["sigma"][-1, at + i])
+            stated = None if known is None else known[i] / group.scale
+            out.append(
+                {
+                    "state": group.name,
+                    "axis": axis,
+                    "unit": group.unit,
+                    "estimate": float(estimate),
+                    "sigma": float(sigma),
+                    "prior_sigma": float(prior[group.key] / group.scale),
+                    "of_prior": float(sigma * group.scale / prior[group.key]),
+                    "settled_s": float(time[wide[-1] + 1] if len(wide) else time[0]),
+                    "reference": None if stated is None else float(stated),
+                    "difference_sigmas": None if stated is None else float((estimate - stated) / sigma),
+                    "without_delay": float(bare),
+                    "without_delay_sigma": float(bare_sigma),
+                }
+            )
+    return out
+
+
+def history(model: Any, time: Array, both: Mapping[str, Any]) -> dict[str, Any]:
+    """What the figures show: estimates and sigmas in units of GROUPS, innovations and their sigmas in SI and rad."""
+    scale = np.ones(len(model.states))
+    for group in GROUPS:
+        if group.first in model.states:
+            at = model.states.index(group.first)
+            scale[at : at + len(group.axes)] = group.scale
+    out: dict[str, Any] = {"time_s": time.tolist(), "states": list(model.states)}
+    for name, track in both.items():
+        out[name] = {
+            "estimate": (track["estimate"][:, : len(scale)] / scale).tolist(),
+            "sigma": (track["sigma"] / scale).tolist(),
+            "innovation": track["nu"].tolist(),
+            "innovation_sigma": np.sqrt(track["S"]).tolist(),
+        }
+    return out
+
+
+# ---------------------------------------------------------------- saying it
+
+
+def number(value: float, sigma: float) -> str:
+    """A value to two digits of its sigma, and no more."""
+    return f"{value:.{max(0, 1 - int(np.floor(np.log10(sigma))))}f}" if sigma > 0 else f"{value:.3g}"
+
+
+def named(state: Mapping[str, Any]) -> str:
+    return f"{state['state']} {state['axis']}".strip()
+
+
+def report(result: Mapping[str, Any], pictures: Sequence[str] = ()) -> str:
+    """One page of Markdown, which a terminal shows as well; pictures: file names to be shown at its end."""
+    nis, noise = result["nis"], result["noise"]
+    table = [
+        ("", "estimate", "1 sigma", "unit", "of the prior", "settled", "stated", "difference", "without delay"),
+        *(
+            (
+                named(s),
+                number(s["estimate"], s["sigma"]),
+                number(s["sigma"], s["sigma"]),
+                s["unit"],
+                f"{s['of_prior']:.2g}",
+                f"{s['settled_s']:.0f} s",
+                "" if s["reference"] is None else number(s["reference"], s["sigma"]),
+                "" if s["difference_sigmas"] is None else f"{s['difference_sigmas']:+.1f} sigmas",
+                "0, held" if s["state"] == "delay" else number(s["without_delay"], s["sigma"]),
+            )
+            for s in result["states"]
+        ),
+    ]
+    checks = [
+        ("NIS a row", "mean", "95 % band", "by quarter of the time", "largest lag-1 correlation", "bound"),
+        *(
+            (
+                label,
+                f"{said['mean']:.3f}",
+                "[{:.3f}, {:.3f}]".format(*said["band"]),
+                " ".join(f"{value:.2f}" for value in said["by_quarter"]),
+                f"{max(said['lag1'], key=abs):+.3f}",
+                f"{said['lag1_bound']:.3f}",
+            )
+            for label, said in (("delay a state", nis["with"]), ("delay taken as 0", nis["without"]))
+        ),
+    ]
+    rows = [
+        ("mean NIS", *ROWS),
+        *((f"{name} delay", *(f"{v:.2f}" for v in nis[name]["per_row"])) for name in ("with", "without")),
+    ]
+    known = [s for s in result["states"] if s["difference_sigmas"] is not None]
+    agree = [named(s) for s in known if abs(s["difference_sigmas"]) <= 2]
+    differ = [f"{named(s)} ({s['difference_sigmas']:+.1f})" for s in known if abs(s["difference_sigmas"]) > 2]
+    delay = next(s for s in result["states"] if s["state"] == "delay")
+    poor = [s for s in result["states"] if s["of_prior"] > 0.5]
+    lines = [
+        f"# {result['title'] or result['recording']}",
+        "",
+        f"Model {result['model']}: {result['updates']} messages of the master in {result['duration_s']:.1f} s, nothing "
+        "calibrated beforehand.",
+        "Lever arm (front, right, down): "
+        + ("estimated." if any(s["state"] == "lever arm" for s in result["states"]) else f"{_lever(result)}."),
+        "",
+        f"**The master is {number(delay['estimate'], delay['sigma'])} +- {number(delay['sigma'], delay['sigma'])} ms "
+        f"old.**  Mean NIS with this delay {nis['with']['mean']:.3f}, without it at the same noises "
+        f"{nis['without']['mean']:.1f}; 95 % band {nis['with']['band'][0]:.3f} to {nis['with']['band'][1]:.3f}.",
+        "",
+        *markdown(table),
+        "",
+    ]
+    if known:
+        lines += [
+            f"Within 2 sigmas of what is stated: {', '.join(agree) or 'nothing'}.",
+            f"Beyond: {', '.join(differ) or 'nothing'}; in our sigmas, those of what is stated are not known.",
+        ]
+    lines += [
+        "Settled: from when on the sigma is within twice its last.  "
+        f"Hardly shown by this motion (sigma above half of the prior): {', '.join(map(named, poor)) or 'nothing'}.",
+        "",
+        *markdown(checks),
+        "",
+        *markdown(rows),
+        "",
+        f"Noises: {'; '.join(_noise(name, one) for name, one in noise.items() if name != 'passes')}.",
+    ]
+    if noise["passes"]:
+        lines += [
+            f"Chosen in {noise['passes']} passes: where the innovations with the delay as a state are most likely.",
+            "Their mean NIS is then 1 by construction; its quarters and the correlation of neighbours are not chosen.",
+        ]
+    lines += [f"Note: {note}" for note in result["notes"]]
+    for picture in pictures:
+        lines += ["", f"![{result['recording']}]({picture})"]
+    return "\n".join(lines)
+
+
+def _noise(name: str, one: Mapping[str, Any]) -> str:
+    shown = (f"{v:.3g}" if seen else f"below {v:.1g}" for v, seen in zip(one["value"], one["seen"], strict=True))
+    parts = "" if len(one["parts"]) == 1 else f"{' and '.join(one['parts'])}, "
+    return f"{name} {' and '.join(shown)} {one['unit']} ({parts}{'chosen' if one['chosen'] else 'given'})"
+
+
+def _lever(result: Mapping[str, Any]) -> str:
+    given = result["lever_given_m"]
+    return "taken as zero" if given is None else f"{', '.join(f'{v * 100:.3g}' for v in given)} cm, given"
+
+
+def markdown(rows: Sequence[Sequence[str]]) -> list[str]:
+    """A table whose columns also stand under each other as plain text."""
+    width = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    lines = ["| " + " | ".join(cell.ljust(w) for cell, w in zip(row, width, strict=True)) + " |" for row in rows]
+    return [lines[0], "|" + "|".join("-" * (w + 2) for w in width) + "|", *lines[1:]]
+
+
+def draw_innovations(result: Mapping[str, Any], axes: Array) -> None:
+    """(2, 3) axes: velocity above, attitude below; with the delay within its bands, and without it."""
+    from boresight.studies.figures import BLUE, ORANGE
+
+    history = result["history"]
+    time = np.array(history["time_s"])
+    for i, ax in enumerate(axes.ravel()):
+        scale, unit = (1e-3, "mm/s") if i < 3 else (UNITS["angle"]["arcmin"], "arcmin")
+        nu, sigma = ({name: np.array(history[name][part])[:, i] / scale for name in ("with", "without")}
+                     for part in ("innovation", "innovation_sigma"))  # fmt: skip
+        ax.plot(time, nu["without"], ".", ms=1.6, color=ORANGE, label="delay taken as 0, where inside")
+        ax.fill_between(time, -2 * sigma["with"], 2 * sigma["with"], color=BLUE, alpha=0.25, lw=0, label="2 sigmas")
+        ax.plot(time, nu["with"], ".", ms=1.6, color=BLUE, label="delay a state")
+        reach = 7 * float(np.median(sigma["with"]))
+        ax.set_ylim(-reach, reach)  # without the delay most lie far outside
+        ax.set_title(f"{ROWS[i]}: NIS {result['nis']['with']['per_row'][i]:.2f}, without "
+                     f"{result['nis']['without']['per_row'][i]:.1f}")  # fmt: skip
+        if i % 3 == 0:
+            ax.set_ylabel(f"innovation [{unit}]")
+        ax.set_xlabel("time [s]" if i >= 3 else "")
+    axes[0, 0].legend(loc="upper left", markerscale=4, ncols=3, handletextpad=0.3, columnspacing=0.8, fontsize=7)
+
+
+def draw_states(result: Mapping[str, Any], axes: Array) -> None:
+    """(rows, 3) axes: a row for each group of three, then the delay and NIS in time."""
+    from boresight.studies.figures import BLUE, GREY, ORANGE
+
+    history = result["history"]
+    time = np.array(history["time_s"])
+    places = [*axes[:-1].ravel(), axes[-1, 0]]
+    ordered = sorted(result["states"], key=lambda s: s["state"] == "delay")
+    for state, ax in zip(ordered, places, strict=True):
+        group = next(g for g in GROUPS if g.name == state["state"])
+        at = history["states"].index(group.first) + group.axes.index(state["axis"])
+        value, sigma = (np.array(history["with"][part])[:, at] for part in ("estimate", "sigma"))
+        # The first seconds are off the scale by design: the prior is wide.
+        reach = max(12 * sigma[-1], 1.3 * abs((state["reference"] or value[-1]) - value[-1]))
+        ax.fill_between(time, value - 2 * sigma, value + 2 * sigma, color=BLUE, alpha=0.25, lw=0, label="2 sigmas")
+        ax.plot(time, value, color=BLUE, label="estimate")
+        if group.name != "delay":
+            bare = np.array(history["without"]["estimate"])[:, at]
+            ax.plot(time, bare, color=ORANGE, lw=0.7, label="delay taken as 0")
+        if state["reference"] is not None:
+            ax.axhline(state["reference"], color="0.2", ls=(0, (5, 3)), lw=0.9, label="stated")
+        ax.set_ylim(value[-1] - reach, value[-1] + reach)
+        ax.set_title(f"{named(state)}: {number(state['estimate'], state['sigma'])} $\\pm$ "
+                     f"{number(state['sigma'], state['sigma'])} {state['unit']}")  # fmt: skip
+        ax.set_ylabel(f"[{state['unit']}]")
+    axes[1, 0].legend(loc="lower right", fontsize=7, ncols=2)
+    over = axes[-1, 1]
+    for name, color in (("without", ORANGE), ("with", BLUE)):
+        part = history[name]
+        square = np.mean((np.array(part["innovation"]) / np.array(part["innovation_sigma"])) ** 2, axis=1)
+        count = max(1, len(time) // 50)
+        whole = len(time) // count * count
+        over.semilogy(time[:whole].reshape(-1, count).mean(1), square[:whole].reshape(-1, count).mean(1), color=color)
+    over.axhline(1, color=GREY, lw=0.8)
+    over.set_title("NIS a row in time; orange: delay taken as 0")
+    ratio = axes[-1, 2]
+    shown = result["states"][::-1]
+    ratio.barh(range(len(shown)), [s["of_prior"] for s in shown], color=BLUE, height=0.7)
+    ratio.set_yticks(range(len(shown)), [named(s) for s in shown], fontsize=5)
+    ratio.set(xscale="log", xlim=(min(s["of_prior"] for s in shown) / 3, 1))
+    ratio.set_title("sigma at the end, part of the prior")
+    for ax in axes[-1, :2]:
+        ax.set_xlabel("time [s]")
+
+
+def write(result: Mapping[str, Any], folder: str | Path) -> list[Path]:
+    """Innovations, states, and the report as text and as one page that shows all; returns the files written."""
+    from boresight.studies.figures import figure
+
+    base = Path(folder) / f"transfer-replay-{result['recording']}"
+    paths = {part: base.with_name(f"{base.name}-{part}.png") for part in ("innovations", "states", "page")}
+    rows = len(result["states"]) // 3 + 1
+    text = base.with_name(f"{base.name}.md")
+    try:
+        with figure(paths["innovations"], 11, 5.5, nrows=2, ncols=3, sharex=True) as (_, axes):
+            draw_innovations(result, axes)
+        with figure(paths["states"], 11, 2.2 * rows, nrows=rows, ncols=3) as (_, axes):
+            draw_states(result, axes)
+        words = [
+            line for part in report(result).replace("**", "").split("\n")
+            for line in ([part] if part.startswith("|") else textwrap.wrap(part, 150) or [""])
+        ]  # fmt: skip
+        heights = [0.105 * len(words), 1.3, 1.3, *[1] * rows]
+        with figure(paths["page"], 11.69, 16.54, nrows=3 + rows, ncols=3, height_ratios=heights) as (_, axes):
+            for ax in axes[0]:
+                ax.set_axis_off()
+            axes[0, 0].text(0, 1, "\n".join(words), va="top", family="monospace", fontsize=7.2,
+                            transform=axes[0, 0].transAxes, in_layout=False)  # fmt: skip
+            draw_innovations(result, axes[1:3])
+            draw_states(result, axes[3:])
+        text.write_text(report(result, [paths["innovations"].name, paths["states"].name]) + "\n", encoding="utf-8")
+    except OSError as error:
+        reason = f"{folder}: cannot write the report: {error.strerror}; choose another folder with -o"
+        raise BoresightError(reason) from None
+    return [*paths.values(), text]
+
+
+def finish(result: Mapping[str, Any], *, folder: str | None = None, as_json: bool = False) -> int:
+    """Print and, with a folder, write the result; returns the exit status: 1 if NIS with the delay is inconsistent."""
+    written = [] if folder is None else write(result, folder)
+    if as_json:
+        short = {name: value for name, value in result.items() if name != "history"}
+        print(json.dumps({"result": short, "figures": [str(file) for file in written]}, indent=1))
+    else:
+        print(report(result))
+        for file in written:
+            print(f"wrote {file}")
+    return int(not result["nis"]["with"]["consistent"])
