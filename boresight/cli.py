@@ -272,32 +272,39 @@ def export(
     print(f"{len(written)} files in {out}; try 'make -C {out} test example'")
 
 
-STUDIES = ["azimuth-hold", "euler-table"]
+STUDIES = ["azimuth-hold", "euler-table", "float-covariance", "sea-state"]
 
 
 @app.command()
 def study(
     name: Annotated[
-        str, typer.Argument(help="euler-table: Table 1 of Song and Lee; azimuth-hold: the experiment of Kim.")
+        str,
+        typer.Argument(
+            help="euler-table: Table 1 of Song and Lee; azimuth-hold: the experiment of Kim; sea-state: that of Kang; "
+            "float-covariance: what single precision does to a covariance."
+        ),
     ],
     runs: Annotated[int, typer.Option(help="Monte Carlo runs of each case.")] = 20,
     seed: Annotated[int, typer.Option(help="Of the random numbers; a run's depend on seed and run alone.")] = 0,
     seconds: Annotated[
-        float | None, typer.Option(help="Length of a run: 120 for euler-table, 3600 for azimuth-hold.")
+        float | None,
+        typer.Option(help="Length of a run: 120 for euler-table, 3600 for azimuth-hold, 60 for sea-state."),
     ] = None,
     switch: Annotated[
         list[str] | None, typer.Option(help="euler-table: a departure from the declared scenario; repeat it.")
     ] = None,
     explore: Annotated[
-        bool, typer.Option("--explore", help="euler-table: everything the documentation counts; minutes.")
+        bool, typer.Option("--explore", help="euler-table, sea-state: everything the documentation counts; minutes.")
     ] = False,
     out: Out = None,
     as_json: AsJson = False,
 ) -> None:
     """Run an experiment of a paper; euler-table exits 1 where it disagrees with the paper."""
     one_of(name, STUDIES, "study")
-    if name == "azimuth-hold" and (switch or explore):
-        raise BoresightError("--switch and --explore belong to euler-table; azimuth-hold has neither")
+    if switch and name != "euler-table":
+        raise BoresightError(f"--switch belongs to euler-table; {name} has none")
+    if explore and name not in ("euler-table", "sea-state"):
+        raise BoresightError(f"--explore belongs to euler-table and sea-state; {name} has none")
     from rich.console import Console
 
     with Console(stderr=True).status("") as status:
@@ -305,7 +312,12 @@ def study(
         def progress(line: str) -> None:
             status.update(line)
 
-        fly = azimuth_hold if name == "azimuth-hold" else euler_table
+        fly = {
+            "azimuth-hold": azimuth_hold,
+            "euler-table": euler_table,
+            "float-covariance": float_covariance,
+            "sea-state": sea_state,
+        }[name]
         result, text, written, good = fly(runs, seed, seconds, tuple(switch or ()), explore, out, progress)
     if as_json:
         print_json(result)
@@ -376,6 +388,44 @@ def azimuth_hold(
 REPLAYED = ["euler-matching", "velocity-attitude", "velocity-attitude-lever", "azimuth-hold"]
 
 
+def float_covariance(
+    runs: int,
+    seed: int,
+    seconds: float | None,
+    switches: tuple[str, ...],
+    explore: bool,
+    out: Path | None,
+    progress: Callable[[str], None],
+) -> Flown:
+    from boresight.studies import float_covariance as single
+
+    result = single.run(seed=seed, progress=progress)
+    written = [] if out is None else single.float_figures(result, make(out))
+    return result, single.report(result), written, True
+
+
+def sea_state(
+    runs: int,
+    seed: int,
+    seconds: float | None,
+    switches: tuple[str, ...],
+    explore: bool,
+    out: Path | None,
+    progress: Callable[[str], None],
+) -> Flown:
+    from boresight.studies import sea_claims, sea_figures
+    from boresight.studies import sea_state as sea
+    from boresight.studies.sea_flight import Scenario
+
+    if explore:
+        result = sea_claims.explore(runs=runs, seed=seed, progress=progress)
+        return result, sea_claims.report(result), [], True
+    scenario = Scenario() if seconds is None else Scenario(seconds=round(seconds))
+    result = sea.run(runs=runs, seed=seed, scenario=scenario, histories=out is not None, progress=progress)
+    written = [] if out is None else sea_figures.sea_figures(result, make(out))
+    return result, sea.report(result), written, True
+
+
 @app.command()
 def replay(
     recording: Annotated[str, typer.Argument(help="A recording, or the TOML file that describes one.")],
@@ -397,6 +447,7 @@ def replay(
     accel_bias: Annotated[str | None, typer.Option(help='One sigma before, as "50 mg".')] = None,
     velocity_noise: Annotated[str | None, typer.Option(help='Master: level and vertical, as "2, 4 mm/s".')] = None,
     attitude_noise: Annotated[str | None, typer.Option(help='Master: level and heading, as "0.1, 0.3 deg".')] = None,
+    delay_noise: Annotated[str | None, typer.Option(help='Random walk of the delay, as "0.03 ms/sqrt(s)".')] = None,
     lever_arm: Annotated[
         str | None, typer.Option(help='From master to slave: front, right, down, as "-8, -2, 12 cm".')
     ] = None,
@@ -431,6 +482,7 @@ def replay(
                 ("accel", accel_noise, "accelerometer noise", 1),
                 ("velocity", velocity_noise, "velocity", 2),
                 ("attitude", attitude_noise, "angle", 2),
+                ("delay", delay_noise, "delay noise", 1),
             ),
             (("gyro_bias", gyro_bias, "angular rate", 1), ("accel_bias", accel_bias, "acceleration", 1)),
         )
