@@ -229,6 +229,42 @@ def loop_residuals(loop, message):
     return np.concatenate([loop.filter.call(f"{name}_z", **inputs) for name in ("velocity", "dcm")])
 
 
+def test_late_messages_leave_the_slave_where_it_would_be_had_they_come_in_time(short):
+    """Four messages, a tenth of a second apart, at once or 0.25 s late; process noise, which is neglected, is none."""
+    rng = np.random.default_rng(6)
+    stamps = 0.5 + 0.1 * np.arange(4)
+    v, q = short.master(stamps)
+    q = rotation.turned(q, [0.0, 0.0, 2 * DEG])  # far off, so that the first correction is large
+    v = v + 0.01 * rng.standard_normal((4, 3))
+    messages = [Message(t, R, v_m_n=v[i], q_m2n_wxyz=q[i]) for i, t in enumerate(stamps)]
+    end = {}
+    for late in (0.0, 0.25):
+        loop = without_errors(short, 0.0, "buffer")
+        loop.constants |= {name: 0 * np.asarray(value) for name, value in NOISE.items()}
+        loop.filter.P[:] = np.diag(np.repeat([1e-2, 1e-1, 1e-8, 1e-2, 1e-2, 1e-4], [3, 3, 3, 3, 3, 1]))
+        waiting = list(messages)
+        for step in range(110):
+            loop.slave((step + 1) / 100, short.dtheta[step], short.dv[step], 0.01)
+            while waiting and waiting[0].time + late <= loop.time + 1e-9:
+                assert loop.master(waiting.pop(0)).taken
+        end[late] = loop
+    at_once, late = end[0.0], end[0.25]
+    clean = without_errors(short, 1.1, "buffer")
+    turn = rotation.attitude_error(clean.nav["q_b2n_wxyz"], at_once.nav["q_b2n_wxyz"])
+    push = at_once.nav["v_n"] - clean.nav["v_n"]
+    assert np.linalg.norm(turn) > 1e-3
+    assert np.linalg.norm(push) > 1e-3
+    sigma = np.sqrt(np.diag(at_once.P))
+    assert np.abs(np.sqrt(np.diag(late.P)) / sigma - 1).max() < 0.01
+    difference = {name: late.nav[name] - at_once.nav[name] for name in ("v_n", "gyro_bias", "accel_bias", "tau")}
+    away = np.concatenate([
+        rotation.attitude_error(late.nav["q_b2n_wxyz"], at_once.nav["q_b2n_wxyz"]), difference["v_n"],
+        difference["gyro_bias"], difference["accel_bias"],
+        rotation.attitude_error(late.nav["q_b2m_wxyz"], at_once.nav["q_b2m_wxyz"]), [difference["tau"]],
+    ])  # fmt: skip
+    assert np.abs(away / sigma).max() < 0.1
+
+
 def test_a_feedback_corrects_the_kept_past_as_the_error_was_then(short):
     """The error is known: what is left of it in the past falls with the square of the age, not with the age."""
     loop = without_errors(short, 2.0, "buffer")
@@ -300,6 +336,32 @@ def test_a_delay_that_turns_out_longer_than_the_buffer_is_told_and_found_with_a_
     flight = fly(short, **unknown, rules=Rules(buffer_s=1.5))
     assert np.abs(flight.errors[-1, :, 15]).max() < 5e-3
     assert abs(np.nanmean(flight.nis[-50:]) - 6) < 1.0
+
+
+def test_two_angles_of_a_gps_are_enough_and_the_third_may_be_anything(short):
+    """Pitch and heading; the roll that is masked is not a number."""
+
+    def two_antennas(k, message):
+        euler = rotation.euler_from_matrix(rotation.matrix_from_quaternion(message.q_m2n_wxyz))
+        euler[..., 0] = np.nan
+        rows = message.rows & np.array([True, True, True, False, True, True])
+        return replace(message, q_m2n_wxyz=None, euler_m=euler, rows=rows)
+
+    flight = fly(short, runs=6, matching=("velocity", "euler"), change=two_antennas)
+    assert only(flight)
+    assert np.nanmean(flight.nis) == pytest.approx(5, abs=4 * np.sqrt(10 / np.isfinite(flight.nis).sum()))
+    assert flight.nees[-50:].mean() < 25
+    assert np.sqrt(np.mean(flight.errors[-1, :, 14] ** 2)) < 1.5 * MIL
+
+
+def test_a_message_without_what_the_matching_needs_is_refused_in_one_line(short):
+    loop = without_errors(short, 0.2, "buffer")
+    with pytest.raises(BoresightError, match="neither v_m_n nor q_m2n_wxyz"):
+        loop.master(Message(0.1, R, euler_m=np.zeros(3)))
+    with pytest.raises(BoresightError, match="no way 'kalman'"):
+        without_errors(short, 0.0, "kalman")
+    with pytest.raises(BoresightError, match="buffer_s is 0"):
+        Rules(buffer_s=0.0)
 
 
 # ---- bad input: what each rule does, what it says, and that the filter recovers
