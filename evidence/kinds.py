@@ -1,11 +1,8 @@
-"""`make evidence`: what is out of date is computed anew, results and docs/evidence.md are written."""
+"""The kinds of evidence, and what makes each."""
 
-import multiprocessing
-import sys
 import tempfile
 import time
 from collections.abc import Callable
-from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -22,7 +19,7 @@ from boresight.evidence.misra import version as misra_version
 from boresight.evidence.mutants import mutants
 from boresight.evidence.riscv import riscv
 from boresight.evidence.rounding import rounding
-from boresight.evidence.sources import Folder, folders
+from boresight.evidence.sources import Folder
 from boresight.evidence.targets import GCC, M4F, RV32
 from boresight.evidence.trace import trace
 
@@ -49,7 +46,6 @@ KINDS = (
     Kind("riscv", riscv, RV32.missing, lambda: RV32.version),
     Kind("eva", eva, EVA_MISSING, eva_version),
 )
-JOBS = 2
 
 
 def out_of_date(folder: Folder, kind: Kind) -> bool:
@@ -63,29 +59,3 @@ def make(folder: Folder, name: str) -> tuple[UNITS, float]:
     start = time.perf_counter()
     with tempfile.TemporaryDirectory() as out:
         return kind.make(folder, Path(out)), time.perf_counter() - start
-
-
-def main() -> int:
-    """Everything, or the folders named on the command line."""
-    named = sys.argv[1:]
-    for kind in KINDS:
-        if kind.missing:
-            print(f"{kind.name}: skipped, {kind.missing}")
-    with ProcessPoolExecutor(JOBS, mp_context=multiprocessing.get_context("spawn")) as pool:
-        running = {
-            pool.submit(make, folder, kind.name): (folder, kind)
-            for kind in KINDS
-            for folder in folders()
-            if not kind.missing and (not named or folder.name in named) and out_of_date(folder, kind)
-        }
-        for done in as_completed(running):
-            folder, kind = running[done]
-            units, seconds = done.result()
-            entry = {"sources": results.sources_hash(folder), "tools": kind.tools(), "units": units}
-            results.write(folder, {**results.read(folder), kind.name: entry})
-            print(f"{folder.name}: {kind.name}, {seconds:.1f} s", flush=True)
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -109,9 +109,7 @@ def trace(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
 def of_unit(unit: Source) -> dict[str, Any]:
     assert unit.described is not None
     made, results = kernel(unit), {result["name"]: result for result in unit.described["results"]}
-    missing = [
-        f"statement {line.number} reaches no output: {line.text}" for line in made.statements if not line.outputs
-    ]
+    missing = [f"{line.text} reaches no output" for line in made.statements if not line.outputs]
     if len(made.statements) != unit.operations:
         missing.append(f"{len(made.statements)} statements, {unit.operations} operations in the manifest")
     tested = {
@@ -158,7 +156,4 @@ def table(unit: Source) -> str:
 
 
 if __name__ == "__main__":
-    (wanted,) = [
-        u for f in folders() if f.name == sys.argv[1] for u in f.units if u.name.split("_", 1)[1] == sys.argv[2]
-    ]
-    print(table(wanted))
+    print(*(table(unit) for folder in folders() for unit in folder.units if [folder.name, unit.name] == sys.argv[1:]))

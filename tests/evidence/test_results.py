@@ -4,7 +4,7 @@ import pytest
 from committed import NAMES, folder_of
 
 from boresight.evidence import results
-from boresight.evidence.__main__ import KINDS
+from boresight.evidence.kinds import KINDS
 
 
 @pytest.mark.parametrize("name", NAMES)

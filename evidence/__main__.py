@@ -1,0 +1,39 @@
+"""`make evidence`: what is out of date is computed anew, and written to results/ and docs/evidence.md."""
+
+import multiprocessing
+import sys
+from concurrent.futures import ProcessPoolExecutor, as_completed
+
+from boresight.evidence import results
+from boresight.evidence.kinds import KINDS, make, out_of_date
+from boresight.evidence.sources import folders
+from boresight.evidence.table import PAGE, page
+
+JOBS = 2
+
+
+def main() -> int:
+    """Everything, or the folders named on the command line."""
+    named = sys.argv[1:]
+    for kind in KINDS:
+        if kind.missing:
+            print(f"{kind.name}: skipped, {kind.missing}")
+    with ProcessPoolExecutor(JOBS, mp_context=multiprocessing.get_context("spawn")) as pool:
+        running = {
+            pool.submit(make, folder, kind.name): (folder, kind)
+            for kind in KINDS
+            for folder in folders()
+            if not kind.missing and (not named or folder.name in named) and out_of_date(folder, kind)
+        }
+        for done in as_completed(running):
+            folder, kind = running[done]
+            units, seconds = done.result()
+            entry = {"sources": results.sources_hash(folder), "tools": kind.tools(), "units": units}
+            results.write(folder, {**results.read(folder), kind.name: entry})
+            print(f"{folder.name}: {kind.name}, {seconds:.1f} s", flush=True)
+    PAGE.write_text(page(PAGE.read_text()))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

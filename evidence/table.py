@@ -1,0 +1,113 @@
+"""The table of docs/evidence.md, from the committed results."""
+
+from pathlib import Path
+from typing import Any
+
+from boresight.evidence import results
+from boresight.evidence.misra import DEVIATED
+from boresight.evidence.sources import Source, folders
+
+PAGE = Path(__file__).resolve().parent.parent / "docs" / "evidence.md"
+BEGIN, END = "<!-- from here on written by make evidence -->\n", "<!-- to here -->\n"
+HEAD = (
+    *("unit", "operations", "bytes", "M4F float", "M7 float", "M7 double", "bits", "same sines", "M4F double"),
+    *("RISC-V", "mutants killed", "bad input", "rounding", "MISRA", "Eva", "trace"),
+)
+
+
+def page(text: str) -> str:
+    """The page with its tables made anew."""
+    before, rest = text.split(BEGIN)
+    return before + BEGIN + tables() + END + rest.split(END)[1]
+
+
+def tables() -> str:
+    parts = []
+    for folder in folders():
+        kept = results.read(folder)
+        rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
+        lines = [HEAD, ("---",) * len(HEAD), *rows]
+        parts.append(f"\n## {folder.name}\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines) + "\n")
+    return "".join(parts) + "\n"
+
+
+def row(unit: Source, of: dict[str, dict[str, Any]]) -> tuple[str, ...]:
+    """One unit's line; what was not computed, or cannot be for a template, is a dash."""
+    golden, builds = of.get("golden", {}), of.get("golden", {}).get("builds", {})
+    costs = golden.get("cost", {})
+    main = unit.described["c_name"] if unit.described else max(costs, key=lambda f: worst(costs[f]), default="")
+    cost = costs.get(main, {})
+
+    def paid(where: str) -> str:
+        return f"{cost[where][0]} ({cost[where][1]} B)" if where in cost else "-"
+
+    return (
+        unit.name if unit.described or not main else f"{unit.name}: {main}",
+        str(golden.get("operations") or "-"),
+        str(golden.get("text", {}).get("cortex-m4f float", "-")),
+        *(paid(where) for where in ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double")),
+        bits(builds, ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double"), "bits", "ulps"),
+        bits(builds, ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double"), "same_bits", "same_ulps"),
+        bits(builds, ("cortex-m4f double",), "same_bits", "same_ulps"),
+        bits(of.get("riscv", {}).get("builds", {}), ("riscv32 float", "riscv32 double"), "same_bits", "same_ulps"),
+        killed(of.get("mutants", {})),
+        refused(of.get("guards", {})),
+        rounds(of.get("rounding", {})),
+        rules(of.get("misra", {})),
+        alarms(of.get("eva", {})),
+        traced(of.get("trace", {})),
+    )
+
+
+def worst(cost: dict[str, list[int]]) -> int:
+    return max((instructions for instructions, _ in cost.values()), default=0)
+
+
+def bits(builds: dict[str, Any], where: tuple[str, ...], same: str, ulps: str) -> str:
+    """Equal bits, or by how many units in the last place they differ at most."""
+    found = [builds[name] for name in where if name in builds]
+    if not found:
+        return "-"
+    failed = sum(build["failures"] for build in found) if same == "bits" else 0
+    off = max(build[ulps] for build in found)
+    word = "equal" if all(build[same] for build in found) else f"{max(off, 0.01):.2g} ulp"
+    return word + (f", {failed} fail" if failed else "")
+
+
+def killed(of: dict[str, Any]) -> str:
+    if not of:
+        return "-"
+    meant = of["tried"] - of["equivalent"]
+    return f"{of['killed']} of {meant} ({100 * of['killed'] / max(1, meant):.1f} %), {of['equivalent']} equivalent"
+
+
+def refused(of: dict[str, Any]) -> str:
+    if not of:
+        return "-"
+    left = len({word.split(", ", 1)[1] for word in of["not_taken"]})
+    return f"{of['tried']}, {len(of['wrong'])} wrong" + (f", {left} lines open" if left else "")
+
+
+def rounds(of: dict[str, Any]) -> str:
+    if not of:
+        return "-"
+    loose = f", {of['loose']:.2g}x" if of["loose"] else ""
+    return f"{of['relative']:.1e}{loose}" + (f", {of['violations']} broken" if of["violations"] else "")
+
+
+def rules(of: dict[str, Any]) -> str:
+    """Rules broken beyond those deviated."""
+    if not of:
+        return "-"
+    beyond = {rule: count for rule, count in of["rules"].items() if rule not in DEVIATED}
+    return ", ".join(f"{rule} x{count}" for rule, count in sorted(beyond.items())) or "0"
+
+
+def alarms(of: dict[str, Any]) -> str:
+    return f"{of['alarms']}" + (f" ({len(of['assumed'])} assumed)" if of["assumed"] else "") if of else "-"
+
+
+def traced(of: dict[str, Any]) -> str:
+    if not of:
+        return "-"
+    return f"{of['statements']} to {of['outputs']}" + (f", {len(of['missing'])} open" if of["missing"] else "")
