@@ -62,7 +62,7 @@ def draw_case(k: int, n: int, F_places: Places, Qc_places: Places) -> Case:
     for i in range(n):
         for j in range(n):
             value = draw() // 8 - 16
-            empty = kind == 0 or (kind == 1 and i != j) or (kind == 2 and j > 1)
+            empty = kind in (0, 6) or (kind == 1 and i != j) or (kind == 2 and j > 1)
             root[i, j] = 0 if empty else value
     F, Qc = table(), table()
     for place in F_places:
@@ -74,7 +74,7 @@ def draw_case(k: int, n: int, F_places: Places, Qc_places: Places) -> Case:
     for i, j in Qc_places:
         if i == j:
             Qc[i, i] = sum(abs(Qc[i, other]) for other in range(n) if other != i) + draw() + 1
-    if kind == 5:
+    if kind in (5, 6):
         Qc = table()
     x, h = np.zeros(n, dtype=object), np.zeros(n, dtype=object)
     for i in range(n):

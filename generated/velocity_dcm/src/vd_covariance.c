@@ -11,11 +11,11 @@ enum {
  * both in parts of the variances. */
 #ifdef BORESIGHT_FLOAT
 #define TOLERANCE BS_REAL(1e-4)
-#define LEAST_PIVOT ((bs_real)N * BS_REAL(1.1920929e-07))
+#define LEAST_PIVOT BS_REAL(1.1920929e-07)
 #define LEAST BS_REAL(1.17549435e-38)
 #else
 #define TOLERANCE BS_REAL(1e-9)
-#define LEAST_PIVOT ((bs_real)N * BS_REAL(2.220446049250313e-16))
+#define LEAST_PIVOT BS_REAL(2.220446049250313e-16)
 #define LEAST BS_REAL(2.2250738585072014e-308)
 #endif
 
@@ -98,7 +98,7 @@ static int factorize(bs_real *UD)
                 u[k] = gain;
             }
         } else {
-            positive = positive && (variance[j] >= BS_REAL(0.0)) && (u[j] >= (-TOLERANCE * variance[j]));
+            positive = positive && (u[j] >= (-TOLERANCE * variance[j])); /* never true of a negative variance */
             for (int k = 0; k < j; ++k) {
                 positive = positive && ((u[k] * u[k]) <= (TOLERANCE * (variance[k] * variance[j])));
             }

@@ -1,0 +1,313 @@
+"""The covariance kernels and the filter in C: two forms and the textbook, what the self-tests see, every build."""
+
+import ctypes
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+from boresight.codegen.kernels.covariance import phi_places, table
+from boresight.codegen.kernels.covariance_vectors import draw_case, predicted, updated
+from boresight.runtime.library import load
+
+GENERATED = ROOT / "generated"
+FILTERS = sorted(path.parent.parent.name for path in GENERATED.glob("*/src/*_filter.c"))
+AH = GENERATED / "azimuth_hold"
+FLAGS = (
+    *("-std=c99", "-O0", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow"),
+    *("-Wmissing-prototypes", "-Werror", "-ffp-contract=off"),
+)
+U = np.finfo(float).eps / 2
+
+
+def run(*command):
+    return subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
+
+
+def self_test(folder, tmp_path, *flags, compiler="cc"):
+    sources = [path for name in ("src", "selftest") for path in sorted((folder / name).glob("*.c"))]
+    built = run(compiler, *flags, "-I", folder / "include", *sources, "-lm", "-o", tmp_path / "selftest")
+    assert built.returncode == 0, built.stderr
+    return run(tmp_path / "selftest")
+
+
+# ---- every build
+
+
+@pytest.mark.parametrize("model", FILTERS)
+@pytest.mark.parametrize("compiler", [name for name in ("gcc", "clang") if shutil.which(name)])
+def test_in_single_precision_there_is_no_warning_and_the_self_test_passes(compiler, model, tmp_path):
+    done = self_test(GENERATED / model, tmp_path, *FLAGS, "-DBORESIGHT_FLOAT", compiler=compiler)
+    assert done.returncode == 0, done.stdout[-2000:]
+
+
+@pytest.mark.parametrize("form", [("-DBORESIGHT_UD=1",), ("-DBORESIGHT_FLOAT", "-DBORESIGHT_UD=0")])
+def test_each_form_flies_in_the_other_precision(form, tmp_path):
+    done = self_test(AH, tmp_path, *FLAGS, *form)
+    assert done.returncode == 0, done.stdout[-2000:]
+
+
+def test_no_undefined_behaviour_is_met(tmp_path):
+    done = self_test(AH, tmp_path, "-std=c99", "-fsanitize=undefined,address", "-fno-sanitize-recover")
+    assert done.returncode == 0, done.stdout[-1000:] + done.stderr[-1000:]
+
+
+def test_all_models_and_the_detector_link_into_one_binary(tmp_path):
+    folders = sorted(path.parent for path in GENERATED.glob("*/manifest.json"))
+    headers = [path for folder in folders for path in sorted((folder / "include").glob("*.h"))]
+    main = tmp_path / "main.c"
+    names = "".join(f'#include "{path.name}"\n' for path in headers if path.name != "boresight.h")
+    main.write_text(names + "int main(void)\n{\n    return 0;\n}\n")
+    sources = [path for folder in folders for path in sorted((folder / "src").glob("*.c"))]
+    includes = [word for folder in folders for word in ("-I", folder / "include")]
+    built = run("cc", "-std=c99", "-O0", "-Wall", "-Werror", *includes, main, *sources, "-lm", "-o", tmp_path / "all")
+    assert built.returncode == 0, built.stderr[-2000:]
+    assert run(tmp_path / "all").returncode == 0
+
+
+def test_the_filter_needs_five_functions_from_outside(tmp_path):
+    objects = []
+    for source in sorted((AH / "src").glob("*.c")):
+        objects.append(tmp_path / f"{source.stem}.o")
+        command = ("cc", "-std=c99", "-O2", "-I", AH / "include", "-c", source, "-o", objects[-1])
+        assert run(*command).returncode == 0
+    assert run("ld", "-r", *objects, "-o", tmp_path / "whole.o").returncode == 0
+    listed = run("nm", "-u", tmp_path / "whole.o").stdout.split()
+    allowed = {"U", "sqrt", "sin", "cos", "sincos", "atan2", "fabs", "memset", "memcpy", "__stack_chk_fail",
+               "_GLOBAL_OFFSET_TABLE_"}  # fmt: skip
+    assert set(listed) <= allowed
+    written = run("nm", tmp_path / "whole.o").stdout
+    assert not [line for line in written.splitlines() if line.split()[-2] in "BbDdCGgSs"], "a global variable"
+
+
+# ---- the self-tests can fail
+
+
+MUTANTS = {
+    "ah_covariance.c": [
+        ("s1 += a * row[1]", "s1 -= a * row[1]"),
+        ("left[i] -= u[i] * gain", "left[i] -= u[i] * u[k]"),
+        ("u[k] = gain;", ""),
+        ("TOLERANCE BS_REAL(1e-9)", "TOLERANCE BS_REAL(1e9)"),
+        ("BS_REAL(0.5) * F[p]", "BS_REAL(0.4995) * F[p]"),
+        ("row[i] += BS_REAL(1.0)", "row[i] += BS_REAL(0.999)"),
+        ("BS_REAL(0.16666666666666666)", "BS_REAL(0.1667)"),
+        ("BS_REAL(0.5) * Qc[q]", "BS_REAL(0.5005) * Qc[q]"),
+        ("Q[column(j) + (int)Qc_at[q]] += Qc[q]", "Q[column(j) + (int)Qc_at[q]] -= Qc[q]"),
+        ("X[(i * ROW) + j] + Q[column(j) + i]", "X[(i * ROW) + j]"),
+        ("sum += D[k] * (w[k] * w[k])", "sum += w[k] * (w[k] * w[k])"),
+        ("wi[k] -= u * w[k]", "wi[k] += u * w[k]"),
+        ("xi[k] -= u * x[k]", "xi[k] -= w[k] * x[k]"),
+        ("if (sum < LEAST)", "if (sum < -LEAST)"),
+        ("(S * (K[i] * K[j]))", "(K[i] * K[j])"),
+        ("x[j] += K[j] * nu", "x[j] -= K[j] * nu"),
+        ("u[j] = d * (before / alpha)", "u[j] = d * (alpha / before)"),
+        ("b[i] += b[j] * old", "b[i] += b[j] * u[i]"),
+        ("const bs_real lambda = f[j] / before", "const bs_real lambda = f[j] / row->R"),
+        ("row->gate > BS_REAL(0.0)", "row->gate > BS_REAL(9.0)"),
+        ("is_finite(nu) && ", ""),
+        ("BS_FABS(off) <= scale", "BS_FABS(off) <= BS_REAL(1e9)"),
+    ],
+    "ah_filter.c": [
+        ("ah_predict_state(filter->Phi, filter->x);", ""),
+        ("filter->x[i] = BS_REAL(0.0);", ""),
+        ("status = check_noise(R, gate, 3);", "status = BS_OK;"),
+        ("(rows >> (unsigned int)i) & 1U", "(rows >> (unsigned int)i) | 1U"),
+        ("status = bs_check(&imu->dt, dt_low, dt_high, 1);", "status = BS_OK;"),
+        ("filter->nav = next_nav;", ""),
+        ("innovation->S[i] = row.S;", "innovation->S[i] = row.nu;"),
+        ("|| (innovation == 0)", ""),
+        ("static const unsigned short at[3] = { 3, 4, 5 };", "static const unsigned short at[3] = { 3, 5, 4 };"),
+    ],
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def objects(tmp_path_factory):
+    """Everything of the self-test but the two files that are mutated, compiled once."""
+    folder = tmp_path_factory.mktemp("objects")
+    made = {}
+    for path in [*(AH / "src").glob("*.c"), *(AH / "selftest").glob("*.c")]:
+        made[path.name] = folder / f"{path.stem}.o"
+        command = (
+            "cc",
+            "-std=c99",
+            "-O1",
+            "-ffp-contract=off",
+            "-I",
+            AH / "include",
+            "-c",
+            path,
+            "-o",
+            made[path.name],
+        )
+        assert run(*command).returncode == 0
+    return made
+
+
+@pytest.mark.parametrize(("file", "right", "wrong"), [(f, *change) for f in MUTANTS for change in MUTANTS[f]])
+def test_the_self_test_sees_each_mutation(file, right, wrong, objects, tmp_path):
+    text = (AH / "src" / file).read_text()
+    assert right in text
+    mutant = tmp_path / file
+    mutant.write_text(text.replace(right, wrong))
+    others = [path for name, path in objects.items() if name != file]
+    built = run(
+        "cc", "-std=c99", "-ffp-contract=off", "-I", AH / "include", mutant, *others, "-lm", "-o", tmp_path / "a"
+    )
+    assert built.returncode == 0, built.stderr
+    done = run(tmp_path / "a")
+    assert done.returncode != 0, "the self-test does not see it"
+
+
+# ---- two forms and the textbook
+
+
+class Kernels:
+    """The kernels of a model on NumPy arrays."""
+
+    class Row(ctypes.Structure):
+        _fields_ = [
+            ("h", ctypes.c_void_p), ("at", ctypes.c_void_p), ("count", ctypes.c_int), ("z", ctypes.c_double),
+            ("R", ctypes.c_double), ("gate", ctypes.c_double), ("nu", ctypes.c_double), ("S", ctypes.c_double),
+            ("used", ctypes.c_int),
+        ]  # fmt: skip
+
+    def __init__(self, name):
+        library = load(name)
+        self.dll, self.prefix, self.n = library.dll, library.manifest["c_prefix"], len(library.states)
+        self.work = np.zeros(4 * (self.n + 5) ** 2)
+
+    def call(self, function, *arguments):
+        pointers = [ctypes.c_void_p(a.ctypes.data) if isinstance(a, np.ndarray) else a for a in arguments]
+        return getattr(self.dll, f"{self.prefix}_{function}")(*pointers)
+
+    def init(self, form, P):
+        packed = np.full(self.n * (self.n + 1) // 2, np.nan)
+        return self.call(f"{form}_init", np.ascontiguousarray(P), packed, self.work), packed
+
+    def dense(self, form, packed):
+        P = np.zeros((self.n, self.n))
+        self.call(f"{form}_dense", packed, P)
+        return P
+
+    def update(self, form, packed, x, h, z, R):
+        at, h = np.arange(self.n, dtype=np.uint16), np.ascontiguousarray(h)
+        row = self.Row(h.ctypes.data, at.ctypes.data, self.n, z, R, 0.0, 0.0, 0.0, 1)
+        assert self.call(f"{form}_update", packed, x, ctypes.byref(row)) == 0
+        return row.nu, row.S
+
+
+@pytest.fixture(params=["euler-matching", "velocity-dcm", "azimuth-hold", "velocity-attitude"])
+def kernels(request):
+    return Kernels(request.param)
+
+
+def scaled(difference, P):
+    sigma = np.sqrt(np.diag(P))
+    return np.abs(difference / np.outer(sigma, sigma)).max()
+
+
+def random_covariance(n, rng):
+    root = rng.standard_normal((n, n))
+    sigma = 10.0 ** rng.uniform(-6, 3, n)
+    return root @ root.T * np.outer(sigma, sigma), sigma
+
+
+def test_both_forms_update_as_the_textbook_does(kernels):
+    rng = np.random.default_rng(0)
+    for _ in range(20):
+        P, sigma = random_covariance(kernels.n, rng)
+        h, x, z = rng.standard_normal(kernels.n) / sigma, sigma * rng.standard_normal(kernels.n), 1.0
+        R = 0.1
+        K = P @ h / (h @ P @ h + R)
+        after, estimate = (np.eye(kernels.n) - np.outer(K, h)) @ P, x + K * (z - h @ x)
+        spread = np.abs(h) @ np.sqrt(np.diag(P))
+        bound = 10 * kernels.n**2 * U * (R + spread**2) / (h @ P @ h + R)
+        for form in ("joseph", "ud"):
+            status, packed = kernels.init(form, P)
+            assert status == 0
+            moved = x.copy()
+            nu, S = kernels.update(form, packed, moved, h, z, R)
+            assert abs(S - (h @ P @ h + R)) < bound * S and abs(nu - (z - h @ x)) < 1e-12
+            assert scaled(kernels.dense(form, packed) - after, P) < bound
+            assert np.abs((moved - estimate) / sigma).max() < bound * 1e3
+
+
+def test_the_factors_stay_positive_where_the_matrix_does_not(kernels):
+    """A thousand accurate measurements from a coarse start: D is never negative, and U D U' is a covariance."""
+    rng = np.random.default_rng(3)
+    P = np.diag(10.0 ** rng.uniform(4, 8, kernels.n))
+    _, packed = kernels.init("ud", P)
+    x = np.zeros(kernels.n)
+    diagonal = np.cumsum(np.arange(1, kernels.n + 1)) - 1
+    for _ in range(1000):
+        kernels.update("ud", packed, x, rng.standard_normal(kernels.n), 0.0, 1e-10)
+        assert (packed[diagonal] >= 0).all()
+    P = kernels.dense("ud", packed)
+    sigma = np.sqrt(np.diag(P))
+    assert (sigma > 0).all() and np.linalg.eigvalsh(P / np.outer(sigma, sigma))[0] > 0
+
+
+def test_a_covariance_without_full_rank_has_factors(kernels):
+    rng = np.random.default_rng(4)
+    for rank in (0, 1, kernels.n // 2):
+        root = rng.standard_normal((kernels.n, rank))
+        P = root @ root.T
+        for form in ("joseph", "ud"):
+            status, packed = kernels.init(form, P)
+            assert status == 0
+            assert np.abs(kernels.dense(form, packed) - P).max() <= 5 * kernels.n**2 * U * max(1.0, P.max(initial=0))
+
+
+def test_what_is_no_covariance_is_refused(kernels):
+    P, _ = random_covariance(kernels.n, np.random.default_rng(5))
+    indefinite = P - 2 * np.diag(np.diag(P)) * (np.arange(kernels.n) == 1)
+    crossed = P.copy()
+    crossed[0, 1] *= 1.01
+    for form in ("joseph", "ud"):
+        for wrong, status in ((indefinite, 5), (crossed, 5), (P * np.nan, 2)):
+            said, packed = kernels.init(form, wrong)
+            assert said == status and np.isnan(packed).all()
+
+
+# ---- the golden vectors themselves
+
+
+def test_the_vectors_are_what_numpy_computes():
+    """Exact fractions and floating point agree to the tolerances printed beside the vectors."""
+    F, Qc = ((0, 1), (0, 2), (1, 2)), ((1, 1), (1, 2), (2, 1), (2, 2))
+    places = [(i, j) for j in range(3) for i in range(j + 1)]
+    for k in range(64):
+        case = draw_case(k, 3, F, Qc)
+        scale = 2.0 ** np.array(case.scale)
+        P, x = (np.array(v, dtype=float) for v in (case.P / 2**8, case.x / 2**4))
+        A, S = (np.array(v, dtype=float) / 2**12 for v in (case.F, case.Qc))
+        Phi = np.eye(3) + A + A @ A / 2
+        Q = S + (A @ S + S @ A.T) / 2 + (A @ A @ S + 2 * A @ S @ A.T + S @ A.T @ A.T) / 6
+        packed, moved, size, _, _ = predicted(case)
+        expected = (Phi @ P @ Phi.T + Q) * np.outer(scale, scale)
+        for value, (i, j) in zip(packed, places, strict=True):
+            assert abs(value - expected[i, j]) <= 50 * U * size[i] * size[j]
+        assert np.allclose(moved, Phi @ x * scale, rtol=1e-14, atol=1e-300)
+        h, R, z = np.array(case.h / 2**6, dtype=float), case.R / 2**24, case.z / 2**3
+        after, estimate, size, _, (nu, innovation, _, _) = updated(case)
+        assert nu == pytest.approx(z - h @ x, abs=1e-13) and innovation == pytest.approx(h @ P @ h + R, rel=1e-13)
+        K = P @ h / (h @ P @ h + R)
+        expected = (P - np.outer(K, K) * (h @ P @ h + R)) * np.outer(scale, scale)
+        for value, (i, j) in zip(after, places, strict=True):
+            assert abs(value - expected[i, j]) <= 50 * U * size[i] * size[j]
+        assert np.allclose(estimate, (x + K * (z - h @ x)) * scale, rtol=1e-9, atol=1e-12)
+
+
+def test_the_places_of_phi_hold_every_power_that_it_has():
+    assert phi_places(3, ((0, 1), (1, 2))) == ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
+    assert table(((0, 2), (2, 0), (0, 1)), 3) == {"nnz": 3, "start": "0, 2, 2, 3", "at": "1, 2, 0"}
+
+
+def test_the_filter_is_left_out_where_nothing_is_measured():
+    assert not (Path(GENERATED) / "phi_error" / "src" / "phi_filter.c").exists()
+    assert {"azimuth_hold", "euler_matching", "velocity_attitude", "velocity_dcm"} <= set(FILTERS)
