@@ -360,7 +360,8 @@ class Transfer:
             return
         self._saturated_at = np.where(seen, self.time, self._saturated_at)
         self._saturated_s = np.where(seen, before + dt, 0.0)
-        variance = (self.rules.overshoot * full) ** 2 * np.where(seen, self._saturated_s**2 - before**2, 0.0)
+        missed = self.rules.overshoot * np.where(seen, full, 0.0)  # full scale may be infinite: of a sensor without one
+        variance = missed**2 * (self._saturated_s**2 - np.where(seen, before, 0.0) ** 2)
         C = rotation.matrix_from_quaternion(self.filter.nav["q_b2n_wxyz"])
         for block, axes in ((PHI, slice(0, 3)), (DV, slice(3, 6))):
             self.filter.P[..., block, block] += (C * variance[..., None, axes]) @ np.swapaxes(C, -1, -2)
