@@ -136,7 +136,7 @@ def carried(master: Pose, lever_b: Any, q_b2m_wxyz: Any, bending: Harmonics | No
     """The slave on the master's hull: exact kinematics of a rigid body, and bending at the slave.
 
     lever_b: (..., 3) m from master to slave in the slave's axes.  q_b2m_wxyz: (..., 4) the mounting, of any size.
-    bending: D = 3, theta in rad in the master's axes, of a few mrad, its runs as they broadcast with the hull's: C_b2m =
+    bending: D = 3, theta in rad in the master's axes, of a few mrad, its runs as they broadcast with the hull: C_b2m =
     exp([theta x]) C_mounting.  It turns the slave where it stands: the lever arm stays as it is in the master's axes.
     """
     C_b2m = rotation.matrix_from_quaternion(q_b2m_wxyz)

@@ -10,7 +10,7 @@ from boresight import BoresightError
 from boresight.derive import delay_error
 from boresight.runtime import hull, inertial, rotation, simulation
 from boresight.runtime.library import load
-from boresight.studies import sea_bench, sea_delay, sea_figures, sea_flight, sea_state
+from boresight.studies import sea_bench, sea_claims, sea_delay, sea_figures, sea_flight, sea_state
 from boresight.studies.sea_flight import DEG, FILTERS, MIL, Scenario, draw, fly, motion_of, truth
 
 WITH, WITHOUT = (FILTERS.index(name) for name in ("with", "without"))
@@ -183,6 +183,17 @@ def test_both_ways_compensate(model):
 
 
 # ---- the study
+
+
+def test_every_variant_has_a_motion_and_a_scenario_that_has_a_meaning():
+    for variant in sea_claims.VARIANTS:
+        s = sea_flight.checked(replace(Scenario(), **variant.changes))
+        motion = variant.kind
+        motion = motion_of(motion, s, draw(s, 0, 1).streams) if isinstance(motion, str) else motion(s)
+        assert hull.ride(motion, np.zeros(1)).v_n.shape[1] == 6, variant.says
+    # (6) as roll: 0.5 degrees in state 3, at its quarter period
+    rolled = next(v for v in sea_claims.VARIANTS if v.says == "(6) as roll in degrees").kind(Scenario())
+    assert rolled.freedoms.at([2.5])[0, 2, 0, 3] == pytest.approx(0.5 * DEG)
 
 
 def test_the_study_reports_and_draws(model, tmp_path):
