@@ -35,6 +35,7 @@ class CompiledFilter(Filter):
         size = getattr(model.dll, f"{model.manifest['c_prefix']}_filter_size")
         size.restype = ctypes.c_size_t
         self._width = int(size())
+        self._memory = np.zeros((0, self._width))
         self._carried: dict[str, slice] = {}
         start = 0
         for struct in described["carried"]:
@@ -113,7 +114,9 @@ class CompiledFilter(Filter):
         runs = np.broadcast_shapes(*shapes)
         n = int(np.prod(runs, dtype=int))
 
-        memory = np.zeros((*runs, self._width))
+        if self._memory.shape[:-1] != runs:  # kept from call to call: most of it is scratch
+            self._memory = np.zeros((*runs, self._width))
+        memory = self._memory
         for name, part in self._carried.items():
             if name in given:
                 memory[..., part] = given[name]
