@@ -443,7 +443,7 @@ def replay(
     ] = "euler_exact",
     gyro_noise: Annotated[str | None, typer.Option(help='As "0.15 deg/sqrt(h)".')] = None,
     accel_noise: Annotated[str | None, typer.Option(help='As "150 ug/sqrt(Hz)" or "0.1 m/s/sqrt(h)".')] = None,
-    gyro_bias: Annotated[str | None, typer.Option(help='One sigma before, as "1800 deg/h".')] = None,
+    gyro_bias: Annotated[str | None, typer.Option(help='One sigma before, as "720 deg/h".')] = None,
     accel_bias: Annotated[str | None, typer.Option(help='One sigma before, as "50 mg".')] = None,
     velocity_noise: Annotated[str | None, typer.Option(help='Master: level and vertical, as "2, 4 mm/s".')] = None,
     attitude_noise: Annotated[str | None, typer.Option(help='Master: level and heading, as "0.1, 0.3 deg".')] = None,

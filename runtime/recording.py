@@ -48,6 +48,7 @@ UNITS: dict[str, dict[str, float]] = {
         "mg/sqrt(Hz)": G / 1000,
         "ug/sqrt(Hz)": G / 1e6,
     },
+    "delay noise": {"s/sqrt(s)": 1.0, "ms/sqrt(s)": 1e-3, "ms/sqrt(h)": 1e-3 / 60},
 }
 
 

@@ -25,7 +25,7 @@ ROWS = ("velocity north", "velocity east", "velocity down", "attitude north", "a
 MATCHING = ("velocity", "dcm")
 BODY = ("front", "right", "down")
 # One sigma before the first message, SI and rad: a MEMS unit screwed in by eye, on a clock that nobody has compared.
-PRIOR = {"gyro_bias": np.radians(0.5), "accel_bias": 0.5, "misalignment": np.radians(2.0), "delay": 0.05, "lever": 1.0}
+PRIOR = {"gyro_bias": np.radians(0.2), "accel_bias": 0.5, "misalignment": np.radians(2.0), "delay": 0.05, "lever": 1.0}
 VELOCITY_START = 0.5  # m/s, one sigma; covers what an unknown lever arm does to it
 HOLD_S = 0.15  # a message is handed over so late, so that a delay that is believed negative for a while stays inside
 GATE = 1e-300  # by chance; NIS 1400 of six rows
@@ -46,8 +46,10 @@ class Noise:
 NOISES = {
     "gyro": Noise("gyro noise", "deg/sqrt(h)", ("each axis",), 5e-5, (1e-7, 0.03)),
     "accel": Noise("accelerometer noise", "m/s/sqrt(h)", ("each axis",), 2e-3, (1e-6, 1.0)),
-    "velocity": Noise("velocity", "mm/s", ("level", "vertical"), 5e-3, (1e-5, 3.0)),
-    "attitude": Noise("angle", "arcmin", ("level", "heading"), 5e-5, (1e-7, 0.03)),
+    "velocity": Noise("velocity", "mm/s", ("level", "vertical"), 0.05, (1e-5, 3.0)),
+    "attitude": Noise("angle", "arcmin", ("level", "heading"), 1e-3, (1e-7, 0.03)),
+    # two clocks run apart by 1e-5 of the time or so
+    "delay": Noise("delay noise", "ms/sqrt(s)", ("random walk",), 3e-5, (1e-7, 0.01)),
 }
 PARTS = tuple(one for one in NOISES.values() for _ in one.parts)
 ENOUGH = 0.5  # of minus the log likelihood: the noises are then within one of their own sigmas
@@ -84,7 +86,7 @@ def fly(
 ) -> dict[str, Any]:
     """One pass of the filter over a recording whose master lies inside the slave's data, by HOLD_S at its end.
 
-    noises: (..., 6) in SI and rad, in the order of NOISES; leading axes are runs side by side.  start: (..., 19) where
+    noises: (..., 7) in SI and rad, in the order of NOISES; leading axes are runs side by side.  start: (..., 19) where
     the estimates begin, as `estimates` has them.  prior: one sigma of each by name; delay_sigma: (...,) s, the delay's.
     Returns, first axis the K messages: time (K,) s, nu and S (K, ..., 6), estimate and sigma (K, ..., n); and notes,
     pairs of run numbers and a line.  A message is refused where its NIS is beyond GATE only, which no filter that is
@@ -123,7 +125,8 @@ def fly(
     P = tie @ P @ tie.T
     constants: dict[str, Any] = {
         "gyro_noise": spread[..., :3], "accel_noise": spread[..., 3:6], "gyro_bias_noise": np.zeros(3),
-        "accel_bias_noise": np.zeros(3), "mu_noise": np.zeros(3), "tau_noise": 0.0, "lever_b": start[..., 16:],
+        "accel_bias_noise": np.zeros(3), "mu_noise": np.zeros(3), "lever_b": start[..., 16:],
+        "tau_noise": np.where(np.asarray(delay_sigma) > 0, noises[..., 6], 0.0),
     }  # fmt: skip
     if "d_lever_x" in model.states:
         nav["lever_b"] = constants.pop("lever_b")
@@ -221,7 +224,7 @@ def run(
     start = track["estimate"][-1]
     # A noise that is far too large comes down slowly; the second half's own scatter is near.
     scatter = np.std(track["nu"][len(track["nu"]) // 2 :, 0], axis=0)
-    near = np.array([*noises[:2], scatter[:2].max(), scatter[2], scatter[3:5].max(), scatter[5]])
+    near = np.array([*noises[:2], scatter[:2].max(), scatter[2], scatter[3:5].max(), scatter[5], noises[6]])
     noises = np.where(free, np.clip(near, low, high), noises)
 
     def flown(noises: Array) -> dict[str, Any]:
@@ -252,7 +255,7 @@ def run(
 
 
 def noise_vector(given: Mapping[str, Any]) -> tuple[Array, Array]:
-    """(6,) noises where a search begins, or as given, and (6,) whether each is to be searched for."""
+    """(7,) noises where a search begins, or as given, and (7,) whether each is to be searched for."""
     unknown = set(given) - set(NOISES)
     if unknown:
         raise BoresightError(f"no noise {sorted(unknown)[0]!r}; there are {', '.join(NOISES)}")

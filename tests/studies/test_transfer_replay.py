@@ -1,0 +1,230 @@
+"""Replay by velocity and attitude: a recording with analytic truth gives it back, the real one its delay."""
+
+import json
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from real_recordings import real_recording
+
+from boresight import BoresightError
+from boresight.runtime import hull, inertial, rotation
+from boresight.runtime.library import load
+from boresight.runtime.recording import G, Inertial, Master, Recording, quantity, read
+from boresight.studies import transfer_replay as tr
+
+DEG = np.pi / 180
+DELAY = 0.03
+LEVER_B = np.array([-0.3, 0.2, 0.5])
+MU = np.array([0.2, -0.3, 0.8]) * DEG
+BIAS_G, BIAS_A = np.array([200.0, -300.0, 100.0]) * DEG / 3600, np.array([-0.07, 0.03, 0.05])
+NOISE = {"gyro": 0.2 * DEG / 60, "accel": 0.002, "velocity": [0.003, 0.004], "attitude": [1e-4, 2e-4], "delay": 1e-7}
+# of the real recording, as the fit of docs/recordings.md finds them
+FOG_MEMS = {"gyro": "0.148 deg/sqrt(h)", "accel": "0.1 m/s/sqrt(h)", "velocity": "1.1, 2.1 mm/s",
+            "attitude": "0.115, 0.042 arcmin", "delay": "0.03 ms/sqrt(s)"}  # fmt: skip
+
+
+def simulate(seed, seconds=14.0, lever_b=LEVER_B):
+    """A hull that rolls, pitches and yaws, exact by hull and strapdown; white noise and constant biases on top."""
+    rng = np.random.default_rng(seed)
+    dt, place = 0.01, np.array([0.6, 2.2, 20.0])
+    motion = hull.sinusoids(
+        amplitude=[0.3, 0.4, 0.5, 12 * DEG, 5 * DEG, 5 * DEG], phase=[0.0, 1.0, 2.0, 0.3, 1.2, 2.1], frequency_hz=0.2,
+        heading=0.5, speed=4.0,
+    )  # fmt: skip
+    model = load("velocity-attitude")
+    time = np.arange(round(seconds / dt) + 1) * dt
+    mounting = rotation.turned(np.array([1.0, 0, 0, 0]), MU)
+    slave = hull.carried(hull.ride(motion, time), lever_b, mounting)
+    none = {"gyro_bias": np.zeros(3), "accel_bias": np.zeros(3)}
+    library = SimpleNamespace(step=lambda **fields: model.strapdown(**fields, **none))
+    dtheta, dv, track = inertial.increments(library, place, slave.v_n[:, None], slave.q_b2n_wxyz[:, None], dt)
+    white = rng.standard_normal((2, len(dtheta), 3)) * np.sqrt(dt)
+    imu = Inertial(
+        "increments", "end", time[1:], dtheta[:, 0] + BIAS_G * dt + NOISE["gyro"] * white[0],
+        dv[:, 0] + BIAS_A * dt + NOISE["accel"] * white[1],
+    )  # fmt: skip
+    every = np.arange(10, len(time), 10)
+    pose = hull.ride(motion, time[every] - DELAY)
+    turn = rng.standard_normal((len(every), 3)) * np.array(NOISE["attitude"])[[0, 0, 1]]  # about north, east, down
+    C = rotation.matrix_from_vector(turn) @ rotation.matrix_from_quaternion(pose.q_b2n_wxyz)
+    v_n = pose.v_n + rng.standard_normal((len(every), 3)) * np.array(NOISE["velocity"])[[0, 0, 1]]
+    master = Master(time[every], rotation.euler_from_matrix(C), v_n, track.position[every, 0])
+    truth = {"misalignment": MU, "gyro_bias": BIAS_G, "accel_bias": BIAS_A, "lever_arm": lever_b}
+    return Recording("sea", imu, master, truth)
+
+
+@pytest.fixture(scope="module")
+def simulated(compiled_once):
+    return simulate(1)
+
+
+@pytest.fixture(scope="module")
+def model(compiled_once):
+    return load("velocity-attitude")
+
+
+@pytest.fixture(scope="module")
+def result(simulated, model):
+    return tr.run(simulated, model, noise=NOISE, lever_b=LEVER_B)
+
+
+def state(result, name):
+    return [s for s in result["states"] if s["state"] == name]
+
+
+# ---------------------------------------------------------------- truth is known
+
+
+def assert_truth(result):
+    off = [s["difference_sigmas"] for s in result["states"] if s["reference"] is not None]
+    (delay,) = state(result, "delay")
+    off.append((delay["estimate"] - 1e3 * DELAY) / delay["sigma"])
+    assert np.abs(off).max() < 3.5
+    assert 0.3 < np.sqrt(np.mean(np.square(off))) < 1.6
+    assert delay["sigma"] < 0.3
+    assert max(s["of_prior"] for s in result["states"]) < 0.1
+
+
+def test_mounting_biases_and_delay_come_back_from_nothing(result):
+    assert result["noise"]["passes"] == 0
+    assert_truth(result)
+
+
+def test_nis_with_true_noises_is_consistent_with_the_delay_and_not_without(result):
+    assert result["nis"]["with"]["consistent"]
+    assert result["nis"]["with"]["white"]
+    assert result["nis"]["without"]["mean"] > 5
+    assert not result["nis"]["without"]["consistent"]
+    known = result["minus_log_likelihood"]
+    assert known["with"] < known["without"] - 1000
+
+
+def test_lever_arm_comes_back_too_where_it_is_a_state(simulated):
+    found = tr.run(simulated, load("velocity-attitude-lever"), noise=NOISE)
+    assert len(state(found, "lever arm")) == 3
+    assert_truth(found)
+    assert found["nis"]["with"]["consistent"]
+
+
+def test_lever_arm_of_the_wrong_sign_shows_in_the_nis(simulated, model):
+    wrong = tr.run(simulated, model, noise=NOISE, lever_b=-LEVER_B)
+    assert wrong["nis"]["with"]["mean"] > 5
+    assert max(wrong["nis"]["with"]["per_row"][3:]) < max(wrong["nis"]["with"]["per_row"][:3])
+
+
+def test_noises_are_found(model):
+    """10 s: 100 messages know a measurement's noise to 6 % at best; the gyros' is found within a half."""
+    short = simulate(2, seconds=10.0, lever_b=np.zeros(3))
+    found = tr.run(short, model, noise={"delay": 1e-7})
+    assert found["noise"]["passes"] > 0
+    np.testing.assert_allclose(found["noise"]["velocity"]["value"], [3.0, 4.0], rtol=0.25)
+    expected = np.array(NOISE["attitude"]) / DEG * 60
+    np.testing.assert_allclose(found["noise"]["attitude"]["value"], expected, rtol=0.25)
+    assert 0.1 < found["noise"]["gyro"]["value"][0] < 0.3
+    assert found["noise"]["accel"]["value"][0] == pytest.approx(0.002 * 60, rel=0.5)
+    assert found["nis"]["with"]["consistent"]
+    assert not found["nis"]["without"]["consistent"]
+
+
+# ---------------------------------------------------------------- the real recording
+
+
+@pytest.fixture(scope="module")
+def fog_mems(compiled_once):
+    """From where it begins to roll, 30 to 60 s."""
+    whole = read(real_recording("fog_mems_transfer.npz"))
+    keep = (whole.imu.time > 30) & (whole.imu.time <= 60)
+    imu = replace(whole.imu, time=whole.imu.time[keep], gyro=whole.imu.gyro[keep], accel=whole.imu.accel[keep])
+    noise = {name: quantity(text, tr.NOISES[name].kind, len(tr.NOISES[name].parts)) for name, text in FOG_MEMS.items()}
+    return tr.run(replace(whole, imu=imu), load("velocity-attitude-lever"), noise=noise)
+
+
+def test_fog_mems_shows_its_delay_and_nis_needs_it(fog_mems):
+    (delay,) = state(fog_mems, "delay")
+    assert 15.0 < delay["estimate"] < 16.0
+    assert delay["sigma"] < 0.25
+    assert 0.9 < fog_mems["nis"]["with"]["mean"] < 1.2
+    assert fog_mems["nis"]["without"]["mean"] > 20
+
+
+def test_fog_mems_agrees_with_its_author_where_it_does(fog_mems):
+    roll, pitch, yaw = state(fog_mems, "misalignment")
+    assert abs(roll["difference_sigmas"]) < 3
+    assert abs(pitch["estimate"] - pitch["reference"]) < 1.8  # arcmin
+    assert abs(yaw["estimate"] - yaw["reference"]) < 1.2
+    front, right, down = state(fog_mems, "gyro bias")
+    assert max(abs(front["difference_sigmas"]), abs(right["difference_sigmas"])) < 3
+    assert down["difference_sigmas"] > 3
+    assert state(fog_mems, "accelerometer bias")[0]["difference_sigmas"] > 10
+
+
+def test_fog_mems_has_a_lever_arm_of_centimetres(fog_mems):
+    assert np.linalg.norm([s["estimate"] for s in state(fog_mems, "lever arm")]) == pytest.approx(15, abs=3)
+    assert max(s["sigma"] for s in state(fog_mems, "lever arm")) < 1.0
+
+
+# ---------------------------------------------------------------- what the user sees
+
+
+def test_report_and_files_say_it(result, tmp_path, capsys):
+    assert tr.finish(result, folder=str(tmp_path), as_json=True) == 0
+    out = json.loads(capsys.readouterr().out)
+    assert "history" not in out["result"]
+    assert len(out["figures"]) == 4
+    assert all((tmp_path / name).stat().st_size > 1000 for name in out["figures"])
+    text = (tmp_path / "transfer-replay-sea.md").read_text()
+    for word in ("The master is ", "misalignment yaw", "95 % band", "deg/sqrt(h)", "transfer-replay-sea-states.png"):
+        assert word in text
+    assert tr.finish({**result, "nis": {**result["nis"], "with": result["nis"]["without"]}}) == 1
+
+
+def test_datasheet_units_are_read_by_name():
+    assert quantity("0.15 deg/sqrt(h)", "gyro noise") == pytest.approx(quantity("9 deg/h/sqrt(Hz)", "gyro noise"))
+    assert quantity("3.6 deg/h/sqrt(Hz)", "gyro noise") == pytest.approx(quantity("1 mdps/sqrt(Hz)", "gyro noise"))
+    assert quantity("100 ug/sqrt(Hz)", "accelerometer noise") == pytest.approx([G * 1e-4])
+    assert quantity("0.06 m/s/sqrt(h)", "accelerometer noise") == pytest.approx([1e-3])
+    assert quantity("50 mg", "acceleration") == pytest.approx([0.05 * G])
+    np.testing.assert_allclose(quantity("-8, 2,12 cm", "length", 3), [-0.08, 0.02, 0.12])
+    np.testing.assert_allclose(quantity("2 mm/s", "velocity", 2), [0.002, 0.002])
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "count", "says"),
+    [
+        ("0.15", "gyro noise", 1, "deg/sqrt(h)"),
+        ("0.15 deg", "gyro noise", 1, "deg/sqrt(h)"),
+        ("a mg", "acceleration", 1, "not a number"),
+        ("1, 2 cm", "length", 3, "one number or 3"),
+        ("inf mg", "acceleration", 1, "finite"),
+    ],
+)
+def test_what_is_no_quantity_is_one_line(text, kind, count, says):
+    with pytest.raises(BoresightError) as error:
+        quantity(text, kind, count)
+    assert says in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("change", "options", "says"),
+    [
+        (lambda r: replace(r, master=None), {}, "has no master"),
+        (lambda r: replace(r, master=replace(r.master, v_n=None)), {}, "euler-matching"),
+        (lambda r: replace(r, master=replace(r.master, position=None)), {}, "position"),
+        (lambda r: replace(r, master=r.master.cut(slice(0, 9))), {}, "needs 10"),
+        (lambda r: r, {"noise": {"gyros": 1e-4}}, "there are gyro, accel"),
+        (lambda r: r, {"noise": {"gyro": 1.0}}, "out of range"),
+        (lambda r: r, {"rate_hz": 0.0}, "above zero"),
+        (
+            lambda r: replace(r, imu=replace(r.imu, time=r.imu.time + (r.imu.time > 1))),
+            {"noise": NOISE},
+            "without what lies between",
+        ),
+    ],
+)
+def test_what_cannot_be_replayed_is_one_line(simulated, model, change, options, says):
+    with pytest.raises(BoresightError) as error:
+        tr.run(change(simulated), model, **options)
+    assert says in str(error.value)
+    assert "\n" not in str(error.value)
