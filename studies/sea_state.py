@@ -20,14 +20,18 @@ from boresight.studies.sea_flight import FILTERS, GRADES, MIL, MOTIONS, Flight, 
 Array = np.ndarray
 
 LIMIT_MIL = 2.0  # the paper's
-MARKS_S = (30, 60)
 SETTLED_S = 10  # NIS counts from here on: at first the filter makes use of a start that is better than it was told
+
+
+def marks_s(scenario: Scenario) -> tuple[int, int]:
+    """Half of a run and all of it: 30 and 60 s."""
+    return scenario.seconds // 2, scenario.seconds
 
 
 def table(flight: Flight, scenario: Scenario) -> dict[str, Any]:
     """What `run` says of one motion, filter by filter and sea state by sea state."""
     h, sigma = flight.heading / MIL, flight.heading_sigma / MIL
-    marks = [min(mark, scenario.seconds) * scenario.update_hz for mark in MARKS_S]
+    marks = [mark * scenario.update_hz for mark in marks_s(scenario)]
     late = slice(marks[0], None)
     settled = SETTLED_S * scenario.update_hz
     size = np.abs(h).mean(-1)  # (U + 1, 2, 6)
@@ -69,11 +73,12 @@ def chi_square_band(freedom: int, count: int) -> list[float]:
 
 def claims(result: dict[str, Any], scenario: Scenario) -> list[dict[str, Any]]:
     """The paper's six, judged for one motion.  Each: claim, holds, numbers (a sentence with those that decide)."""
+    half, end = marks_s(scenario)
     w, o = (result[name] for name in FILTERS)
-    at_30, at_60 = (np.array(w["mean_mil"][i]) for i in (0, 1))
-    bare_60 = np.array(o["mean_mil"][1])
+    at_half, at_end = (np.array(w["mean_mil"][i]) for i in (0, 1))
+    bare_end = np.array(o["mean_mil"][1])
     since = [np.inf if at is None else at for at in w["below_limit_s"]]
-    gain = bare_60 - at_60
+    gain = bare_end - at_end
     wander, steady = np.array(o["wander_mil"])[2:], np.array(w["wander_mil"])[2:]
 
     def numbers(values: Any) -> str:
@@ -83,19 +88,19 @@ def claims(result: dict[str, Any], scenario: Scenario) -> list[dict[str, Any]]:
     return [
         {
             "claim": "up to state 2 it does not converge",
-            "holds": bool((at_60[:2] > LIMIT_MIL).all()),
-            "numbers": f"states 1, 2 after 60 s: {numbers(at_60[:2])} mil",
+            "holds": bool((at_end[:2] > LIMIT_MIL).all()),
+            "numbers": f"states 1, 2 after {end} s: {numbers(at_end[:2])} mil",
         },
         {
             "claim": "from state 3 on under 2 mil within about 30 s with compensation",
-            "holds": bool((at_30[rough] < LIMIT_MIL).all() and (at_60[rough] < LIMIT_MIL).all()),
-            "numbers": f"states 3 to 6 after 30 s: {numbers(at_30[rough])} mil, worst run "
+            "holds": bool((at_half[rough] < LIMIT_MIL).all() and (at_end[rough] < LIMIT_MIL).all()),
+            "numbers": f"states 3 to 6 after {half} s: {numbers(at_half[rough])} mil, worst run "
             f"{numbers(w['worst_mil'][0][rough])}",
         },
         {
             "claim": "states 4 to 6 exceed 2 mil without, state 3 does not",
-            "holds": bool((bare_60[3:] > LIMIT_MIL).all() and bare_60[2] <= LIMIT_MIL),
-            "numbers": f"states 3 to 6 after 60 s: {numbers(bare_60[rough])} mil",
+            "holds": bool((bare_end[3:] > LIMIT_MIL).all() and bare_end[2] <= LIMIT_MIL),
+            "numbers": f"states 3 to 6 after {end} s: {numbers(bare_end[rough])} mil",
         },
         {
             "claim": "the rougher, the faster",
@@ -106,12 +111,12 @@ def claims(result: dict[str, Any], scenario: Scenario) -> list[dict[str, Any]]:
             "claim": "compensation matters more as the sea grows",
             "holds": bool((np.diff(gain[rough]) > 0).all() and gain[-1] > LIMIT_MIL / 10),
             "numbers": f"states 3 to 6: {numbers(gain[rough])} mil less, that is by the factors "
-            f"{numbers(bare_60[rough] / at_60[rough])}",
+            f"{numbers(bare_end[rough] / at_end[rough])}",
         },
         {
             "claim": "uncompensated the estimate oscillates more with grade",
             "holds": bool((np.diff(wander) > 0).all() and (np.diff(wander / steady) > 0).all()),
-            "numbers": f"states 3 to 6 about a line, 30 to 60 s: {numbers(wander)} mil, with compensation "
+            "numbers": f"states 3 to 6 about a line, {half} to {end} s: {numbers(wander)} mil, with compensation "
             f"{numbers(steady)}",
         },
     ]
@@ -133,7 +138,7 @@ def run(
     study, runs, seed, scenario (every field of Scenario), grades, filters, limit_mil, marks_s;
     nees_band, nis_band: 95 % bands of the means below, of 16 and of 6 degrees of freedom;
     motions: NAME -> says; with, without: mean_mil, worst_mil, signed_mil, sigma_mil (2 marks, 6 states) of the heading
-    error, below_limit_s (6, null where never), wander_mil (6, deviation from a straight line after 30 s), nis (6, of
+    error, below_limit_s (6, null where never), wander_mil (6, deviation from a straight line after half), nis (6, of
     six rows, after 10 s), nees (6, at the end) of nees_of states; predicted_mil (6, what an unknown delay does by the
     closed form, mean over the runs); claims: claim, holds, numbers; seconds: what it took;
     with histories also history: time_s, heading_mil (2, 6, runs, T), sigma_mil (2, 6, T);
@@ -156,7 +161,7 @@ def run(
         "grades": list(GRADES),
         "filters": list(FILTERS),
         "limit_mil": LIMIT_MIL,
-        "marks_s": list(MARKS_S),
+        "marks_s": list(marks_s(scenario)),
         "nees_band": chi_square_band(16, runs),
         "nis_band": chi_square_band(6, runs * (updates - SETTLED_S * scenario.update_hz)),
         "motions": {},
@@ -193,11 +198,13 @@ def run(
 def report(result: dict[str, Any]) -> str:
     """The sea-state table of each motion and the paper's claims under it; closed form, ways, bench; a verdict."""
     lines = []
+    half, end = result["marks_s"]
     for one in result["motions"].values():
         lines += [
             f"{one['says']}  ({one['seconds']:g} s)",
             "  heading error in mil, mean and worst of the runs" + " " * 27 + "closed form      NIS of 6     NEES",
-            "  state   30 s with    60 s with   | 30 s without 60 s without   without delay    with  w/o     with",
+            f"  state   {half} s with    {end} s with   | {half} s without {end} s without   without delay    with  w/o     "
+            "with",
         ]
         w, o = (one[name] for name in FILTERS)
         for g, grade in enumerate(result["grades"]):
