@@ -188,7 +188,7 @@ def run(
     result["ways"] = sea_delay.ways(model, scenario, runs=runs, seed=seed)
     result["bench"] = None
     if bench_runs:
-        say(f"bench: {bench_runs} runs of 60 s, 400 Hz")
+        say(f"bench: {bench_runs} runs of {scenario.seconds} s, 400 Hz")
         result["bench"] = sea_bench.experiment(model, scenario, runs=bench_runs, seed=seed)
     if not histories and result["bench"]:
         del result["bench"]["history"]
@@ -203,8 +203,8 @@ def report(result: dict[str, Any]) -> str:
         lines += [
             f"{one['says']}  ({one['seconds']:g} s)",
             "  heading error in mil, mean and worst of the runs" + " " * 27 + "closed form      NIS of 6     NEES",
-            f"  state   {half} s with    {end} s with   | {half} s without {end} s without   without delay    with  w/o     "
-            "with",
+            f"  state   {half} s with    {end} s with   | {half} s without {end} s without   "
+            "unknown delay    with  w/o     with",
         ]
         w, o = (one[name] for name in FILTERS)
         for g, grade in enumerate(result["grades"]):
