@@ -4,6 +4,7 @@ import multiprocessing
 import sys
 from concurrent.futures import ProcessPoolExecutor, as_completed
 
+from boresight import BoresightError
 from boresight.evidence import results
 from boresight.evidence.kinds import KINDS, make, out_of_date
 from boresight.evidence.sources import folders
@@ -25,14 +26,20 @@ def main() -> int:
             for folder in folders()
             if not kind.missing and (not named or folder.name in named) and out_of_date(folder, kind)
         }
+        failed = 0
         for done in as_completed(running):
             folder, kind = running[done]
-            units, seconds = done.result()
+            try:
+                units, seconds = done.result()
+            except BoresightError as error:  # what else was made is kept
+                failed += 1
+                print(f"{folder.name}: {kind.name} failed: {error}", flush=True)
+                continue
             entry = {"sources": results.sources_hash(folder), "tools": kind.tools(), "units": units}
             results.write(folder, {**results.read(folder), kind.name: entry})
             print(f"{folder.name}: {kind.name}, {seconds:.1f} s", flush=True)
     PAGE.write_text(page(PAGE.read_text()))
-    return 0
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":

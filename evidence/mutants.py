@@ -48,20 +48,21 @@ def parsed(unit: Source) -> Any:
 
 
 class Types(c_ast.NodeVisitor):
-    """Names that hold, point to, or return real numbers, and the functions that are called."""
+    """Names that hold, point to, or return real numbers, each with its depth: how often it must be indexed to be one
+    (0 for a number and for a function that returns one); and the functions that are called."""
 
     def __init__(self, tree: Any):
-        self.real: set[str] = set(LIBRARY)
+        self.real: dict[str, int] = dict.fromkeys(LIBRARY, 0)
         self.called: set[str] = set()
         self.visit(tree)
 
     def visit_Decl(self, node: Any) -> None:
-        inner = node.type
+        inner, depth = node.type, 0
         while isinstance(inner, (c_ast.ArrayDecl, c_ast.PtrDecl, c_ast.FuncDecl)):
+            depth += not isinstance(inner, c_ast.FuncDecl)
             inner = inner.type
-        names = getattr(getattr(inner, "type", None), "names", ())
-        if set(names) & REAL:
-            self.real.add(node.name)
+        if set(getattr(getattr(inner, "type", None), "names", ())) & REAL:
+            self.real[node.name] = depth
         self.generic_visit(node)
 
     def visit_FuncCall(self, node: Any) -> None:
@@ -70,25 +71,31 @@ class Types(c_ast.NodeVisitor):
         self.generic_visit(node)
 
     def is_real(self, node: Any) -> bool:
+        return self.depth(node) == 0
+
+    def depth(self, node: Any) -> int:
+        """0 of a real number, n of what is one after n indexings, negative of anything else."""
         if isinstance(node, c_ast.Constant):
-            return bool(node.type in ("double", "float"))
+            return 0 if node.type in ("double", "float") else -1
         if isinstance(node, c_ast.ID):
-            return node.name in self.real
+            return self.real.get(node.name, -1)
         if isinstance(node, c_ast.ArrayRef):
-            return self.is_real(node.name)
+            return self.depth(node.name) - 1
         if isinstance(node, c_ast.StructRef):
-            return self.is_real(node.field)
+            return self.depth(node.field)
         if isinstance(node, c_ast.UnaryOp):
-            return node.op in ("-", "+", "*") and self.is_real(node.expr)
+            inner = self.depth(node.expr)
+            return {"-": inner, "+": inner, "*": inner - 1, "&": inner + 1 if inner >= 0 else -1}.get(node.op, -1)
         if isinstance(node, c_ast.BinaryOp):
-            return node.op in ("+", "-", "*", "/") and (self.is_real(node.left) or self.is_real(node.right))
+            both = {self.depth(node.left), self.depth(node.right)}
+            return 0 if node.op in ("+", "-", "*", "/") and 0 in both and max(both) == 0 else -1
         if isinstance(node, c_ast.TernaryOp):
-            return self.is_real(node.iftrue)
+            return self.depth(node.iftrue)
         if isinstance(node, c_ast.FuncCall):
-            return self.is_real(node.name)
+            return self.depth(node.name)
         if isinstance(node, c_ast.Cast):
-            return bool(set(getattr(getattr(node.to_type.type, "type", None), "names", ())) & REAL)
-        return False
+            return 0 if set(getattr(getattr(node.to_type.type, "type", None), "names", ())) & REAL else -1
+        return -1
 
 
 class Mutator(c_generator.CGenerator):

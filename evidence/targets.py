@@ -130,7 +130,7 @@ def build(folder: Folder, target: Target, precision: str, out: Path) -> Build:
     """The folder's units and self-test for one target, below `out`."""
     out = out / f"{folder.name}-{target.name.replace(' ', '-')}-{precision}"
     objects = compile_units(folder, target, precision, out)
-    common = [target.compiler, *WARNINGS, *target.flags, *PRECISIONS[precision], "-O1", "-I", folder.include]
+    common = [target.compiler, *WARNINGS, *target.flags, *PRECISIONS[precision], "-O0", "-I", folder.include]
     common += ["-I", folder.path / "selftest", f"-DEVIDENCE_ROOM={ROOM}", f"-DEVIDENCE_GROUPS={GROUPS}"]
     tests = folder.files("selftest/*.c")
     jobs = [[*common, "-c", path, "-o", out / f"{path.stem}.o"] for path in tests]

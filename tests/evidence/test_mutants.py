@@ -38,7 +38,7 @@ def test_mutants_are_those_of_the_text():
     assert words.count("0.01 * 1.001") == words.count("0.01 * 0.999") == 6
     assert words.count("minus dropped") == 6
     types = Types(parsed(unit))
-    assert "omega_in_n" in types.real and "F_nz" in types.real and "status" not in types.real
+    assert types.real["omega_in_n"] == types.real["F_nz"] == 1 and "status" not in types.real
 
 
 def test_a_self_test_that_compares_nothing_kills_nothing_of_the_numbers(em_copy, tmp_path):
