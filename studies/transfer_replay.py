@@ -16,7 +16,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.recording import UNITS, G, Recording, thinned
-from boresight.runtime.transfer import DV, PHI, Message, Rules, Transfer, first
+from boresight.runtime.transfer import PHI, Message, Rules, Transfer, first
 from boresight.studies.innovations import consistency, minus_log_likelihood, most_likely
 
 Array = np.ndarray
@@ -26,7 +26,7 @@ MATCHING = ("velocity", "dcm")
 BODY = ("front", "right", "down")
 # One sigma before the first message, SI and rad: a MEMS unit screwed in by eye, on a clock that nobody has compared.
 PRIOR = {"gyro_bias": np.radians(0.2), "accel_bias": 0.5, "misalignment": np.radians(2.0), "delay": 0.05, "lever": 1.0}
-VELOCITY_START = 0.5  # m/s, one sigma; covers what an unknown lever arm does to it
+VELOCITY_START = 0.5  # m/s, one sigma; covers what a delay and an unknown lever arm do to it
 HOLD_S = 0.15  # a message is handed over so late, so that a delay that is believed negative for a while stays inside
 GATE = 1e-300  # by chance; NIS 1400 of six rows
 COVARIANCE_S = 0.1  # at most, between two steps of it
@@ -84,7 +84,7 @@ GROUPS = (
 def fly(
     recording: Recording, model: Any, noises: Array, start: Array, prior: Mapping[str, float], delay_sigma: Any
 ) -> dict[str, Any]:
-    """One pass of the filter over a recording whose master lies inside the slave's data, by HOLD_S at its end.
+    """One pass of the filter over a recording whose master lies inside the slave's data, by HOLD_S at both ends.
 
     noises: (..., 7) in SI and rad, in the order of NOISES; leading axes are runs side by side.  start: (..., 19) where
     the estimates begin, as `estimates` has them.  prior: one sigma of each by name; delay_sigma: (...,) s, the delay's.
@@ -111,18 +111,24 @@ def fly(
         velocity_sigma=np.full(3, VELOCITY_START), gyro_bias_sigma=np.full(3, prior["gyro_bias"]),
         accel_bias_sigma=np.full(3, prior["accel_bias"]), tau_sigma=delay_sigma,
     )  # fmt: skip
-    # The slave takes over what was true a delay ago and moves it on by the delay that is believed: what is wrong with
-    # this is wrong with its attitude and velocity, phi = -omega d_tau and dv = a d_tau.
-    seconds = master.time[1] - master.time[0]
-    omega_n, a_n = rotation.attitude_error(q[0], q[1]) / seconds, (master.v_n[1] - master.v_n[0]) / seconds
-    C = rotation.matrix_from_vector(omega_n * tau[..., None]) @ rotation.matrix_from_quaternion(nav["q_b2n_wxyz"])
+    begin, end, dtheta, dv = imu.increments
+    i = int(np.searchsorted(end, master.time[0] - 1e-6 * imu.dt))
+    # The slave takes over what was true a delay ago and moves it on to now by its own gyros.  A delay believed too long
+    # moves it too far: phi = -omega d_tau.
+    edges, angle = np.append(begin[:1], end), np.vstack([np.zeros(3), np.cumsum(dtheta, axis=0)])
+    then, bias = master.time[0] - tau, start[..., 6:9]
+
+    def turned_until(time: Array) -> Array:
+        return np.stack([np.interp(time, edges, part) for part in angle.T], axis=-1)
+
+    omega_b = (turned_until(then + imu.dt) - turned_until(then - imu.dt)) / (2 * imu.dt) - bias
+    turn_b = turned_until(np.full(runs, end[i])) - turned_until(then) - bias * (end[i] - then)[..., None]
     nav |= {
-        "q_b2n_wxyz": rotation.quaternion_from_matrix(C), "v_n": nav["v_n"] + a_n * tau[..., None],
-        "gyro_bias": start[..., 6:9], "accel_bias": start[..., 9:12],
+        "q_b2n_wxyz": rotation.turned(nav["q_b2n_wxyz"], turn_b), "gyro_bias": bias, "accel_bias": start[..., 9:12],
     }  # fmt: skip
-    tie = np.eye(16)
-    tie[PHI, 15], tie[DV, 15] = -omega_n, a_n
-    P = tie @ P @ tie.T
+    tie = np.zeros((*runs, 16, 16)) + np.eye(16)
+    tie[..., PHI, 15] = -np.einsum("...ij,...j->...i", rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]), omega_b)
+    P = tie @ P @ np.swapaxes(tie, -1, -2)
     constants: dict[str, Any] = {
         "gyro_noise": spread[..., :3], "accel_noise": spread[..., 3:6], "gyro_bias_noise": np.zeros(3),
         "accel_bias_noise": np.zeros(3), "mu_noise": np.zeros(3), "lever_b": start[..., 16:],
@@ -135,8 +141,6 @@ def fly(
         whole[..., range(16, 19), range(16, 19)] = prior["lever"] ** 2
         P = whole
 
-    begin, end, dtheta, dv = imu.increments
-    i = int(np.searchsorted(end, master.time[0] - 1e-6 * imu.dt))
     reach = HOLD_S + float(np.max(tau)) + 3 * float(np.max(delay_sigma)) + 0.1
     loop = Transfer(
         model, nav, np.broadcast_to(P, (*runs, *P.shape[-2:])), constants, time=end[i], matching=MATCHING,
@@ -184,7 +188,7 @@ def prepare(recording: Recording, rate_hz: float | None) -> Recording:
             )
     _, end = recording.imu.intervals()
     slack = 0.01 * recording.imu.dt
-    inside = (master.time >= end[0] - slack) & (master.time + HOLD_S <= end[-1] + slack)
+    inside = (master.time - HOLD_S >= end[0] - slack) & (master.time + HOLD_S <= end[-1] + slack)
     master = thinned(master.cut(inside), rate_hz)
     if len(master.time) < 10:
         count = len(master.time)
@@ -455,8 +459,8 @@ def markdown(rows: Sequence[Sequence[str]]) -> list[str]:
     return [lines[0], "|" + "|".join("-" * (w + 2) for w in width) + "|", *lines[1:]]
 
 
-def draw_innovations(result: Mapping[str, Any], axes: Array) -> None:
-    """(2, 3) axes: velocity above, attitude below; with the delay within its bands, and without it."""
+def draw_innovations(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
+    """(2, 3) axes: velocity above, attitude below; with the delay within its bands, and without it.  The legend."""
     from boresight.studies.figures import BLUE, ORANGE
 
     history = result["history"]
@@ -475,11 +479,11 @@ def draw_innovations(result: Mapping[str, Any], axes: Array) -> None:
         if i % 3 == 0:
             ax.set_ylabel(f"innovation [{unit}]")
         ax.set_xlabel("time [s]" if i >= 3 else "")
-    axes[0, 0].legend(loc="upper left", markerscale=4, ncols=3, handletextpad=0.3, columnspacing=0.8, fontsize=7)
+    return legend_of(axes[0, 0])
 
 
-def draw_states(result: Mapping[str, Any], axes: Array) -> None:
-    """(rows, 3) axes: a row for each group of three, then the delay and NIS in time."""
+def draw_states(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
+    """(rows, 3) axes: a row for each group of three, then the delay and NIS in time.  Returns the legend."""
     from boresight.studies.figures import BLUE, GREY, ORANGE
 
     history = result["history"]
@@ -496,14 +500,13 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> None:
         ax.plot(time, value, color=BLUE, label="estimate")
         if group.name != "delay":
             bare = np.array(history["without"]["estimate"])[:, at]
-            ax.plot(time, bare, color=ORANGE, lw=0.7, label="delay taken as 0")
+            ax.plot(time, bare, color=ORANGE, lw=0.7, label="estimate, delay taken as 0")
         if state["reference"] is not None:
             ax.axhline(state["reference"], color="0.2", ls=(0, (5, 3)), lw=0.9, label="stated")
         ax.set_ylim(value[-1] - reach, value[-1] + reach)
         ax.set_title(f"{named(state)}: {number(state['estimate'], state['sigma'])} $\\pm$ "
                      f"{number(state['sigma'], state['sigma'])} {state['unit']}")  # fmt: skip
         ax.set_ylabel(f"[{state['unit']}]")
-    axes[1, 0].legend(loc="lower right", fontsize=7, ncols=2)
     over = axes[-1, 1]
     for name, color in (("without", ORANGE), ("with", BLUE)):
         part = history[name]
@@ -519,8 +522,16 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> None:
     ratio.set_yticks(range(len(shown)), [named(s) for s in shown], fontsize=5)
     ratio.set(xscale="log", xlim=(min(s["of_prior"] for s in shown) / 3, 1))
     ratio.set_title("sigma at the end, part of the prior")
+    ratio.set_axisbelow(True)
     for ax in axes[-1, :2]:
         ax.set_xlabel("time [s]")
+    return legend_of(axes[0, 0])
+
+
+def legend_of(ax: Any) -> dict[str, Any]:
+    """What is drawn in it, by label."""
+    handles, labels = ax.get_legend_handles_labels()
+    return dict(zip(labels, handles, strict=True))
 
 
 def write(result: Mapping[str, Any], folder: str | Path) -> list[Path]:
@@ -532,22 +543,27 @@ def write(result: Mapping[str, Any], folder: str | Path) -> list[Path]:
     rows = len(result["states"]) // 3 + 1
     text = base.with_name(f"{base.name}.md")
     try:
-        with figure(paths["innovations"], 11, 5.5, nrows=2, ncols=3, sharex=True) as (_, axes):
-            draw_innovations(result, axes)
-        with figure(paths["states"], 11, 2.2 * rows, nrows=rows, ncols=3) as (_, axes):
-            draw_states(result, axes)
+        with figure(paths["innovations"], 11, 5.5, nrows=2, ncols=3, sharex=True) as (drawing, axes):
+            shown = draw_innovations(result, axes)
+            drawing.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=3, markerscale=4)
+        with figure(paths["states"], 11, 2.2 * rows, nrows=rows, ncols=3) as (drawing, axes):
+            shown = draw_states(result, axes)
+            drawing.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=4)
         words = [
             line for part in report(result).replace("**", "").split("\n")
             for line in ([part] if part.startswith("|") else textwrap.wrap(part, 150) or [""])
         ]  # fmt: skip
-        heights = [0.105 * len(words), 1.3, 1.3, *[1] * rows]
-        with figure(paths["page"], 11.69, 16.54, nrows=3 + rows, ncols=3, height_ratios=heights) as (_, axes):
+        heights = [0.13 * len(words), 1.9, 1.9, *[1.6] * rows]  # inches
+        with figure(paths["page"], 11.69, sum(heights), nrows=3 + rows, ncols=3, height_ratios=heights) as (
+            drawing,
+            axes,
+        ):
             for ax in axes[0]:
                 ax.set_axis_off()
             axes[0, 0].text(0, 1, "\n".join(words), va="top", family="monospace", fontsize=7.2,
                             transform=axes[0, 0].transAxes, in_layout=False)  # fmt: skip
-            draw_innovations(result, axes[1:3])
-            draw_states(result, axes[3:])
+            shown = draw_innovations(result, axes[1:3]) | draw_states(result, axes[3:])
+            drawing.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=6, markerscale=4)
         text.write_text(report(result, [paths["innovations"].name, paths["states"].name]) + "\n", encoding="utf-8")
     except OSError as error:
         reason = f"{folder}: cannot write the report: {error.strerror}; choose another folder with -o"
