@@ -182,6 +182,7 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
         start += len(s.fields)
         text = ",\n".join("    { " + ", ".join(float(v).hex() for v in row) + " }" for row in rows)
         structs.append({"name": s.name, "size": offset, "fields": fields, "rows": text})
+    start_x = inside(model)
     box_size = [hi - lo for block in model.states for lo, hi in zip(block.low, block.high, strict=True)]
 
     def places(name: str) -> str:
@@ -192,16 +193,25 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
         "structs": structs,
         "spoilt": [g for g in spoilt if g["functions"]],
         "sigma": ", ".join(repr(size * 1e-4) for size in box_size),
+        "start": ", ".join(map(repr, start_x)),
         "F_places": places("F"),
         "Qc_places": places("Qc"),
     }
 
 
+def inside(model: Model) -> list[float]:
+    """An error state of zero, or where the box of a state that is no error leaves that out, its middle."""
+    bounds = [pair for block in model.states for pair in zip(block.low, block.high, strict=True)]
+    return [0.0 if lo <= 0.0 <= hi else (lo + hi) / 2 for lo, hi in bounds]
+
+
 def answered_by_all(model: Model, made: list[Unit]) -> list[np.ndarray]:
-    """FLOWN points of all inputs, (FLOWN, size) each, at which every unit answers for an error state of zero."""
+    """FLOWN points of all inputs, (FLOWN, size) each, at which every unit answers for x as `inside` has it."""
     count = 64 * FLOWN
     drawn = sample(model.inputs, 0, count, generator("filter", model.name))
-    values = {v.name: part for v, part in zip(model.inputs, drawn, strict=True)} | {"x": np.zeros((count, model.n))}
+    values = {v.name: part for v, part in zip(model.inputs, drawn, strict=True)} | {
+        "x": np.tile(inside(model), (count, 1))
+    }
     keep = np.ones(count, dtype=bool)
     for unit in made:
         results, bounds = evaluate(unit.tape, [values[a.name] for a in unit.args])

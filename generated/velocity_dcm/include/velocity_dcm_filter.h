@@ -30,7 +30,8 @@ typedef struct {
     unsigned int used;      /* bit i: row i was taken, neither masked nor gated */
 } vd_innovation;
 
-/* Begin from nav and a covariance P, dense, row-major; x is zero.
+/* Begin from nav and a covariance P, dense, row-major; x is zero, and the caller's to set where it is no
+ * error but the state itself.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_POSITIVE: P is not symmetric, or it is not
  * positive semidefinite */
 bs_status vd_filter_init(vd_filter *filter, const vd_nav *nav, const bs_real P[VD_N_STATES * VD_N_STATES]);
