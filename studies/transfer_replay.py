@@ -226,8 +226,8 @@ def run(
     progress("first pass")
     track = fly(cut, model, noises, start, prior, delay_sigma)
     start = track["estimate"][-1]
-    # A noise that is far too large comes down slowly; the second half's own scatter is near.
-    scatter = np.std(track["nu"][len(track["nu"]) // 2 :, 0], axis=0)
+    # A noise that is far too large comes down slowly; what is white in the innovations' scatter is near.
+    scatter = np.std(np.diff(track["nu"][len(track["nu"]) // 2 :, 0], axis=0), axis=0) / np.sqrt(2)
     near = np.array([*noises[:2], scatter[:2].max(), scatter[2], scatter[3:5].max(), scatter[5], noises[6]])
     noises = np.where(free, np.clip(near, low, high), noises)
 
