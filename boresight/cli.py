@@ -107,7 +107,9 @@ def equations(
 
 @app.command()
 def show(
-    name: Annotated[str, typer.Argument(metavar="MODEL|PAPER", help="A model or a paper.")],
+    name: Annotated[
+        str, typer.Argument(metavar="MODEL|PAPER", help="A model, a paper, or delay-error: what an unknown delay does.")
+    ],
     equation: Annotated[str | None, typer.Argument(help="Number of an equation; all if left out.")] = None,
     form: Annotated[str, typer.Option("--format", help="text, latex, html or pdf.")] = "text",
     out: Annotated[Path | None, typer.Option("-o", "--out", help="File to write; needed for pdf.")] = None,
@@ -117,16 +119,28 @@ def show(
     from boresight.derive import render as r
     from boresight.derive.ledger import PAPERS
 
-    one_of(name, [*PAPERS, *model_names()], "paper or model")
+    one_of(name, [*PAPERS, *model_names(), "delay-error"], "paper or model")
     one_of(form, [*r.FORMATS, "pdf"], "format")
     if form == "pdf" and out is None:
         raise BoresightError("a pdf needs a file to go to; add -o FILE.pdf")
     kind = "latex" if form == "pdf" else form
-    text = r.render(name, equation, kind) if name in PAPERS else model_equations(name, equation, kind)
+    if name == "delay-error":
+        text = delay_error(equation, kind)
+    else:
+        text = r.render(name, equation, kind) if name in PAPERS else model_equations(name, equation, kind)
     if out is None:
         sys.stdout.write(text)
     else:
         write(out, r.pdf_from_latex(text) if form == "pdf" else text.encode())
+
+
+def delay_error(number: str | None, form: str) -> str:
+    from boresight.derive.delay_error import derivation
+    from boresight.derive.render import render_derivation
+
+    if number is not None:
+        raise BoresightError(f"delay-error is one derivation and has no ({number}); leave the number out")
+    return render_derivation("Heading error of an unknown delay", derivation(), form)
 
 
 def model_equations(name: str, number: str | None, form: str) -> str:

@@ -21,7 +21,7 @@ from sympy.printing.pretty.pretty import PrettyPrinter
 from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
 from boresight import BoresightError
-from boresight.derive.equation import Equation, Quantity, Relation, Step, negative
+from boresight.derive.equation import Derivation, Equation, Quantity, Relation, negative
 from boresight.derive.ledger import Entry, equations, findings, ledger
 
 WIDTH = 110
@@ -53,6 +53,18 @@ def render_equations(
     if format not in writers:
         raise BoresightError(f"no format {format!r}: the formats are {', '.join(FORMATS)} and pdf")
     return writers[format](title, list(zip(chosen, entries, strict=True)), tuple(remarks))
+
+
+def render_derivation(title: str, derivation: Derivation, format: str) -> str:
+    """A derivation that belongs to no equation of a paper, in one of FORMATS."""
+    if format == "text":
+        return "\n".join([title, "=" * len(title), *_text_steps(derivation)]) + "\n"
+    if format == "latex":
+        steps = "\n\n".join(_latex_steps(derivation, ()))
+        return "\n".join([PREAMBLE, rf"\section*{{{_tex(title)}}}", steps, r"\end{document}", ""])
+    if format == "html":
+        return _html_page(title, _html_steps(derivation))
+    raise BoresightError(f"no format {format!r}: the formats are {', '.join(FORMATS)} and pdf")
 
 
 def pdf_from_latex(document: str) -> bytes:
@@ -115,14 +127,20 @@ def _text_equation(equation: Equation, entry: Entry) -> str:
     parts = [head, "=" * len(head), "printed" + (" and derived" if same else ""), _pretty_relations(equation.printed)]
     if not same:
         parts += ["derived", _pretty_relations(equation.derived)]
-    for i, step in enumerate(equation.derivation.steps, 1):
-        parts.append(_wrapped(f"{i}. {step.name}: {step.why}.", 3))
-        if step.formulas:
-            parts.append(_pretty_relations(step.formulas))
+    parts += _text_steps(equation.derivation)
     parts.append(_wrapped(f"evidence: {entry.evidence}.", 2))
     if entry.note:
         parts.append(_wrapped(f"note: {entry.note}", 2))
     return "\n".join(parts) + "\n"
+
+
+def _text_steps(derivation: Derivation) -> list[str]:
+    parts = []
+    for i, step in enumerate(derivation.steps, 1):
+        parts.append(_wrapped(f"{i}. {step.name}: {step.why}.", 3))
+        if step.formulas:
+            parts.append(_pretty_relations(step.formulas))
+    return parts
 
 
 def _wrapped(text: str, indent: int) -> str:
@@ -203,19 +221,26 @@ def _latex(title: str, chosen: list[tuple[Equation, Entry]], remarks: tuple[str,
     return "\n".join([*parts, r"\end{document}", ""])
 
 
-def _latex_equation(equation: Equation, entry: Entry) -> str:
-    def shown(relations) -> str:
-        return "\n".join(rf"\fitted{{{_latex_relation(r, equation.quantities)}}}" for r in relations)
+def _latex_shown(relations: Iterable[Relation], quantities: Iterable[Quantity]) -> str:
+    return "\n".join(rf"\fitted{{{_latex_relation(r, quantities)}}}" for r in relations)
 
+
+def _latex_steps(derivation: Derivation, quantities: Iterable[Quantity]) -> list[str]:
+    return [
+        rf"{i}. \emph{{{_tex(step.name)}}}: {_tex(step.why)}." + "\n" + _latex_shown(step.formulas, quantities)
+        for i, step in enumerate(derivation.steps, 1)
+    ]
+
+
+def _latex_equation(equation: Equation, entry: Entry) -> str:
     parts = [
         rf"\subsection*{{({equation.number})\quad {_tex(_status(entry))}}}",
         rf"\textbf{{Printed}}, source line {_lines(equation)}:",
         "\n".join(rf"\fitted{{{display.rstrip(', ')}}}" for display in _displays(equation)),
         r"\textbf{Derived}:",
-        shown(equation.derived),
+        _latex_shown(equation.derived, equation.quantities),
+        *_latex_steps(equation.derivation, equation.quantities),
     ]
-    for i, step in enumerate(equation.derivation.steps, 1):
-        parts.append(rf"{i}. \emph{{{_tex(step.name)}}}: {_tex(step.why)}." + "\n" + shown(step.formulas))
     parts.append(rf"\textbf{{Evidence}}: {_tex(entry.evidence)}.")
     if entry.note:
         parts.append(rf"\textbf{{Note}}: {_tex(entry.note)}")
@@ -350,28 +375,36 @@ pre{overflow-x:auto;background:#f4f4f4;padding:.5em}"""
 def _html(title: str, chosen: list[tuple[Equation, Entry]], remarks: tuple[str, ...]) -> str:
     body = "\n".join(_html_equation(*pair) for pair in chosen)
     body += "".join(f"\n<p>{escape(remark)}</p>" for remark in remarks)
+    return _html_page(title, f"<p>{escape(_counts(entry for _, entry in chosen))}</p>\n{body}")
+
+
+def _html_page(title: str, body: str) -> str:
     return (
         f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title>\n'
-        f"<style>{STYLE}</style></head>\n<body><h1>{escape(title)}</h1>\n"
-        f"<p>{escape(_counts(entry for _, entry in chosen))}</p>\n{body}\n</body></html>\n"
+        f"<style>{STYLE}</style></head>\n<body><h1>{escape(title)}</h1>\n{body}\n</body></html>\n"
     )
 
 
+def _html_formulas(relations: Iterable[Relation]) -> str:
+    return "".join(_mathml(relation) for relation in relations)
+
+
+def _html_steps(derivation: Derivation) -> str:
+    steps = (
+        f"<li><em>{escape(step.name)}</em>: {escape(step.why)}.{_html_formulas(step.formulas)}</li>"
+        for step in derivation.steps
+    )
+    return f"<ol>{''.join(steps)}</ol>"
+
+
 def _html_equation(equation: Equation, entry: Entry) -> str:
-    def formulas(relations: Iterable[Relation]) -> str:
-        return "".join(_mathml(relation) for relation in relations)
-
-    def step(one: Step) -> str:
-        return f"<li><em>{escape(one.name)}</em>: {escape(one.why)}.{formulas(one.formulas)}</li>"
-
-    steps = "".join(step(one) for one in equation.derivation.steps)
     note = f"<p>Note: {escape(entry.note)}</p>" if entry.note else ""
     return (
         f'<section id="eq-{escape(equation.number)}"><h2>({escape(equation.number)}) '
         f'<span class="{escape(entry.status)}">{escape(_status(entry))}</span></h2>\n'
-        f'<div class="pair"><div>Printed, source line {_lines(equation)}{formulas(equation.printed)}</div>\n'
-        f"<div>Derived{formulas(equation.derived)}</div></div>\n"
-        f"<ol>{steps}</ol>\n<p>Evidence: {escape(entry.evidence)}.</p>\n{note}"
+        f'<div class="pair"><div>Printed, source line {_lines(equation)}{_html_formulas(equation.printed)}</div>\n'
+        f"<div>Derived{_html_formulas(equation.derived)}</div></div>\n"
+        f"{_html_steps(equation.derivation)}\n<p>Evidence: {escape(entry.evidence)}.</p>\n{note}"
         f"<details><summary>LaTeX of the source</summary><pre>{escape(chr(10).join(equation.latex))}</pre></details>"
         "</section>"
     )

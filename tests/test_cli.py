@@ -16,7 +16,7 @@ def run(*words):
 def test_help_names_every_command():
     done = run("--help")
     assert done.returncode == 0
-    for command in ("models", "equations", "show", "generate", "verify", "study", "replay"):
+    for command in ("models", "equations", "show", "generate", "verify", "study", "replay", "export"):
         assert command in done.stdout
 
 
@@ -43,6 +43,12 @@ def test_show_prints_a_derivation_and_a_model_shows_its_own():
         done = run("show", *words)
         assert done.returncode == 0, done.stderr
         assert "19" in done.stdout
+
+
+def test_show_prints_the_closed_form_of_an_unknown_delay():
+    done = run("show", "delay-error", "--format", "html")
+    assert done.returncode == 0, done.stderr
+    assert "angular momentum" in done.stdout
 
 
 def test_study_as_json():

@@ -188,7 +188,8 @@ def velocity_attitude() -> Model:
                         equations=("kang-2025 (1)", "kang-2025 (3)")),
             Measurement("dcm", FRAME.axes, "rad", "turn of the expected attitude of the master from the reported one",
                         z=z_dcm, h=z_dcm - dcm_residual(true_state(), lag_true),
-                        H=paper.attitude_matrix(dcm_from_quaternion(Q_M.vector), omega_nb),
+                        # the expected attitude, not the reported one: noise in H would pass for motion of the hull
+                        H=paper.attitude_matrix(dcm_from_quaternion(q_expected), omega_nb),
                         first_order=FirstOrder(small="lag", tied=(("q_m2n_wxyz", q_expected),)),
                         equations=("kang-2025 (4)", "kang-2025 (5)")),
             Measurement("quaternion", FRAME.axes, "rad",

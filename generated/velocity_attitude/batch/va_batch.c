@@ -21,7 +21,7 @@ size_t va_velocity_H_batch(size_t n, const va_nav *nav, size_t nav_stride, const
 int va_velocity_H_bound(void *const *at);
 size_t va_dcm_z_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *z, unsigned char *status);
 int va_dcm_z_bound(void *const *at);
-size_t va_dcm_H_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *H, unsigned char *status);
+size_t va_dcm_H_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, bs_real *H, unsigned char *status);
 int va_dcm_H_bound(void *const *at);
 size_t va_quaternion_z_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *z, unsigned char *status);
 int va_quaternion_z_bound(void *const *at);
@@ -145,11 +145,11 @@ int va_dcm_z_bound(void *const *at)
     return (int)va_dcm_z((const va_nav *)at[0], (const va_imu *)at[1], (const va_master *)at[2], (bs_real *)at[3]);
 }
 
-size_t va_dcm_H_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *H, unsigned char *status)
+size_t va_dcm_H_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, bs_real *H, unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_dcm_H(&nav[i * nav_stride], &imu[i * imu_stride], &master[i * master_stride], &H[i * 48U]);
+        status[i] = (unsigned char)va_dcm_H(&nav[i * nav_stride], &imu[i * imu_stride], &H[i * 48U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -157,7 +157,7 @@ size_t va_dcm_H_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_i
 
 int va_dcm_H_bound(void *const *at)
 {
-    return (int)va_dcm_H((const va_nav *)at[0], (const va_imu *)at[1], (const va_master *)at[2], (bs_real *)at[3]);
+    return (int)va_dcm_H((const va_nav *)at[0], (const va_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t va_quaternion_z_batch(size_t n, const va_nav *nav, size_t nav_stride, const va_imu *imu, size_t imu_stride, const va_master *master, size_t master_stride, bs_real *z, unsigned char *status)

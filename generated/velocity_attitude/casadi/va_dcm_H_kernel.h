@@ -7,7 +7,7 @@
 
 int va_dcm_H_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
-static void va_dcm_H_kernel(const bs_real position[3], const bs_real v_n[3], const bs_real q_b2n_wxyz[4], const bs_real omega_ib_b[3], const bs_real q_m2n_wxyz[4], bs_real H_nz[15])
+static void va_dcm_H_kernel(const bs_real position[3], const bs_real v_n[3], const bs_real q_b2n_wxyz[4], const bs_real q_b2m_wxyz[4], const bs_real omega_ib_b[3], bs_real H_nz[15])
 {
     const double *arg[5] = {0};
     double *res[1] = {0};
@@ -16,8 +16,8 @@ static void va_dcm_H_kernel(const bs_real position[3], const bs_real v_n[3], con
     arg[0] = position;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;
-    arg[3] = omega_ib_b;
-    arg[4] = q_m2n_wxyz;
+    arg[3] = q_b2m_wxyz;
+    arg[4] = omega_ib_b;
     res[0] = H_nz;
     (void)va_dcm_H_casadi(arg, res, iw, w, 0);
 }

@@ -188,13 +188,13 @@ bs_status va_dcm_z(const va_nav *nav, const va_imu *imu, const va_master *master
  * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000
  * in   nav->v_n: velocity over the ground (m/s, NED); -1000 to 1000
  * in   nav->q_b2n_wxyz: attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz: estimated mounting of the slave (1, slave body to master body); -1.001 to 1.001, norm 0.999 to 1.001
  * in   imu->omega_ib_b: angular rate, bias removed (rad/s, body); -20 to 20
- * in   master->q_m2n_wxyz: attitude that the master reports (1, master body to NED); -1.001 to 1.001, norm 0.999 to 1.001
  * out  H: rows n, e, d (rad a unit of x); 3 x 16, dense, row-major; 15 of 48 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status va_dcm_H(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H[3 * VA_N_STATES]);
+bs_status va_dcm_H(const va_nav *nav, const va_imu *imu, bs_real H[3 * VA_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
-bs_status va_dcm_H_nz(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H_nz[15]);
+bs_status va_dcm_H_nz(const va_nav *nav, const va_imu *imu, bs_real H_nz[15]);
 
 /* The same turn, of any size, as twice the vector part of its quaternion: measured minus predicted; rows n, e, d.
  * in   nav->position: geodetic latitude, longitude, not wrapped, height above the ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319, -500 to 30000

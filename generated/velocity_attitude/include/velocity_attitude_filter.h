@@ -30,7 +30,8 @@ typedef struct {
     unsigned int used;      /* bit i: row i was taken, neither masked nor gated */
 } va_innovation;
 
-/* Begin from nav and a covariance P, dense, row-major; x is zero.
+/* Begin from nav and a covariance P, dense, row-major; x is zero, and the caller's to set where it is no
+ * error but the state itself.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_POSITIVE: P is not symmetric, or it is not
  * positive semidefinite */
 bs_status va_filter_init(va_filter *filter, const va_nav *nav, const bs_real P[VA_N_STATES * VA_N_STATES]);

@@ -186,7 +186,7 @@ bs_status va_filter_measure_dcm(va_filter *filter, const va_imu *imu, const va_m
         status = va_dcm_z(&filter->nav, imu, master, z);
     }
     if (status == BS_OK) {
-        status = va_dcm_H_nz(&filter->nav, imu, master, filter->work);
+        status = va_dcm_H_nz(&filter->nav, imu, filter->work);
     }
     if (status == BS_OK) {
         status = take(filter, z, filter->work, start, at, R, 3, rows, gate, innovation);
