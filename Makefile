@@ -26,6 +26,7 @@ evidence: $(VENV)/.tested
 
 bench: $(VENV)/.installed
 	$(BIN)/python -m benchmarks.call
+	$(BIN)/python -m benchmarks.covariance
 
 tools:
 	@command -v $(PYTHON) >/dev/null || { echo "make: $(PYTHON) is missing; install python3 (3.11 or newer)"; exit 1; }
