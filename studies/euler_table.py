@@ -14,6 +14,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import rotation, simulation
 from boresight.runtime.filter import Filter
+from boresight.studies.observability import Moment, Replaced, along, with_fields
 
 Array = np.ndarray
 
@@ -71,23 +72,6 @@ class Scenario:
     # The criterion: an error is estimated once it, or its sigma, has fallen below this part of what it was at first.
     threshold: float = 1 / 3
     error_axes: str = "ned"  # or "platform": level axes along the master's mean heading
-
-
-@dataclass(frozen=True)
-class Replaced:
-    """A model with some functions exchanged, each with its `.fields`."""
-
-    model: Any
-    functions: dict[str, Any]
-
-    def __getattr__(self, name: str) -> Any:
-        return self.functions[name] if name in self.functions else getattr(self.model, name)
-
-
-def with_fields(function: Any, *fields: str) -> Any:
-    """The function, saying what it takes as a compiled one does."""
-    function.fields = fields
-    return function
 
 
 def as_printed_25(model: Any) -> Replaced:
@@ -223,22 +207,15 @@ def covariance(model: Any, scenario: Scenario, seconds: float, *, first_order: b
         H_ahead, H_back = (model.euler_H(euler_b=at, euler_r=at) for at in (ahead, back))
         H = model.euler_H(euler_b=mean, euler_r=mean) + (H_ahead - H_back) / (2 * part)
 
-    def known_H(instant: int) -> Array:
-        return H[instant]
-
-    def no_z(instant: int) -> Array:
-        return np.zeros(3)
-
-    P0 = initial_covariance(model, scenario, euler[0])
-    known = Replaced(model, {"true_z": with_fields(no_z, "instant"), "true_H": with_fields(known_H, "instant")})
-    flown = Filter(known, {"q_b2n_wxyz": q[0]}, np.tile(P0, (7, 1, 1, 1)))
+    # over 7 motions beside the 7 matchings, whose covariances differ
+    P0 = np.tile(initial_covariance(model, scenario, euler[0]), (7, 1, 1, 1))
     R, axes = np.full(3, (scenario.filter_angle_arcmin * ARCMIN) ** 2), to_error_axes(scenario)
-    history = [sigmas(flown.P, axes)]
-    for instant in range(1, len(euler)):
-        flown.predict(omega_in_n=earth_rate(scenario), gyro_noise=gyro_noise(scenario), dt=scenario.update_s)
-        flown.nav["q_b2n_wxyz"] = q[instant]
-        flown.update("true", R, rows=CHOSEN[:, None, :], instant=instant)
-        history.append(sigmas(flown.P, axes))
+    given = {"omega_in_n": earth_rate(scenario), "gyro_noise": gyro_noise(scenario), "dt": scenario.update_s}
+    moments = (
+        Moment({**given, "q_b2n_wxyz": q[instant - 1]}, H[instant], R, CHOSEN[:, None, :])
+        for instant in range(1, len(euler))
+    )
+    history = [sigmas(P0, axes)] + [sigmas(P, axes) for P in along(model, P0, moments)]
     return np.array(history)
 
 
