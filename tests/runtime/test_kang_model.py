@@ -55,8 +55,9 @@ def errors(hat, truth):
 def truth_and_x(seed):
     rng = np.random.default_rng(seed)
     truth = {
-        "v_n": rng.uniform(-9, 9, (RUNS, 3)), "q_b2n_wxyz": attitudes(rng), "gyro_bias": rng.uniform(-1, 1, (RUNS, 3)) * 1e-3,
-        "accel_bias": rng.uniform(-0.1, 0.1, (RUNS, 3)), "q_b2m_wxyz": attitudes(rng), "tau": rng.uniform(-0.1, 0.1, RUNS),
+        "v_n": rng.uniform(-9, 9, (RUNS, 3)), "q_b2n_wxyz": attitudes(rng), "tau": rng.uniform(-0.1, 0.1, RUNS),
+        "gyro_bias": rng.uniform(-1, 1, (RUNS, 3)) * 1e-3,
+        "accel_bias": rng.uniform(-0.1, 0.1, (RUNS, 3)), "q_b2m_wxyz": attitudes(rng),
     }  # fmt: skip
     x = rng.standard_normal((RUNS, 16)) * np.repeat([0.1, 1.0, 1e-3, 0.1, 0.1, 0.05], [3, 3, 3, 3, 3, 1])
     return rng, truth, x
@@ -91,7 +92,7 @@ def test_errors_grow_over_a_strapdown_step_as_phi_says(align):
         grown = errors(carried(estimates(truth, size * x)), moved)
         return np.abs(grown - times(Phi, size * x))
 
-    # First order left by Phi: the specific force turns in the step, by up to 0.5 sqrt(3) dt, of the 12 sqrt(3) dt it adds.
+    # First order left by Phi: the specific force, which adds up to 12 sqrt(3) dt, turns in the step by 0.5 sqrt(3) dt.
     coarse = [left(size) / size for size in (1e-2, 1e-3, 1e-6)]
     assert coarse[2][:, 3:6].max() < 0.5 * 1.8 * dt * 12 * 1.8 * dt
     # The gyro bias' error turns the axes in which a turn of omega dt follows.

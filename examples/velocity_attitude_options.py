@@ -1,0 +1,167 @@
+"""Two compositions of velocity-attitude: a hull that bends, and sensors with scale factors.
+
+    boresight generate examples/velocity_attitude_options.py:flexure          # writes ./generated/flexure
+    boresight generate examples/velocity_attitude_options.py:scale_factors
+
+Each adds states, what carries and corrects their estimates, and the terms by which the measurements see them.
+"""
+
+from dataclasses import replace
+
+from sympy import Matrix, diag, eye, zeros
+
+from boresight.derive.model import Function, Measurement, Model, Output, Struct, variable
+from boresight.derive.models import velocity_attitude as va
+from boresight.derive.models.azimuth_hold import body
+from boresight.derive.rotation import dcm_from_quaternion, quaternion_product
+
+
+def function(model: Model, name: str) -> Function:
+    return next(f for f in model.functions if f.name == name)
+
+
+# ---------------------------------------------------------------- flexure
+
+MASTER = "master body"
+
+
+def about_master(name: str, letter: str, unit: str, meaning: str, low: float, high: float):
+    return variable(name, " ".join(f"{letter}_{axis}" for axis in "xyz"), unit, meaning, low, high, frame=MASTER)
+
+
+BEND = about_master("flexure", "bend", "rad", "estimated bending of the slave's seat", -0.1, 0.1)
+BEND_RATE = about_master("flexure_rate", "bend_rate", "rad/s", "its estimated rate", -1.0, 1.0)
+D_BEND = about_master("d_flexure", "d_bend", "rad", "error of the bending, estimated - true", -0.1, 0.1)
+D_BEND_RATE = about_master("d_flexure_rate", "d_bend_rate", "rad/s", "error of its rate", -1.0, 1.0)
+BETA = about_master("flexure_beta", "beta", "1/s", "one over the correlation time of the bending", 0.01, 100.0)
+BEND_NOISE = about_master(
+    "flexure_noise", "flexure_noise", "rad/s/sqrt(s)",
+    "root power spectral density that drives the bending: 2 sigma beta^1.5", 0.0, 100.0,
+)  # fmt: skip
+
+
+def flexure() -> Model:
+    """velocity-attitude with bending as a second-order Markov process about each of the master's axes.
+
+    bend'' = -2 beta bend' - beta^2 bend + noise: the correlation is (1 + beta t) exp(-beta t).  `strapdown` carries the
+    estimate over a step by the same second power of F dt as Phi carries its error.
+
+    C_b2m = (I + [bend x]) C_mounting, to first order in the bending, which is some mrad.  It turns the slave where it
+    stands: its gyros feel the bending's rate and the lever arm's velocity does not.
+    """
+    base = va.velocity_attitude()
+    C_m2b = dcm_from_quaternion(va.Q_MOUNT.vector).T
+    q_bent = quaternion_product(Matrix([1, *(BEND.vector / 2)]), va.Q_MOUNT.vector)
+    omega_hull = va.OMEGA_IB.vector - C_m2b * BEND_RATE.vector
+    as_bent = dict(zip((*va.Q_MOUNT.symbols, *va.OMEGA_IB.symbols), (*q_bent, *omega_hull), strict=True))
+    # What turns the slave one way turns the mounting the other: C_hat_b2m = (I - [(dmu - d_bend) x]) C_b2m.
+    less = {dmu: dmu - bend for dmu, bend in zip(va.DMU.symbols, D_BEND.symbols, strict=True)}
+
+    def seen(m: Measurement) -> Measurement:
+        assert m.z is not None
+        if m.H is None:
+            return replace(m, z=m.z.xreplace(as_bent), h=m.h.xreplace(as_bent | less))
+        # the hull turns without the rate of the bending: a rate taken off, as a gyro bias is, in the master's axes
+        by_rate = m.H[:, 6:9] * C_m2b
+        H = m.H.xreplace(as_bent)
+        H = Matrix.hstack(H, -H[:, 12:15], by_rate)
+        return replace(m, z=m.z.xreplace(as_bent), H=H, h=None, first_order=None)
+
+    F, G = zeros(22), zeros(22, 19)
+    F[16:19, 19:22] = eye(3)
+    F[19:22, 16:19], F[19:22, 19:22] = -diag(*(b**2 for b in BETA.symbols)), -2 * diag(*BETA.symbols)
+    G[19:22, 16:19] = eye(3)
+
+    A, dt = F[16:, 16:], va.DT.scalar
+    estimate = Matrix.vstack(BEND.vector, BEND_RATE.vector)
+    carried = estimate + dt * A * (estimate + dt / 2 * A * estimate)
+    strapdown, expected, feedback = (function(base, name) for name in ("strapdown", "expected", "feedback"))
+
+    def bending(angle: Matrix, rate: Matrix) -> tuple[Output, Output]:
+        return (Output(BEND.name, angle, BEND.unit, "bending of the slave's seat", MASTER),
+                Output(BEND_RATE.name, rate, BEND_RATE.unit, "its rate", MASTER))  # fmt: skip
+
+    return base.extend(
+        name="velocity-attitude-flexure",
+        c_prefix="vaf",
+        title="velocity and attitude matching on a hull that bends, 22 states",
+        states=(D_BEND, D_BEND_RATE),
+        structs=(Struct("bending", "how the hull bends", (BEND, BEND_RATE, BETA, BEND_NOISE)),),
+        F=F,
+        G=G,
+        noise=BEND_NOISE.vector,
+        measurements=tuple(seen(m) for m in base.measurements),
+        functions=(
+            replace(strapdown, outputs=(*strapdown.outputs, *bending(carried[:3, 0], carried[3:, 0]))),
+            replace(expected, outputs=tuple(replace(o, value=o.value.xreplace(as_bent)) for o in expected.outputs)),
+            replace(feedback, outputs=(*feedback.outputs, *bending(BEND.vector - D_BEND.vector,
+                                                                   BEND_RATE.vector - D_BEND_RATE.vector))),
+        ),
+    )  # fmt: skip
+
+
+# ---------------------------------------------------------------- scale factors
+
+SCALE = 0.1
+GYRO_SCALE = body("gyro_scale", "gs", "1", "estimated scale factor error of the gyros", -SCALE, SCALE)
+ACCEL_SCALE = body("accel_scale", "as", "1", "estimated scale factor error of the accelerometers", -SCALE, SCALE)
+D_GYRO_SCALE = body("d_gyro_scale", "dgs", "1", "error of the gyros' scale factor, estimated - true", -SCALE, SCALE)
+D_ACCEL_SCALE = body("d_accel_scale", "das", "1", "error of the accelerometers' scale factor", -SCALE, SCALE)
+
+
+def scale_factors() -> Model:
+    """velocity-attitude with scale factors: measured = (1 + scale) true + bias.
+
+    What the caller gives has its biases removed, as before; every function divides it by the scale estimated.  Errors
+    of the biases are then some 1e-3 of themselves smaller, which F and H leave out.
+    """
+    rates, forces = va.OMEGA_IB.symbols, va.F_B.symbols
+    over = {
+        symbol: symbol / (1 + s)
+        for scale, inputs in ((GYRO_SCALE, (va.OMEGA_IB, va.BG, va.INCREMENTS[0], va.INCREMENTS[2])),
+                              (ACCEL_SCALE, (va.F_B, va.BA, va.INCREMENTS[1], va.INCREMENTS[3])))
+        for item in inputs
+        for symbol, s in zip(item.symbols, scale.symbols, strict=True)
+    }  # fmt: skip
+    plain = va.velocity_attitude()
+    assert plain.F is not None
+    base = replace(
+        plain,
+        structs=(*plain.structs, Struct("scale", "scale factors", (GYRO_SCALE, ACCEL_SCALE))),
+        F=plain.F.xreplace(over),
+        measurements=tuple(unscaled(m, over) for m in plain.measurements),
+    )
+
+    true = Matrix([symbol.xreplace(over) for symbol in (*rates, *forces)])
+    F = zeros(22)
+    F[:6, 16:] = plain.F[:6, 6:12] * diag(*true)  # a bias in proportion to what is measured
+    in_proportion = va.DBG.vector + diag(*true[:3, 0]) * D_GYRO_SCALE.vector
+    velocity = next(m for m in base.measurements if m.name == "velocity")
+    assert velocity.h is not None and velocity.H is not None
+    as_bias = dict(zip(va.DBG.symbols, in_proportion, strict=True))
+    wide_H = Matrix.hstack(velocity.H, velocity.H[:, 6:9] * diag(*true[:3, 0]), zeros(3))
+
+    strapdown, expected, feedback = (function(base, name) for name in ("strapdown", "expected", "feedback"))
+    scaled = [
+        replace(f, outputs=tuple(replace(output, value=output.value.xreplace(over)) for output in f.outputs))
+        for f in (strapdown, expected)
+    ]
+    corrected = tuple(
+        Output(estimate.name, estimate.vector - error.vector, "1", "scale factor", "body")
+        for estimate, error in ((GYRO_SCALE, D_GYRO_SCALE), (ACCEL_SCALE, D_ACCEL_SCALE))
+    )
+    return base.extend(
+        name="velocity-attitude-scale",
+        c_prefix="vas",
+        title="velocity and attitude matching with scale factors, 22 states",
+        states=(D_GYRO_SCALE, D_ACCEL_SCALE),
+        F=F,
+        measurements=(replace(velocity, H=wide_H, h=velocity.h.xreplace(as_bias)),),
+        functions=(*scaled, replace(feedback, outputs=(*feedback.outputs, *corrected))),
+    )
+
+
+def unscaled(m: Measurement, over: dict) -> Measurement:
+    """The measurement, of rates over their scale."""
+    z, h, H = (None if part is None else part.xreplace(over) for part in (m.z, m.h, m.H))
+    return replace(m, z=z, h=h, H=H)

@@ -1,0 +1,724 @@
+/* How to prefix internal symbols */
+#ifdef CASADI_CODEGEN_PREFIX
+  #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
+  #define _CASADI_NAMESPACE_CONCAT(NS, ID) NS ## ID
+  #define CASADI_PREFIX(ID) CASADI_NAMESPACE_CONCAT(CODEGEN_PREFIX, ID)
+#else
+  #define CASADI_PREFIX(ID) val_Phi_casadi__ ## ID
+#endif
+
+#include <math.h>
+
+#ifndef casadi_real
+#define casadi_real double
+#endif
+
+#ifndef casadi_int
+#define casadi_int int
+#endif
+
+/* Add prefix to internal symbols */
+#define casadi_f0 CASADI_PREFIX(f0)
+#define casadi_s0 CASADI_PREFIX(s0)
+#define casadi_s1 CASADI_PREFIX(s1)
+#define casadi_s2 CASADI_PREFIX(s2)
+#define casadi_s3 CASADI_PREFIX(s3)
+
+/* Symbol visibility in DLLs */
+#ifndef CASADI_SYMBOL_EXPORT
+  #if defined(_WIN32) || defined(__WIN32__) || defined(__CYGWIN__)
+    #if defined(STATIC_LINKED)
+      #define CASADI_SYMBOL_EXPORT
+    #else
+      #define CASADI_SYMBOL_EXPORT __declspec(dllexport)
+    #endif
+  #elif defined(__GNUC__) && defined(GCC_HASCLASSVISIBILITY)
+    #define CASADI_SYMBOL_EXPORT __attribute__ ((visibility ("default")))
+  #else
+    #define CASADI_SYMBOL_EXPORT
+  #endif
+#endif
+
+/* Configuration this file was compiled with */
+CASADI_SYMBOL_EXPORT void val_Phi_casadi__casadi_version(int* major, int* minor, int* patch) {
+  *major = 3;
+  *minor = 8;
+  *patch = 2;
+}
+CASADI_SYMBOL_EXPORT int val_Phi_casadi__casadi_int_size(void) { return (int) sizeof(casadi_int); }
+CASADI_SYMBOL_EXPORT int val_Phi_casadi__casadi_real_size(void) { return (int) sizeof(casadi_real); }
+
+static const casadi_int casadi_s0[3] = {3, 1, 1};
+static const casadi_int casadi_s1[3] = {4, 1, 1};
+static const casadi_int casadi_s2[3] = {1, 1, 1};
+static const casadi_int casadi_s3[3] = {85, 1, 1};
+
+/* val_Phi_casadi:(position[3],v_n[3],q_b2n_wxyz[4],f_b[3],dt)->(out_Phi[85]) */
+static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
+  casadi_real a36, a37, a38, a39, a40, a41, a42, a43;
+  a00=1.;
+  a01=arg[4]? arg[4][0] : 0;
+  a02=arg[0]? arg[0][2] : 0;
+  a03=6378137.;
+  a04=6.6943799901413173e-03;
+  a05=arg[0]? arg[0][0] : 0;
+  a06=sin(a05);
+  a07=(a06*a06);
+  a04=(a04*a07);
+  a04=(a00-a04);
+  a07=sqrt(a04);
+  a03=(a03/a07);
+  a03=(a02+a03);
+  a03=(a00/a03);
+  a08=(a01*a03);
+  a09=2.;
+  a10=arg[2]? arg[2][0] : 0;
+  a11=(a09*a10);
+  a12=arg[2]? arg[2][1] : 0;
+  a13=(a11*a12);
+  a14=arg[2]? arg[2][2] : 0;
+  a15=arg[2]? arg[2][3] : 0;
+  a16=(a14*a15);
+  a16=(a09*a16);
+  a17=(a13+a16);
+  a18=arg[3]? arg[3][1] : 0;
+  a19=(a17*a18);
+  a20=(a11*a14);
+  a21=(a09*a12);
+  a22=(a21*a15);
+  a23=(a20-a22);
+  a24=arg[3]? arg[3][0] : 0;
+  a25=(a23*a24);
+  a19=(a19-a25);
+  a10=(a10*a10);
+  a25=(a14*a14);
+  a26=(a10-a25);
+  a27=(a15*a15);
+  a26=(a26+a27);
+  a12=(a12*a12);
+  a26=(a26-a12);
+  a28=arg[3]? arg[3][2] : 0;
+  a29=(a26*a28);
+  a19=(a19+a29);
+  a19=(a19*a01);
+  a29=(a08*a19);
+  a05=cos(a05);
+  a30=(a06/a05);
+  a31=arg[1]? arg[1][1] : 0;
+  a31=(a31*a03);
+  a32=(a30*a31);
+  a33=7.2921149999999999e-05;
+  a34=(a33*a06);
+  a34=(a32+a34);
+  a34=(a34*a01);
+  a35=(a34*a34);
+  a36=arg[1]? arg[1][0] : 0;
+  a37=6.3354393272928204e+06;
+  a04=(a04*a07);
+  a37=(a37/a04);
+  a02=(a02+a37);
+  a02=(a00/a02);
+  a37=(a36*a02);
+  a04=(a37*a01);
+  a07=(a04*a04);
+  a38=(a35+a07);
+  a29=(a29-a38);
+  a38=5.0000000000000000e-01;
+  a29=(a29*a38);
+  a29=(a00+a29);
+  if (res[0]!=0) res[0][0]=a29;
+  a33=(a33*a05);
+  a33=(a31+a33);
+  a33=(a33*a01);
+  a29=(a04*a33);
+  a29=(a29*a38);
+  a29=(a34+a29);
+  a29=(-a29);
+  if (res[0]!=0) res[0][1]=a29;
+  a29=(a34*a33);
+  a10=(a10-a27);
+  a27=(a10-a25);
+  a27=(a27+a12);
+  a39=(a27*a24);
+  a11=(a11*a15);
+  a21=(a21*a14);
+  a14=(a11-a21);
+  a15=(a14*a18);
+  a39=(a39-a15);
+  a20=(a20+a22);
+  a22=(a20*a28);
+  a39=(a39+a22);
+  a39=(a39*a01);
+  a22=(a08*a39);
+  a29=(a29+a22);
+  a29=(a29*a38);
+  a29=(a04-a29);
+  if (res[0]!=0) res[0][2]=a29;
+  a29=(a01*a02);
+  a22=(a34*a29);
+  a15=1.4584230000000000e-04;
+  a06=(a15*a06);
+  a40=(a06+a32);
+  a40=(a40*a01);
+  a41=(a08*a40);
+  a22=(a22+a41);
+  a22=(a22*a38);
+  if (res[0]!=0) res[0][3]=a22;
+  a22=arg[1]? arg[1][2] : 0;
+  a41=(a22*a03);
+  a30=(a30*a03);
+  a36=(a30*a36);
+  a41=(a41+a36);
+  a41=(a41*a01);
+  a36=(a08*a41);
+  a30=(a30*a01);
+  a03=(a04*a30);
+  a36=(a36-a03);
+  a36=(a36*a38);
+  a36=(a08+a36);
+  if (res[0]!=0) res[0][4]=a36;
+  a15=(a15*a05);
+  a05=(a31+a15);
+  a05=(a05*a01);
+  a36=(a08*a05);
+  a36=(a36*a38);
+  if (res[0]!=0) res[0][5]=a36;
+  a27=(a27*a01);
+  a11=(a11+a21);
+  a21=(a11*a01);
+  a36=(a34*a21);
+  a23=(a23*a01);
+  a03=(a04*a23);
+  a36=(a36+a03);
+  a36=(a36*a38);
+  a36=(a27-a36);
+  if (res[0]!=0) res[0][6]=a36;
+  a17=(a17*a01);
+  a36=(a04*a17);
+  a25=(a25+a10);
+  a25=(a25-a12);
+  a12=(a25*a01);
+  a10=(a34*a12);
+  a10=(a36-a10);
+  a10=(a10*a38);
+  a14=(a14*a01);
+  a10=(a10-a14);
+  if (res[0]!=0) res[0][7]=a10;
+  a20=(a20*a01);
+  a13=(a13-a16);
+  a16=(a13*a01);
+  a10=(a34*a16);
+  a26=(a26*a01);
+  a42=(a04*a26);
+  a10=(a10+a42);
+  a10=(a10*a38);
+  a10=(a20+a10);
+  if (res[0]!=0) res[0][8]=a10;
+  a10=(a08*a21);
+  a10=(a10*a38);
+  a10=(-a10);
+  if (res[0]!=0) res[0][9]=a10;
+  a10=(a08*a12);
+  a10=(a10*a38);
+  a10=(-a10);
+  if (res[0]!=0) res[0][10]=a10;
+  a10=(a08*a16);
+  a10=(a10*a38);
+  if (res[0]!=0) res[0][11]=a10;
+  a10=(a33*a04);
+  a10=(a10*a38);
+  a10=(a34-a10);
+  if (res[0]!=0) res[0][12]=a10;
+  a10=(a29*a19);
+  a43=(a33*a33);
+  a35=(a35+a43);
+  a10=(a10-a35);
+  a10=(a10*a38);
+  a10=(a00+a10);
+  if (res[0]!=0) res[0][13]=a10;
+  a10=(a34*a04);
+  a11=(a11*a24);
+  a25=(a25*a18);
+  a11=(a11+a25);
+  a13=(a13*a28);
+  a11=(a11-a13);
+  a11=(a11*a01);
+  a13=(a29*a11);
+  a10=(a10-a13);
+  a10=(a10*a38);
+  a10=(a33+a10);
+  if (res[0]!=0) res[0][14]=a10;
+  a22=(a22*a02);
+  a22=(a22*a01);
+  a02=(a29*a22);
+  a02=(a02*a38);
+  a02=(a29+a02);
+  a02=(-a02);
+  if (res[0]!=0) res[0][15]=a02;
+  a02=(a34*a08);
+  a10=(a33*a30);
+  a02=(a02-a10);
+  a32=(a09*a32);
+  a06=(a06+a32);
+  a06=(a06*a01);
+  a32=(a29*a06);
+  a02=(a02+a32);
+  a02=(a02*a38);
+  if (res[0]!=0) res[0][16]=a02;
+  a02=(a29*a04);
+  a02=(a02*a38);
+  a02=(-a02);
+  if (res[0]!=0) res[0][17]=a02;
+  a02=(a34*a27);
+  a32=(a33*a23);
+  a02=(a02-a32);
+  a02=(a02*a38);
+  a02=(a21+a02);
+  if (res[0]!=0) res[0][18]=a02;
+  a02=(a33*a17);
+  a32=(a34*a14);
+  a02=(a02-a32);
+  a02=(a02*a38);
+  a02=(a12+a02);
+  if (res[0]!=0) res[0][19]=a02;
+  a02=(a34*a20);
+  a32=(a33*a26);
+  a02=(a02+a32);
+  a02=(a02*a38);
+  a02=(a02-a16);
+  if (res[0]!=0) res[0][20]=a02;
+  a02=(a29*a27);
+  a02=(a02*a38);
+  if (res[0]!=0) res[0][21]=a02;
+  a02=(a29*a14);
+  a02=(a02*a38);
+  a02=(-a02);
+  if (res[0]!=0) res[0][22]=a02;
+  a02=(a29*a20);
+  a02=(a02*a38);
+  if (res[0]!=0) res[0][23]=a02;
+  a02=(a33*a34);
+  a32=(a30*a19);
+  a02=(a02+a32);
+  a02=(a02*a38);
+  a02=(a04+a02);
+  a02=(-a02);
+  if (res[0]!=0) res[0][24]=a02;
+  a02=(a04*a34);
+  a02=(a02*a38);
+  a02=(a02-a33);
+  if (res[0]!=0) res[0][25]=a02;
+  a02=(a30*a39);
+  a07=(a07+a43);
+  a02=(a02-a07);
+  a02=(a02*a38);
+  a02=(a00+a02);
+  if (res[0]!=0) res[0][26]=a02;
+  a02=(a33*a29);
+  a07=(a30*a40);
+  a02=(a02-a07);
+  a02=(a02*a38);
+  if (res[0]!=0) res[0][27]=a02;
+  a02=(a04*a08);
+  a07=(a30*a41);
+  a02=(a02+a07);
+  a02=(a02*a38);
+  a02=(a30+a02);
+  a02=(-a02);
+  if (res[0]!=0) res[0][28]=a02;
+  a02=(a30*a05);
+  a02=(a02*a38);
+  a02=(-a02);
+  if (res[0]!=0) res[0][29]=a02;
+  a02=(a04*a27);
+  a07=(a33*a21);
+  a02=(a02+a07);
+  a02=(a02*a38);
+  a02=(a23+a02);
+  a02=(-a02);
+  if (res[0]!=0) res[0][30]=a02;
+  a02=(a04*a14);
+  a07=(a33*a12);
+  a02=(a02-a07);
+  a02=(a02*a38);
+  a02=(a17+a02);
+  if (res[0]!=0) res[0][31]=a02;
+  a02=(a33*a16);
+  a07=(a04*a20);
+  a02=(a02-a07);
+  a02=(a02*a38);
+  a02=(a26+a02);
+  if (res[0]!=0) res[0][32]=a02;
+  a02=(a30*a21);
+  a02=(a02*a38);
+  if (res[0]!=0) res[0][33]=a02;
+  a02=(a30*a12);
+  a02=(a02*a38);
+  if (res[0]!=0) res[0][34]=a02;
+  a02=(a30*a16);
+  a02=(a02*a38);
+  a02=(-a02);
+  if (res[0]!=0) res[0][35]=a02;
+  a02=(a19*a34);
+  a07=(a11*a04);
+  a43=(a02+a07);
+  a32=(a06*a19);
+  a43=(a43+a32);
+  a32=(a04*a11);
+  a43=(a43+a32);
+  a43=(a43*a38);
+  a43=(-a43);
+  if (res[0]!=0) res[0][36]=a43;
+  a43=(a04*a39);
+  a32=(a11*a33);
+  a10=(a22*a19);
+  a32=(a32+a10);
+  a43=(a43-a32);
+  a43=(a43*a38);
+  a43=(a43-a19);
+  if (res[0]!=0) res[0][37]=a43;
+  a43=(a22*a11);
+  a32=(a19*a33);
+  a43=(a43-a32);
+  a32=(a06*a39);
+  a43=(a43+a32);
+  a43=(a43*a38);
+  a43=(a11+a43);
+  if (res[0]!=0) res[0][38]=a43;
+  a43=(a00+a22);
+  a32=(a19*a29);
+  a10=(a22*a22);
+  a32=(a32+a10);
+  a10=(a06*a40);
+  a32=(a32-a10);
+  a37=(a09*a37);
+  a37=(a37*a01);
+  a10=(a04*a37);
+  a32=(a32-a10);
+  a32=(a32*a38);
+  a43=(a43+a32);
+  if (res[0]!=0) res[0][39]=a43;
+  a43=(a11*a30);
+  a32=(a22*a06);
+  a43=(a43+a32);
+  a32=(a06*a41);
+  a43=(a43+a32);
+  a09=(a09*a31);
+  a15=(a15+a09);
+  a15=(a15*a01);
+  a01=(a04*a15);
+  a43=(a43+a01);
+  a43=(a43*a38);
+  a43=(a06+a43);
+  a43=(-a43);
+  if (res[0]!=0) res[0][40]=a43;
+  a43=(a22*a04);
+  a01=(a06*a05);
+  a43=(a43-a01);
+  a43=(a43*a38);
+  a43=(a04+a43);
+  if (res[0]!=0) res[0][41]=a43;
+  a43=(a19*a21);
+  a01=(a11*a23);
+  a43=(a43+a01);
+  a43=(a43*a38);
+  a43=(-a43);
+  if (res[0]!=0) res[0][42]=a43;
+  a43=(a11*a17);
+  a01=(a19*a12);
+  a43=(a43-a01);
+  a43=(a43*a38);
+  if (res[0]!=0) res[0][43]=a43;
+  a43=(a19*a16);
+  a01=(a11*a26);
+  a43=(a43+a01);
+  a43=(a43*a38);
+  if (res[0]!=0) res[0][44]=a43;
+  a43=(a06*a21);
+  a01=(a22*a27);
+  a43=(a43-a01);
+  a43=(a43+a03);
+  a43=(a43*a38);
+  a43=(a43-a27);
+  if (res[0]!=0) res[0][45]=a43;
+  a43=(a22*a14);
+  a03=(a06*a12);
+  a43=(a43+a03);
+  a43=(a43-a36);
+  a43=(a43*a38);
+  a43=(a14+a43);
+  if (res[0]!=0) res[0][46]=a43;
+  a43=(a22*a20);
+  a36=(a06*a16);
+  a43=(a43+a36);
+  a43=(a43+a42);
+  a43=(a43*a38);
+  a43=(a20+a43);
+  a43=(-a43);
+  if (res[0]!=0) res[0][47]=a43;
+  a43=(a39*a04);
+  a42=(a41*a19);
+  a43=(a43+a42);
+  a42=(a05*a11);
+  a43=(a43-a42);
+  a43=(a43*a38);
+  a43=(a19+a43);
+  if (res[0]!=0) res[0][48]=a43;
+  a33=(a39*a33);
+  a02=(a33-a02);
+  a43=(a40*a19);
+  a02=(a02-a43);
+  a43=(a05*a39);
+  a02=(a02+a43);
+  a02=(a02*a38);
+  if (res[0]!=0) res[0][49]=a02;
+  a02=(a19*a04);
+  a43=(a40*a11);
+  a02=(a02+a43);
+  a43=(a41*a39);
+  a02=(a02-a43);
+  a02=(a02*a38);
+  a02=(a02-a39);
+  if (res[0]!=0) res[0][50]=a02;
+  a02=(a40*a22);
+  a43=(a41*a40);
+  a02=(a02+a43);
+  a43=(a05*a37);
+  a02=(a02-a43);
+  a02=(a02*a38);
+  a02=(a40+a02);
+  if (res[0]!=0) res[0][51]=a02;
+  a02=(a00+a41);
+  a43=(a19*a08);
+  a30=(a39*a30);
+  a43=(a43+a30);
+  a30=(a40*a06);
+  a43=(a43-a30);
+  a30=(a41*a41);
+  a43=(a43+a30);
+  a30=(a05*a15);
+  a43=(a43-a30);
+  a43=(a43*a38);
+  a02=(a02+a43);
+  if (res[0]!=0) res[0][52]=a02;
+  a02=(a40*a04);
+  a43=(a41*a05);
+  a02=(a02+a43);
+  a02=(a02*a38);
+  a02=(a05+a02);
+  if (res[0]!=0) res[0][53]=a02;
+  a02=(a19*a27);
+  a43=(a39*a23);
+  a02=(a02+a43);
+  a02=(a02*a38);
+  if (res[0]!=0) res[0][54]=a02;
+  a02=(a19*a14);
+  a43=(a39*a17);
+  a02=(a02+a43);
+  a02=(a02*a38);
+  a02=(-a02);
+  if (res[0]!=0) res[0][55]=a02;
+  a02=(a19*a20);
+  a43=(a39*a26);
+  a02=(a02-a43);
+  a02=(a02*a38);
+  if (res[0]!=0) res[0][56]=a02;
+  a02=(a05*a23);
+  a43=(a40*a27);
+  a30=(a41*a21);
+  a43=(a43+a30);
+  a02=(a02-a43);
+  a02=(a02*a38);
+  a02=(a02-a21);
+  if (res[0]!=0) res[0][57]=a02;
+  a02=(a40*a14);
+  a43=(a41*a12);
+  a02=(a02-a43);
+  a43=(a05*a17);
+  a02=(a02-a43);
+  a02=(a02*a38);
+  a02=(a02-a12);
+  if (res[0]!=0) res[0][58]=a02;
+  a02=(a41*a16);
+  a43=(a40*a20);
+  a02=(a02-a43);
+  a43=(a05*a26);
+  a02=(a02-a43);
+  a02=(a02*a38);
+  a02=(a16+a02);
+  if (res[0]!=0) res[0][59]=a02;
+  a02=(a39*a34);
+  a43=(a15*a19);
+  a02=(a02-a43);
+  a02=(a02*a38);
+  a02=(a02-a11);
+  if (res[0]!=0) res[0][60]=a02;
+  a34=(a11*a34);
+  a19=(a37*a19);
+  a34=(a34+a19);
+  a34=(a34*a38);
+  a34=(a39+a34);
+  if (res[0]!=0) res[0][61]=a34;
+  a33=(a33-a07);
+  a07=(a37*a11);
+  a33=(a33-a07);
+  a07=(a15*a39);
+  a33=(a33+a07);
+  a33=(a33*a38);
+  if (res[0]!=0) res[0][62]=a33;
+  a29=(a39*a29);
+  a22=(a37*a22);
+  a29=(a29+a22);
+  a40=(a15*a40);
+  a29=(a29+a40);
+  a29=(a29*a38);
+  a29=(a37+a29);
+  a29=(-a29);
+  if (res[0]!=0) res[0][63]=a29;
+  a06=(a37*a06);
+  a08=(a11*a08);
+  a06=(a06-a08);
+  a41=(a15*a41);
+  a06=(a06-a41);
+  a06=(a06*a38);
+  a06=(a06-a15);
+  if (res[0]!=0) res[0][64]=a06;
+  a04=(a37*a04);
+  a05=(a15*a05);
+  a04=(a04+a05);
+  a04=(a04*a38);
+  a04=(a00-a04);
+  if (res[0]!=0) res[0][65]=a04;
+  a04=(a39*a21);
+  a05=(a11*a27);
+  a04=(a04-a05);
+  a04=(a04*a38);
+  if (res[0]!=0) res[0][66]=a04;
+  a04=(a11*a14);
+  a05=(a39*a12);
+  a04=(a04+a05);
+  a04=(a04*a38);
+  if (res[0]!=0) res[0][67]=a04;
+  a11=(a11*a20);
+  a39=(a39*a16);
+  a11=(a11+a39);
+  a11=(a11*a38);
+  a11=(-a11);
+  if (res[0]!=0) res[0][68]=a11;
+  a27=(a37*a27);
+  a21=(a15*a21);
+  a27=(a27+a21);
+  a27=(a27*a38);
+  a23=(a23+a27);
+  if (res[0]!=0) res[0][69]=a23;
+  a12=(a15*a12);
+  a14=(a37*a14);
+  a12=(a12-a14);
+  a12=(a12*a38);
+  a12=(a12-a17);
+  if (res[0]!=0) res[0][70]=a12;
+  a37=(a37*a20);
+  a15=(a15*a16);
+  a37=(a37-a15);
+  a37=(a37*a38);
+  a37=(a37-a26);
+  if (res[0]!=0) res[0][71]=a37;
+  if (res[0]!=0) res[0][72]=a00;
+  if (res[0]!=0) res[0][73]=a00;
+  if (res[0]!=0) res[0][74]=a00;
+  if (res[0]!=0) res[0][75]=a00;
+  if (res[0]!=0) res[0][76]=a00;
+  if (res[0]!=0) res[0][77]=a00;
+  if (res[0]!=0) res[0][78]=a00;
+  if (res[0]!=0) res[0][79]=a00;
+  if (res[0]!=0) res[0][80]=a00;
+  if (res[0]!=0) res[0][81]=a00;
+  if (res[0]!=0) res[0][82]=a00;
+  if (res[0]!=0) res[0][83]=a00;
+  if (res[0]!=0) res[0][84]=a00;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int val_Phi_casadi(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f0(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int val_Phi_casadi_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void val_Phi_casadi_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void val_Phi_casadi_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void val_Phi_casadi_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int val_Phi_casadi_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int val_Phi_casadi_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real val_Phi_casadi_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* val_Phi_casadi_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "position";
+    case 1: return "v_n";
+    case 2: return "q_b2n_wxyz";
+    case 3: return "f_b";
+    case 4: return "dt";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* val_Phi_casadi_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "out_Phi";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* val_Phi_casadi_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s2;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* val_Phi_casadi_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s3;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int val_Phi_casadi_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int val_Phi_casadi_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+

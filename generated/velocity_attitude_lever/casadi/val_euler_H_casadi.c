@@ -1,0 +1,358 @@
+/* How to prefix internal symbols */
+#ifdef CASADI_CODEGEN_PREFIX
+  #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
+  #define _CASADI_NAMESPACE_CONCAT(NS, ID) NS ## ID
+  #define CASADI_PREFIX(ID) CASADI_NAMESPACE_CONCAT(CODEGEN_PREFIX, ID)
+#else
+  #define CASADI_PREFIX(ID) val_euler_H_casadi__ ## ID
+#endif
+
+#include <math.h>
+
+#ifndef casadi_real
+#define casadi_real double
+#endif
+
+#ifndef casadi_int
+#define casadi_int int
+#endif
+
+/* Add prefix to internal symbols */
+#define casadi_f0 CASADI_PREFIX(f0)
+#define casadi_s0 CASADI_PREFIX(s0)
+#define casadi_s1 CASADI_PREFIX(s1)
+#define casadi_s2 CASADI_PREFIX(s2)
+
+/* Symbol visibility in DLLs */
+#ifndef CASADI_SYMBOL_EXPORT
+  #if defined(_WIN32) || defined(__WIN32__) || defined(__CYGWIN__)
+    #if defined(STATIC_LINKED)
+      #define CASADI_SYMBOL_EXPORT
+    #else
+      #define CASADI_SYMBOL_EXPORT __declspec(dllexport)
+    #endif
+  #elif defined(__GNUC__) && defined(GCC_HASCLASSVISIBILITY)
+    #define CASADI_SYMBOL_EXPORT __attribute__ ((visibility ("default")))
+  #else
+    #define CASADI_SYMBOL_EXPORT
+  #endif
+#endif
+
+/* Configuration this file was compiled with */
+CASADI_SYMBOL_EXPORT void val_euler_H_casadi__casadi_version(int* major, int* minor, int* patch) {
+  *major = 3;
+  *minor = 8;
+  *patch = 2;
+}
+CASADI_SYMBOL_EXPORT int val_euler_H_casadi__casadi_int_size(void) { return (int) sizeof(casadi_int); }
+CASADI_SYMBOL_EXPORT int val_euler_H_casadi__casadi_real_size(void) { return (int) sizeof(casadi_real); }
+
+static const casadi_int casadi_s0[3] = {3, 1, 1};
+static const casadi_int casadi_s1[3] = {4, 1, 1};
+static const casadi_int casadi_s2[3] = {20, 1, 1};
+
+/* val_euler_H_casadi:(position[3],v_n[3],q_b2n_wxyz[4],omega_ib_b[3],euler_m[3])->(out_H[20]) */
+static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
+  casadi_real a36, a37, a38, a39, a40, a41, a42;
+  a00=arg[4]? arg[4][1] : 0;
+  a01=cos(a00);
+  a02=arg[4]? arg[4][2] : 0;
+  a03=cos(a02);
+  a04=(a01*a03);
+  a05=arg[4]? arg[4][0] : 0;
+  a06=cos(a05);
+  a07=1.;
+  a08=(a07/a01);
+  a09=(a06*a08);
+  a05=sin(a05);
+  a02=sin(a02);
+  a10=(a05*a02);
+  a00=sin(a00);
+  a11=(a03*a06);
+  a12=(a00*a11);
+  a12=(a10+a12);
+  a13=(a09*a12);
+  a14=(a13*a00);
+  a14=(a04+a14);
+  a03=(a03*a05);
+  a15=(a03*a00);
+  a16=(a02*a06);
+  a15=(a15-a16);
+  a08=(a05*a08);
+  a17=(a15*a08);
+  a18=(a17*a00);
+  a14=(a14+a18);
+  a18=(-a14);
+  if (res[0]!=0) res[0][0]=a18;
+  a02=(a01*a02);
+  a10=(a00*a10);
+  a11=(a11+a10);
+  a08=(a08*a11);
+  a10=(a08*a00);
+  a10=(a02+a10);
+  a16=(a16*a00);
+  a16=(a16-a03);
+  a09=(a09*a16);
+  a03=(a09*a00);
+  a10=(a10+a03);
+  a03=(-a10);
+  if (res[0]!=0) res[0][1]=a03;
+  a03=(a05*a05);
+  a03=(a03*a00);
+  a18=(a06*a06);
+  a18=(a18*a00);
+  a03=(a03+a18);
+  a03=(a03-a00);
+  a18=(-a03);
+  if (res[0]!=0) res[0][2]=a18;
+  a18=(a14*a04);
+  a19=(a02*a10);
+  a18=(a18+a19);
+  a19=(a03*a00);
+  a18=(a18-a19);
+  if (res[0]!=0) res[0][3]=a18;
+  a18=(a15*a14);
+  a19=(a11*a10);
+  a18=(a18+a19);
+  a19=(a01*a03);
+  a20=(a19*a05);
+  a18=(a18+a20);
+  if (res[0]!=0) res[0][4]=a18;
+  a18=(a14*a12);
+  a20=(a16*a10);
+  a18=(a18+a20);
+  a19=(a19*a06);
+  a18=(a18+a19);
+  if (res[0]!=0) res[0][5]=a18;
+  a18=7.2921149999999999e-05;
+  a19=arg[0]? arg[0][0] : 0;
+  a20=cos(a19);
+  a21=(a18*a20);
+  a22=arg[1]? arg[1][1] : 0;
+  a23=arg[0]? arg[0][2] : 0;
+  a24=6378137.;
+  a25=6.6943799901413173e-03;
+  a19=sin(a19);
+  a26=(a19*a19);
+  a25=(a25*a26);
+  a07=(a07-a25);
+  a25=sqrt(a07);
+  a24=(a24/a25);
+  a24=(a23+a24);
+  a22=(a22/a24);
+  a21=(a21+a22);
+  a24=arg[3]? arg[3][0] : 0;
+  a26=arg[2]? arg[2][1] : 0;
+  a27=(a26*a26);
+  a28=arg[2]? arg[2][0] : 0;
+  a29=(a28*a28);
+  a30=arg[2]? arg[2][2] : 0;
+  a31=(a30*a30);
+  a32=(a29-a31);
+  a33=(a27+a32);
+  a34=arg[2]? arg[2][3] : 0;
+  a35=(a34*a34);
+  a33=(a33-a35);
+  a33=(a24*a33);
+  a21=(a21-a33);
+  a33=arg[3]? arg[3][1] : 0;
+  a36=2.;
+  a37=(a26*a30);
+  a37=(a36*a37);
+  a28=(a36*a28);
+  a38=(a28*a34);
+  a39=(a37-a38);
+  a39=(a33*a39);
+  a21=(a21-a39);
+  a39=arg[3]? arg[3][2] : 0;
+  a40=(a28*a30);
+  a41=(a36*a34);
+  a42=(a41*a26);
+  a42=(a40+a42);
+  a42=(a39*a42);
+  a21=(a21-a42);
+  a14=(a14*a21);
+  a38=(a38+a37);
+  a38=(a24*a38);
+  a29=(a29-a27);
+  a29=(a29+a31);
+  a29=(a29-a35);
+  a29=(a33*a29);
+  a38=(a38+a29);
+  a29=(a30*a34);
+  a29=(a36*a29);
+  a28=(a28*a26);
+  a29=(a29-a28);
+  a29=(a39*a29);
+  a38=(a38+a29);
+  a29=arg[1]? arg[1][0] : 0;
+  a31=6.3354393272928204e+06;
+  a07=(a07*a25);
+  a31=(a31/a07);
+  a23=(a23+a31);
+  a29=(a29/a23);
+  a38=(a38+a29);
+  a10=(a10*a38);
+  a14=(a14-a10);
+  a18=(a18*a19);
+  a26=(a26*a34);
+  a36=(a36*a26);
+  a36=(a36-a40);
+  a24=(a24*a36);
+  a18=(a18+a24);
+  a41=(a41*a30);
+  a28=(a28+a41);
+  a33=(a33*a28);
+  a18=(a18+a33);
+  a35=(a35-a27);
+  a35=(a35+a32);
+  a39=(a39*a35);
+  a18=(a18+a39);
+  a19=(a19/a20);
+  a22=(a22*a19);
+  a18=(a18+a22);
+  a03=(a03*a18);
+  a14=(a14-a03);
+  if (res[0]!=0) res[0][6]=a14;
+  a14=(a15*a06);
+  a03=(a05*a12);
+  a14=(a14-a03);
+  a03=(-a14);
+  if (res[0]!=0) res[0][7]=a03;
+  a03=(a11*a06);
+  a22=(a16*a05);
+  a03=(a03-a22);
+  a22=(-a03);
+  if (res[0]!=0) res[0][8]=a22;
+  a22=(a02*a03);
+  a19=(a04*a14);
+  a22=(a22+a19);
+  if (res[0]!=0) res[0][9]=a22;
+  a22=(a15*a14);
+  a19=(a11*a03);
+  a22=(a22+a19);
+  if (res[0]!=0) res[0][10]=a22;
+  a22=(a16*a03);
+  a19=(a14*a12);
+  a22=(a22+a19);
+  if (res[0]!=0) res[0][11]=a22;
+  a14=(a21*a14);
+  a03=(a38*a03);
+  a14=(a14-a03);
+  if (res[0]!=0) res[0][12]=a14;
+  a13=(a13+a17);
+  a17=(-a13);
+  if (res[0]!=0) res[0][13]=a17;
+  a08=(a08+a09);
+  a09=(-a08);
+  if (res[0]!=0) res[0][14]=a09;
+  a09=-1.;
+  if (res[0]!=0) res[0][15]=a09;
+  a02=(a02*a08);
+  a04=(a04*a13);
+  a02=(a02+a04);
+  a02=(a02-a00);
+  if (res[0]!=0) res[0][16]=a02;
+  a15=(a15*a13);
+  a11=(a11*a08);
+  a15=(a15+a11);
+  a05=(a05*a01);
+  a15=(a15+a05);
+  if (res[0]!=0) res[0][17]=a15;
+  a16=(a16*a08);
+  a12=(a13*a12);
+  a16=(a16+a12);
+  a01=(a01*a06);
+  a16=(a16+a01);
+  if (res[0]!=0) res[0][18]=a16;
+  a21=(a21*a13);
+  a38=(a38*a08);
+  a18=(a18+a38);
+  a21=(a21-a18);
+  if (res[0]!=0) res[0][19]=a21;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int val_euler_H_casadi(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f0(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int val_euler_H_casadi_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void val_euler_H_casadi_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void val_euler_H_casadi_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void val_euler_H_casadi_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int val_euler_H_casadi_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int val_euler_H_casadi_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real val_euler_H_casadi_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* val_euler_H_casadi_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "position";
+    case 1: return "v_n";
+    case 2: return "q_b2n_wxyz";
+    case 3: return "omega_ib_b";
+    case 4: return "euler_m";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* val_euler_H_casadi_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "out_H";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* val_euler_H_casadi_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* val_euler_H_casadi_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s2;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int val_euler_H_casadi_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int val_euler_H_casadi_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+

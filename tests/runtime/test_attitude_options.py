@@ -1,0 +1,323 @@
+"""Compositions of velocity-attitude: what they add is seen, carried and corrected with its sign, and is consistent."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy_euler_matching import exp, matrix, quaternion
+
+from boresight.runtime import hull, inertial, rotation, simulation, transfer
+from boresight.runtime.library import load
+from boresight.runtime.transfer import Message, Rules, Transfer
+from boresight.studies.sea_exploration import pitched
+from boresight.studies.sea_flight import Ideal
+
+OPTIONS = Path(__file__).parent.parent.parent / "examples" / "velocity_attitude_options.py"
+DEG = np.pi / 180
+POSITION = np.array([0.61, 2.1, 12.0])
+RUNS = 40
+
+
+@pytest.fixture(scope="module")
+def base(compiled_once):
+    return load("velocity-attitude")
+
+
+@pytest.fixture(scope="module")
+def lever(compiled_once):
+    return load("velocity-attitude-lever")
+
+
+def generated(name, tmp_path_factory):
+    from boresight.codegen.generate import generate
+
+    folder = tmp_path_factory.mktemp("options") / name
+    generate(f"{OPTIONS}:{name}", folder)
+    return load(folder)
+
+
+@pytest.fixture(scope="module")
+def flexure(compiled_once, tmp_path_factory):
+    return generated("flexure", tmp_path_factory)
+
+
+@pytest.fixture(scope="module")
+def scale(compiled_once, tmp_path_factory):
+    return generated("scale_factors", tmp_path_factory)
+
+
+# ---------------------------------------------------------------- signs, against finite differences of exact mechanics
+
+
+def drawn(seed):
+    rng = np.random.default_rng(seed)
+    return {
+        "C": matrix(unit(rng)), "mount": matrix(unit(rng)), "v": rng.uniform(-9, 9, 3),
+        "omega": rng.uniform(-0.4, 0.4, 3), "lever": rng.uniform(-8, 8, 3), "rng": rng,
+    }  # fmt: skip
+
+
+def unit(rng):
+    q = rng.standard_normal(4)
+    return q / np.linalg.norm(q)
+
+
+def first_order(z, H, states, direction, sizes=(1e-4, 1e-5), floor=1e-12):
+    """z(size) follows H: a tenth of the error leaves a hundredth, or nothing but rounding."""
+    column = H[:, states] @ direction
+    left = [np.abs(z(size) - z(0.0) - size * column).max() for size in sizes]
+    assert np.abs(column).max() > 0.01
+    assert left[0] < 30 * sizes[0] ** 2 + floor
+    assert left[1] < left[0] / 80 + floor
+
+
+def at_truth(d, omega_hull=None, C_b2m=None):
+    """What the master reports of a slave as drawn, and the fields that both sides share."""
+    C_b2m = d["mount"] if C_b2m is None else C_b2m
+    level = np.zeros(3)  # at the pole's height of nothing: the level's own rate cancels to 1e-4 m/s, and is the same
+    v_m = d["v"] - d["C"] @ np.cross(d["omega"] if omega_hull is None else omega_hull, d["lever"]) + level
+    return {"position": POSITION, "v_n": d["v"], "a_n": np.zeros(3), "lag": 0.0}, v_m, d["C"] @ C_b2m.T
+
+
+def test_velocity_sees_the_lever_arm_and_feedback_corrects_it(lever, base):
+    for seed in range(5):
+        d = drawn(seed)
+        shared, v_m, _ = at_truth(d)
+        error = d["rng"].standard_normal(3)
+
+        def z(size, d=d, shared=shared, v_m=v_m, error=error):
+            return lever.velocity_z(**shared, q_b2n_wxyz=quaternion(d["C"]), omega_ib_b=d["omega"], v_m_n=v_m,
+                                    lever_b=d["lever"] + size * error)  # fmt: skip
+
+        fields = {"position": POSITION, "v_n": d["v"], "q_b2n_wxyz": quaternion(d["C"]), "omega_ib_b": d["omega"],
+                  "lever_b": d["lever"], "a_n": np.zeros(3)}  # fmt: skip
+        H = lever.velocity_H(**fields)
+        np.testing.assert_array_equal(H[:, :16], base.velocity_H(**fields))
+        first_order(z, H, slice(16, 19), error)
+        x = np.zeros(19)
+        x[16:] = error
+        out = lever.feedback(x=x, v_n=d["v"], q_b2n_wxyz=quaternion(d["C"]), gyro_bias=np.zeros(3), tau=0.0,
+                             accel_bias=np.zeros(3), q_b2m_wxyz=quaternion(d["mount"]),
+                             lever_b=d["lever"] + error)  # fmt: skip
+        np.testing.assert_allclose(out["lever_b"], d["lever"], atol=1e-14)
+
+
+@pytest.mark.parametrize("seen", ["velocity", "dcm", "quaternion"])
+def test_measurements_see_bending_and_its_rate(flexure, seen):
+    """The mounting is bent: C_b2m = exp([bend x]) C_mounting; the slave's gyros feel its rate, the hull does not."""
+    for seed in range(5):
+        d = drawn(seed)
+        bend, rate = 1e-6 * d["rng"].standard_normal((2, 3))
+        C_b2m = exp(bend) @ d["mount"]
+        hull_rate = d["omega"] - C_b2m.T @ rate
+        shared, v_m, C_m2n = at_truth(d, hull_rate, C_b2m)
+        error = d["rng"].standard_normal(6)
+
+        def z(size, seen=seen, shared=shared, d=d, v_m=v_m, C_m2n=C_m2n, bend=bend, rate=rate, error=error):
+            fields = {**shared, "q_b2n_wxyz": quaternion(d["C"]), "omega_ib_b": d["omega"], "lever_b": d["lever"],
+                      "v_m_n": v_m, "q_m2n_wxyz": quaternion(C_m2n), "q_b2m_wxyz": quaternion(d["mount"]),
+                      "flexure": bend + size * error[:3], "flexure_rate": rate + size * error[3:],
+                      "x": np.zeros(22)}  # fmt: skip
+            unit = getattr(flexure, f"{seen}_z")
+            return unit(**{name: fields[name] for name in unit.fields})
+
+        H = getattr(flexure, f"{seen}_H")
+        fields = {"position": POSITION, "v_n": d["v"], "q_b2n_wxyz": quaternion(d["C"]), "omega_ib_b": d["omega"],
+                  "lever_b": d["lever"], "a_n": np.zeros(3), "q_m2n_wxyz": quaternion(C_m2n), "lag": 0.0,
+                  "x": np.zeros(22),
+                  "q_b2m_wxyz": quaternion(d["mount"]), "flexure": bend, "flexure_rate": rate}  # fmt: skip
+        first_order(z, H(**{name: fields[name] for name in H.fields}), slice(16, 22), error, floor=1e-9)
+
+
+def test_the_bending_estimate_is_carried_as_its_error_and_as_the_process_it_is(flexure, base):
+    rng = np.random.default_rng(5)
+    beta, dt = np.array([0.5, 1.0, 4.0]), 0.01
+    bend, rate = 1e-3 * rng.standard_normal((2, 3))
+    still = {name: np.zeros(3) for name in ("v_n", "gyro_bias", "accel_bias", "dtheta_ib_b", "dv_b", "dtheta_before",
+                                             "dv_before")}  # fmt: skip
+    made = flexure.strapdown(position=POSITION, q_b2n_wxyz=unit(rng), dt=dt, flexure=bend, flexure_rate=rate,
+                             flexure_beta=beta, **still)  # fmt: skip
+    q = unit(rng)
+    Phi = flexure.Phi(position=POSITION, v_n=np.zeros(3), q_b2n_wxyz=q, f_b=[0, 0, -9.8], dt=dt, flexure_beta=beta)
+    carried = np.concatenate([made["flexure"], made["flexure_rate"]])
+    np.testing.assert_allclose(carried, Phi[16:, 16:] @ np.concatenate([bend, rate]), rtol=1e-13)
+    np.testing.assert_array_equal(
+        Phi[:16, :16], base.Phi(position=POSITION, v_n=np.zeros(3), q_b2n_wxyz=q, f_b=[0, 0, -9.8], dt=dt)
+    )
+    # critically damped: (bend + (rate + beta bend) t) exp(-beta t), to the third power of beta dt
+    closed = (bend + (rate + beta * bend) * dt) * np.exp(-beta * dt)
+    np.testing.assert_allclose(made["flexure"], closed, atol=1e-3 * (4 * dt) ** 3)
+
+
+def test_scaled_sensors_are_read_right_and_their_errors_enter_as_biases_in_proportion(scale, base):
+    rng = np.random.default_rng(6)
+    nav = {"position": POSITION, "v_n": rng.uniform(-9, 9, 3), "q_b2n_wxyz": unit(rng)}
+    dt, omega, f = 0.01, rng.uniform(-0.5, 0.5, 3), rng.uniform(-12, 12, 3)
+    gs, as_ = rng.uniform(-0.05, 0.05, (2, 3))
+    bias_g, bias_a = 1e-3 * rng.standard_normal(3), 0.1 * rng.standard_normal(3)
+
+    def step(library, dtheta, dv, **more):
+        return library.strapdown(**nav, dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=dtheta, dv_before=dv, dt=dt, **more)
+
+    measured = ((1 + gs) * omega + bias_g) * dt, ((1 + as_) * f + bias_a) * dt
+    read = step(scale, *measured, gyro_bias=bias_g, accel_bias=bias_a, gyro_scale=gs, accel_scale=as_)
+    ideal = step(base, omega * dt, f * dt, gyro_bias=np.zeros(3), accel_bias=np.zeros(3))
+    for name, value in ideal.items():
+        np.testing.assert_allclose(read[name], value, atol=1e-14)
+    # a scale factor's error over a step, against Phi
+    error = 1e-3 * rng.standard_normal(6)
+    wrong = step(scale, *(part * dt for part in (omega, f)), gyro_bias=np.zeros(3), accel_bias=np.zeros(3),
+                 gyro_scale=error[:3], accel_scale=error[3:])  # fmt: skip
+    grown = np.concatenate([
+        rotation.attitude_error(wrong["q_b2n_wxyz"], ideal["q_b2n_wxyz"]), wrong["v_n"] - ideal["v_n"]
+    ])  # fmt: skip
+    Phi = scale.Phi(**nav, f_b=f, omega_ib_b=omega, dt=dt, gyro_scale=np.zeros(3), accel_scale=np.zeros(3))
+    scaled = scale.Phi(**nav, f_b=(1 + as_) * f, omega_ib_b=(1 + gs) * omega, dt=dt, gyro_scale=gs, accel_scale=as_)
+    np.testing.assert_allclose(scaled, Phi, atol=1e-15)
+    expected = Phi[:6, 16:] @ error
+    np.testing.assert_allclose(grown, expected, atol=0.01 * np.abs(expected).max())
+    assert np.abs(expected[:3]).max() > 1e-6 and np.abs(expected[3:]).max() > 1e-5
+
+
+# ---------------------------------------------------------------- closed loops
+
+
+@dataclass(frozen=True)
+class Extra:
+    """What a composition adds to a flight: estimates at the start, their sigmas and their truth, in the order of its
+    states; constants: what its functions ask for beside them."""
+
+    start: dict[str, Any]
+    sigma: Any  # (k,)
+    truth: Any  # (U + 1 or 1, runs, k)
+    constants: dict[str, Any] = field(default_factory=dict)
+
+
+def closed_loop(library, motion, extra, *, lever, seconds, update_hz, bending=None, gains=None, seed=0):
+    """errors (runs, n) and P (runs, n, n) at the end: 20 deg/h, 2 mg, a master of 1 cm/s and 0.003 deg, 5 ms late."""
+    rate = 50
+    dt, every = 1 / rate, rate // update_hz
+    time = np.arange(seconds * rate + 1) * dt
+    streams = [simulation.generator(seed, run) for run in range(RUNS)]
+    n = np.array([stream.standard_normal(9) for stream in streams])
+    bias_g, bias_a, wrong = 20 * DEG / 3600 * n[:, :3], 0.02 * n[:, 3:6], n[:, 6:] * np.array([0.5, 0.5, 2.0]) * DEG
+    delay, R = 0.005, np.repeat([0.01, 0.003 * DEG], 3) ** 2
+    mounting = rotation.quaternion_from_matrix(rotation.matrix_from_vector(wrong))
+    slave = hull.carried(hull.ride(motion, time), lever, mounting, bending)
+    plain = load("velocity-attitude")
+    dtheta, dv, true = inertial.increments(Ideal(plain), POSITION, slave.v_n, slave.q_b2n_wxyz, dt)
+    if gains is not None:
+        dtheta, dv = dtheta * (1 + gains[:, :3]), dv * (1 + gains[:, 3:])
+    master = hull.ride(motion, time[::every, None] - delay)
+
+    def message(update):
+        noise = np.array([stream.standard_normal(6) for stream in streams])
+        return Message(time=update / update_hz, R=R, v_m_n=master.v_n[update] + 0.01 * noise[:, :3],
+                       q_m2n_wxyz=rotation.turned(master.q_b2n_wxyz[update], 0.003 * DEG * noise[:, 3:]),
+                       position=true.position[update * every])  # fmt: skip
+
+    first = message(0)
+    nav, narrow = transfer.first(first, tau_sigma=0.01, mounting_sigma=np.array([0.5, 0.5, 2.0]) * DEG,
+                                 velocity_sigma=np.full(3, 0.5), gyro_bias_sigma=np.full(3, 20 * DEG / 3600),
+                                 accel_bias_sigma=np.full(3, 0.02))  # fmt: skip
+    narrow[:, :3, :3] += np.eye(3) * (0.1 * DEG) ** 2  # the master's first report is late, at 0.3 rad/s
+    k = len(extra.sigma)
+    P = np.zeros((RUNS, 16 + k, 16 + k))
+    P[:, :16, :16] = narrow
+    P[:, range(16, 16 + k), range(16, 16 + k)] = np.square(extra.sigma)
+    nothing = dict.fromkeys(("gyro_bias_noise", "accel_bias_noise", "mu_noise"), np.zeros(3))
+    walk = np.repeat([0.15 * DEG / 60, 0.05 / 60], 3)
+    constants = {"lever_b": lever, "gyro_noise": walk[:3], "accel_noise": walk[3:], "tau_noise": 0.0, **nothing}
+    constants = {name: value for name, value in constants.items() if name not in extra.start}
+    loop = Transfer(library, {**nav, **extra.start, **extra.constants}, P, constants, way="extrapolate", every=5,
+                    rules=Rules(gate=1e-300, ahead_s=0.2))  # fmt: skip
+    for update in range(1, seconds * update_hz + 1):
+        noise = walk * np.sqrt(dt) * np.array([stream.standard_normal((every, 6)) for stream in streams])
+        for i in range(every):
+            at = (update - 1) * every + i
+            turn, push = dtheta[at] + bias_g * dt + noise[:, i, :3], dv[at] + bias_a * dt + noise[:, i, 3:]
+            loop.slave((at + 1) * dt, turn, push, dt)
+        loop.master(message(update))
+    now = loop.nav
+    error = np.concatenate([
+        rotation.attitude_error(now["q_b2n_wxyz"], true.q_b2n_wxyz[-1]), now["v_n"] - true.v_n[-1],
+        now["gyro_bias"] - bias_g, now["accel_bias"] - bias_a, rotation.attitude_error(now["q_b2m_wxyz"], mounting),
+        (now["tau"] - delay)[:, None], np.concatenate([now[name] for name in extra.start], axis=-1) - extra.truth,
+    ], axis=-1)  # fmt: skip
+    return error, loop.P
+
+
+def assert_consistent(error, P):
+    """The mean NEES within the 99.9 % band of chi-square: one seed in a thousand may miss it, and this one does not."""
+    from scipy.stats import chi2
+
+    n = error.shape[-1]
+    nees = np.einsum("ri,ri->r", error, np.linalg.solve(P, error[..., None])[..., 0])
+    low, high = chi2.ppf([0.0005, 0.9995], n * RUNS) / RUNS
+    assert low < nees.mean() < high, (low, nees.mean(), high)
+
+
+def violent():
+    """Roll of 15, pitch of 10 and yaw of 30 deg, and metres of surge, sway and heave: 0.3 to 0.5 g."""
+    amplitude = np.array([[20.0, 15.0, 5.0, 15 * DEG, 10 * DEG, 30 * DEG]])
+    return hull.sinusoids(amplitude, np.array([[0.0, 1.0, 2.0, 0.5, 1.5, 2.5]]), np.array([0.08]))
+
+
+def test_a_lever_arm_that_is_wrong_by_a_third_of_a_metre_is_found(lever):
+    rng = np.random.default_rng(7)
+    lever_b, wrong = np.array([3.0, 1.0, -1.0]), 0.3 * rng.standard_normal((RUNS, 3))
+    extra = Extra({"lever_b": lever_b + wrong}, np.full(3, 0.3), lever_b)
+    error, P = closed_loop(lever, violent(), extra, lever=lever_b, seconds=40, update_hz=1)
+    sigma = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))[:, 16:]
+    assert (sigma < 0.1).all()
+    assert np.sqrt(np.mean(error[:, 16:] ** 2, axis=0)).max() < 0.05
+    assert_consistent(error, P)
+    assert_consistent(error[:, 16:], P[:, 16:, 16:])
+
+
+def test_a_hull_that_heaves_says_nothing_of_the_lever_arm(lever):
+    lever_b, wrong = np.array([3.0, 1.0, -1.0]), 0.3 * np.random.default_rng(7).standard_normal((RUNS, 3))
+    extra = Extra({"lever_b": lever_b + wrong}, np.full(3, 0.3), lever_b)
+    heave = hull.sinusoids(np.array([[0, 0, 1.0, 0, 0, 0]]), np.zeros((1, 6)), np.array([0.1]))
+    error, P = closed_loop(lever, heave, extra, lever=lever_b, seconds=20, update_hz=1)
+    assert (np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))[:, 16:] > 0.29).all()
+    np.testing.assert_allclose(error[:, 16:], wrong, atol=0.05)
+
+
+def test_scale_factors_of_a_part_in_a_hundred_are_found_in_violent_motion(scale):
+    rng = np.random.default_rng(8)
+    size = np.full(6, 0.01)
+    gains = size * rng.standard_normal((RUNS, 6))
+    extra = Extra({"gyro_scale": np.zeros((RUNS, 3)), "accel_scale": np.zeros((RUNS, 3))}, size, gains)
+    error, P = closed_loop(scale, violent(), extra, lever=np.array([3.0, 1.0, -1.0]), seconds=40, update_hz=1,
+                           gains=gains)  # fmt: skip
+    sigma = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))[:, 16:]
+    assert (sigma < 0.01 / 3).all(), sigma.max(0)
+    assert_consistent(error, P)
+    assert_consistent(error[:, 16:], P[:, 16:, 16:])
+
+
+def test_bending_of_a_milliradian_is_followed_ten_times_a_second(flexure):
+    sigma_bend, correlation = 1e-3, 1.0
+    streams = [simulation.generator(9, run) for run in range(RUNS)]
+    bending = hull.bending(np.full(3, sigma_bend), correlation, hull.phases(streams, 3 * 40))
+    seconds = 20
+    at_end = [part[0] for part in bending.thrice(np.array([float(seconds)]))[:2]]
+    beta = 1 / correlation
+    extra = Extra(
+        {"flexure": np.zeros((RUNS, 3)), "flexure_rate": np.zeros((RUNS, 3))},
+        np.repeat([sigma_bend, sigma_bend * beta], 3),
+        np.concatenate(at_end, axis=-1),
+        {"flexure_beta": np.full(3, beta), "flexure_noise": np.full(3, 2 * sigma_bend * beta**1.5)},
+    )
+    motion = pitched(np.array([0.0]))
+    error, P = closed_loop(flexure, motion, extra, lever=np.array([3.0, 1.0, -1.0]), seconds=seconds, update_hz=10,
+                           bending=bending)  # fmt: skip
+    sigma = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))
+    # part of it is taken for misalignment, which differs from it only in that it lasts; about down more so
+    assert (sigma[:, 16:19] < sigma_bend * np.array([0.5, 0.5, 0.7])).all()
+    np.testing.assert_allclose(np.std(error[:, 16:19], axis=0), sigma[:, 16:19].mean(0), rtol=0.3)
+    assert_consistent(error[:, 16:], P[:, 16:, 16:])
+    assert_consistent(error, P)
