@@ -1,0 +1,728 @@
+"""What a sea shows of the errors of transfer alignment, and what to do when it does not.
+
+Four questions around the study sea-state: which of nineteen errors each motion of a hull makes estimable, and how
+soon; which manoeuvre makes the heading estimable in a calm; what it costs to match the attitude by DCM, quaternion or
+Euler angles, or by fewer angles; and how far the heading may be unknown at the start.  docs/sea-exploration.md has the
+numbers.
+
+Axes of arrays: time, then cases or motions, then runs; then components.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.runtime import hull, inertial, rotation, sea, simulation, transfer
+from boresight.runtime.library import load
+from boresight.runtime.transfer import Message, Transfer
+from boresight.studies.figures import BLUE, ORANGE, figure
+from boresight.studies.observability import Moment, Replaced, along, shown_after, with_fields
+from boresight.studies.sea_flight import DEG, GRADES, MIL, RULES, Ideal, Scenario, constants, draw, motion_of
+from boresight.studies.sea_state import chi_square_band
+
+Array = np.ndarray
+Progress = Callable[[str], None]
+
+DECLARED = Scenario()
+STATES = ("phi_n", "phi_e", "phi_d", "dv_n", "dv_e", "dv_d", "gyro x", "gyro y", "gyro z", "accel x", "accel y",
+          "accel z", "mu_x", "mu_y", "mu_z", "delay", "lever x", "lever y", "lever z")  # fmt: skip
+HEADING = 2
+THRESHOLD = 1 / 3  # as in Table 1 of Song and Lee
+LEVER_SIGMA_M = 0.1
+RULE_MIL_M_S = 7.0  # heading sigma times the change of velocity in a calm, as `manoeuvres` finds it
+SEAS = 5  # random seas of one grade, of which the median is told
+
+
+# ---- motions
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A function of time with its first two derivatives: each (T,) -> (T,)."""
+
+    value: Callable[[Array], Array]
+    rate: Callable[[Array], Array]
+    acceleration: Callable[[Array], Array]
+
+
+def ramp(begin_s: float, length_s: float, height: float) -> Curve:
+    """From 0 to `height` by half a cosine."""
+    w = np.pi / length_s
+
+    def phase(t: Array) -> Array:
+        return w * np.clip(t - begin_s, 0.0, length_s)
+
+    def within(t: Array) -> Array:
+        return (t >= begin_s) & (t <= begin_s + length_s)
+
+    return Curve(
+        lambda t: height * (1 - np.cos(phase(t))) / 2,
+        lambda t: height * w * np.sin(phase(t)) / 2,
+        lambda t: height * w**2 * np.cos(phase(t)) * within(t) / 2,
+    )
+
+
+def wave(amplitude: float, period_s: float, phase: float = 0.0, lift: float = 0.0) -> Curve:
+    """lift + amplitude sin(2 pi t / period + phase)."""
+    w = 2 * np.pi / period_s
+    return Curve(
+        lambda t: lift + amplitude * np.sin(w * t + phase),
+        lambda t: amplitude * w * np.cos(w * t + phase),
+        lambda t: -amplitude * w**2 * np.sin(w * t + phase),
+    )
+
+
+STILL = Curve(np.zeros_like, np.zeros_like, np.zeros_like)
+
+
+def underway(time: Array, heading: Curve = STILL, speed: Curve = STILL) -> hull.Pose:
+    """A hull that stays level and goes where it heads, (T, 1, ...): rad and m/s."""
+    psi, psi_1, psi_2 = heading.value(time), heading.rate(time), heading.acceleration(time)
+    u, u_1 = speed.value(time), speed.rate(time)
+    zero = np.zeros_like(time)
+    along_n = np.stack([np.cos(psi), np.sin(psi), zero], axis=-1)
+    across_n = np.stack([-np.sin(psi), np.cos(psi), zero], axis=-1)
+    v_n = u[:, None] * along_n
+    euler, rate, acceleration = (np.stack([zero, zero, yaw], axis=-1) for yaw in (psi, psi_1, psi_2))
+    omega, alpha = hull.body_rates(euler, rate, acceleration)
+    parts = (
+        np.cumsum(v_n, axis=0) * (time[1] - time[0]),
+        v_n,
+        u_1[:, None] * along_n + (u * psi_1)[:, None] * across_n,
+        rotation.quaternion_from_euler(euler),
+        omega,
+        alpha,
+    )
+    return hull.Pose(time, *(part[:, None] for part in parts))
+
+
+def swinging(time: Array, period_s: float = 8.0, phase_deg: Any = 0.0, **amplitude: float) -> hull.Pose:
+    """Sinusoids of the freedoms named, in m and degrees, of one period: (T, 1, ...).  phase_deg: of the pitch."""
+    size = np.array([amplitude.get(name, 0.0) * (1.0 if i < 3 else DEG) for i, name in enumerate(hull.FREEDOMS)])
+    phase = np.where(np.array(hull.FREEDOMS) == "pitch", phase_deg * DEG, 0.0)
+    return hull.ride(hull.sinusoids(size[None], phase[None], np.array([1 / period_s])), time)
+
+
+def motions(time: Array, seed: int) -> dict[str, hull.Pose]:
+    """The master's motions by name, each (T, K, ...): K = 1, or SEAS random seas."""
+    cruise = wave(0.0, 1.0, lift=5.0)
+    out = {
+        "rest": swinging(time),
+        "heave 1 m": swinging(time, heave=1.0),
+        "roll 3 deg": swinging(time, roll=3.0),
+        "pitch 3 deg": swinging(time, pitch=3.0),
+        "yaw 3 deg": swinging(time, yaw=3.0),
+        "roll + pitch in phase": swinging(time, roll=3.0, pitch=3.0),
+        "roll + pitch 90 deg": swinging(time, roll=3.0, pitch=3.0, phase_deg=90.0),
+        "straight 5 m/s": underway(time, speed=cruise),
+        "yaw turns +-30 deg, 5 m/s": underway(time, wave(30 * DEG, 60.0), cruise),
+        "figure of eight, 5 m/s": underway(time, wave(-np.pi, 120.0, np.pi / 2, np.pi), cruise),
+        "one turn of 90 deg, 5 m/s": underway(time, ramp(5.0, 20.0, 90 * DEG), cruise),
+        "surge 0 to 5 m/s in 10 s": underway(time, speed=ramp(5.0, 10.0, 5.0)),
+    }
+    streams = [simulation.generator(seed, run) for run in range(SEAS)]
+    for kind, letter in (("slope", "b"), ("sea", "c")):
+        poses = hull.ride(motion_of(kind, DECLARED, streams), time)
+        out |= {f"({letter}) sea state {grade}": at_grade(poses, i) for i, grade in enumerate(GRADES)}
+    return out
+
+
+FIELDS = ("displacement_n", "v_n", "a_n", "q_b2n_wxyz", "omega_nb_b", "alpha_nb_b")
+
+
+def at_grade(pose: hull.Pose, i: int) -> hull.Pose:
+    return replace(pose, **{name: getattr(pose, name)[:, i] for name in FIELDS})
+
+
+def beside(poses: list[hull.Pose]) -> hull.Pose:
+    """Poses of the same times as one, side by side."""
+    return hull.Pose(poses[0].time, *(np.concatenate([getattr(p, name) for p in poses], axis=1) for name in FIELDS))
+
+
+# ---- what a motion shows
+
+
+def initial(C_m2n: Array, scenario: Scenario) -> Array:
+    """P0 (..., 19, 19): that of the study, and the lever arm's; the attitude is the misalignment's image."""
+    shape = C_m2n.shape[:-2]
+    message = Message(time=0.0, R=matching_variances(scenario), v_m_n=np.zeros((*shape, 3)), position=np.zeros(3),
+                      q_m2n_wxyz=rotation.quaternion_from_matrix(C_m2n))  # fmt: skip
+    _, narrow = begin(message, scenario, np.array([1.0, 0, 0, 0]), scenario.misalignment_deg * DEG)
+    P = np.zeros((*shape, 19, 19))
+    P[..., :16, :16] = narrow
+    P[..., range(16, 19), range(16, 19)] = LEVER_SIGMA_M**2
+    return P
+
+
+def matching_variances(scenario: Scenario) -> Array:
+    """(6,) of the master's velocity and attitude."""
+    return np.repeat([scenario.velocity_noise_m_s, scenario.attitude_noise_deg * DEG], 3) ** 2
+
+
+def begin(
+    message: Message, scenario: Scenario, q_b2m_wxyz: Array, heading_sigma: Any, velocity_sigma: float | None = None
+) -> tuple[dict[str, Array], Array]:
+    """nav and P (..., 16, 16) from the master's first message, as in `sea_flight.start`, for one filter.
+
+    heading_sigma: (...) rad, of the mounting about the master's down axis.
+    """
+    s = scenario
+    heading = np.asarray(heading_sigma, float)
+    level = np.full_like(heading, s.level_misalignment_deg * DEG)
+    nav, P = transfer.first(
+        message,
+        q_b2m_wxyz=q_b2m_wxyz,
+        tau_sigma=s.delay_sigma_ms * 1e-3,
+        mounting_sigma=np.stack([level, level, heading], axis=-1),
+        velocity_sigma=np.full(3, velocity_sigma or s.start_velocity_m_s),
+        gyro_bias_sigma=np.full(3, s.gyro_bias_deg_h * DEG / 3600),
+        accel_bias_sigma=np.full(3, s.accel_bias_mg * 9.80665e-3),
+    )
+    P[..., :3, :3] += np.eye(3) * (s.start_angle_deg * DEG) ** 2
+    return nav, P
+
+
+def covariances(model: Any, master: hull.Pose, scenario: Scenario) -> Array:
+    """Sigmas (U + 1, K, 19) at the updates, of the filter's covariance along the true motion.
+
+    master: sampled in the middle of the steps of the covariance and at their ends: 2 N + 1 times.  The specific force
+    leaves out Coriolis and transport rate: 1e-3 m/s^2 at 5 m/s.
+    """
+    s = scenario
+    per_update, dt = s.covariance_hz // s.update_hz, 1 / s.covariance_hz
+    slave = hull.carried(master, np.array(s.lever_b), np.array([1.0, 0, 0, 0]))
+    C_n2b = np.swapaxes(rotation.matrix_from_quaternion(slave.q_b2n_wxyz), -1, -2)
+
+    def to_b(vector_n: Array) -> Array:
+        return np.einsum("...ij,...j->...i", C_n2b, vector_n)
+
+    f_b = to_b(slave.a_n - np.array([0.0, 0.0, sea.GRAVITY]))
+    omega_ib_b = slave.omega_nb_b + to_b(simulation.earth_rate_n(s.latitude_deg * DEG))
+    position = np.array([s.latitude_deg * DEG, 0.0, 0.0])
+    given = constants(s)
+    ends = slice(2 * per_update, None, 2 * per_update)
+    there = {"position": position, "v_n": slave.v_n[ends], "q_b2n_wxyz": slave.q_b2n_wxyz[ends],
+             "omega_ib_b": omega_ib_b[ends], "lever_b": given["lever_b"], "a_n": master.a_n[ends],
+             "q_b2m_wxyz": np.array([1.0, 0, 0, 0]), "q_m2n_wxyz": master.q_b2n_wxyz[ends]}  # fmt: skip
+    H = np.concatenate(
+        [unit(**{name: there[name] for name in unit.fields}) for unit in (model.velocity_H, model.dcm_H)], axis=-2
+    )
+    noise = {name: value for name, value in given.items() if name != "lever_b"}
+    R = matching_variances(s)
+
+    def moments() -> Iterator[Moment]:
+        for k in range(1, len(f_b), 2):
+            inputs = {"position": position, "v_n": slave.v_n[k], "q_b2n_wxyz": slave.q_b2n_wxyz[k], "f_b": f_b[k],
+                      "dt": dt, **noise}  # fmt: skip
+            update, rest = divmod(k + 1, 2 * per_update)
+            yield Moment(inputs) if rest else Moment(inputs, H[update - 1], R)
+
+    P0 = initial(rotation.matrix_from_quaternion(master.q_b2n_wxyz[0]), s)
+    history = [P0, *(P for k, P in enumerate(along(model, P0, moments()), 1) if k % per_update == 0)]
+    return np.array([np.sqrt(np.diagonal(P, axis1=-2, axis2=-1)) for P in history])
+
+
+def sampled(seconds: float, scenario: Scenario) -> Array:
+    """The times at which `covariances` wants its motion."""
+    return np.arange(round(2 * seconds * scenario.covariance_hz) + 1) / (2 * scenario.covariance_hz)
+
+
+def shown(model: Any, scenario: Scenario, seconds: float, seed: int) -> dict[str, Any]:
+    """Of every motion and state the seconds until its sigma is below a third for good, and the sigma's part at marks.
+
+    motions, states: names.  seconds_to_third (motions, states), None where it does not get there.  part_60_s,
+    part_end: sigma after 60 s and at the end, over that at the start.  heading_mil_60_s, heading_mil_end: (motions).
+    """
+    known = motions(sampled(seconds, scenario), seed)
+    sigma = covariances(model, beside(list(known.values())), scenario)
+    after = shown_after(sigma, THRESHOLD) / scenario.update_hz
+    after = np.where(np.isnan(after), np.inf, after)
+    where = np.cumsum([0, *(pose.v_n.shape[1] for pose in known.values())])
+
+    def middle(values: Array) -> Array:
+        return np.array([np.median(values[a:b], axis=0) for a, b in pairwise(where)])
+
+    mark = min(60 * scenario.update_hz, len(sigma) - 1)
+    time = middle(after)
+    return {
+        "seconds": seconds,
+        "motions": list(known),
+        "states": list(STATES),
+        "seconds_to_third": [[None if np.isinf(t) else float(t) for t in row] for row in time],
+        "part_60_s": middle(sigma[mark] / sigma[0]).tolist(),
+        "part_end": middle(sigma[-1] / sigma[0]).tolist(),
+        "heading_mil_60_s": (middle(sigma[mark])[:, HEADING] / MIL).tolist(),
+        "heading_mil_end": (middle(sigma[-1])[:, HEADING] / MIL).tolist(),
+        "initial": (sigma[0, 0]).tolist(),
+    }
+
+
+# ---- which manoeuvre shows the heading in a calm
+
+
+def manoeuvres(model: Any, scenario: Scenario, seconds: float = 60.0) -> dict[str, Any]:
+    """Heading sigma (mil) `seconds` after the start of one manoeuvre in a calm, which begins after 5 s.
+
+    turns: of angle_deg in 20 s at speed_m_s.  surges: at acceleration_m_s2 (mean) for length_s.
+    """
+    time = sampled(seconds, scenario)
+    turns = [(angle, speed) for speed in (2.5, 5.0, 10.0) for angle in (15.0, 30.0, 60.0, 90.0, 180.0)]
+    surges = [(a, length) for length in (5.0, 10.0, 20.0) for a in (0.1, 0.2, 0.5, 1.0)]
+    poses = [underway(time, ramp(5.0, 20.0, angle * DEG), wave(0.0, 1.0, lift=speed)) for angle, speed in turns]
+    poses += [underway(time, speed=ramp(5.0, length, a * length)) for a, length in surges]
+    sigma = covariances(model, beside(poses), scenario)[-1, :, HEADING] / MIL
+    return {
+        "seconds": seconds,
+        "turns": [{"angle_deg": angle, "speed_m_s": speed, "velocity_change_m_s": 2 * speed * np.sin(angle * DEG / 2),
+                   "heading_mil": float(value)}
+                  for (angle, speed), value in zip(turns, sigma, strict=False)],
+        "surges": [{"acceleration_m_s2": a, "length_s": length, "velocity_change_m_s": a * length,
+                    "heading_mil": float(value)}
+                   for (a, length), value in zip(surges, sigma[len(turns):], strict=True)],
+    }  # fmt: skip
+
+
+# ---- closed loops
+
+
+@dataclass(frozen=True)
+class Flight:
+    """error (U + 1, ..., runs, 16); P (..., runs, 16, 16) at the end; sigma (U + 1, ..., runs, 16); nis (U, ..., runs);
+    log_likelihood (U, ..., runs) of the residuals up to each update; rows: how many scalars an update had."""
+
+    error: Array
+    P: Array
+    sigma: Array
+    nis: Array
+    log_likelihood: Array
+    rows: int
+
+    @property
+    def nees(self) -> Array:
+        """(..., runs) of all sixteen states at the end."""
+        e = self.error[-1]
+        value: Array = np.einsum("...i,...i->...", e, np.linalg.solve(self.P, e[..., None])[..., 0])
+        return value
+
+    @property
+    def heading_mil(self) -> Array:
+        """(U + 1, ..., runs) error of the slave's heading."""
+        return wrapped(-self.error[..., HEADING]) / MIL
+
+
+def wrapped(angle: Array) -> Array:
+    return (angle + np.pi) % (2 * np.pi) - np.pi
+
+
+def fly(
+    model: Any,
+    motion: hull.Motion,
+    scenario: Scenario,
+    *,
+    mounting: Array,
+    believed: Array,
+    heading_sigma: Any,
+    attitude: str = "dcm",
+    rows: Any = True,
+    velocity_sigma: float | None = None,
+    runs: int,
+    seed: int,
+) -> Flight:
+    """Closed loops, delay compensated.  motion: of shape (cases, 1) or (cases, runs), or (1, 1) for all.
+
+    mounting, believed: q_b2m_wxyz, true and as the filter starts, (cases, runs, 4) as they broadcast; `believed` may
+    have axes before these.  attitude: measurement; rows: (3,) bool of its rows.  A run's numbers are keyed by
+    [seed, run] as in `sea_state`, in every case.
+    """
+    s = scenario
+    dt, per_update = 1 / s.navigation_hz, s.navigation_hz // s.update_hz
+    drawn = draw(s, seed, runs)
+    time = np.arange(s.seconds * s.navigation_hz + 1) * dt
+    slave = hull.carried(hull.ride(motion, time), np.array(s.lever_b), mounting)
+    place = np.array([s.latitude_deg * DEG, 0.0, 0.0])
+    ideal: Any = Ideal(model)
+    dtheta, dv, true = inertial.increments(ideal, place, slave.v_n, slave.q_b2n_wxyz, dt)
+    master = hull.ride(motion, time[::per_update, None, None] - drawn.delay)
+    shape = np.broadcast_shapes(master.v_n.shape[1:-1], slave.v_n.shape[1:-1], np.shape(believed)[:-1])
+    R, said = matching_variances(s), np.concatenate([np.ones(3, bool), np.broadcast_to(rows, 3)])
+
+    def message(update: int) -> Message:
+        n = np.array([stream.standard_normal(6) for stream in drawn.streams])
+        turn = s.attitude_noise_deg * DEG * n[:, 3:]
+        q = rotation.turned(master.q_b2n_wxyz[update], turn)
+        euler = rotation.euler_from_matrix(rotation.matrix_from_quaternion(q))
+        return Message(
+            time=update / s.update_hz, R=R, v_m_n=np.broadcast_to(master.v_n[update] + s.velocity_noise_m_s * n[:, :3],
+                                                                  (*shape, 3)),
+            q_m2n_wxyz=q, euler_m=euler if attitude == "euler" else None,
+            position=np.broadcast_to(true.position[update * per_update], (*shape, 3)), rows=said,
+        )  # fmt: skip
+
+    first = message(0)
+    nav, P0 = begin(first, s, believed, heading_sigma, velocity_sigma)
+    swing = np.cross(dtheta[0] / dt, s.lever_b)
+    nav["v_n"] = first.v_m_n + np.einsum("...ij,...j->...i", rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]), swing)
+    P0 = np.broadcast_to(P0, (*shape, 16, 16))
+    given = constants(s)
+    loop = Transfer(model, nav, P0, given, way="extrapolate", matching=("velocity", attitude),
+                    every=s.navigation_hz // s.covariance_hz, rules=RULES)  # fmt: skip
+    walk = np.repeat([given["gyro_noise"][0], given["accel_noise"][0]], 3) * np.sqrt(dt)
+    error, sigma, nis, likelihood = [], [], [], []
+
+    def keep(update: int) -> None:
+        at, now = update * per_update, loop.nav
+        parts = (
+            rotation.attitude_error(now["q_b2n_wxyz"], true.q_b2n_wxyz[at]),
+            now["v_n"] - true.v_n[at],
+            now["gyro_bias"] - drawn.gyro_bias,
+            now["accel_bias"] - drawn.accel_bias,
+            rotation.attitude_error(now["q_b2m_wxyz"], mounting),
+            (now["tau"] - drawn.delay)[..., None],
+        )
+        error.append(np.concatenate([np.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1))
+        sigma.append(np.sqrt(np.diagonal(loop.P, axis1=-2, axis2=-1)))
+
+    keep(0)
+    for update in range(1, s.seconds * s.update_hz + 1):
+        n = walk * np.array([stream.standard_normal((per_update, 6)) for stream in drawn.streams])
+        for k in range(per_update):
+            at = (update - 1) * per_update + k
+            loop.slave((at + 1) * dt, dtheta[at] + drawn.gyro_bias * dt + n[:, k, :3],
+                       dv[at] + drawn.accel_bias * dt + n[:, k, 3:], dt)  # fmt: skip
+        taken = loop.master(message(update))
+        nis.append(taken.nis)
+        likelihood.append(
+            sum(-np.sum(np.where(one.used, one.nu**2 / one.S + np.log(one.S), 0.0), axis=-1) / 2
+                for one in taken.innovations.values())
+        )  # fmt: skip
+        # a filter that is lost refuses the messages, and would sink
+        loop.nav["position"] = np.broadcast_to(true.position[update * per_update], (*shape, 3)).copy()
+        keep(update)
+    return Flight(
+        np.array(error), loop.P, np.array(sigma), np.array(nis), np.cumsum(likelihood, axis=0), int(said.sum())
+    )
+
+
+def summary(flight: Flight, case: Any = ()) -> dict[str, Any]:
+    """What the tables say of the runs of one case."""
+    h, nees = np.abs(flight.heading_mil[-1][case]), flight.nees[case]
+    nis = flight.nis.mean(0)[case] / flight.rows
+    return {
+        "heading_rms_mil": float(np.sqrt(np.mean(h**2))),
+        "heading_worst_mil": float(h.max()),
+        "heading_sigma_mil": float(np.mean(flight.sigma[-1][case][..., HEADING]) / MIL),
+        "nees": float(nees.mean()),
+        "nees_band": chi_square_band(16, nees.size),
+        "nis": float(nis.mean()),
+    }
+
+
+def turned_about_down(angle: Array) -> Array:
+    """q_b2m_wxyz (..., 4) of a mounting turned by `angle` (...) rad about the master's down axis."""
+    zero = np.zeros_like(angle)
+    return np.stack([np.cos(angle / 2), zero, zero, np.sin(angle / 2)], axis=-1)
+
+
+# The scenario's closed loops at half the rate of the increments: two thirds of the time, and no different.
+QUICK = replace(DECLARED, navigation_hz=50)
+
+# ---- one measurement of the attitude, three ways, and parts of it
+
+WAYS = {
+    "DCM": ("dcm", (True, True, True)),
+    "quaternion": ("quaternion", (True, True, True)),
+    "Euler angles": ("euler", (True, True, True)),
+    "Euler, pitch and yaw (two-antenna GPS)": ("euler", (False, True, True)),
+    "Euler, yaw (compass)": ("euler", (False, False, True)),
+    "Euler, roll and pitch (inclinometer)": ("euler", (True, True, False)),
+}
+PLACES = {  # mean pitch of the hull and mounting about down, deg
+    "level": (0.0, 2.0),
+    "pitch 60": (60.0, 2.0),
+    "pitch 88": (88.0, 2.0),
+    "mounted at 120": (0.0, 122.0),
+}
+
+
+def pitched(pitch_deg: Any, period_s: float = 8.0) -> hull.Motion:
+    """Roll of 3 and pitch of 2 deg in phase and heave of 0.5 m, about a mean pitch (cases, 1)."""
+    pitch = np.asarray(pitch_deg, float) * DEG
+    amplitude = np.zeros((*pitch.shape, 6, 2), complex)
+    amplitude[..., 4, 0] = pitch
+    amplitude[..., 2, 1], amplitude[..., 3, 1], amplitude[..., 4, 1] = -0.5j, -3j * DEG, -2j * DEG
+    return hull.Motion(hull.Harmonics(np.array([0.0, 2 * np.pi / period_s]), amplitude), DECLARED.heading_deg * DEG)
+
+
+def matchings(model: Any, *, runs: int, seed: int) -> list[dict[str, Any]]:
+    """Each way in each place: what `summary` says, or why it is refused.  The mounting is wrong by N(0, 2 deg)."""
+    out = []
+    pitch, mount = (np.array(part)[:, None] for part in zip(*PLACES.values(), strict=True))
+    wrong = simulation.standard_normals(seed + 1, np.arange(runs), 3) * np.array([0.5, 0.5, 2.0]) * DEG
+    C_believed = rotation.matrix_from_quaternion(turned_about_down((mount - 2.0) * DEG))
+    # C_hat = exp(-[dmu x]) C
+    mounting = rotation.quaternion_from_matrix(rotation.matrix_from_vector(wrong) @ C_believed)
+    believed = rotation.quaternion_from_matrix(C_believed)
+    steep = np.abs(pitch[:, 0]) > 80  # which Euler angles may refuse: flown apart
+    for name, (attitude, rows) in WAYS.items():
+        for group in (np.flatnonzero(~steep), np.flatnonzero(steep)):
+            told = [{"way": name, "place": list(PLACES)[i], "refused": None} for i in group]
+            try:
+                flight = fly(model, pitched(pitch[group]), QUICK, mounting=mounting[group], believed=believed[group],
+                             heading_sigma=2 * DEG, attitude=attitude, rows=rows, runs=runs, seed=seed)  # fmt: skip
+                out += [{**one, **summary(flight, case)} for case, one in enumerate(told)]
+            except BoresightError as error:
+                out += [{**one, "refused": str(error)} for one in told]
+    return out
+
+
+# ---- a heading that is not known
+
+UNKNOWN_DEG = (2.0, 10.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0)
+SINGLE = ("dcm", "quaternion")
+SPACING_DEG = 15.0
+CONVERGED_MIL = 10.0
+
+
+def starts(model: Any, *, runs: int, seed: int, grade: int = 5) -> dict[str, Any]:
+    """How far the mounting's heading may be unknown: single filters at true offsets, and a bank of hypotheses.
+
+    single: by way, at each of UNKNOWN_DEG, which is the true offset, left and right, with a sigma as large: `summary`
+    and the part of runs within CONVERGED_MIL.  bank: DCM filters SPACING_DEG apart over the whole circle, the likeliest
+    of which is taken, offsets all over the circle; the same, and from when on the likeliest was within CONVERGED_MIL.
+    """
+    model = kept_inside(model)
+    streams = [simulation.generator(seed, run) for run in range(runs)]
+    six = motion_of("sea", QUICK, streams)
+    i = GRADES.index(grade)
+    motion = replace(six, freedoms=replace(six.freedoms, omega=six.freedoms.omega[i : i + 1],
+                                           amplitude=six.freedoms.amplitude[i : i + 1]))  # fmt: skip
+    level = np.array([1.0, 0, 0, 0])
+    side = np.where(np.arange(runs) % 2, 1.0, -1.0)
+    out: dict[str, Any] = {"grade": grade, "single": []}
+    unknown = np.array(UNKNOWN_DEG)[:, None]
+    for attitude in SINGLE:
+        flight = fly(model, motion, QUICK, mounting=turned_about_down(np.minimum(unknown, 179.0) * DEG * side),
+                     believed=level, heading_sigma=unknown * DEG, attitude=attitude,
+                     velocity_sigma=0.5, runs=runs, seed=seed)  # fmt: skip
+        out["single"] += [{"way": attitude, "unknown_deg": degrees, **summary(flight, case), **converged(flight, case)}
+                          for case, degrees in enumerate(UNKNOWN_DEG)]  # fmt: skip
+    offset = np.pi * (2 * (np.arange(runs) + 0.5) / runs - 1)
+    centres = np.arange(-180.0, 180.0, SPACING_DEG) * DEG
+    flight = fly(model, motion, QUICK, mounting=turned_about_down(offset)[None],
+                 believed=turned_about_down(centres)[:, None, None], heading_sigma=SPACING_DEG / 2 * DEG,
+                 velocity_sigma=0.5, runs=runs, seed=seed)  # fmt: skip
+    run = np.arange(runs)
+    best = np.argmax(flight.log_likelihood[:, :, 0], axis=1)  # (U, runs)
+    update = np.arange(1, len(flight.error))[:, None]
+    right = np.abs(flight.heading_mil[update, best, 0, run]) < CONVERGED_MIL
+    last_out = np.where(right.all(0), 0, len(right) - np.argmin(np.flip(right, axis=0), axis=0))
+    case = (best[-1], np.zeros(runs, int), run)
+    out["bank"] = {
+        "filters": len(centres),
+        "spacing_deg": SPACING_DEG,
+        **summary(flight, case),
+        **converged(flight, case),
+        "within_after_s": ((last_out + 1) / QUICK.update_hz).tolist(),
+    }
+    return out
+
+
+def kept_inside(model: Any) -> Replaced:
+    """The model with errors cut off at the box: a filter that is lost does not end the flight of the others."""
+    low, high = (np.array(model.field["x"][end]) for end in ("low", "high"))
+
+    def cut(name: str) -> Any:
+        function = getattr(model, name)
+
+        def within(**fields: Array) -> Any:
+            return function(**{**fields, "x": np.clip(fields["x"], low, high)})
+
+        return with_fields(within, *function.fields)
+
+    def feedback(**fields: Array) -> dict[str, Array]:
+        made = cut("feedback")(**fields)
+        for name in ("gyro_bias", "accel_bias", "tau"):
+            made[name] = np.clip(made[name], model.field[name]["low"][0], model.field[name]["high"][0])
+        return dict(made)
+
+    functions = {name: cut(name) for name in ("quaternion_h", "quaternion_H")}
+    return Replaced(model, {**functions, "feedback": with_fields(feedback, *model.feedback.fields)})
+
+
+def converged(flight: Flight, case: Any) -> dict[str, Any]:
+    return {"converged": float(np.mean(np.abs(flight.heading_mil[-1][case]) < CONVERGED_MIL))}
+
+
+# ---- all of it
+
+
+def explore(
+    *, runs: int = 20, seed: int = 0, seconds: float = 600.0, progress: Progress | None = None
+) -> dict[str, Any]:
+    """The four questions.  The result can be written as JSON: study, runs, seed, finished, and what `shown`,
+    `manoeuvres`, `matchings` and `starts` return, under these names; interrupted, what follows is missing.
+    """
+    say = progress or (lambda line: None)
+    wide, model = load("velocity-attitude-lever"), load("velocity-attitude")
+    result: dict[str, Any] = {"study": "sea-state", "runs": runs, "seed": seed, "finished": False}
+    try:
+        say("observability: 24 motions")
+        result["shown"] = shown(wide, DECLARED, seconds, seed)
+        say("manoeuvres in a calm")
+        result["manoeuvres"] = manoeuvres(wide, DECLARED)
+        say(f"attitude matching: {len(WAYS)} ways, {len(PLACES)} places, {runs} runs")
+        result["matchings"] = matchings(model, runs=runs, seed=seed)
+        say(f"unknown heading: {len(SINGLE)} filters and a bank, {runs} runs")
+        result["starts"] = starts(model, runs=runs, seed=seed)
+        result["finished"] = True
+    except KeyboardInterrupt:
+        say("interrupted")
+    return result
+
+
+def report(result: dict[str, Any]) -> str:
+    """The exploration as text, section by section."""
+    lines = []
+    if "shown" in result:
+        part = result["shown"]
+        lines += [
+            f"Seconds until a sigma is below a third of what it was, for good; '-': not within {part['seconds']:g} s",
+            f"{'':28}" + "".join(f"{name.replace(' ', '_'):>8}" for name in part["states"])
+            + "   heading, mil, after 60 s and at the end",
+        ]  # fmt: skip
+        for name, times, sixty, end in zip(
+            part["motions"], part["seconds_to_third"], part["heading_mil_60_s"], part["heading_mil_end"], strict=True
+        ):
+            cells = "".join(f"{'-' if t is None else f'{t:g}':>8}" for t in times)
+            lines.append(f"{name:28}{cells}{sixty:10.2f}{end:8.2f}")
+    if "manoeuvres" in result:
+        part = result["manoeuvres"]
+        lines += ["", f"One manoeuvre in a calm: heading sigma after {part['seconds']:g} s"]
+        for row in part["turns"]:
+            lines.append(f"  turn of {row['angle_deg']:3g} deg in 20 s at {row['speed_m_s']:4g} m/s: velocity change "
+                         f"{row['velocity_change_m_s']:5.2f} m/s, {row['heading_mil']:6.2f} mil")  # fmt: skip
+        for row in part["surges"]:
+            lines.append(f"  {row['acceleration_m_s2']:g} m/s^2 for {row['length_s']:2g} s: velocity change "
+                         f"{row['velocity_change_m_s']:5.2f} m/s, {row['heading_mil']:6.2f} mil")  # fmt: skip
+    if "matchings" in result:
+        lines += ["", f"{'Matching of the attitude, after 60 s':56}{'heading rms':>12}{'sigma':>8}{'NEES of 16':>12}"
+                  f"{'NIS a row':>11}"]  # fmt: skip
+        for row in result["matchings"]:
+            name = f"  {row['way']}; {row['place']}"
+            lines.append(f"{name:56}" + (f"refused: {row['refused'].split(';')[0]}" if row["refused"] else
+                         f"{row['heading_rms_mil']:12.2f}{row['heading_sigma_mil']:8.2f}{row['nees']:12.1f}"
+                         f"{row['nis']:11.2f}"))  # fmt: skip
+    if "starts" in result:
+        part = result["starts"]
+        title = f"Heading unknown at the start, (c) sea state {part['grade']}, after 60 s"
+        head = f"{'heading rms':>12}{'sigma':>8}{'NEES of 16':>12}{'NIS a row':>11}"
+        lines += ["", f"{title:56}{head}  within {CONVERGED_MIL:g} mil"]
+        bank = part["bank"]
+        named = [(f"  {row['way']}, off by {row['unknown_deg']:g} deg", row) for row in part["single"]]
+        for name, row in [
+            *named,
+            (f"  {bank['filters']} filters {bank['spacing_deg']:g} deg apart, any heading", bank),
+        ]:
+            lines.append(f"{name:56}{row['heading_rms_mil']:12.2f}{row['heading_sigma_mil']:8.2f}{row['nees']:12.4g}"
+                         f"{row['nis']:11.4g}{100 * row['converged']:9.0f} %")  # fmt: skip
+        right = np.array(bank["within_after_s"])
+        lines.append(
+            f"  the likeliest is within {CONVERGED_MIL:g} mil from {np.median(right):g} s on (median), "
+            f"{right.max():g} s (worst)"
+        )
+    if not result["finished"]:
+        lines.append("interrupted: what follows is missing")
+    return "\n".join(lines)
+
+
+# ---- figures
+
+
+def exploration_figures(result: dict[str, Any], folder: Path) -> list[Path]:
+    """The pictures of a finished exploration.  Returns the files written."""
+    written = [Path(folder) / "sea_observability.png", Path(folder) / "sea_heading.png"]
+    observability_figure(result["shown"], written[0])
+    heading_figure(result["manoeuvres"], result["starts"], written[1])
+    return written
+
+
+def observability_figure(part: dict[str, Any], path: Path) -> None:
+    """States by motions; the tint is the time to a third of the initial sigma."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import LogNorm
+
+    time = np.array([[np.nan if t is None else t for t in row] for row in part["seconds_to_third"]]).T
+    last = part["seconds"]
+    with figure(path, 9.6, 6.6) as (drawing, ax):
+        scale = ScalarMappable(LogNorm(1.0, last), "YlGnBu_r")
+        image = scale.to_rgba(time)
+        image[np.isnan(time)] = (0.97, 0.88, 0.80, 1.0)
+        ax.imshow(image, aspect="auto")
+        for (i, j), t in np.ndenumerate(time):
+            if np.isfinite(t):
+                dark = np.mean(image[i, j, :3]) < 0.55
+                ax.text(j, i, f"{t:.0f}", ha="center", va="center", fontsize=6.5, color="white" if dark else "0.15")
+        ax.set_xticks(np.arange(time.shape[1]), part["motions"], rotation=45, ha="right", rotation_mode="anchor")
+        symbols = (r"$\phi_n$", r"$\phi_e$", r"$\phi_d$ (heading)", r"$\delta v_n$", r"$\delta v_e$", r"$\delta v_d$")
+        names = [*symbols, *(f"{sensor} bias {axis}" for sensor in ("gyro", "accel") for axis in "xyz"),
+                 r"$\mu_x$", r"$\mu_y$", r"$\mu_z$", "delay", "lever x", "lever y", "lever z"]  # fmt: skip
+        ax.set_yticks(np.arange(time.shape[0]), names)
+        for at in (2.5, 5.5, 8.5, 11.5, 14.5, 15.5):
+            ax.axhline(at, color="white", linewidth=1.5)
+        for at in (6.5, 11.5, 17.5):
+            ax.axvline(at, color="white", linewidth=1.5)
+        ax.grid(False)
+        ax.tick_params(length=0)
+        ax.spines[:].set_visible(False)
+        bar = drawing.colorbar(scale, ax=ax, aspect=40, pad=0.02, ticks=[1, 3, 10, 30, 100, 300, 600])
+        bar.ax.set_yticklabels(["1", "3", "10", "30", "100", "300", "600"])
+        bar.ax.minorticks_off()
+        bar.outline.set_visible(False)
+        bar.set_label(f"seconds until sigma stays below a third of its start; pale: not within {last:g} s")
+
+
+def heading_figure(manoeuvre: dict[str, Any], start: dict[str, Any], path: Path) -> None:
+    """What a manoeuvre in a calm leaves of the heading, and how far the heading may be unknown."""
+    with figure(path, 9.0, 3.6, ncols=2) as (_, axes):
+        for kind, color, marker in (("turns", BLUE, "o"), ("surges", ORANGE, "s")):
+            change, left = (np.array([row[key] for row in manoeuvre[kind]]) for key in ("velocity_change_m_s",
+                                                                                        "heading_mil"))  # fmt: skip
+            axes[0].loglog(change, left, marker, color=color, markersize=4, linestyle="none",
+                           label={"turns": "turn in 20 s", "surges": "speed up in 5, 10, 20 s"}[kind])  # fmt: skip
+        span = np.array([0.5, 20.0])
+        axes[0].loglog(
+            span, RULE_MIL_M_S / span, color="0.3", linewidth=0.8, label=f"{RULE_MIL_M_S:g} mil m/s / change"
+        )
+        axes[0].set(xlabel="change of the velocity vector [m/s]", ylabel="heading sigma after 60 s [mil]")
+        axes[0].set_xticks([0.5, 1, 2, 5, 10, 20], ["0.5", "1", "2", "5", "10", "20"])
+        axes[0].set_yticks([0.5, 1, 2, 5, 10], ["0.5", "1", "2", "5", "10"])
+        axes[0].minorticks_off()
+        axes[0].legend()
+        axes[0].set_title("one manoeuvre in a calm", loc="left")
+        for way, color, marker in (("dcm", BLUE, "o"), ("quaternion", ORANGE, "s")):
+            rows = [row for row in start["single"] if row["way"] == way]
+            axes[1].loglog([row["unknown_deg"] for row in rows], [row["nees"] for row in rows], color=color,
+                           marker=marker, markersize=4, label=f"one filter, {way.replace('dcm', 'DCM')}")  # fmt: skip
+        axes[1].axhline(start["bank"]["nees"], color="0.25", linestyle=(0, (5, 2)),
+                        label=f"likeliest of {start['bank']['filters']}, any heading")  # fmt: skip
+        axes[1].axhspan(*start["bank"]["nees_band"], color="0.85", linewidth=0, label="95 % band")
+        axes[1].set(xlabel="heading wrong at the start by [deg]", ylabel="NEES of 16 states after 60 s")
+        axes[1].set_xticks([2, 5, 10, 20, 45, 90, 180], ["2", "5", "10", "20", "45", "90", "180"])
+        axes[1].minorticks_off()
+        axes[1].legend(loc="upper left")
+        axes[1].set_title(f"unknown heading, (c) sea state {start['grade']}", loc="left")
+
+
+def main(runs: int = 20, seed: int = 0, folder: str | None = None) -> int:
+    """Explore, print, and draw into `folder`."""
+    result = explore(runs=runs, seed=seed)
+    print(report(result))
+    if folder is not None and result["finished"]:
+        for path in exploration_figures(result, Path(folder)):
+            print(f"wrote {path}")
+    return 0 if result["finished"] else 1
