@@ -151,7 +151,11 @@ def fly(
     for j in range(i + 1, len(end)):
         loop.slave(end[j], dtheta[j], dv[j], end[j] - begin[j])
         while k < len(master.time) and end[j] >= master.time[k] + HOLD_S - 1e-6 * imu.dt:
-            said = loop.master(message(k)).innovations
+            try:
+                said = loop.master(message(k)).innovations
+            except BoresightError as error:
+                advice = "the filter, or the one beside it without a delay, is driven off: take another stretch"
+                raise BoresightError(f"{recording.name}, {end[j]:.2f} s: {error}; {advice}") from None
             k += 1
             history["nu"].append(np.concatenate([said[name].nu for name in MATCHING], axis=-1))
             history["S"].append(np.concatenate([said[name].S for name in MATCHING], axis=-1))
@@ -553,8 +557,10 @@ def write(result: Mapping[str, Any], folder: str | Path) -> list[Path]:
             line for part in report(result).replace("**", "").split("\n")
             for line in ([part] if part.startswith("|") else textwrap.wrap(part, 150) or [""])
         ]  # fmt: skip
-        heights = [0.13 * len(words), 1.9, 1.9, *[1.6] * rows]  # inches
-        with figure(paths["page"], 11.69, sum(heights), nrows=3 + rows, ncols=3, height_ratios=heights) as (
+        heights = [0.13 * len(words), 1.4, 1.4, *[1.1] * rows]  # inches, and half of one a row for what stands around
+        with figure(
+            paths["page"], 11.69, sum(heights) + 0.5 * (rows + 2), nrows=3 + rows, ncols=3, height_ratios=heights
+        ) as (
             drawing,
             axes,
         ):
