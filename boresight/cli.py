@@ -427,13 +427,16 @@ def sea_state(
     out: Path | None,
     progress: Callable[[str], None],
 ) -> Flown:
-    from boresight.studies import sea_claims, sea_figures
+    from boresight.studies import sea_claims, sea_exploration, sea_figures
     from boresight.studies import sea_state as sea
     from boresight.studies.sea_flight import Scenario
 
     if explore:
-        result = sea_claims.explore(runs=runs, seed=seed, progress=progress)
-        return result, sea_claims.report(result), [], True
+        shown = sea_exploration.explore(runs=runs, seed=seed, progress=progress)
+        varied = sea_claims.explore(runs=runs, seed=seed, progress=progress)
+        written = [] if out is None else sea_exploration.exploration_figures(shown, make(out))
+        report = f"{sea_exploration.report(shown)}\n{sea_claims.report(varied)}"
+        return {"exploration": shown, "claims": varied}, report, written, True
     scenario = Scenario() if seconds is None else Scenario(seconds=round(seconds))
     result = sea.run(runs=runs, seed=seed, scenario=scenario, histories=out is not None, progress=progress)
     written = [] if out is None else sea_figures.sea_figures(result, make(out))
