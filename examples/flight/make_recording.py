@@ -1,0 +1,124 @@
+"""Write the recording of a minute at sea: a MEMS slave at 400 Hz, its master at 10 Hz and late.
+
+python make_recording.py FILE
+
+A hull of 40 m at sea state 5 (2.5 m), long waves from port ahead.  Beside what sensors do, the recording holds what
+happens: a second of messages is lost, one holds a velocity that is no number, one a velocity of 3 m/s too much, and one
+of the slave's increments is no number.
+"""
+
+import sys
+from dataclasses import astuple, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight.runtime import hull, inertial, rotation, sea, simulation
+from boresight.runtime.library import load
+from boresight.studies.sea_flight import Ideal
+
+DEG, HOUR = np.pi / 180, 3600.0
+MASTER_S = 0.0999  # its clock is 0.1 % fast, so that messages and ticks slide past each other
+WIDTH = 12  # doubles of a record
+SLAVE, MASTER = 0.0, 1.0  # the first of them
+
+
+@dataclass(frozen=True)
+class Setup:
+    """The first doubles of a recording, flight.h's flight_setup: what is known beforehand."""
+
+    dt: float = 1 / 400
+    lever_b: tuple[float, float, float] = (3.0, 1.0, -1.0)
+    gyro_noise: float = 0.15 * DEG / HOUR**0.5
+    accel_noise: float = 0.05 / HOUR**0.5
+    velocity_sigma: float = 0.01
+    attitude_sigma: float = 0.003 * DEG
+    mounting_sigma: tuple[float, float, float] = (0.5 * DEG, 0.5 * DEG, 2.0 * DEG)
+    start_angle_sigma: float = 0.5 * DEG
+    start_velocity_sigma: float = 0.7
+    gyro_bias_sigma: float = 20 * DEG / HOUR
+    accel_bias_sigma: float = 2e-3 * 9.80665
+    tau_sigma: float = 0.03
+
+    def doubles(self) -> np.ndarray:
+        return np.hstack(astuple(self))
+
+
+@dataclass(frozen=True)
+class Truth:
+    """What the recording was made from."""
+
+    q_b2n_wxyz: np.ndarray  # (N + 1, 4) at the ticks
+    q_b2m_wxyz: np.ndarray  # (4,)
+    tau: float
+
+
+def record(seed: int = 1, seconds: float = 60.0, tau: float = 0.0337) -> tuple[Setup, np.ndarray, Truth]:
+    """(what is known, the records (N, WIDTH) in the order in which they come, the truth)."""
+    s = Setup()
+    ticks = round(seconds / s.dt)
+    time = np.arange(ticks + 1) * s.dt
+    rng = simulation.generator(seed, 0)
+    omega, elevation = sea.components(2.5)
+    phases = hull.phases([rng], omega.shape[-1])[0]
+    ship: dict[str, Any] = {"towards": 165 * DEG, "heading": 30 * DEG, "speed": 5.0}
+    motion = hull.in_sea(hull.Hull(), omega, elevation, phases, **ship)
+    q_b2m = rotation.quaternion_from_euler(np.array([-0.4, 0.6, 2.0]) * DEG)
+    slave = hull.carried(hull.ride(motion, time), s.lever_b, q_b2m)
+    ideal: Any = Ideal(load("velocity-attitude"))
+    place = np.array([[36 * DEG, 0.1, 0.0]])  # an axis of runs, of one
+    dtheta, dv, path = inertial.increments(ideal, place, slave.v_n[:, None], slave.q_b2n_wxyz[:, None], s.dt)
+    dtheta, dv, position = dtheta[:, 0], dv[:, 0], path.position[:, 0]
+
+    gyro_bias, accel_bias = s.gyro_bias_sigma * rng.standard_normal(3), s.accel_bias_sigma * rng.standard_normal(3)
+    dtheta = dtheta + gyro_bias * s.dt + s.gyro_noise * s.dt**0.5 * rng.standard_normal((ticks, 3))
+    dv = dv + accel_bias * s.dt + s.accel_noise * s.dt**0.5 * rng.standard_normal((ticks, 3))
+    dtheta[round(0.6 * ticks), 1] = np.nan
+
+    measured = np.arange(0, seconds - tau, MASTER_S)
+    arrived = measured + tau
+    taken = np.ceil(arrived / s.dt - 1e-9).astype(int)  # at the first tick that finds it
+    master = hull.ride(motion, measured)
+    C = rotation.matrix_from_quaternion(master.q_b2n_wxyz)
+    turn = s.attitude_sigma * rng.standard_normal((len(measured), 3))
+    message = np.column_stack(
+        [
+            taken * s.dt - arrived,
+            position[np.round(measured / s.dt).astype(int)],  # 3 m from the master's own
+            master.v_n + s.velocity_sigma * rng.standard_normal((len(measured), 3)),
+            rotation.turned(master.q_b2n_wxyz, np.einsum("kji,kj->ki", C, turn)),
+        ]
+    )
+    message[len(message) // 2, 4] = np.nan
+    message[2 * len(message) // 3, 4] += 3.0
+    kept = (measured < seconds / 3) | (measured > seconds / 3 + 1.0)
+
+    records = np.zeros((ticks + kept.sum(), WIDTH))
+    order = np.argsort(
+        np.concatenate([np.arange(1, ticks + 1), taken[kept]]), kind="stable"
+    )  # the tick, then the message
+    records[:ticks, 1:7] = np.column_stack([dtheta, dv])
+    records[ticks:, 0], records[ticks:, 1:] = MASTER, message[kept]
+    return s, records[order], Truth(slave.q_b2n_wxyz, q_b2m, tau)
+
+
+def write(path: Path, setup: Setup, records: np.ndarray) -> None:
+    with path.open("wb") as file:
+        for part in (setup.doubles(), records):
+            file.write(part.astype("<f8").tobytes())
+
+
+def read(path: Path) -> tuple[Setup, np.ndarray]:
+    """What `write` wrote."""
+    doubles = np.fromfile(path, "<f8")
+    lever, mounting = slice(1, 4), slice(8, 11)
+    head = doubles[: len(Setup().doubles())]
+    setup = Setup(head[0], tuple(head[lever]), *head[4:8], tuple(head[mounting]), *head[11:])
+    return setup, doubles[len(head) :].reshape(-1, WIDTH)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("usage: python make_recording.py FILE")
+    write(Path(sys.argv[1]), *record()[:2])
