@@ -255,7 +255,7 @@ bs_status flight_master(flight *f, const flight_message *message)
     convert(master.q_m2n_wxyz, message->q_m2n_wxyz, 4);
 
     /* The filter measures the slave that stands in it: for so long, the slave as it was.  The error found is the one of
-     * then; what happens to it until now is left out, at most 0.35 m/s for a radian of tilt in 35 ms. */
+     * then; what happens to it until now is left out: 3 mm/s for a tilt of half a degree and 35 ms. */
     now = f->filter.nav;
     (void)memcpy(f->filter.nav.v_n, ago(f, ticks)->v_n, sizeof now.v_n);
     (void)memcpy(f->filter.nav.q_b2n_wxyz, ago(f, ticks)->q_b2n_wxyz, sizeof now.q_b2n_wxyz);
