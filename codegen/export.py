@@ -84,7 +84,7 @@ def export_view(manifest: dict[str, Any], library: Library, files: dict[str, str
         name: sum(field["size"] for field in fields) for name, fields in manifest["structs"].items() if name != "x"
     }
     header = files[f"include/{snake}_covariance.h"]
-    counts = {name: int(n) for name, n in re.findall(rf"{prefix.upper()}_N_(\w+) = (\d+)", header)}
+    counts = {name: int(n) for name, n in re.findall(rf"{prefix.upper()}_N_(\w+) (\d+)", header)}
     n = len(manifest["states"])
     carried = sum(structs[name] for name in manifest["filter"]["carried"])
     try:

@@ -268,9 +268,6 @@ def check(model: Model) -> None:
     if not re.fullmatch(r"[a-z][a-z0-9]*", model.c_prefix):
         fail(f"c_prefix {model.c_prefix!r} must be lower-case letters and digits")
     names = [item.name for item in (*model.states, *model.inputs)]
-    clash = {s.name for s in model.structs} & set(names)
-    if clash:
-        fail(f"{min(clash)!r} names both a struct and a field, which C cannot tell apart")
     units = [m.name for m in model.measurements] + [f.name for f in model.functions] + [s.name for s in model.structs]
     symbols = [symbol for item in (*model.states, *model.inputs) for symbol in item.symbols]
     for kind, listed in (

@@ -121,10 +121,13 @@ class Filter:
             use = rows[..., i] & (np.ones_like(S, bool) if gate is None else nu**2 <= gate**2 * S)
             K = np.where(use[..., None], Ph / S[..., None], 0.0)
             x = x + K * nu[..., None]
-            # Joseph form, multiplied out for one row: right for any gain, symmetric by construction.
-            KPh = K[..., :, None] * Ph[..., None, :]
+            # Joseph form in its two products, (I - K h') P and that times (I - K h')': multiplied out at once it would
+            # lose as much as the first alone does where a good measurement meets a coarse start.
+            A = P - K[..., :, None] * Ph[..., None, :]
+            b = np.einsum("...ij,...j->...i", A, h)
             KK = K[..., :, None] * K[..., None, :]
-            P = P - (KPh + np.swapaxes(KPh, -1, -2)) + S[..., None, None] * KK
+            P = A - b[..., :, None] * K[..., None, :] + R[..., i, None, None] * KK
+            P = (P + np.swapaxes(P, -1, -2)) / 2
             nus.append(nu)
             Ss.append(S)
             used.append(use)

@@ -10,7 +10,7 @@ enum {
     ROWS = 4     /* velocity e, n, u; azimuth */
 };
 
-enum { UD = 0, JOSEPH = 1, JOSEPH_PRODUCT = 2, SYMMETRIZED = 3, STANDARD = 4 };
+enum { UD = 0, JOSEPH = 1, JOSEPH_EXPANDED = 2, SYMMETRIZED = 3, STANDARD = 4 };
 
 static const unsigned short STATE_OF_ROW[ROWS] = { AH_IX_DV_E, AH_IX_DV_N, AH_IX_DV_U, AH_IX_PHI_U };
 static const bs_real ONE[1] = { BS_REAL(1.0) };
@@ -98,7 +98,7 @@ static void full_predict(bs_real P[N * N], const scratch *s)
 static void full_update(int form, bs_real P[N * N], bs_real x[N], bs_row *row)
 {
     const int k = row->at[0];
-    bs_real g[N]; /* P h, and below h' P: one and the same only while P is symmetric */
+    bs_real g[N]; /* P h */
     bs_real K[N];
     row->nu = row->z - x[k];
     row->S = P[k * (N + 1)] + row->R;
@@ -107,17 +107,10 @@ static void full_update(int form, bs_real P[N * N], bs_real x[N], bs_row *row)
         K[i] = g[i] / row->S;
         x[i] += K[i] * row->nu;
     }
-    if (form == JOSEPH_PRODUCT) { /* (I - K h') P (I - K h')' + K R K' */
-        for (int j = 0; j < N; ++j) {
-            const bs_real taken = P[(k * N) + j];
-            for (int i = 0; i < N; ++i) {
-                P[(i * N) + j] -= K[i] * taken;
-            }
-        }
+    if (form == JOSEPH_EXPANDED) { /* (I - K h') P (I - K h')' + K R K', multiplied out */
         for (int i = 0; i < N; ++i) {
-            const bs_real taken = P[(i * N) + k];
             for (int j = 0; j < N; ++j) {
-                P[(i * N) + j] = (P[(i * N) + j] - (taken * K[j])) + (row->R * (K[i] * K[j]));
+                P[(i * N) + j] = (P[(i * N) + j] - ((K[i] * g[j]) + (g[i] * K[j]))) + (row->S * (K[i] * K[j]));
             }
         }
         return;

@@ -37,9 +37,9 @@ RADIUS_M = 6.38e6  # turns a distance at the start into radians
 # 1 deg/h and of 1 mg in an hour.
 NOISE = np.repeat([0.125 * DEG / 60, 0.065 * 0.3048 / 60, 0.01 * DEG_H / 60, 0.01 * MG / 60], 3)
 
-# The first two are shipped, and the others are written out in the driver: the products of the Joseph form over full
-# matrices one after the other, (I - K H) P with P made symmetric, and (I - K H) P.
-FORMS = ("ud", "joseph", "joseph-product", "symmetrized", "standard")
+# The first two are shipped, and the others are written out in the driver over full matrices: the Joseph form multiplied
+# out, (I - K H) P with P made symmetric, and (I - K H) P.
+FORMS = ("ud", "joseph", "joseph-expanded", "symmetrized", "standard")
 PACKED = ("ud", "joseph")
 
 
@@ -483,8 +483,8 @@ def number(value: float | None) -> str:
 LOOK: dict[tuple[str, str, float], tuple[str, Any, float, str]] = {
     ("float", "ud", 100.0): (BLUE, "-", 0.0, "UD"),
     ("float", "ud", 10.0): (BLUE, (0, (4, 2)), 0.0, "UD, predicted at 10 Hz"),
-    ("float", "joseph", 100.0): (ORANGE, "-", 0.03, "Joseph, packed"),
-    ("float", "joseph-product", 100.0): (ORANGE, (0, (4, 2)), 0.03, "Joseph, two products"),
+    ("float", "joseph", 100.0): (ORANGE, "-", 0.03, "Joseph, shipped"),
+    ("float", "joseph-expanded", 100.0): (ORANGE, (0, (4, 2)), 0.03, "Joseph, multiplied out"),
     ("float", "standard", 100.0): (GREY, "-", 0.1, "(I - K H) P"),
 }
 

@@ -51,12 +51,12 @@ def test_from_coarse_starts_ud_stays_a_covariance_in_float_and_no_other_form_doe
         assert row["dies_s"] is not None and row["dies_s"] <= 12, row["form"]
 
 
-def test_from_every_corner_ud_keeps_its_sigmas_in_a_circle_and_joseph_does_not():
+def test_from_every_corner_ud_keeps_its_sigmas_in_a_circle_and_joseph_dies_or_is_ten_times_worse():
     for start in CORNERS[::5]:
         ud, joseph, slow = compare(short(start, 20), "circle", study.SHORT)
         assert ud["dies_s"] is None and ud["deviation"] < 0.005, start.name
         assert slow["dies_s"] is None and slow["deviation"] < 0.005, start.name
-        assert joseph["dies_s"] is not None and joseph["dies_s"] <= 15, start.name
+        assert joseph["dies_s"] is not None or joseph["deviation"] > 10 * ud["deviation"], start.name
 
 
 def test_a_lower_rate_of_the_covariance_loses_less():
