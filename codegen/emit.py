@@ -15,13 +15,14 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from boresight import BoresightError
 from boresight.codegen.kernels.covariance import covariance_view, filter_view, has_filter, nonzeros, test_view
 from boresight.codegen.kernels.covariance_vectors import vectors_view
-from boresight.codegen.samples import answered, generator
+from boresight.codegen.samples import answered, edges, ends, generator, norm_ends
 from boresight.codegen.tape import Tape, evaluate
 from boresight.codegen.units import DIGITS, Result, Unit, state_variable
 from boresight.derive.model import Model, Variable
 
 LIBM_ULPS = 4  # what the self-test grants the sine, cosine and arctangent of a target's library
 VECTORS, CORNERS = 64, 24
+BEYOND = 5e-4  # how far outside its box the self-test puts a number, as a part of the bound
 DIFFERENTIATED = 1e-45  # what is left of 80 digits where the reference was differentiated numerically and is zero
 MATRICES = {"F", "Phi", "Q", "H"}  # two axes in NumPy, even for a model with one state
 
@@ -164,11 +165,14 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
                 "name": a.name,
                 "size": a.size,
                 "access": pointer,
-                "element": f"{local}[i]" if a.size > 1 else local,
+                "element": f"{local}[i]" if a.size > 1 or path == "x" else local,
                 "low": ", ".join(number(v) for v in a.low),
                 "high": ", ".join(number(v) for v in a.high),
-                "beyond_low": ", ".join(repr(lo - (hi - lo)) for lo, hi in zip(a.low, a.high, strict=True)),
-                "beyond_high": ", ".join(repr(hi + (hi - lo)) for lo, hi in zip(a.low, a.high, strict=True)),
+                "given": f"{path}[i]" if a.size > 1 or path == "x" else path,
+                "beyond_low": beyond(a)[0],
+                "beyond_high": beyond(a)[1],
+                "beyond_norm": norms_beyond(a),
+                "norm_ends": ", ".join(map(number, norm_ends(a))),
                 "norm": tuple(number(v * v) for v in a.norm) if a.norm else None,
                 "text": f"{path}: {a.meaning} ({a.unit}{', ' + a.frame if a.frame else ''}); {ranges(a)}",
             }
@@ -178,7 +182,9 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         positions = [row * r.shape[1] + column for row, column in r.nonzeros]
         total = r.shape[0] * r.shape[1]
         dense = positions == list(range(total))
-        size = f"{r.shape[0]} * {prefix.upper()}_N_STATES" if r.shape[1] == model.n else str(total)
+        size = str(total)
+        if r.shape[1] == model.n:
+            size = f"{prefix.upper()}_N_STATES" if r.shape[0] == 1 else f"{r.shape[0]} * {prefix.upper()}_N_STATES"
         shape = f"{r.shape[0]} x {r.shape[1]}" if r.shape[1] > 1 else f"{r.shape[0]}"
         kind = "dense" if dense else f"dense, row-major; {len(positions)} of {total} are not zero"
         results.append(
@@ -217,6 +223,9 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         "null_test": null_test(pointers),
         "sparse": any(r["index"] for r in results),
         "nz_prototype": f"bs_status {c_name}_nz({', '.join(inputs + [r['nz_parameter'] for r in results])})",
+        "checked_prototype": f"static bs_status {c_name}_checked("
+        + f"{', '.join(inputs + [r['nz_parameter'] for r in results])})",
+        "checked_call": f"{c_name}_checked({', '.join(reads + [r['nz_name'] for r in results])})",
         "nz_null_test": null_test(reads + [r["nz_name"] for r in results]),
         "result_null_test": null_test([r["name"] for r in results]),
         "nz_call": f"{c_name}_nz({', '.join(reads + [r['nz_name'] for r in results])})",
@@ -232,11 +241,16 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
             "iw": max(1, unit.function.sz_iw()),
             "w": max(1, unit.function.sz_w()),
         },
+        "set_parameters": ", ".join(
+            ([f"bs_real x[{prefix.upper()}_N_STATES]"] if reads_x else []) + [f"{prefix}_{s} *{s}" for s in structs]
+        ),
         "structs": ([{"declaration": f"bs_real x[{prefix.upper()}_N_STATES] = {{0}}"}] if reads_x else [])
         + [{"declaration": f"{prefix}_{s} {s} = {{0}}"} for s in structs],
         "reads": reads,
+        "inputs": ", ".join(call[0]),
         "call": f"{c_name}({', '.join(call[0] + call[1])})",
-        "null_call": f"{c_name}({', '.join(['0', *(call[0] + call[1])[1:]])})",
+        "null_calls": with_nulls(c_name, call[0] + call[1])
+        + (with_nulls(f"{c_name}_nz", call[0] + call[1]) if any(r["index"] for r in results) else []),
         "bound_arguments": ", ".join(
             f"({kind} *)at[{i}]"
             for i, kind in enumerate(
@@ -258,8 +272,29 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
     }  # fmt: skip
 
 
+def beyond(a: Variable) -> tuple[str, str]:
+    """Numbers of the self-test just below and just above the box."""
+    bounds = list(zip(a.low, a.high, strict=True))
+    return (
+        ", ".join(repr(lo - BEYOND * (abs(lo) or hi - lo)) for lo, hi in bounds),
+        ", ".join(repr(hi + BEYOND * (abs(hi) or hi - lo)) for lo, hi in bounds),
+    )
+
+
+def norms_beyond(a: Variable) -> str:
+    """What all components are so that the norm lies just below its range, and just above."""
+    ends = zip(a.norm or (), (-1, 1), strict=False)
+    return ", ".join(repr(norm * (1 + sign * BEYOND / 2) / math.sqrt(a.size)) for norm, sign in ends)
+
+
+def with_nulls(name: str, arguments: list[str]) -> list[str]:
+    """Calls with one pointer null, each in turn."""
+    places = range(len(arguments))
+    return [f"{name}({', '.join('0' if j == i else arguments[j] for j in places)})" for i in places]
+
+
 def null_test(pointers: list[str]) -> str:
-    return " || ".join(f"({p} == 0)" for p in pointers) if len(pointers) > 1 else f"{pointers[0]} == 0"
+    return " || ".join(f"({p} == NULL)" for p in pointers) if len(pointers) > 1 else f"{pointers[0]} == NULL"
 
 
 def ranges(variable: Variable) -> str:
@@ -365,6 +400,7 @@ def model_files(model: Model, made: list[Unit]) -> dict[str, str]:
         for part in ("covariance", "filter"):
             names[f"include/{m['snake']}_{part}.h"] = f"{part}.h.j2"
             names[f"src/{m['prefix']}_{part}.c"] = f"{part}.c.j2"
+        names["include/boresight_filter.h"] = "boresight_filter.h.j2"
         extra["t"] = test_view(model, made, extra["f"])
         names[f"selftest/test_{m['prefix']}_filter.c"] = "test_filter.c.j2"
     return {path: templates().get_template(name).render(m=m, **extra) for path, name in names.items()}
@@ -425,9 +461,14 @@ def vectors(model: Model, unit: Unit) -> dict[str, Any]:
             for o, result in enumerate(unit.results)
         ]
 
+    boxed = any(result.low for result in unit.results)
+    edge, outside = edges(unit, BEYOND, generator(model.name, unit.name, "edges")) if boxed else ([], [])
     return {
         "count": count,
-        "inputs": [table(p) for p in points],
+        "outside": outside,
+        # where there is neither a norm nor a box of the result, any point will do
+        "ends": ends(unit, points) if boxed or any(a.norm for a in unit.args) else [],
+        "inputs": [table(np.vstack([p, edge[i]]) if outside else p) for i, p in enumerate(points)],
         "outputs": [table(values) for values in expected],
         "tolerances": tolerances(np.float64),
         "float_tolerances": tolerances(np.float32),

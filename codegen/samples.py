@@ -10,6 +10,8 @@ from boresight.codegen.tape import evaluate
 from boresight.codegen.units import Unit
 from boresight.derive.model import Variable
 
+PAIRS = 200  # of points between which the edge of a result's box is looked for
+
 
 def generator(*words: str) -> np.random.Generator:
     """A random generator whose numbers depend on the words alone."""
@@ -20,8 +22,8 @@ def generator(*words: str) -> np.random.Generator:
 def sample(args: tuple[Variable, ...], corners: int, count: int, rng: np.random.Generator) -> list[np.ndarray]:
     """`count` points, at most `corners` of them corners of the box; (count, size) for each argument.
 
-    All corners are taken if there are no more than asked for.  A variable with a norm is scaled to 1 times the middle
-    of its range.
+    All corners are taken if there are no more than asked for.  A variable with a norm is scaled to one inside
+    its range.
     """
     size = sum(arg.size for arg in args)
     if 2**size <= corners:
@@ -39,7 +41,8 @@ def sample(args: tuple[Variable, ...], corners: int, count: int, rng: np.random.
         values = low * (1 - part) + high * part
         if arg.norm is not None:
             length = np.linalg.norm(values, axis=1, keepdims=True)
-            values = values / length * (sum(arg.norm) / 2)
+            least, most = arg.norm
+            values = values / length * (least + (most - least) * (0.05 + 0.9 * part[:, :1]))
         points.append(np.clip(values, low, high))
     return points
 
@@ -79,3 +82,95 @@ def answered(
             f"{unit.name}: only {len(chosen)} of {2 * count} points of its box have an answer; narrow the box"
         )
     return [part[chosen] for part in points]
+
+
+def within(unit: Unit, points: list[np.ndarray]) -> np.ndarray:
+    """(points,) 1 where the results surely lie in their own boxes, in either precision; -1 where surely not; else 0."""
+    values, bounds = evaluate(unit.tape, points, real=np.float32)
+    inside, outside = np.ones(len(values[0]), dtype=bool), np.zeros(len(values[0]), dtype=bool)
+    for (output, nz, _), value, bound in zip(unit.tape.results, values, bounds, strict=True):
+        result = unit.results[output]
+        inside &= np.isfinite(bound)
+        if result.low:
+            inside &= (value - bound >= result.low[nz]) & (value + bound <= result.high[nz])
+            outside |= (value + bound < result.low[nz]) | (value - bound > result.high[nz])
+    return np.where(outside, -1, inside.astype(int))
+
+
+def norm_ends(arg: Variable) -> tuple[float, ...]:
+    """What one component is, the others being zero, at the ends of the norm's range; none without a norm."""
+    return (-arg.norm[1], -arg.norm[0], *arg.norm) if arg.norm else ()
+
+
+def ends(unit: Unit, points: list[np.ndarray]) -> list[list[int]]:
+    """For each end of each argument's box (low and high of the first component, and so on), one of the points at which
+    that component may be put there so that the unit answers; -1 if at none.
+
+    Of an argument with a norm the other components are zero, and the ends are those of the norm, with either sign.
+    """
+    found = []
+    for which, arg in enumerate(unit.args):
+        row = []
+        for i in range(arg.size):
+            for end in norm_ends(arg) or (arg.low[i], arg.high[i]):
+                moved = [part.copy() for part in points]
+                if arg.norm:
+                    moved[which][:] = 0.0
+                moved[which][:, i] = end
+                boxed = arg.low[i] <= end <= arg.high[i]
+                good = np.flatnonzero(boxed & (within(unit, moved) == 1))
+                row.append(int(good[0]) if len(good) else -1)
+        found.append(row)
+    return found
+
+
+def edges(unit: Unit, beyond: float, rng: np.random.Generator) -> tuple[list[np.ndarray], list[int]]:
+    """Points at which one result lies a part `beyond` of its bound inside or outside its own box, and which of them are
+    outside (1).  A bound that no result was seen at has none."""
+    tries = 20000
+    drawn = sample(unit.args, tries // 10, tries, rng)
+    values, _ = evaluate(unit.tape, drawn)
+    verdict = within(unit, drawn)
+    rows: list[list[np.ndarray]] = []
+    outside = []
+    for k, (output, nz, _) in enumerate(unit.tape.results):
+        result = unit.results[output]
+        for sign, bound in ((-1, result.low[nz]), (1, result.high[nz])) if result.low else ():
+            step = beyond * (abs(bound) or result.high[nz] - result.low[nz])
+            near = np.flatnonzero(verdict == 1)
+            for refused in (0, 1):
+                target = bound + sign * step * (1 if refused else -1)
+                far = np.flatnonzero(sign * (values[k] - target) > 0)
+                if not (len(far) and len(near)):
+                    continue
+                made = between(unit, k, target, drawn, np.resize(near, PAIRS), np.resize(far, PAIRS))
+                value = evaluate(unit.tape, made)[0][k]
+                good = np.flatnonzero((within(unit, made) == 1 - 2 * refused) & (abs(value - target) < step / 2))
+                if len(good):
+                    rows.append([part[good[0]] for part in made])
+                    outside.append(refused)
+    return [np.array([row[i] for row in rows]) for i in range(len(unit.args))] if rows else [], outside
+
+
+def between(
+    unit: Unit, k: int, target: float, points: list[np.ndarray], a: np.ndarray, b: np.ndarray
+) -> list[np.ndarray]:
+    """Between points a and b, by halving, where result k is the target; norms go from one's to the other's."""
+
+    def at(share: np.ndarray) -> list[np.ndarray]:
+        made = []
+        for arg, part in zip(unit.args, points, strict=True):
+            value = part[a] * (1 - share) + part[b] * share
+            if arg.norm:
+                length = np.linalg.norm(part, axis=1, keepdims=True)
+                value *= (length[a] * (1 - share) + length[b] * share) / np.linalg.norm(value, axis=1, keepdims=True)
+            made.append(np.clip(value, arg.low, arg.high))
+        return single(unit.args, made)
+
+    low, high = np.zeros((len(a), 1)), np.ones((len(a), 1))
+    sign = np.sign(evaluate(unit.tape, at(high))[0][k] - target)
+    for _ in range(30):
+        middle = (low + high) / 2
+        past = (sign * (evaluate(unit.tape, at(middle))[0][k] - target) > 0)[:, None]
+        low, high = np.where(past, low, middle), np.where(past, middle, high)
+    return at(high)

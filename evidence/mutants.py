@@ -3,7 +3,9 @@
 The preprocessed unit is parsed, and each real operation or comparison swapped, each sign flipped, each constant off by
 1e-3 becomes a choice that one global number makes: one executable holds all of them, and forks for each.  What the
 self-test lets pass is compared with the unit itself at 1e4 points of its box and beside the box's edges: a mutant with
-equal bits throughout is equivalent, and counted apart.
+equal bits throughout is equivalent, and counted apart.  A filter's check of what it is started with repeats the boxes
+of the model: there a component's bound a thousandth further out is equivalent if the range of the norm ends at the
+bound, for then the norm refuses with the same status.
 """
 
 import ctypes
@@ -236,7 +238,10 @@ def of_unit(unit: Source, objects: dict[str, Path], tests: list[Path], out: Path
     if len(verdicts) != len(words):
         raise BoresightError(f"{unit.name}: {len(verdicts)} verdicts for {len(words)} mutants")
     survivors = [i for i, verdict in enumerate(verdicts) if verdict == "0"]
-    alike = set(equivalent(unit, {**others, unit.name: made}, survivors, out)) if unit.described else set()
+    if unit.described:
+        alike = set(equivalent(unit, {**others, unit.name: made}, survivors, out))
+    else:
+        alike = {i for i in survivors if words[i].split(": ")[1] in implied_by_norms(unit)}
     return {
         "candidates": len(candidates(unit)),
         "tried": len(words),
@@ -266,6 +271,13 @@ def equivalent(unit: Source, objects: dict[str, Path], survivors: list[int], out
         number.value = mutant
         if all(bits(caller, at) == was for at, was in zip(points, expected, strict=True)):
             yield mutant
+
+
+def implied_by_norms(unit: Source) -> set[str]:
+    """Mutants that move outward a component's bound at which the range of the norm ends, in words."""
+    fields = [field for struct in unit.folder.manifest.get("structs", {}).values() for field in struct if field["norm"]]
+    ends = {f["norm"][1] for f in fields if {-low for low in f["low"]} | set(f["high"]) == {f["norm"][1]}}
+    return {f"{end!r} * {1 + OFF}" for end in ends}
 
 
 def bits(caller: Caller, points: Points) -> list[bytes]:

@@ -158,6 +158,8 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
 
 def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, Any]:
     """Points at which every unit answers, and which function of the filter reads what, for its self-test."""
+    from boresight.codegen.emit import beyond, norms_beyond, number
+
     points = answered_by_all(model, made)
     structs, spoilt, start = [], [], 0
     for s in model.structs:
@@ -173,9 +175,7 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
             readers += [(name, f"&{held}.{item}") for name, u in functions.items() if u and a.name in u["fields"]]
             spoilt.append(
                 {
-                    "name": a.name, "size": a.size, "functions": readers,
-                    "low": ", ".join(repr(lo - (hi - lo)) for lo, hi in zip(a.low, a.high, strict=True)),
-                    "high": ", ".join(repr(hi + (hi - lo)) for lo, hi in zip(a.low, a.high, strict=True)),
+                    "name": a.name, "size": a.size, "functions": readers, "low": beyond(a)[0], "high": beyond(a)[1],
                 }
             )  # fmt: skip
         rows = np.hstack(points[start : start + len(s.fields)])
@@ -190,10 +190,23 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
 
     return {
         "count": FLOWN,
+        "dt": f["dt"]["value"].replace("filter->", "flown.")
+        if f["dt"]["value"].startswith("filter->")
+        else f"given_{f['dt']['value'].replace('->', '.')}",
         "structs": structs,
         "spoilt": [g for g in spoilt if g["functions"]],
+        "checked": [
+            box("", a)
+            | {"place": f"given_{s.name}.{a.name}{'[i]' * (a.size > 1)}"}
+            | {"norms": [f"{number(-v)}, {number(v)}" for v in a.norm or ()], "norms_beyond": norms_beyond(a)}
+            for s in model.structs
+            if s.name in f["carried"]
+            for a in s.fields
+        ],
         "sigma": ", ".join(repr(size * 1e-4) for size in box_size),
         "start": ", ".join(map(repr, start_x)),
+        "x_low": ", ".join(number(v) for block in model.states for v in block.low),
+        "x_high": ", ".join(number(v) for block in model.states for v in block.high),
         "F_places": places("F"),
         "Qc_places": places("Qc"),
     }

@@ -6,10 +6,12 @@ from fractions import Fraction
 from typing import Any
 
 import mpmath as mp
+import numpy as np
 
 MAX_WINDOW = 256
 DIGITS = 50
 U = mp.mpf(2) ** -53  # unit roundoff of a double
+U_FLOAT = mp.mpf(2) ** -24  # of a float
 
 # name, unit, formula, meaning, where it comes from
 DETECTORS = (
@@ -79,7 +81,7 @@ def cases() -> list[Case]:
     return [
         ("at rest, then turning", 8, 9.81, 2e-3, 8e-4,
          noisy(16, (1e-3, -1e-3, 0, 0.1, 0, -9.8), (8e-4,) * 3 + (2e-3,) * 3) + moving),
-        ("a spread of 1e-9 on a mean of 100", 25, 9.81, 1e-3, 1e-6, noisy(50, (50, -50, 1, 100, 1, -10), (1e-9,) * 6)),
+        ("a spread of 1e-5 on a mean of 100", 25, 9.81, 1e-3, 1e-6, noisy(50, (50, -50, 1, 100, 1, -10), (1e-5,) * 6)),
         ("no force at all", 2, 9.81, 1e-2, 1e-3, [(0.0,) * 6, (0.0,) * 6, (0.1, 0, 0, 0, 0, 0), (0.0,) * 6]),
         ("ends of the box", 3, 9.81, 1e-3, 1e-3,
          [tuple(s * v for s, v in zip(signs, (gyro,) * 3 + (accel,) * 3, strict=True))
@@ -90,13 +92,26 @@ def cases() -> list[Case]:
 def golden(
     title: str, window: int, gravity: float, sigma_accel: float, sigma_gyro: float, samples: list[Sample]
 ) -> Any:
-    """One case as text: samples, and for each from the first full window on the statistics and their tolerances."""
-    expected = [
-        statistics(samples[k - window : k], gravity, sigma_accel, sigma_gyro) for k in range(window, len(samples) + 1)
-    ]
+    """One case as text: samples, and for each from the first full window on the statistics and their tolerances.
+
+    All inputs are moved to numbers that a float holds, so that the case serves either precision.
+    """
+    gravity, sigma_accel, sigma_gyro = (single(v) for v in (gravity, sigma_accel, sigma_gyro))
+    samples = [tuple(map(single, sample)) for sample in samples]
+    expected, in_float = (
+        [
+            statistics(samples[k - window : k], gravity, sigma_accel, sigma_gyro, u)
+            for k in range(window, len(samples) + 1)
+        ]
+        for u in (U, U_FLOAT)
+    )
 
     def table(rows: list[list[float]]) -> str:
         return ",\n".join("    { " + ", ".join(float(v).hex() for v in row) + " }" for row in rows)
+
+    def tolerances(rows: list[list[tuple[Any, Any]]]) -> str:
+        """The rounding of the expected value itself comes on top."""
+        return table([[float((bound + value * U) * (1 + 4 * U)) for value, bound in row] for row in rows])
 
     return {
         "title": title,
@@ -106,15 +121,22 @@ def golden(
         "decisions": len(expected),
         "samples": table([list(map(float, sample)) for sample in samples]),
         "expected": table([[float(value) for value, _ in row] for row in expected]),
-        # the rounding of the expected value itself comes on top
-        "tolerances": table([[float((bound + value * U) * (1 + 4 * U)) for value, bound in row] for row in expected]),
+        "tolerances": tolerances(expected),
+        "float_tolerances": tolerances(in_float),
     }
 
 
+def single(value: float) -> float:
+    """The nearest number that a float holds."""
+    return float(np.float32(value))
+
+
 def statistics(
-    samples: Sequence[Sample], gravity: float, sigma_accel: float, sigma_gyro: float
+    samples: Sequence[Sample], gravity: float, sigma_accel: float, sigma_gyro: float, u: Any = U
 ) -> list[tuple[Any, Any]]:
-    """The five statistics of one window in 50 digits, each with a bound on the rounding errors of the C in double.
+    """The five statistics of one window in 50 digits, each with a bound on the rounding errors of the C.
+
+    u: unit roundoff of the precision that the C is compiled for.
 
     The likelihood ratio is taken from its definition, the residual from gravity along the mean, and not in the form
     that the C evaluates; without any force the direction is free and the residual is |f|^2 + g^2 whatever it is.
@@ -123,19 +145,20 @@ def statistics(
         n = len(samples)
         rows = [[Fraction(v) for v in sample] for sample in samples]
         mean = [sum(column, Fraction(0)) / n for column in zip(*rows, strict=True)]
-        error = [gamma(n) * exact(sum((abs(v) for v in column), Fraction(0)) / n) for column in zip(*rows, strict=True)]
+        sizes = [exact(sum((abs(v) for v in column), Fraction(0)) / n) for column in zip(*rows, strict=True)]
+        error = [gamma(n, u) * size for size in sizes]
         parts = []
         for axes in (range(3), range(3, 6)):
             norm = mp.sqrt(exact(sum((mean[i] ** 2 for i in axes), Fraction(0))))
             moved = mp.sqrt(sum(error[i] ** 2 for i in axes))  # how far the computed mean may be off
             spread = exact(sum(((row[i] - mean[i]) ** 2 for row in rows for i in axes), Fraction(0)) / n)
-            norm_error = moved + gamma(5) * (norm + moved)
+            norm_error = moved + gamma(5, u) * (norm + moved)
             # the sum of squares about a mean that is off by d is larger by n d^2: exact, and of second order
-            spread_error = moved**2 + gamma(3 * n + 4) * (spread + moved**2)
+            spread_error = moved**2 + gamma(3 * n + 4, u) * (spread + moved**2)
             parts.append((norm, norm_error, spread, spread_error))
         (gm, gm_error, gs, gs_error), (am, am_error, fs, fs_error) = parts
         off = abs(am - exact(Fraction(gravity)))
-        off_error = am_error + U * (off + am_error)
+        off_error = am_error + u * (off + am_error)
         direction = [exact(mean[i]) / am for i in range(3, 6)] if am else [mp.mpf(1), mp.mpf(0), mp.mpf(0)]
         g, sa, sw = (exact(Fraction(v)) for v in (gravity, sigma_accel, sigma_gyro))
         ratio = mp.mpf(0)
@@ -147,10 +170,10 @@ def statistics(
         slack += (gs_error + (2 * gm + gm_error) * gm_error) / sw**2
         return [
             (gm, gm_error),
-            (mp.sqrt(gs), root_error(gs, gs_error)),
+            (mp.sqrt(gs), root_error(gs, gs_error, u)),
             (off, off_error),
-            (mp.sqrt(fs), root_error(fs, fs_error)),
-            (ratio, slack + gamma(8) * (ratio + slack)),
+            (mp.sqrt(fs), root_error(fs, fs_error, u)),
+            (ratio, slack + gamma(8, u) * (ratio + slack)),
         ]
 
 
@@ -158,13 +181,13 @@ def exact(value: Fraction) -> Any:
     return mp.mpf(value.numerator) / value.denominator
 
 
-def gamma(n: int) -> Any:
+def gamma(n: int, u: Any) -> Any:
     """n roundings one after another."""
-    return n * U / (1 - n * U)
+    return n * u / (1 - n * u)
 
 
-def root_error(square: Any, error: Any) -> Any:
+def root_error(square: Any, error: Any, u: Any) -> Any:
     """Of the square root of a number that is off by `error`, and of the rounding of the root."""
     high = mp.sqrt(square + error)
     low = mp.sqrt(max(square - error, mp.mpf(0)))
-    return max(high - mp.sqrt(square), mp.sqrt(square) - low) + U * high
+    return max(high - mp.sqrt(square), mp.sqrt(square) - low) + u * high

@@ -3,8 +3,6 @@
 from boresight.evidence import results
 from boresight.evidence.sources import Folder, folders
 
-# Its shipped self-test has tolerances of double alone: in float its numbers are compared between machines only.
-DOUBLE_ONLY = {"stationary_detector"}
 NAMES = [folder.name for folder in folders()]
 
 

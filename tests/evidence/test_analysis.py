@@ -1,7 +1,7 @@
 """What the committed analyses found, and that they can find something."""
 
 import pytest
-from committed import DOUBLE_ONLY, NAMES, committed, folder_of, spoilt
+from committed import NAMES, committed, folder_of, spoilt
 
 from boresight.evidence import eva, misra, trace
 from boresight.evidence.table import PAGE, page
@@ -82,7 +82,7 @@ def test_riscv_had_the_same_bits(name):
     for unit, of in committed(name, "riscv").items():
         for where, was in of["builds"].items():
             assert was["same_bits"], f"{unit} on {where}: {was}"
-            assert was["failures"] == 0 or (unit in DOUBLE_ONLY and where.endswith("float")), f"{unit} on {where}"
+            assert was["failures"] == 0, f"{unit} on {where}"
 
 
 def test_the_page_is_that_of_the_results():

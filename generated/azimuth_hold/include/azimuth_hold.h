@@ -12,29 +12,27 @@
 #include "boresight.h"
 
 /* The error state. */
-enum {
-    /* error of the position (rad, rad, m, WGS-84) */
-    AH_IX_D_LON = 0,
-    AH_IX_D_LAT = 1,
-    AH_IX_D_HEIGHT = 2,
-    /* error of the velocity, v_hat - v (m/s, ENU) */
-    AH_IX_DV_E = 3,
-    AH_IX_DV_N = 4,
-    AH_IX_DV_U = 5,
-    /* attitude error, C_hat = (I - [phi x]) C (rad, ENU) */
-    AH_IX_PHI_E = 6,
-    AH_IX_PHI_N = 7,
-    AH_IX_PHI_U = 8,
-    /* error of the gyro bias, estimated - true (rad/s, body) */
-    AH_IX_DBG_X = 9,
-    AH_IX_DBG_Y = 10,
-    AH_IX_DBG_Z = 11,
-    /* error of the accelerometer bias, estimated - true (m/s^2, body) */
-    AH_IX_DBA_X = 12,
-    AH_IX_DBA_Y = 13,
-    AH_IX_DBA_Z = 14,
-    AH_N_STATES = 15
-};
+/* error of the position (rad, rad, m, WGS-84) */
+#define AH_IX_D_LON 0
+#define AH_IX_D_LAT 1
+#define AH_IX_D_HEIGHT 2
+/* error of the velocity, v_hat - v (m/s, ENU) */
+#define AH_IX_DV_E 3
+#define AH_IX_DV_N 4
+#define AH_IX_DV_U 5
+/* attitude error, C_hat = (I - [phi x]) C (rad, ENU) */
+#define AH_IX_PHI_E 6
+#define AH_IX_PHI_N 7
+#define AH_IX_PHI_U 8
+/* error of the gyro bias, estimated - true (rad/s, body) */
+#define AH_IX_DBG_X 9
+#define AH_IX_DBG_Y 10
+#define AH_IX_DBG_Z 11
+/* error of the accelerometer bias, estimated - true (m/s^2, body) */
+#define AH_IX_DBA_X 12
+#define AH_IX_DBA_Y 13
+#define AH_IX_DBA_Z 14
+#define AH_N_STATES 15
 
 /* What is carried and corrected. */
 typedef struct {
@@ -139,7 +137,7 @@ bs_status ah_azimuth_z(const ah_nav *nav, const ah_reference *reference, bs_real
 /* Turn of the attitude about up, against the reference: measurement matrix, d(residual) / d(x); rows up: kim-2018 (20), kim-2018 (21), kim-2018 (23).
  * out  H: rows up (rad a unit of x); 1 x 15, dense, row-major; 1 of 15 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status ah_azimuth_H(bs_real H[1 * AH_N_STATES]);
+bs_status ah_azimuth_H(bs_real H[AH_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status ah_azimuth_H_nz(bs_real H_nz[1]);
 

@@ -10,15 +10,14 @@
 #ifndef AZIMUTH_HOLD_COVARIANCE_H
 #define AZIMUTH_HOLD_COVARIANCE_H
 
+#include "boresight_filter.h"
 #include "azimuth_hold.h"
 
-enum {
-    AH_N_PACKED = 120, /* numbers of a packed symmetric matrix */
-    AH_N_F = 60,      /* non-zeros of F, as ah_F writes them */
-    AH_N_QC = 24,     /* non-zeros of Qc, as ah_Qc writes them */
-    AH_N_PHI = 121,    /* non-zeros of I + F + F F, and so of Phi */
-    AH_N_WORK = 450   /* numbers of scratch memory */
-};
+#define AH_N_PACKED 120 /* numbers of a packed symmetric matrix */
+#define AH_N_F 60 /* non-zeros of F, as ah_F writes them */
+#define AH_N_QC 24 /* non-zeros of Qc, as ah_Qc writes them */
+#define AH_N_PHI 121 /* non-zeros of I + F + F F, and so of Phi */
+#define AH_N_WORK 450 /* numbers of scratch memory */
 
 /* Phi = I + F dt + (F dt)^2 / 2, and Q, the covariance that noise of density Qc adds over dt, to the third power of dt.
  * in   F, Qc: non-zeros; both are overwritten, by themselves times dt

@@ -8,7 +8,7 @@
 
 #include "azimuth_hold_covariance.h"
 
-enum { AH_MAX_ROWS = 3 };
+#define AH_MAX_ROWS 3
 
 /* The filter: filled by ah_filter_init. */
 typedef struct {

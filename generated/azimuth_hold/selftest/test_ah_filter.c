@@ -20,10 +20,10 @@
 enum { N = AH_N_STATES, POINTS = 4 };
 
 static const double in_nav[POINTS][16] = {
-    { -0x1.21e45bccc5937p+1, 0x1.7414811f26bc2p+0, 0x1.bbb58d39d4217p+14, -0x1.f0a1021bb40e4p+9, -0x1.ab42fa3440e46p+9, -0x1.097426b6d7a20p+9, 0x1.5e0258e2c28fap-2, 0x1.9dc1ed07486bdp-1, -0x1.060e296cb96e8p-3, -0x1.d969d01cc3559p-2, -0x1.9006e9cb8777cp-7, 0x1.09c41e481fdeep-7, 0x1.dcd58fb826e9cp-8, -0x1.c3f6d7cfbd5acp-2, -0x1.95043a09bbfd8p-2, 0x1.8fdd7b0c25c50p-3 },
-    { -0x1.0b5b59b1479a1p+1, 0x1.a7c8ae0c1a35dp-1, 0x1.1c9268fcf81d3p+14, 0x1.464e9436dae64p+9, 0x1.5d718248d9dfcp+8, 0x1.2832cb4d46087p+8, 0x1.9f2d3767d8e02p-3, 0x1.433edb49f4384p-1, 0x1.24cb2a878497cp-1, -0x1.ee97398973ecap-2, 0x1.2720745b9f3f0p-10, 0x1.9a0928c8580bcp-8, 0x1.8cea802211866p-7, -0x1.f52d8e1854a02p-1, 0x1.6e8aa9519017cp-1, 0x1.b98008c484a2cp-1 },
-    { -0x1.05086994e6350p+2, 0x1.3fef5588a2f20p-1, 0x1.e74adf3b856b7p+13, -0x1.953f4e55a590ep+9, 0x1.b3d11dd383f60p+5, 0x1.9f8412ce60b52p+9, -0x1.524c5bc02ee3cp-1, 0x1.42fe9af1f7fb0p-2, 0x1.50055f6391d5fp-1, -0x1.753db32a7a46fp-3, -0x1.17c80d7eea69fp-6, -0x1.eed39caec57c0p-12, 0x1.b803ff9851a62p-7, -0x1.e64ac96ae9e80p-2, -0x1.5a6ffdde478e8p-3, 0x1.40429b7d9468ap-1 },
-    { 0x1.fa2b0c6dbe4a8p+1, 0x1.645dc5214ba08p+0, 0x1.21346adcaf480p+12, 0x1.be4651987a948p+7, 0x1.b61ff45bbcbe8p+8, -0x1.99fea889d5dd1p+8, 0x1.5646fcafe76d7p-1, 0x1.76f0dca67c9b4p-1, -0x1.d2842004f90fcp-7, 0x1.08039f0c1be5ap-3, -0x1.94f77450d5d20p-8, 0x1.bc609224d4a20p-9, -0x1.061b20bfe5e80p-8, 0x1.ee12929225f00p-6, 0x1.d397f1ad2b33ap-1, 0x1.ee5193e3066a0p-1 }
+    { -0x1.21e45bccc5937p+1, 0x1.7414811f26bc2p+0, 0x1.bbb58d39d4217p+14, -0x1.f0a1021bb40e4p+9, -0x1.ab42fa3440e46p+9, -0x1.097426b6d7a20p+9, 0x1.5e1ecc9aa722cp-2, 0x1.9de38f5ae4477p-1, -0x1.062376d10737ep-3, -0x1.d9904be18ade1p-2, -0x1.9006e9cb8777cp-7, 0x1.09c41e481fdeep-7, 0x1.dcd58fb826e9cp-8, -0x1.c3f6d7cfbd5acp-2, -0x1.95043a09bbfd8p-2, 0x1.8fdd7b0c25c50p-3 },
+    { -0x1.0b5b59b1479a1p+1, 0x1.a7c8ae0c1a35dp-1, 0x1.1c9268fcf81d3p+14, 0x1.464e9436dae64p+9, 0x1.5d718248d9dfcp+8, 0x1.2832cb4d46087p+8, 0x1.9f48440d0173ep-3, 0x1.4353eaa263877p-1, 0x1.24de3df93e1b7p-1, -0x1.eeb772b69e579p-2, 0x1.2720745b9f3f0p-10, 0x1.9a0928c8580bcp-8, 0x1.8cea802211866p-7, -0x1.f52d8e1854a02p-1, 0x1.6e8aa9519017cp-1, 0x1.b98008c484a2cp-1 },
+    { -0x1.05086994e6350p+2, 0x1.3fef5588a2f20p-1, 0x1.e74adf3b856b7p+13, -0x1.953f4e55a590ep+9, 0x1.b3d11dd383f60p+5, 0x1.9f8412ce60b52p+9, -0x1.520eb37c76ae1p-1, 0x1.42c3bcb81f578p-2, 0x1.4fc82160b42ebp-1, -0x1.74f9ac8c81c61p-3, -0x1.17c80d7eea69fp-6, -0x1.eed39caec57c0p-12, 0x1.b803ff9851a62p-7, -0x1.e64ac96ae9e80p-2, -0x1.5a6ffdde478e8p-3, 0x1.40429b7d9468ap-1 },
+    { 0x1.fa2b0c6dbe4a8p+1, 0x1.645dc5214ba08p+0, 0x1.21346adcaf480p+12, 0x1.be4651987a948p+7, 0x1.b61ff45bbcbe8p+8, -0x1.99fea889d5dd1p+8, 0x1.567969bb1592ep-1, 0x1.7728199b22716p-1, -0x1.d2c8dac018a0ap-7, 0x1.082a84623772bp-3, -0x1.94f77450d5d20p-8, 0x1.bc609224d4a20p-9, -0x1.061b20bfe5e80p-8, 0x1.ee12929225f00p-6, 0x1.d397f1ad2b33ap-1, 0x1.ee5193e3066a0p-1 }
 };
 static const double in_imu[POINTS][7] = {
     { 0x1.ac4a6aa04700ap+8, -0x1.e531be1a32328p+8, -0x1.96b55e137f54ap+8, 0x1.fc040a90fff94p+3, 0x1.0bc0269bebaa0p-1, 0x1.fe47dd869042fp+2, 0x1.42789bb520b79p+0 },
@@ -38,10 +38,10 @@ static const double in_noise[POINTS][12] = {
     { 0x1.dfe43e171fb17p-6, 0x1.4b3566d5a4508p-4, 0x1.c33aef17d2e80p-7, 0x1.93017cb304946p+1, 0x1.8ab45a79ecf02p+1, 0x1.52b1b88968d84p+0, 0x1.0999d43f6e6f0p-5, 0x1.55a81d98fff32p-4, 0x1.00a14e9c2bb4dp-4, 0x1.f6ea41238fdcap+2, 0x1.ea2564a37e8f6p+2, 0x1.3ded09320b8adp+2 }
 };
 static const double in_reference[POINTS][4] = {
-    { -0x1.5e9979b9ad5e5p-1, -0x1.73a7c597e8535p-1, -0x1.cf047650217ebp-5, 0x1.0169ac6f40d9ep-5 },
-    { 0x1.4ed4c0afacd5ep-1, 0x1.0f71ad44ab7d1p-1, -0x1.b7d7491eba884p-5, 0x1.12f1d72520b83p-1 },
-    { 0x1.4867a6052922dp-3, 0x1.b55f05e8cf942p-1, 0x1.96baf5cff12fep-2, 0x1.2dada592ca394p-2 },
-    { 0x1.6e4e2826e544dp-2, -0x1.27635c8395fd1p-4, 0x1.59e3916fae1a7p-1, -0x1.4804eb10f9f2fp-1 }
+    { -0x1.5e60e956fe66fp-1, -0x1.736bcf905dd83p-1, -0x1.ceb9c2ddf2ae4p-5, 0x1.014024d3c12b8p-5 },
+    { 0x1.4ef9698a5eae1p-1, 0x1.0f8f6578beb3fp-1, -0x1.b8077141d9ed3p-5, 0x1.130ff1776f82cp-1 },
+    { 0x1.486e35ea353f0p-3, 0x1.b567c33383759p-1, 0x1.96c3165dc8da7p-2, 0x1.2db3acc0d61bfp-2 },
+    { 0x1.6e748a1a480e1p-2, -0x1.27825025f2c4ep-4, 0x1.5a07cfba84ec9p-1, -0x1.48274a0331306p-1 }
 };
 static const double sigma[N] = { 1.7453292519943296e-06, 1.7453292519943296e-06, 0.2, 0.02, 0.02, 0.02, 0.0001, 0.0001, 0.0001, 3.490658503988659e-06, 3.490658503988659e-06, 3.490658503988659e-06, 0.0002, 0.0002, 0.0002 };
 static const double start[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; /* of x: zero if it is an error */
@@ -348,12 +348,85 @@ static int spoil(const char *what, bs_status (*function)(void), bs_real *value, 
     return failures;
 }
 
+/* At either end of its box a number is taken.  What the function made of it is put back. */
+static int accepts(const char *what, bs_status (*function)(void), bs_real *value, bs_real low, bs_real high)
+{
+    const bs_real good = *value;
+    int failures = 0;
+    before = flown;
+    for (int end = 0; end < 2; ++end) {
+        *value = (end == 0) ? low : high;
+        failures += expect(what, function() == BS_OK);
+        flown = before;
+    }
+    *value = good;
+    return failures;
+}
+
+static int limits(void)
+{
+    int failures = begin();
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
+        static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
+        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+        static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+    }
+    for (int i = 0; i < 4; ++i) {
+#ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
+        for (int j = 0; j < 4; ++j) {
+            given_nav.q_b2n_wxyz[j] = BS_REAL(0.0);
+        }
+        failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i], BS_REAL(-0.999), BS_REAL(0.999));
+        failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i], BS_REAL(-1.001), BS_REAL(1.001));
+#endif
+    }
+    for (int end = 0; end < 2; ++end) {
+        static const double beyond[2] = { 0.49937512500000003, 0.500625125 };
+        for (int i = 0; i < 4; ++i) {
+            given_nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
+        }
+        failures += refuses("init: q_b2n_wxyz, norm", init, BS_OUT_OF_RANGE);
+    }
+    set_point(0);
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-0.017453292519943295), BS_REAL(-0.017453292519943295), BS_REAL(-0.017453292519943295) };
+        static const bs_real high[3] = { BS_REAL(0.017453292519943295), BS_REAL(0.017453292519943295), BS_REAL(0.017453292519943295) };
+        failures += accepts("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
+        static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
+        failures += accepts("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
+    }
+    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0));
+    rows = 0U;
+    failures += accepts("measure_zupt: gate", measure_zupt, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    for (int i = 0; i < 3; ++i) {
+        failures += accepts("measure_zupt: R", measure_zupt, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+    }
+    failures += accepts("measure_azimuth: gate", measure_azimuth, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    for (int i = 0; i < 1; ++i) {
+        failures += accepts("measure_azimuth: R", measure_azimuth, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+    }
+    failures += accepts("measure_zaru: gate", measure_zaru, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    for (int i = 0; i < 3; ++i) {
+        failures += accepts("measure_zaru: R", measure_zaru, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+    }
+    rows = BS_ALL_ROWS;
+    return failures + begin();
+}
+
 static int guards(void)
 {
     int failures = begin();
     {
-        static const double low[3] = { -18.84955592153876, -4.4505895925855405, -31000.0 };
-        static const double high[3] = { 18.84955592153876, 4.4505895925855405, 60500.0 };
+        static const double low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
+        static const double high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
             failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i], high[i]);
@@ -362,8 +435,8 @@ static int guards(void)
         }
     }
     {
-        static const double low[3] = { -3000.0, -3000.0, -3000.0 };
-        static const double high[3] = { 3000.0, 3000.0, 3000.0 };
+        static const double low[3] = { -1000.5, -1000.5, -1000.5 };
+        static const double high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
             failures += spoil("propagate: v_n", propagate, &flown.nav.v_n[i], low[i], high[i]);
@@ -372,8 +445,8 @@ static int guards(void)
         }
     }
     {
-        static const double low[4] = { -3.0029999999999997, -3.0029999999999997, -3.0029999999999997, -3.0029999999999997 };
-        static const double high[4] = { 3.0029999999999997, 3.0029999999999997, 3.0029999999999997, 3.0029999999999997 };
+        static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
+        static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
@@ -383,101 +456,106 @@ static int guards(void)
         }
     }
     {
-        static const double low[3] = { -0.05235987755982989, -0.05235987755982989, -0.05235987755982989 };
-        static const double high[3] = { 0.05235987755982989, 0.05235987755982989, 0.05235987755982989 };
+        static const double low[3] = { -0.01746201916620327, -0.01746201916620327, -0.01746201916620327 };
+        static const double high[3] = { 0.01746201916620327, 0.01746201916620327, 0.01746201916620327 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
             failures += spoil("correct: gyro_bias", correct, &flown.nav.gyro_bias[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -3.0, -3.0, -3.0 };
-        static const double high[3] = { 3.0, 3.0, 3.0 };
+        static const double low[3] = { -1.0005, -1.0005, -1.0005 };
+        static const double high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
             failures += spoil("correct: accel_bias", correct, &flown.nav.accel_bias[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -1500.0, -1500.0, -1500.0 };
-        static const double high[3] = { 1500.0, 1500.0, 1500.0 };
+        static const double low[3] = { -500.25, -500.25, -500.25 };
+        static const double high[3] = { 500.25, 500.25, 500.25 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -60.0, -60.0, -60.0 };
-        static const double high[3] = { 60.0, 60.0, 60.0 };
+        static const double low[3] = { -20.01, -20.01, -20.01 };
+        static const double high[3] = { 20.01, 20.01, 20.01 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_zaru: omega_ib_b", measure_zaru, &given_imu.omega_ib_b[i], low[i], high[i]);
         }
     }
     {
-        static const double low[1] = { -9.999998000000001 };
-        static const double high[1] = { 19.999999000000003 };
+        static const double low[1] = { 9.995e-07 };
+        static const double high[1] = { 10.005 };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -0.1, -0.1, -0.1 };
-        static const double high[3] = { 0.2, 0.2, 0.2 };
+        static const double low[3] = { -5e-05, -5e-05, -5e-05 };
+        static const double high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -10.0, -10.0, -10.0 };
-        static const double high[3] = { 20.0, 20.0, 20.0 };
+        static const double low[3] = { -0.005, -0.005, -0.005 };
+        static const double high[3] = { 10.005, 10.005, 10.005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: accel_noise", propagate, &given_noise.accel_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -0.1, -0.1, -0.1 };
-        static const double high[3] = { 0.2, 0.2, 0.2 };
+        static const double low[3] = { -5e-05, -5e-05, -5e-05 };
+        static const double high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: gyro_bias_noise", propagate, &given_noise.gyro_bias_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -10.0, -10.0, -10.0 };
-        static const double high[3] = { 20.0, 20.0, 20.0 };
+        static const double low[3] = { -0.005, -0.005, -0.005 };
+        static const double high[3] = { 10.005, 10.005, 10.005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: accel_bias_noise", propagate, &given_noise.accel_bias_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[4] = { -3.0029999999999997, -3.0029999999999997, -3.0029999999999997, -3.0029999999999997 };
-        static const double high[4] = { 3.0029999999999997, 3.0029999999999997, 3.0029999999999997, 3.0029999999999997 };
+        static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
+        static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("measure_azimuth: q_ref_wxyz", measure_azimuth, &given_reference.q_ref_wxyz[i], low[i], high[i]);
         }
     }
-    failures += spoil("measure_zupt: gate", measure_zupt, &gate, -1.0, 1e35);
+    failures += spoil("measure_zupt: gate", measure_zupt, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
-        failures += spoil("measure_zupt: R", measure_zupt, &R[i], 0.0, 1e35);
+        failures += spoil("measure_zupt: R", measure_zupt, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    failures += expect("measure_zupt: null pointers",
-        (ah_filter_measure_zupt(0, R, rows, gate, &said) == BS_NULL_POINTER) &&
-        (ah_filter_measure_zupt(&flown, 0, rows, gate, &said) == BS_NULL_POINTER) &&
-        (ah_filter_measure_zupt(&flown, R, rows, gate, 0) == BS_NULL_POINTER));
-    failures += spoil("measure_azimuth: gate", measure_azimuth, &gate, -1.0, 1e35);
+    gate = (bs_real)selftest_nan(); /* is not looked at */
+    failures += expect("measure_zupt: a null pointer", ah_filter_measure_zupt(0, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_zupt: a null pointer", ah_filter_measure_zupt(&flown, 0, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_zupt: a null pointer", ah_filter_measure_zupt(&flown, R, rows, gate, 0) == BS_NULL_POINTER);
+    gate = BS_REAL(0.0);
+    failures += spoil("measure_azimuth: gate", measure_azimuth, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 1; ++i) {
-        failures += spoil("measure_azimuth: R", measure_azimuth, &R[i], 0.0, 1e35);
+        failures += spoil("measure_azimuth: R", measure_azimuth, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    failures += expect("measure_azimuth: null pointers",
-        (ah_filter_measure_azimuth(0, &given_reference, R, rows, gate, &said) == BS_NULL_POINTER) &&
-        (ah_filter_measure_azimuth(&flown, &given_reference, 0, rows, gate, &said) == BS_NULL_POINTER) &&
-        (ah_filter_measure_azimuth(&flown, &given_reference, R, rows, gate, 0) == BS_NULL_POINTER));
-    failures += spoil("measure_zaru: gate", measure_zaru, &gate, -1.0, 1e35);
+    gate = (bs_real)selftest_nan(); /* is not looked at */
+    failures += expect("measure_azimuth: a null pointer", ah_filter_measure_azimuth(0, &given_reference, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_azimuth: a null pointer", ah_filter_measure_azimuth(&flown, 0, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_azimuth: a null pointer", ah_filter_measure_azimuth(&flown, &given_reference, 0, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_azimuth: a null pointer", ah_filter_measure_azimuth(&flown, &given_reference, R, rows, gate, 0) == BS_NULL_POINTER);
+    gate = BS_REAL(0.0);
+    failures += spoil("measure_zaru: gate", measure_zaru, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
-        failures += spoil("measure_zaru: R", measure_zaru, &R[i], 0.0, 1e35);
+        failures += spoil("measure_zaru: R", measure_zaru, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    failures += expect("measure_zaru: null pointers",
-        (ah_filter_measure_zaru(0, &given_imu, R, rows, gate, &said) == BS_NULL_POINTER) &&
-        (ah_filter_measure_zaru(&flown, &given_imu, 0, rows, gate, &said) == BS_NULL_POINTER) &&
-        (ah_filter_measure_zaru(&flown, &given_imu, R, rows, gate, 0) == BS_NULL_POINTER));
+    gate = (bs_real)selftest_nan(); /* is not looked at */
+    failures += expect("measure_zaru: a null pointer", ah_filter_measure_zaru(0, &given_imu, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_zaru: a null pointer", ah_filter_measure_zaru(&flown, 0, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_zaru: a null pointer", ah_filter_measure_zaru(&flown, &given_imu, 0, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_zaru: a null pointer", ah_filter_measure_zaru(&flown, &given_imu, R, rows, gate, 0) == BS_NULL_POINTER);
+    gate = BS_REAL(0.0);
     for (int i = 0; i < N; ++i) {
         const bs_real good = P0[i * (N + 1)];
         P0[i * (N + 1)] = (bs_real)selftest_nan();
@@ -486,11 +564,15 @@ static int guards(void)
         failures += refuses("init: P", init, BS_NOT_POSITIVE);
         P0[i * (N + 1)] = good;
     }
-    failures += expect("null pointers",
-        (ah_filter_init(0, &given_nav, P0) == BS_NULL_POINTER) && (ah_filter_init(&flown, &given_nav, 0) == BS_NULL_POINTER) &&
-        (ah_filter_propagate(0, &given_imu, &given_noise) == BS_NULL_POINTER) &&
-        (ah_filter_correct(0) == BS_NULL_POINTER) &&
-        (ah_filter_covariance(0, dense) == BS_NULL_POINTER) && (ah_filter_covariance(&flown, 0) == BS_NULL_POINTER));
+    failures += expect("init: a null pointer", ah_filter_init(0, &given_nav, P0) == BS_NULL_POINTER);
+    failures += expect("init: a null pointer", ah_filter_init(&flown, 0, P0) == BS_NULL_POINTER);
+    failures += expect("init: a null pointer", ah_filter_init(&flown, &given_nav, 0) == BS_NULL_POINTER);
+    failures += expect("propagate: a null pointer", ah_filter_propagate(0, &given_imu, &given_noise) == BS_NULL_POINTER);
+    failures += expect("propagate: a null pointer", ah_filter_propagate(&flown, 0, &given_noise) == BS_NULL_POINTER);
+    failures += expect("propagate: a null pointer", ah_filter_propagate(&flown, &given_imu, 0) == BS_NULL_POINTER);
+    failures += expect("correct: a null pointer", ah_filter_correct(0) == BS_NULL_POINTER);
+    failures += expect("covariance: a null pointer", ah_filter_covariance(0, dense) == BS_NULL_POINTER);
+    failures += expect("covariance: a null pointer", ah_filter_covariance(&flown, 0) == BS_NULL_POINTER);
     failures += expect("the filter changed", same_state(&flown, &before));
     return failures;
 }
@@ -503,5 +585,5 @@ int test_ah_filter(void)
         failures += fly();
     }
     set_point(0);
-    return failures + guards();
+    return failures + limits() + guards();
 }

@@ -279,44 +279,54 @@ static const double tol_z[N_VECTORS][3] = {
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
 
+static void set_point(int v, ah_nav *nav)
+{
+    for (int i = 0; i < 3; ++i) {
+        nav->v_n[i] = (bs_real)in_v_n[v][i];
+    }
+}
+
 int test_ah_zupt_z(void)
 {
     int failures = 0;
-    for (int k = 0; k <= N_VECTORS; ++k) {
-        ah_nav nav = {0};
-        bs_real z[3];
-        const int v = (k < N_VECTORS) ? k : 0;
-        for (int i = 0; i < 3; ++i) {
-            nav.v_n[i] = (bs_real)in_v_n[v][i];
-        }
-        if (k < N_VECTORS) {
-            if (ah_zupt_z(&nav, z) != BS_OK) {
-                ++failures;
-                continue;
-            }
-            failures += selftest_compare("ah_zupt_z z", k, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
+    ah_nav nav = {0};
+    bs_real z[3];
+    for (int v = 0; v < N_VECTORS; ++v) {
+        set_point(v, &nav);
+        if (ah_zupt_z(&nav, z) != BS_OK) {
+            ++failures;
             continue;
         }
-        /* Bad input: each component in turn NaN, infinite, beyond either end of its box. */
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -3000.0, -3000.0, -3000.0 };
-            static const double beyond_high[3] = { 3000.0, 3000.0, 3000.0 };
-            const bs_real good = nav.v_n[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(z, 3);
-                if (ah_zupt_z(&nav, z) != expected) {
-                    (void)printf("ah_zupt_z: v_n[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("ah_zupt_z z", z, 3);
+        failures += selftest_compare("ah_zupt_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
+    }
+    /* v_n: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -1000.5, -1000.5, -1000.5 };
+        static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &nav);
+            nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(z, 3);
+            if (ah_zupt_z(&nav, z) != expected) {
+                (void)printf("ah_zupt_z: v_n[%d] bad value %d not refused\n", i, bad);
+                ++failures;
             }
-            nav.v_n[i] = good;
+            failures += selftest_painted("ah_zupt_z z", z, 3);
         }
-        if (ah_zupt_z(0, z) != BS_NULL_POINTER) {
-            ++failures;
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+            static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+            set_point(0, &nav);
+            nav.v_n[i] = (end == 0) ? low[i] : high[i];
+            if (ah_zupt_z(&nav, z) != BS_OK) {
+                (void)printf("ah_zupt_z: v_n[%d] end %d refused\n", i, end);
+                ++failures;
+            }
         }
     }
+    set_point(0, &nav);
+    failures += (ah_zupt_z(0, z) != BS_NULL_POINTER);
+    failures += (ah_zupt_z(&nav, 0) != BS_NULL_POINTER);
     return failures;
 }

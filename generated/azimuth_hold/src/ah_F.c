@@ -4,7 +4,8 @@
 
 #include "ah_F_kernel.h"
 
-bs_status ah_F_nz(const ah_nav *nav, const ah_imu *imu, bs_real F_nz[60])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status ah_F_checked(const ah_nav *nav, const ah_imu *imu, bs_real F_nz[60])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
@@ -15,7 +16,7 @@ bs_status ah_F_nz(const ah_nav *nav, const ah_imu *imu, bs_real F_nz[60])
     static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (F_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (F_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -43,15 +44,20 @@ bs_status ah_F_nz(const ah_nav *nav, const ah_imu *imu, bs_real F_nz[60])
     return BS_OK;
 }
 
+bs_status ah_F_nz(const ah_nav *nav, const ah_imu *imu, bs_real F_nz[60])
+{
+    return ah_F_checked(nav, imu, F_nz);
+}
+
 bs_status ah_F(const ah_nav *nav, const ah_imu *imu, bs_real F[15 * AH_N_STATES])
 {
     static const unsigned short F_index[60] = { 1, 2, 3, 16, 17, 19, 35, 46, 47, 48, 49, 50, 52, 53, 57, 58, 59, 61, 62, 63, 64, 65, 66, 68, 72, 73, 74, 76, 77, 78, 79, 81, 82, 87, 88, 89, 91, 92, 94, 97, 98, 99, 100, 101, 106, 107, 108, 111, 113, 114, 115, 116, 121, 122, 123, 126, 127, 129, 130, 131 };
     bs_real F_nz[60];
     bs_status status;
-    if (F == 0) {
+    if (F == NULL) {
         return BS_NULL_POINTER;
     }
-    status = ah_F_nz(nav, imu, F_nz);
+    status = ah_F_checked(nav, imu, F_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 225; ++i) {
             F[i] = BS_REAL(0.0);

@@ -4,7 +4,8 @@
 
 #include "ah_Q_kernel.h"
 
-bs_status ah_Q_nz(const ah_nav *nav, const ah_imu *imu, const ah_noise *noise, bs_real Q_nz[177])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status ah_Q_checked(const ah_nav *nav, const ah_imu *imu, const ah_noise *noise, bs_real Q_nz[177])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
@@ -25,7 +26,7 @@ bs_status ah_Q_nz(const ah_nav *nav, const ah_imu *imu, const ah_noise *noise, b
     static const bs_real accel_bias_noise_low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
     static const bs_real accel_bias_noise_high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (noise == 0) || (Q_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (noise == NULL) || (Q_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -73,15 +74,20 @@ bs_status ah_Q_nz(const ah_nav *nav, const ah_imu *imu, const ah_noise *noise, b
     return BS_OK;
 }
 
+bs_status ah_Q_nz(const ah_nav *nav, const ah_imu *imu, const ah_noise *noise, bs_real Q_nz[177])
+{
+    return ah_Q_checked(nav, imu, noise, Q_nz);
+}
+
 bs_status ah_Q(const ah_nav *nav, const ah_imu *imu, const ah_noise *noise, bs_real Q[15 * AH_N_STATES])
 {
     static const unsigned short Q_index[177] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131, 132, 133, 134, 138, 139, 140, 141, 142, 143, 144, 153, 154, 155, 156, 157, 158, 160, 168, 169, 170, 171, 172, 173, 176, 180, 181, 182, 183, 184, 185, 186, 187, 188, 192, 195, 196, 197, 198, 199, 200, 201, 202, 203, 208, 210, 211, 212, 213, 214, 215, 216, 217, 218, 224 };
     bs_real Q_nz[177];
     bs_status status;
-    if (Q == 0) {
+    if (Q == NULL) {
         return BS_NULL_POINTER;
     }
-    status = ah_Q_nz(nav, imu, noise, Q_nz);
+    status = ah_Q_checked(nav, imu, noise, Q_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 225; ++i) {
             Q[i] = BS_REAL(0.0);

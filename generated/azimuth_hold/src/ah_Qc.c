@@ -4,7 +4,8 @@
 
 #include "ah_Qc_kernel.h"
 
-bs_status ah_Qc_nz(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status ah_Qc_checked(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24])
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001) };
     static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
@@ -17,7 +18,7 @@ bs_status ah_Qc_nz(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24])
     static const bs_real accel_bias_noise_low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
     static const bs_real accel_bias_noise_high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
     bs_status status;
-    if ((nav == 0) || (noise == 0) || (Qc_nz == 0)) {
+    if ((nav == NULL) || (noise == NULL) || (Qc_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->q_b2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
@@ -49,15 +50,20 @@ bs_status ah_Qc_nz(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24])
     return BS_OK;
 }
 
+bs_status ah_Qc_nz(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24])
+{
+    return ah_Qc_checked(nav, noise, Qc_nz);
+}
+
 bs_status ah_Qc(const ah_nav *nav, const ah_noise *noise, bs_real Qc[15 * AH_N_STATES])
 {
     static const unsigned short Qc_index[24] = { 48, 49, 50, 63, 64, 65, 78, 79, 80, 96, 97, 98, 111, 112, 113, 126, 127, 128, 144, 160, 176, 192, 208, 224 };
     bs_real Qc_nz[24];
     bs_status status;
-    if (Qc == 0) {
+    if (Qc == NULL) {
         return BS_NULL_POINTER;
     }
-    status = ah_Qc_nz(nav, noise, Qc_nz);
+    status = ah_Qc_checked(nav, noise, Qc_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 225; ++i) {
             Qc[i] = BS_REAL(0.0);

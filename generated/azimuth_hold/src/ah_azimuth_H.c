@@ -4,9 +4,10 @@
 
 #include "ah_azimuth_H_kernel.h"
 
-bs_status ah_azimuth_H_nz(bs_real H_nz[1])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status ah_azimuth_H_checked(bs_real H_nz[1])
 {
-    if (H_nz == 0) {
+    if (H_nz == NULL) {
         return BS_NULL_POINTER;
     }
 
@@ -14,15 +15,20 @@ bs_status ah_azimuth_H_nz(bs_real H_nz[1])
     return BS_OK;
 }
 
-bs_status ah_azimuth_H(bs_real H[1 * AH_N_STATES])
+bs_status ah_azimuth_H_nz(bs_real H_nz[1])
+{
+    return ah_azimuth_H_checked(H_nz);
+}
+
+bs_status ah_azimuth_H(bs_real H[AH_N_STATES])
 {
     static const unsigned short H_index[1] = { 8 };
     bs_real H_nz[1];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = ah_azimuth_H_nz(H_nz);
+    status = ah_azimuth_H_checked(H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 15; ++i) {
             H[i] = BS_REAL(0.0);

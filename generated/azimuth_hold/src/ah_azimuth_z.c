@@ -13,7 +13,7 @@ bs_status ah_azimuth_z(const ah_nav *nav, const ah_reference *reference, bs_real
     bs_real z_nz[1];
     bs_status status;
 
-    if ((nav == 0) || (reference == 0) || (z == 0)) {
+    if ((nav == NULL) || (reference == NULL) || (z == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->q_b2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);

@@ -25,7 +25,7 @@ bs_status ah_feedback(const bs_real x[AH_N_STATES], const ah_nav *nav, bs_real p
     bs_real accel_bias_nz[3];
     bs_status status;
 
-    if ((x == 0) || (nav == 0) || (position == 0) || (v_n == 0) || (q_b2n_wxyz == 0) || (gyro_bias == 0) || (accel_bias == 0)) {
+    if ((x == NULL) || (nav == NULL) || (position == NULL) || (v_n == NULL) || (q_b2n_wxyz == NULL) || (gyro_bias == NULL) || (accel_bias == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(x, x_low, x_high, 15);

@@ -34,12 +34,16 @@ static bs_status take(ah_filter *filter, const bs_real *z, const bs_real *H, con
     bs_status status = BS_OK;
     innovation->used = 0U;
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
-        const int used = (int)((rows >> (unsigned int)i) & 1U);
-        bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i], gate, z[i], R[i], used };
+        bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i], gate, z[i], R[i], 0 };
+        if (((rows >> (unsigned int)i) & 1U) != 0U) {
+            row.used = 1;
+        }
         status = UPDATE(filter->P, filter->x, &row);
         innovation->nu[i] = row.nu;
         innovation->S[i] = row.S;
-        innovation->used |= (unsigned int)row.used << (unsigned int)i;
+        if (row.used != 0) {
+            innovation->used |= 1U << (unsigned int)i;
+        }
     }
     return status;
 }
@@ -57,7 +61,7 @@ bs_status ah_filter_init(ah_filter *filter, const ah_nav *nav, const bs_real P[A
     static const bs_real accel_bias_low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
     static const bs_real accel_bias_high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
     bs_status status;
-    if ((filter == 0) || (nav == 0) || (P == 0)) {
+    if ((filter == NULL) || (nav == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -99,7 +103,7 @@ bs_status ah_filter_propagate(ah_filter *filter, const ah_imu *imu, const ah_noi
     static const bs_real dt_low[1] = { BS_REAL(1e-06) };
     static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (noise == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (noise == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(&imu->dt, dt_low, dt_high, 1);
@@ -124,7 +128,7 @@ bs_status ah_filter_measure_zupt(ah_filter *filter, const bs_real R[3],
     static const unsigned short at[3] = { 3, 4, 5 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -147,7 +151,7 @@ bs_status ah_filter_measure_azimuth(ah_filter *filter, const ah_reference *refer
     static const unsigned short at[1] = { 8 };
     bs_real z[1];
     bs_status status;
-    if ((filter == 0) || (reference == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (reference == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 1);
@@ -170,7 +174,7 @@ bs_status ah_filter_measure_zaru(ah_filter *filter, const ah_imu *imu, const bs_
     static const unsigned short at[15] = { 1, 6, 7, 8, 9, 1, 6, 7, 8, 10, 1, 6, 7, 8, 11 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -190,7 +194,7 @@ bs_status ah_filter_correct(ah_filter *filter)
 {
     ah_nav next_nav;
     bs_status status;
-    if (filter == 0) {
+    if (filter == NULL) {
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
@@ -206,7 +210,7 @@ bs_status ah_filter_correct(ah_filter *filter)
 
 bs_status ah_filter_covariance(const ah_filter *filter, bs_real P[AH_N_STATES * AH_N_STATES])
 {
-    if ((filter == 0) || (P == 0)) {
+    if ((filter == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
     DENSE(filter->P, P);

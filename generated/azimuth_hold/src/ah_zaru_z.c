@@ -15,7 +15,7 @@ bs_status ah_zaru_z(const ah_nav *nav, const ah_imu *imu, bs_real z[3])
     bs_real z_nz[3];
     bs_status status;
 
-    if ((nav == 0) || (imu == 0) || (z == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (z == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);

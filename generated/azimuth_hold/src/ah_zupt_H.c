@@ -4,9 +4,10 @@
 
 #include "ah_zupt_H_kernel.h"
 
-bs_status ah_zupt_H_nz(bs_real H_nz[3])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status ah_zupt_H_checked(bs_real H_nz[3])
 {
-    if (H_nz == 0) {
+    if (H_nz == NULL) {
         return BS_NULL_POINTER;
     }
 
@@ -14,15 +15,20 @@ bs_status ah_zupt_H_nz(bs_real H_nz[3])
     return BS_OK;
 }
 
+bs_status ah_zupt_H_nz(bs_real H_nz[3])
+{
+    return ah_zupt_H_checked(H_nz);
+}
+
 bs_status ah_zupt_H(bs_real H[3 * AH_N_STATES])
 {
     static const unsigned short H_index[3] = { 3, 19, 35 };
     bs_real H_nz[3];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = ah_zupt_H_nz(H_nz);
+    status = ah_zupt_H_checked(H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 45; ++i) {
             H[i] = BS_REAL(0.0);

@@ -11,7 +11,7 @@ bs_status ah_zupt_z(const ah_nav *nav, bs_real z[3])
     bs_real z_nz[3];
     bs_status status;
 
-    if ((nav == 0) || (z == 0)) {
+    if ((nav == NULL) || (z == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->v_n, v_n_low, v_n_high, 3);

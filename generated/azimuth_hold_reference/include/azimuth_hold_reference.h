@@ -12,31 +12,29 @@
 #include "boresight.h"
 
 /* The error state. */
-enum {
-    /* error of the position (rad, rad, m, WGS-84) */
-    AHR_IX_D_LON = 0,
-    AHR_IX_D_LAT = 1,
-    AHR_IX_D_HEIGHT = 2,
-    /* error of the velocity, v_hat - v (m/s, ENU) */
-    AHR_IX_DV_E = 3,
-    AHR_IX_DV_N = 4,
-    AHR_IX_DV_U = 5,
-    /* attitude error, C_hat = (I - [phi x]) C (rad, ENU) */
-    AHR_IX_PHI_E = 6,
-    AHR_IX_PHI_N = 7,
-    AHR_IX_PHI_U = 8,
-    /* error of the gyro bias, estimated - true (rad/s, body) */
-    AHR_IX_DBG_X = 9,
-    AHR_IX_DBG_Y = 10,
-    AHR_IX_DBG_Z = 11,
-    /* error of the accelerometer bias, estimated - true (m/s^2, body) */
-    AHR_IX_DBA_X = 12,
-    AHR_IX_DBA_Y = 13,
-    AHR_IX_DBA_Z = 14,
-    /* error of that estimate, estimated - true (rad, ENU) */
-    AHR_IX_D_REF = 15,
-    AHR_N_STATES = 16
-};
+/* error of the position (rad, rad, m, WGS-84) */
+#define AHR_IX_D_LON 0
+#define AHR_IX_D_LAT 1
+#define AHR_IX_D_HEIGHT 2
+/* error of the velocity, v_hat - v (m/s, ENU) */
+#define AHR_IX_DV_E 3
+#define AHR_IX_DV_N 4
+#define AHR_IX_DV_U 5
+/* attitude error, C_hat = (I - [phi x]) C (rad, ENU) */
+#define AHR_IX_PHI_E 6
+#define AHR_IX_PHI_N 7
+#define AHR_IX_PHI_U 8
+/* error of the gyro bias, estimated - true (rad/s, body) */
+#define AHR_IX_DBG_X 9
+#define AHR_IX_DBG_Y 10
+#define AHR_IX_DBG_Z 11
+/* error of the accelerometer bias, estimated - true (m/s^2, body) */
+#define AHR_IX_DBA_X 12
+#define AHR_IX_DBA_Y 13
+#define AHR_IX_DBA_Z 14
+/* error of that estimate, estimated - true (rad, ENU) */
+#define AHR_IX_D_REF 15
+#define AHR_N_STATES 16
 
 /* What is carried and corrected. */
 typedef struct {
@@ -160,7 +158,7 @@ bs_status ahr_azimuth_z(const ahr_nav *nav, const ahr_reference *reference, bs_r
 /* Turn of the attitude about up, against the reference: measurement matrix, d(residual) / d(x); rows up: kim-2018 (20), kim-2018 (21), kim-2018 (23).
  * out  H: rows up (rad a unit of x); 1 x 16, dense, row-major; 2 of 16 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status ahr_azimuth_H(bs_real H[1 * AHR_N_STATES]);
+bs_status ahr_azimuth_H(bs_real H[AHR_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status ahr_azimuth_H_nz(bs_real H_nz[2]);
 

@@ -10,15 +10,14 @@
 #ifndef AZIMUTH_HOLD_REFERENCE_COVARIANCE_H
 #define AZIMUTH_HOLD_REFERENCE_COVARIANCE_H
 
+#include "boresight_filter.h"
 #include "azimuth_hold_reference.h"
 
-enum {
-    AHR_N_PACKED = 136, /* numbers of a packed symmetric matrix */
-    AHR_N_F = 60,      /* non-zeros of F, as ahr_F writes them */
-    AHR_N_QC = 24,     /* non-zeros of Qc, as ahr_Qc writes them */
-    AHR_N_PHI = 122,    /* non-zeros of I + F + F F, and so of Phi */
-    AHR_N_WORK = 512   /* numbers of scratch memory */
-};
+#define AHR_N_PACKED 136 /* numbers of a packed symmetric matrix */
+#define AHR_N_F 60 /* non-zeros of F, as ahr_F writes them */
+#define AHR_N_QC 24 /* non-zeros of Qc, as ahr_Qc writes them */
+#define AHR_N_PHI 122 /* non-zeros of I + F + F F, and so of Phi */
+#define AHR_N_WORK 512 /* numbers of scratch memory */
 
 /* Phi = I + F dt + (F dt)^2 / 2, and Q, the covariance that noise of density Qc adds over dt, to the third power of dt.
  * in   F, Qc: non-zeros; both are overwritten, by themselves times dt

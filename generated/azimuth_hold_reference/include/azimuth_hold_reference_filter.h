@@ -8,7 +8,7 @@
 
 #include "azimuth_hold_reference_covariance.h"
 
-enum { AHR_MAX_ROWS = 3 };
+#define AHR_MAX_ROWS 3
 
 /* The filter: filled by ahr_filter_init. */
 typedef struct {

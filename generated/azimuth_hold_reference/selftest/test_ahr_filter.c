@@ -20,10 +20,10 @@
 enum { N = AHR_N_STATES, POINTS = 4 };
 
 static const double in_nav[POINTS][16] = {
-    { -0x1.6c0b4342a0450p+0, -0x1.d05cfd5066f74p-2, -0x1.163b1a29da21ap+8, -0x1.826f053c48db2p+7, 0x1.b85f87901c8c8p+5, -0x1.967603e093d20p+9, 0x1.111dcc846feb2p-4, 0x1.2bb9c6e4b648bp-1, -0x1.1b124ff422e26p-2, 0x1.84bac0d71348ep-1, 0x1.14b6fdb2d8ffbp-6, 0x1.602745561b452p-7, 0x1.0de20bcc7304fp-8, 0x1.888e8fb691248p-1, -0x1.3f4b3501c95bep-1, -0x1.f512ea47409a0p-2 },
-    { -0x1.6ae8ac7679265p+1, 0x1.15ed7bd4033bap+0, 0x1.afe9f558407e3p+14, -0x1.9988a5a39c780p+6, -0x1.f1c0a2da92d37p+8, 0x1.59592fea3e97dp+8, 0x1.200835d450daep-1, -0x1.40ad43b2b7584p-10, -0x1.437717605da51p-2, 0x1.872eb43d9e8bap-1, 0x1.cdbb3347a6866p-7, -0x1.3ff52303bc35ep-9, -0x1.e1f7de70e3919p-7, 0x1.2d4e33623132ep-1, 0x1.1b09b87d3f900p-8, -0x1.d687563a9c504p-2 },
-    { -0x1.42320103549c0p+2, -0x1.f2564ead06ff9p-2, 0x1.50470352fe003p+14, 0x1.3914d8b19d824p+8, 0x1.ba22c63c4487dp+8, -0x1.73b5aae1df2fcp+9, 0x1.38964fb87d5b2p-4, -0x1.41bc324f08ed0p-1, 0x1.3e95d4f3fd2efp-1, 0x1.d79f9f2f54fd9p-2, 0x1.4bc877c141150p-7, -0x1.63a87c1cd30dbp-8, -0x1.d06524ef8e878p-8, 0x1.dfb8c04578be4p-1, 0x1.d1e21b54a92a0p-1, -0x1.0fae2b7392c2cp-2 },
-    { 0x1.2f75344967702p+2, 0x1.ca460ff8761e0p-5, 0x1.5baf0f76127fcp+13, 0x1.a834497682f98p+7, -0x1.7111ffe39e7c2p+7, -0x1.8e59435a944aap+9, -0x1.90ba17c8ee297p-5, 0x1.b26cbc560fe3fp-2, -0x1.2c715582b3a68p-1, 0x1.603c3ae6e7714p-1, -0x1.a957c174259dcp-7, 0x1.c85009dda6216p-7, 0x1.16b350fcf4e6dp-6, -0x1.4e49d17a1abd8p-1, 0x1.8f61a6fe162f8p-3, 0x1.ed095505d8c42p-1 }
+    { -0x1.6c0b4342a0450p+0, -0x1.d05cfd5066f74p-2, -0x1.163b1a29da21ap+8, -0x1.826f053c48db2p+7, 0x1.b85f87901c8c8p+5, -0x1.967603e093d20p+9, 0x1.1122a6bb0df5dp-4, 0x1.2bbf1a22331c0p-1, -0x1.1b17577223839p-2, 0x1.84c1a8e54e37fp-1, 0x1.14b6fdb2d8ffbp-6, 0x1.602745561b452p-7, 0x1.0de20bcc7304fp-8, 0x1.888e8fb691248p-1, -0x1.3f4b3501c95bep-1, -0x1.f512ea47409a0p-2 },
+    { -0x1.6ae8ac7679265p+1, 0x1.15ed7bd4033bap+0, 0x1.afe9f558407e3p+14, -0x1.9988a5a39c780p+6, -0x1.f1c0a2da92d37p+8, 0x1.59592fea3e97dp+8, 0x1.202f3c855ec2cp-1, -0x1.40d8b6b4e0560p-10, -0x1.43a2eb1a5a37dp-2, 0x1.8763b4cf57e60p-1, 0x1.cdbb3347a6866p-7, -0x1.3ff52303bc35ep-9, -0x1.e1f7de70e3919p-7, 0x1.2d4e33623132ep-1, 0x1.1b09b87d3f900p-8, -0x1.d687563a9c504p-2 },
+    { -0x1.42320103549c0p+2, -0x1.f2564ead06ff9p-2, 0x1.50470352fe003p+14, 0x1.3914d8b19d824p+8, 0x1.ba22c63c4487dp+8, -0x1.73b5aae1df2fcp+9, 0x1.389eadc384f73p-4, -0x1.41c4cf0a210b6p-1, 0x1.3e9e5c195dfb9p-1, 0x1.d7ac3f0b7b0cbp-2, 0x1.4bc877c141150p-7, -0x1.63a87c1cd30dbp-8, -0x1.d06524ef8e878p-8, 0x1.dfb8c04578be4p-1, 0x1.d1e21b54a92a0p-1, -0x1.0fae2b7392c2cp-2 },
+    { 0x1.2f75344967702p+2, 0x1.ca460ff8761e0p-5, 0x1.5baf0f76127fcp+13, 0x1.a834497682f98p+7, -0x1.7111ffe39e7c2p+7, -0x1.8e59435a944aap+9, -0x1.90b5d42fefbd9p-5, 0x1.b2681cf1b783ap-2, -0x1.2c6e23176c67cp-1, 0x1.60387b65d075dp-1, -0x1.a957c174259dcp-7, 0x1.c85009dda6216p-7, 0x1.16b350fcf4e6dp-6, -0x1.4e49d17a1abd8p-1, 0x1.8f61a6fe162f8p-3, 0x1.ed095505d8c42p-1 }
 };
 static const double in_imu[POINTS][7] = {
     { -0x1.83a4a4694e46ep+8, 0x1.7dfb16bc9f851p+7, 0x1.11566fd85e7cap+8, -0x1.1a654715534bcp+4, 0x1.38b6f4e359600p+1, 0x1.1a7d1157059a8p+4, 0x1.1883c33f0654ap+3 },
@@ -38,10 +38,10 @@ static const double in_noise[POINTS][12] = {
     { 0x1.10c73fa68af3ep-4, 0x1.5ca86c124b5ffp-4, 0x1.8444dd606d3e2p-4, 0x1.83873633ecc8cp+0, 0x1.3fa6856aa1501p+3, 0x1.1383f63c39ac8p+3, 0x1.4af1f35a131f2p-4, 0x1.7992b07ae9b50p-5, 0x1.5335a357bfb5cp-4, 0x1.999b82a6fed42p+1, 0x1.25019e350fe43p+3, 0x1.2192ea287d54ep+3 }
 };
 static const double in_reference[POINTS][5] = {
-    { 0x1.29df675b3e483p-1, -0x1.00d2b48180e41p-1, 0x1.9a874a94b8abap-3, -0x1.3753af0921a9cp-1, -0x1.aa6cf4368c788p-4 },
-    { -0x1.1b3fc44d16217p-1, -0x1.b7bf28757b44dp-2, 0x1.201491ef22279p-1, -0x1.c1cc12e14d814p-2, 0x1.66f34c9878054p-2 },
-    { -0x1.b2e7feb31c37ap-5, -0x1.0ee72b1bd4c86p-1, 0x1.09594eb298a13p-2, -0x1.9cd0049c81517p-1, 0x1.c4cdbbca15fe6p-2 },
-    { 0x1.42ff7988eed3cp-2, 0x1.1eefd1d29b8e9p-3, 0x1.ac8525a41c009p-2, -0x1.ae206aac201aap-1, 0x1.d6ee65b1f5970p-5 }
+    { 0x1.2a0028024dfd7p-1, -0x1.00eef1ad093c4p-1, 0x1.9ab46e51c806dp-3, -0x1.3775ea6751e9cp-1, -0x1.aa6cf4368c788p-4 },
+    { -0x1.1b0414306ca3ep-1, -0x1.b7627df340f8cp-2, 0x1.1fd7dd32128fbp-1, -0x1.c16d4a30f55e2p-2, 0x1.66f34c9878054p-2 },
+    { -0x1.b2e1ae8b3f97fp-5, -0x1.0ee33c67d905dp-1, 0x1.095574a2647e0p-2, -0x1.9cca068ed3ebap-1, 0x1.c4cdbbca15fe6p-2 },
+    { 0x1.430b074421b65p-2, 0x1.1efa15566cc05p-3, 0x1.ac9479a6c5137p-2, -0x1.ae2fcd64d4eedp-1, 0x1.d6ee65b1f5970p-5 }
 };
 static const double sigma[N] = { 1.7453292519943296e-06, 1.7453292519943296e-06, 0.2, 0.02, 0.02, 0.02, 0.0001, 0.0001, 0.0001, 3.490658503988659e-06, 3.490658503988659e-06, 3.490658503988659e-06, 0.0002, 0.0002, 0.0002, 0.0001 };
 static const double start[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; /* of x: zero if it is an error */
@@ -352,12 +352,107 @@ static int spoil(const char *what, bs_status (*function)(void), bs_real *value, 
     return failures;
 }
 
+/* At either end of its box a number is taken.  What the function made of it is put back. */
+static int accepts(const char *what, bs_status (*function)(void), bs_real *value, bs_real low, bs_real high)
+{
+    const bs_real good = *value;
+    int failures = 0;
+    before = flown;
+    for (int end = 0; end < 2; ++end) {
+        *value = (end == 0) ? low : high;
+        failures += expect(what, function() == BS_OK);
+        flown = before;
+    }
+    *value = good;
+    return failures;
+}
+
+static int limits(void)
+{
+    int failures = begin();
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
+        static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
+        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+        static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+    }
+    for (int i = 0; i < 4; ++i) {
+#ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
+        for (int j = 0; j < 4; ++j) {
+            given_nav.q_b2n_wxyz[j] = BS_REAL(0.0);
+        }
+        failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i], BS_REAL(-0.999), BS_REAL(0.999));
+        failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i], BS_REAL(-1.001), BS_REAL(1.001));
+#endif
+    }
+    for (int end = 0; end < 2; ++end) {
+        static const double beyond[2] = { 0.49937512500000003, 0.500625125 };
+        for (int i = 0; i < 4; ++i) {
+            given_nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
+        }
+        failures += refuses("init: q_b2n_wxyz, norm", init, BS_OUT_OF_RANGE);
+    }
+    set_point(0);
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-0.017453292519943295), BS_REAL(-0.017453292519943295), BS_REAL(-0.017453292519943295) };
+        static const bs_real high[3] = { BS_REAL(0.017453292519943295), BS_REAL(0.017453292519943295), BS_REAL(0.017453292519943295) };
+        failures += accepts("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
+        static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
+        failures += accepts("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
+    }
+    for (int i = 0; i < 4; ++i) {
+#ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
+        for (int j = 0; j < 4; ++j) {
+            given_reference.q_ref_wxyz[j] = BS_REAL(0.0);
+        }
+        failures += accepts("init: q_ref_wxyz, norm", init, &given_reference.q_ref_wxyz[i], BS_REAL(-0.999), BS_REAL(0.999));
+        failures += accepts("init: q_ref_wxyz, norm", init, &given_reference.q_ref_wxyz[i], BS_REAL(-1.001), BS_REAL(1.001));
+#endif
+    }
+    for (int end = 0; end < 2; ++end) {
+        static const double beyond[2] = { 0.49937512500000003, 0.500625125 };
+        for (int i = 0; i < 4; ++i) {
+            given_reference.q_ref_wxyz[i] = (bs_real)beyond[end];
+        }
+        failures += refuses("init: q_ref_wxyz, norm", init, BS_OUT_OF_RANGE);
+    }
+    set_point(0);
+    for (int i = 0; i < 1; ++i) {
+        static const bs_real low[1] = { BS_REAL(-0.5) };
+        static const bs_real high[1] = { BS_REAL(0.5) };
+        failures += accepts("init: reference_error", init, &given_reference.reference_error, low[i], high[i]);
+    }
+    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0));
+    rows = 0U;
+    failures += accepts("measure_zupt: gate", measure_zupt, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    for (int i = 0; i < 3; ++i) {
+        failures += accepts("measure_zupt: R", measure_zupt, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+    }
+    failures += accepts("measure_zaru: gate", measure_zaru, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    for (int i = 0; i < 3; ++i) {
+        failures += accepts("measure_zaru: R", measure_zaru, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+    }
+    failures += accepts("measure_azimuth: gate", measure_azimuth, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    for (int i = 0; i < 1; ++i) {
+        failures += accepts("measure_azimuth: R", measure_azimuth, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+    }
+    rows = BS_ALL_ROWS;
+    return failures + begin();
+}
+
 static int guards(void)
 {
     int failures = begin();
     {
-        static const double low[3] = { -18.84955592153876, -4.4505895925855405, -31000.0 };
-        static const double high[3] = { 18.84955592153876, 4.4505895925855405, 60500.0 };
+        static const double low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
+        static const double high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
             failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i], high[i]);
@@ -366,8 +461,8 @@ static int guards(void)
         }
     }
     {
-        static const double low[3] = { -3000.0, -3000.0, -3000.0 };
-        static const double high[3] = { 3000.0, 3000.0, 3000.0 };
+        static const double low[3] = { -1000.5, -1000.5, -1000.5 };
+        static const double high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
             failures += spoil("propagate: v_n", propagate, &flown.nav.v_n[i], low[i], high[i]);
@@ -376,8 +471,8 @@ static int guards(void)
         }
     }
     {
-        static const double low[4] = { -3.0029999999999997, -3.0029999999999997, -3.0029999999999997, -3.0029999999999997 };
-        static const double high[4] = { 3.0029999999999997, 3.0029999999999997, 3.0029999999999997, 3.0029999999999997 };
+        static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
+        static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
@@ -387,111 +482,115 @@ static int guards(void)
         }
     }
     {
-        static const double low[3] = { -0.05235987755982989, -0.05235987755982989, -0.05235987755982989 };
-        static const double high[3] = { 0.05235987755982989, 0.05235987755982989, 0.05235987755982989 };
+        static const double low[3] = { -0.01746201916620327, -0.01746201916620327, -0.01746201916620327 };
+        static const double high[3] = { 0.01746201916620327, 0.01746201916620327, 0.01746201916620327 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
             failures += spoil("correct: gyro_bias", correct, &flown.nav.gyro_bias[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -3.0, -3.0, -3.0 };
-        static const double high[3] = { 3.0, 3.0, 3.0 };
+        static const double low[3] = { -1.0005, -1.0005, -1.0005 };
+        static const double high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
             failures += spoil("correct: accel_bias", correct, &flown.nav.accel_bias[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -1500.0, -1500.0, -1500.0 };
-        static const double high[3] = { 1500.0, 1500.0, 1500.0 };
+        static const double low[3] = { -500.25, -500.25, -500.25 };
+        static const double high[3] = { 500.25, 500.25, 500.25 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -60.0, -60.0, -60.0 };
-        static const double high[3] = { 60.0, 60.0, 60.0 };
+        static const double low[3] = { -20.01, -20.01, -20.01 };
+        static const double high[3] = { 20.01, 20.01, 20.01 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_zaru: omega_ib_b", measure_zaru, &given_imu.omega_ib_b[i], low[i], high[i]);
         }
     }
     {
-        static const double low[1] = { -9.999998000000001 };
-        static const double high[1] = { 19.999999000000003 };
+        static const double low[1] = { 9.995e-07 };
+        static const double high[1] = { 10.005 };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -0.1, -0.1, -0.1 };
-        static const double high[3] = { 0.2, 0.2, 0.2 };
+        static const double low[3] = { -5e-05, -5e-05, -5e-05 };
+        static const double high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -10.0, -10.0, -10.0 };
-        static const double high[3] = { 20.0, 20.0, 20.0 };
+        static const double low[3] = { -0.005, -0.005, -0.005 };
+        static const double high[3] = { 10.005, 10.005, 10.005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: accel_noise", propagate, &given_noise.accel_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -0.1, -0.1, -0.1 };
-        static const double high[3] = { 0.2, 0.2, 0.2 };
+        static const double low[3] = { -5e-05, -5e-05, -5e-05 };
+        static const double high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: gyro_bias_noise", propagate, &given_noise.gyro_bias_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -10.0, -10.0, -10.0 };
-        static const double high[3] = { 20.0, 20.0, 20.0 };
+        static const double low[3] = { -0.005, -0.005, -0.005 };
+        static const double high[3] = { 10.005, 10.005, 10.005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: accel_bias_noise", propagate, &given_noise.accel_bias_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[4] = { -3.0029999999999997, -3.0029999999999997, -3.0029999999999997, -3.0029999999999997 };
-        static const double high[4] = { 3.0029999999999997, 3.0029999999999997, 3.0029999999999997, 3.0029999999999997 };
+        static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
+        static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_ref_wxyz", init, &given_reference.q_ref_wxyz[i], low[i], high[i]);
             failures += spoil("measure_azimuth: q_ref_wxyz", measure_azimuth, &flown.reference.q_ref_wxyz[i], low[i], high[i]);
         }
     }
     {
-        static const double low[1] = { -1.5 };
-        static const double high[1] = { 1.5 };
+        static const double low[1] = { -0.50025 };
+        static const double high[1] = { 0.50025 };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("init: reference_error", init, &given_reference.reference_error, low[i], high[i]);
             failures += spoil("correct: reference_error", correct, &flown.reference.reference_error, low[i], high[i]);
             failures += spoil("measure_azimuth: reference_error", measure_azimuth, &flown.reference.reference_error, low[i], high[i]);
         }
     }
-    failures += spoil("measure_zupt: gate", measure_zupt, &gate, -1.0, 1e35);
+    failures += spoil("measure_zupt: gate", measure_zupt, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
-        failures += spoil("measure_zupt: R", measure_zupt, &R[i], 0.0, 1e35);
+        failures += spoil("measure_zupt: R", measure_zupt, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    failures += expect("measure_zupt: null pointers",
-        (ahr_filter_measure_zupt(0, R, rows, gate, &said) == BS_NULL_POINTER) &&
-        (ahr_filter_measure_zupt(&flown, 0, rows, gate, &said) == BS_NULL_POINTER) &&
-        (ahr_filter_measure_zupt(&flown, R, rows, gate, 0) == BS_NULL_POINTER));
-    failures += spoil("measure_zaru: gate", measure_zaru, &gate, -1.0, 1e35);
+    gate = (bs_real)selftest_nan(); /* is not looked at */
+    failures += expect("measure_zupt: a null pointer", ahr_filter_measure_zupt(0, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_zupt: a null pointer", ahr_filter_measure_zupt(&flown, 0, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_zupt: a null pointer", ahr_filter_measure_zupt(&flown, R, rows, gate, 0) == BS_NULL_POINTER);
+    gate = BS_REAL(0.0);
+    failures += spoil("measure_zaru: gate", measure_zaru, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
-        failures += spoil("measure_zaru: R", measure_zaru, &R[i], 0.0, 1e35);
+        failures += spoil("measure_zaru: R", measure_zaru, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    failures += expect("measure_zaru: null pointers",
-        (ahr_filter_measure_zaru(0, &given_imu, R, rows, gate, &said) == BS_NULL_POINTER) &&
-        (ahr_filter_measure_zaru(&flown, &given_imu, 0, rows, gate, &said) == BS_NULL_POINTER) &&
-        (ahr_filter_measure_zaru(&flown, &given_imu, R, rows, gate, 0) == BS_NULL_POINTER));
-    failures += spoil("measure_azimuth: gate", measure_azimuth, &gate, -1.0, 1e35);
+    gate = (bs_real)selftest_nan(); /* is not looked at */
+    failures += expect("measure_zaru: a null pointer", ahr_filter_measure_zaru(0, &given_imu, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_zaru: a null pointer", ahr_filter_measure_zaru(&flown, 0, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_zaru: a null pointer", ahr_filter_measure_zaru(&flown, &given_imu, 0, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_zaru: a null pointer", ahr_filter_measure_zaru(&flown, &given_imu, R, rows, gate, 0) == BS_NULL_POINTER);
+    gate = BS_REAL(0.0);
+    failures += spoil("measure_azimuth: gate", measure_azimuth, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 1; ++i) {
-        failures += spoil("measure_azimuth: R", measure_azimuth, &R[i], 0.0, 1e35);
+        failures += spoil("measure_azimuth: R", measure_azimuth, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    failures += expect("measure_azimuth: null pointers",
-        (ahr_filter_measure_azimuth(0, R, rows, gate, &said) == BS_NULL_POINTER) &&
-        (ahr_filter_measure_azimuth(&flown, 0, rows, gate, &said) == BS_NULL_POINTER) &&
-        (ahr_filter_measure_azimuth(&flown, R, rows, gate, 0) == BS_NULL_POINTER));
+    gate = (bs_real)selftest_nan(); /* is not looked at */
+    failures += expect("measure_azimuth: a null pointer", ahr_filter_measure_azimuth(0, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_azimuth: a null pointer", ahr_filter_measure_azimuth(&flown, 0, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_azimuth: a null pointer", ahr_filter_measure_azimuth(&flown, R, rows, gate, 0) == BS_NULL_POINTER);
+    gate = BS_REAL(0.0);
     for (int i = 0; i < N; ++i) {
         const bs_real good = P0[i * (N + 1)];
         P0[i * (N + 1)] = (bs_real)selftest_nan();
@@ -500,11 +599,16 @@ static int guards(void)
         failures += refuses("init: P", init, BS_NOT_POSITIVE);
         P0[i * (N + 1)] = good;
     }
-    failures += expect("null pointers",
-        (ahr_filter_init(0, &given_nav, &given_reference, P0) == BS_NULL_POINTER) && (ahr_filter_init(&flown, &given_nav, &given_reference, 0) == BS_NULL_POINTER) &&
-        (ahr_filter_propagate(0, &given_imu, &given_noise) == BS_NULL_POINTER) &&
-        (ahr_filter_correct(0) == BS_NULL_POINTER) &&
-        (ahr_filter_covariance(0, dense) == BS_NULL_POINTER) && (ahr_filter_covariance(&flown, 0) == BS_NULL_POINTER));
+    failures += expect("init: a null pointer", ahr_filter_init(0, &given_nav, &given_reference, P0) == BS_NULL_POINTER);
+    failures += expect("init: a null pointer", ahr_filter_init(&flown, 0, &given_reference, P0) == BS_NULL_POINTER);
+    failures += expect("init: a null pointer", ahr_filter_init(&flown, &given_nav, 0, P0) == BS_NULL_POINTER);
+    failures += expect("init: a null pointer", ahr_filter_init(&flown, &given_nav, &given_reference, 0) == BS_NULL_POINTER);
+    failures += expect("propagate: a null pointer", ahr_filter_propagate(0, &given_imu, &given_noise) == BS_NULL_POINTER);
+    failures += expect("propagate: a null pointer", ahr_filter_propagate(&flown, 0, &given_noise) == BS_NULL_POINTER);
+    failures += expect("propagate: a null pointer", ahr_filter_propagate(&flown, &given_imu, 0) == BS_NULL_POINTER);
+    failures += expect("correct: a null pointer", ahr_filter_correct(0) == BS_NULL_POINTER);
+    failures += expect("covariance: a null pointer", ahr_filter_covariance(0, dense) == BS_NULL_POINTER);
+    failures += expect("covariance: a null pointer", ahr_filter_covariance(&flown, 0) == BS_NULL_POINTER);
     failures += expect("the filter changed", same_state(&flown, &before));
     return failures;
 }
@@ -517,5 +621,5 @@ int test_ahr_filter(void)
         failures += fly();
     }
     set_point(0);
-    return failures + guards();
+    return failures + limits() + guards();
 }

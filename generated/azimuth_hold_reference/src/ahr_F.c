@@ -4,7 +4,8 @@
 
 #include "ahr_F_kernel.h"
 
-bs_status ahr_F_nz(const ahr_nav *nav, const ahr_imu *imu, bs_real F_nz[60])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status ahr_F_checked(const ahr_nav *nav, const ahr_imu *imu, bs_real F_nz[60])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
@@ -15,7 +16,7 @@ bs_status ahr_F_nz(const ahr_nav *nav, const ahr_imu *imu, bs_real F_nz[60])
     static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (F_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (F_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -43,15 +44,20 @@ bs_status ahr_F_nz(const ahr_nav *nav, const ahr_imu *imu, bs_real F_nz[60])
     return BS_OK;
 }
 
+bs_status ahr_F_nz(const ahr_nav *nav, const ahr_imu *imu, bs_real F_nz[60])
+{
+    return ahr_F_checked(nav, imu, F_nz);
+}
+
 bs_status ahr_F(const ahr_nav *nav, const ahr_imu *imu, bs_real F[16 * AHR_N_STATES])
 {
     static const unsigned short F_index[60] = { 1, 2, 3, 17, 18, 20, 37, 49, 50, 51, 52, 53, 55, 56, 60, 61, 62, 65, 66, 67, 68, 69, 70, 72, 76, 77, 78, 81, 82, 83, 84, 86, 87, 92, 93, 94, 97, 98, 100, 103, 104, 105, 106, 107, 113, 114, 115, 118, 120, 121, 122, 123, 129, 130, 131, 134, 135, 137, 138, 139 };
     bs_real F_nz[60];
     bs_status status;
-    if (F == 0) {
+    if (F == NULL) {
         return BS_NULL_POINTER;
     }
-    status = ahr_F_nz(nav, imu, F_nz);
+    status = ahr_F_checked(nav, imu, F_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 256; ++i) {
             F[i] = BS_REAL(0.0);

@@ -4,7 +4,8 @@
 
 #include "ahr_Phi_kernel.h"
 
-bs_status ahr_Phi_nz(const ahr_nav *nav, const ahr_imu *imu, bs_real Phi_nz[122])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status ahr_Phi_checked(const ahr_nav *nav, const ahr_imu *imu, bs_real Phi_nz[122])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
@@ -17,7 +18,7 @@ bs_status ahr_Phi_nz(const ahr_nav *nav, const ahr_imu *imu, bs_real Phi_nz[122]
     static const bs_real dt_low[1] = { BS_REAL(1e-06) };
     static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (Phi_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (Phi_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -49,15 +50,20 @@ bs_status ahr_Phi_nz(const ahr_nav *nav, const ahr_imu *imu, bs_real Phi_nz[122]
     return BS_OK;
 }
 
+bs_status ahr_Phi_nz(const ahr_nav *nav, const ahr_imu *imu, bs_real Phi_nz[122])
+{
+    return ahr_Phi_checked(nav, imu, Phi_nz);
+}
+
 bs_status ahr_Phi(const ahr_nav *nav, const ahr_imu *imu, bs_real Phi[16 * AHR_N_STATES])
 {
     static const unsigned short Phi_index[122] = { 0, 1, 2, 3, 4, 5, 7, 8, 12, 13, 14, 17, 18, 19, 20, 21, 22, 24, 28, 29, 30, 33, 34, 35, 36, 37, 38, 39, 44, 45, 46, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 153, 170, 187, 204, 221, 238, 255 };
     bs_real Phi_nz[122];
     bs_status status;
-    if (Phi == 0) {
+    if (Phi == NULL) {
         return BS_NULL_POINTER;
     }
-    status = ahr_Phi_nz(nav, imu, Phi_nz);
+    status = ahr_Phi_checked(nav, imu, Phi_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 256; ++i) {
             Phi[i] = BS_REAL(0.0);

@@ -4,7 +4,8 @@
 
 #include "ahr_Q_kernel.h"
 
-bs_status ahr_Q_nz(const ahr_nav *nav, const ahr_imu *imu, const ahr_noise *noise, bs_real Q_nz[177])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status ahr_Q_checked(const ahr_nav *nav, const ahr_imu *imu, const ahr_noise *noise, bs_real Q_nz[177])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
@@ -25,7 +26,7 @@ bs_status ahr_Q_nz(const ahr_nav *nav, const ahr_imu *imu, const ahr_noise *nois
     static const bs_real accel_bias_noise_low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
     static const bs_real accel_bias_noise_high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (noise == 0) || (Q_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (noise == NULL) || (Q_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -73,15 +74,20 @@ bs_status ahr_Q_nz(const ahr_nav *nav, const ahr_imu *imu, const ahr_noise *nois
     return BS_OK;
 }
 
+bs_status ahr_Q_nz(const ahr_nav *nav, const ahr_imu *imu, const ahr_noise *noise, bs_real Q_nz[177])
+{
+    return ahr_Q_checked(nav, imu, noise, Q_nz);
+}
+
 bs_status ahr_Q(const ahr_nav *nav, const ahr_imu *imu, const ahr_noise *noise, bs_real Q[16 * AHR_N_STATES])
 {
     static const unsigned short Q_index[177] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14, 16, 17, 18, 19, 20, 21, 22, 23, 24, 28, 29, 30, 32, 33, 34, 35, 36, 37, 38, 39, 40, 44, 45, 46, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 147, 148, 149, 150, 151, 152, 153, 163, 164, 165, 166, 167, 168, 170, 179, 180, 181, 182, 183, 184, 187, 192, 193, 194, 195, 196, 197, 198, 199, 200, 204, 208, 209, 210, 211, 212, 213, 214, 215, 216, 221, 224, 225, 226, 227, 228, 229, 230, 231, 232, 238 };
     bs_real Q_nz[177];
     bs_status status;
-    if (Q == 0) {
+    if (Q == NULL) {
         return BS_NULL_POINTER;
     }
-    status = ahr_Q_nz(nav, imu, noise, Q_nz);
+    status = ahr_Q_checked(nav, imu, noise, Q_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 256; ++i) {
             Q[i] = BS_REAL(0.0);

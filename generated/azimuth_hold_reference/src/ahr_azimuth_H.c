@@ -4,9 +4,10 @@
 
 #include "ahr_azimuth_H_kernel.h"
 
-bs_status ahr_azimuth_H_nz(bs_real H_nz[2])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status ahr_azimuth_H_checked(bs_real H_nz[2])
 {
-    if (H_nz == 0) {
+    if (H_nz == NULL) {
         return BS_NULL_POINTER;
     }
 
@@ -14,15 +15,20 @@ bs_status ahr_azimuth_H_nz(bs_real H_nz[2])
     return BS_OK;
 }
 
-bs_status ahr_azimuth_H(bs_real H[1 * AHR_N_STATES])
+bs_status ahr_azimuth_H_nz(bs_real H_nz[2])
+{
+    return ahr_azimuth_H_checked(H_nz);
+}
+
+bs_status ahr_azimuth_H(bs_real H[AHR_N_STATES])
 {
     static const unsigned short H_index[2] = { 8, 15 };
     bs_real H_nz[2];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = ahr_azimuth_H_nz(H_nz);
+    status = ahr_azimuth_H_checked(H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 16; ++i) {
             H[i] = BS_REAL(0.0);

@@ -28,7 +28,7 @@ bs_status ahr_feedback(const bs_real x[AHR_N_STATES], const ahr_nav *nav, const 
     bs_real reference_error_nz[1];
     bs_status status;
 
-    if ((x == 0) || (nav == 0) || (reference == 0) || (position == 0) || (v_n == 0) || (q_b2n_wxyz == 0) || (gyro_bias == 0) || (accel_bias == 0) || (reference_error == 0)) {
+    if ((x == NULL) || (nav == NULL) || (reference == NULL) || (position == NULL) || (v_n == NULL) || (q_b2n_wxyz == NULL) || (gyro_bias == NULL) || (accel_bias == NULL) || (reference_error == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(x, x_low, x_high, 16);

@@ -34,12 +34,16 @@ static bs_status take(ahr_filter *filter, const bs_real *z, const bs_real *H, co
     bs_status status = BS_OK;
     innovation->used = 0U;
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
-        const int used = (int)((rows >> (unsigned int)i) & 1U);
-        bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i], gate, z[i], R[i], used };
+        bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i], gate, z[i], R[i], 0 };
+        if (((rows >> (unsigned int)i) & 1U) != 0U) {
+            row.used = 1;
+        }
         status = UPDATE(filter->P, filter->x, &row);
         innovation->nu[i] = row.nu;
         innovation->S[i] = row.S;
-        innovation->used |= (unsigned int)row.used << (unsigned int)i;
+        if (row.used != 0) {
+            innovation->used |= 1U << (unsigned int)i;
+        }
     }
     return status;
 }
@@ -61,7 +65,7 @@ bs_status ahr_filter_init(ahr_filter *filter, const ahr_nav *nav, const ahr_refe
     static const bs_real reference_error_low[1] = { BS_REAL(-0.5) };
     static const bs_real reference_error_high[1] = { BS_REAL(0.5) };
     bs_status status;
-    if ((filter == 0) || (nav == 0) || (reference == 0) || (P == 0)) {
+    if ((filter == NULL) || (nav == NULL) || (reference == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -116,7 +120,7 @@ bs_status ahr_filter_propagate(ahr_filter *filter, const ahr_imu *imu, const ahr
     static const bs_real dt_low[1] = { BS_REAL(1e-06) };
     static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (noise == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (noise == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(&imu->dt, dt_low, dt_high, 1);
@@ -141,7 +145,7 @@ bs_status ahr_filter_measure_zupt(ahr_filter *filter, const bs_real R[3],
     static const unsigned short at[3] = { 3, 4, 5 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -164,7 +168,7 @@ bs_status ahr_filter_measure_zaru(ahr_filter *filter, const ahr_imu *imu, const 
     static const unsigned short at[15] = { 1, 6, 7, 8, 9, 1, 6, 7, 8, 10, 1, 6, 7, 8, 11 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -187,7 +191,7 @@ bs_status ahr_filter_measure_azimuth(ahr_filter *filter, const bs_real R[1],
     static const unsigned short at[2] = { 8, 15 };
     bs_real z[1];
     bs_status status;
-    if ((filter == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 1);
@@ -208,7 +212,7 @@ bs_status ahr_filter_correct(ahr_filter *filter)
     ahr_nav next_nav;
     ahr_reference next_reference;
     bs_status status;
-    if (filter == 0) {
+    if (filter == NULL) {
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
@@ -226,7 +230,7 @@ bs_status ahr_filter_correct(ahr_filter *filter)
 
 bs_status ahr_filter_covariance(const ahr_filter *filter, bs_real P[AHR_N_STATES * AHR_N_STATES])
 {
-    if ((filter == 0) || (P == 0)) {
+    if ((filter == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
     DENSE(filter->P, P);

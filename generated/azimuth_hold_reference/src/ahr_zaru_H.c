@@ -4,14 +4,15 @@
 
 #include "ahr_zaru_H_kernel.h"
 
-bs_status ahr_zaru_H_nz(const ahr_nav *nav, bs_real H_nz[15])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status ahr_zaru_H_checked(const ahr_nav *nav, bs_real H_nz[15])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001) };
     static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
     bs_status status;
-    if ((nav == 0) || (H_nz == 0)) {
+    if ((nav == NULL) || (H_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -31,15 +32,20 @@ bs_status ahr_zaru_H_nz(const ahr_nav *nav, bs_real H_nz[15])
     return BS_OK;
 }
 
+bs_status ahr_zaru_H_nz(const ahr_nav *nav, bs_real H_nz[15])
+{
+    return ahr_zaru_H_checked(nav, H_nz);
+}
+
 bs_status ahr_zaru_H(const ahr_nav *nav, bs_real H[3 * AHR_N_STATES])
 {
     static const unsigned short H_index[15] = { 1, 6, 7, 8, 9, 17, 22, 23, 24, 26, 33, 38, 39, 40, 43 };
     bs_real H_nz[15];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = ahr_zaru_H_nz(nav, H_nz);
+    status = ahr_zaru_H_checked(nav, H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 48; ++i) {
             H[i] = BS_REAL(0.0);

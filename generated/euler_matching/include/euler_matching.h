@@ -11,17 +11,15 @@
 #include "boresight.h"
 
 /* The error state. */
-enum {
-    /* attitude error, C_hat = (I - [eps x]) C (rad, NED) */
-    EM_IX_EPS_N = 0,
-    EM_IX_EPS_E = 1,
-    EM_IX_EPS_D = 2,
-    /* misalignment error, mu_hat - mu (rad, master body) */
-    EM_IX_DMU_X = 3,
-    EM_IX_DMU_Y = 4,
-    EM_IX_DMU_Z = 5,
-    EM_N_STATES = 6
-};
+/* attitude error, C_hat = (I - [eps x]) C (rad, NED) */
+#define EM_IX_EPS_N 0
+#define EM_IX_EPS_E 1
+#define EM_IX_EPS_D 2
+/* misalignment error, mu_hat - mu (rad, master body) */
+#define EM_IX_DMU_X 3
+#define EM_IX_DMU_Y 4
+#define EM_IX_DMU_Z 5
+#define EM_N_STATES 6
 
 /* What the slave carries and the filter corrects. */
 typedef struct {

@@ -10,15 +10,14 @@
 #ifndef EULER_MATCHING_COVARIANCE_H
 #define EULER_MATCHING_COVARIANCE_H
 
+#include "boresight_filter.h"
 #include "euler_matching.h"
 
-enum {
-    EM_N_PACKED = 21, /* numbers of a packed symmetric matrix */
-    EM_N_F = 6,      /* non-zeros of F, as em_F writes them */
-    EM_N_QC = 9,     /* non-zeros of Qc, as em_Qc writes them */
-    EM_N_PHI = 12,    /* non-zeros of I + F + F F, and so of Phi */
-    EM_N_WORK = 72   /* numbers of scratch memory */
-};
+#define EM_N_PACKED 21 /* numbers of a packed symmetric matrix */
+#define EM_N_F 6 /* non-zeros of F, as em_F writes them */
+#define EM_N_QC 9 /* non-zeros of Qc, as em_Qc writes them */
+#define EM_N_PHI 12 /* non-zeros of I + F + F F, and so of Phi */
+#define EM_N_WORK 72 /* numbers of scratch memory */
 
 /* Phi = I + F dt + (F dt)^2 / 2, and Q, the covariance that noise of density Qc adds over dt, to the third power of dt.
  * in   F, Qc: non-zeros; both are overwritten, by themselves times dt

@@ -8,7 +8,7 @@
 
 #include "euler_matching_covariance.h"
 
-enum { EM_MAX_ROWS = 3 };
+#define EM_MAX_ROWS 3
 
 /* The filter: filled by em_filter_init. */
 typedef struct {

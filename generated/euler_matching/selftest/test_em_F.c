@@ -279,44 +279,56 @@ static const double tol_F[N_VECTORS][6] = {
 #endif
 static const unsigned short at_F[6] = { 1, 2, 6, 8, 12, 13 };
 
+static void set_point(int v, em_step *step)
+{
+    for (int i = 0; i < 3; ++i) {
+        step->omega_in_n[i] = (bs_real)in_omega_in_n[v][i];
+    }
+}
+
 int test_em_F(void)
 {
     int failures = 0;
-    for (int k = 0; k <= N_VECTORS; ++k) {
-        em_step step = {0};
-        bs_real F[36];
-        const int v = (k < N_VECTORS) ? k : 0;
-        for (int i = 0; i < 3; ++i) {
-            step.omega_in_n[i] = (bs_real)in_omega_in_n[v][i];
-        }
-        if (k < N_VECTORS) {
-            if (em_F(&step, F) != BS_OK) {
-                ++failures;
-                continue;
-            }
-            failures += selftest_compare("em_F F", k, F, 36, out_F[v], tol_F[v], at_F, 6, 0);
+    em_step step = {0};
+    bs_real F[36];
+    for (int v = 0; v < N_VECTORS; ++v) {
+        set_point(v, &step);
+        if (em_F(&step, F) != BS_OK) {
+            ++failures;
             continue;
         }
-        /* Bad input: each component in turn NaN, infinite, beyond either end of its box. */
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -0.03, -0.03, -0.03 };
-            static const double beyond_high[3] = { 0.03, 0.03, 0.03 };
-            const bs_real good = step.omega_in_n[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                step.omega_in_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(F, 36);
-                if (em_F(&step, F) != expected) {
-                    (void)printf("em_F: omega_in_n[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("em_F F", F, 36);
+        failures += selftest_compare("em_F F", v, F, 36, out_F[v], tol_F[v], at_F, 6, 0);
+    }
+    /* omega_in_n: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -0.010005, -0.010005, -0.010005 };
+        static const double beyond_high[3] = { 0.010005, 0.010005, 0.010005 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &step);
+            step.omega_in_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(F, 36);
+            if (em_F(&step, F) != expected) {
+                (void)printf("em_F: omega_in_n[%d] bad value %d not refused\n", i, bad);
+                ++failures;
             }
-            step.omega_in_n[i] = good;
+            failures += selftest_painted("em_F F", F, 36);
         }
-        if (em_F(0, F) != BS_NULL_POINTER) {
-            ++failures;
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
+            static const bs_real high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
+            set_point(0, &step);
+            step.omega_in_n[i] = (end == 0) ? low[i] : high[i];
+            if (em_F(&step, F) != BS_OK) {
+                (void)printf("em_F: omega_in_n[%d] end %d refused\n", i, end);
+                ++failures;
+            }
         }
     }
+    set_point(0, &step);
+    failures += (em_F(0, F) != BS_NULL_POINTER);
+    failures += (em_F(&step, 0) != BS_NULL_POINTER);
+    failures += (em_F_nz(0, F) != BS_NULL_POINTER);
+    failures += (em_F_nz(&step, 0) != BS_NULL_POINTER);
     return failures;
 }

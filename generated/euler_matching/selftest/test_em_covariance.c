@@ -21,8 +21,16 @@ enum {
 
 #ifdef BORESIGHT_FLOAT
 static const double ROUNDOFF = 5.9604644775390625e-08;
+#define TOLERANCE BS_REAL(1e-4) /* from symmetric and from positive */
+#define NEAR BS_REAL(1e-2)      /* how close the tests come to it: what rounding allows */
+#define EPSILON BS_REAL(1.1920929e-07)
+#define LEAST BS_REAL(1.17549435e-38)
 #else
 static const double ROUNDOFF = 1.1102230246251565e-16;
+#define TOLERANCE BS_REAL(1e-9)
+#define NEAR BS_REAL(5e-4)
+#define EPSILON BS_REAL(2.220446049250313e-16)
+#define LEAST BS_REAL(2.2250738585072014e-308)
 #endif
 
 /* Phi P Phi' + Q, Phi x, and the sizes of rounding errors in P and in x */
@@ -908,9 +916,116 @@ static int guards(void)
     return failures + unchanged("an update without variance", 0);
 }
 
+static void unit_variances(void)
+{
+    memset(dense, 0, sizeof(dense));
+    for (int i = 0; i < N; ++i) {
+        dense[i * (N + 1)] = BS_REAL(1.0);
+    }
+}
+
+static void covary(int i, int j, bs_real value)
+{
+    dense[(i * N) + j] = value;
+    dense[(j * N) + i] = value;
+}
+
+/* As the matrix in `dense` is refused, or taken by both forms. */
+static int judged(const char *what, int good)
+{
+    return good ? expect(what, 0, (em_ud_init(dense, packed, work) == BS_OK) && (em_joseph_init(dense, packed, work) == BS_OK))
+                : refused(what, BS_NOT_POSITIVE);
+}
+
+/* The variance of the first state, after what the last one explains is taken away. */
+static int left_over(const char *what, bs_real variance, bs_real left)
+{
+    unit_variances();
+    if (N > 1) {
+        dense[0] = variance;
+        dense[(N * N) - 1] = variance - left;
+        covary(0, N - 1, variance - left);
+    }
+    return judged(what, 1);
+}
+
+/* Just inside and just outside of what rounding is granted. */
+static int limits(void)
+{
+    enum { LAST = N - 1, BEFORE = (N > 1) ? (N - 2) : 0 };
+    int failures = 0;
+    bs_row row = given.row;
+    for (int good = 0; good < 2; ++good) {
+        const bs_real share = TOLERANCE * ((good != 0) ? (BS_REAL(1.0) - NEAR) : (BS_REAL(1.0) + NEAR));
+        if (N > 1) {
+            unit_variances();
+            dense[LAST] = (good != 0) ? TOLERANCE : share; /* at the limit itself too */
+            failures += judged("not symmetric", good);
+            unit_variances(); /* a negative remainder */
+            dense[0] = BS_REAL(4.0) * (BS_REAL(1.0) - share);
+            covary(0, LAST, BS_REAL(2.0));
+            failures += judged("a negative remainder", good);
+        }
+        if (N > 2) { /* a state without a variance of its own, that another covaries with */
+            unit_variances();
+            dense[0] = BS_REAL(9.0);
+            dense[BEFORE * (N + 1)] = BS_REAL(4.0);
+            covary(BEFORE, LAST, BS_REAL(2.0));
+            covary(0, BEFORE, BS_SQRT(share * BS_REAL(36.0)));
+            failures += judged("a covariance without variance", good);
+        }
+        if ((N > 3) && (good == 0)) { /* which the next one does not make good */
+            covary(0, BEFORE, BS_REAL(1.0));
+            failures += judged("a covariance without variance", good);
+        }
+    }
+    if (N > 1) { /* a remainder of 1.0005 and of 0.9995 of the least that counts */
+        failures += left_over("a small variance", BS_REAL(1.9995), BS_REAL(2.0) * EPSILON);
+        (void)em_ud_init(dense, packed, work);
+        failures += expect("a small variance is lost", 0, packed[0] > BS_REAL(0.0));
+        failures += left_over("no variance", BS_REAL(1.0005), EPSILON);
+        (void)em_ud_init(dense, packed, work);
+        failures += expect("rounding counts as variance", 0, !(packed[0] > BS_REAL(0.0)));
+    }
+    unit_variances();
+    for (int good = 0; good < 2; ++good) {
+        dense[0] = (good != 0) ? (LEAST * BS_REAL(1.0005)) : LEAST;
+        failures += judged("the least variance", 1);
+        (void)em_ud_init(dense, packed, work);
+        failures += expect("the least variance", 0, (packed[0] > BS_REAL(0.0)) == (good != 0));
+    }
+    memset(given.F, 0, sizeof(given.F));
+    memset(given.Qc, 0, sizeof(given.Qc));
+    for (int good = 0; good < 2; ++good) { /* the last state has the least variance that a covariance may be divided by */
+        memset(packed, 0, sizeof(packed));
+        packed[NP - 1] = (good != 0) ? LEAST : (LEAST * BS_REAL(0.9995));
+        packed[NP - N] = (N > 1) ? BS_REAL(0.5) : packed[NP - N];
+        em_discretize(given.F, given.Qc, BS_REAL(1.0), Phi, Q, work);
+        em_ud_predict(packed, Phi, Q, work);
+        failures += expect("a factor of the least variance", 0, (packed[NP - N] > BS_REAL(0.0)) == ((good != 0) || (N == 1)));
+    }
+    for (int ud = 0; ud < 2; ++ud) {
+        bs_status (*const take)(bs_real *, bs_real *, bs_row *) = ud ? em_ud_update : em_joseph_update;
+        memset(packed, 0, sizeof(packed));
+        row.count = 0;
+        row.z = BS_REAL(2.0);
+        row.gate = BS_REAL(0.0); /* none: however far off */
+        row.used = 1;
+        row.R = LEAST;
+        failures += expect("the least S, without a gate", 0, (take(packed, x, &row) == BS_OK) && (row.used == 1));
+        row.R = LEAST * BS_REAL(0.9995);
+        failures += expect("less than the least S", 0, (take(packed, x, &row) == BS_NOT_POSITIVE) && (row.used == 0));
+        row.R = BS_REAL(1.0);
+        row.gate = BS_REAL(2.0); /* at the gate itself */
+        row.used = 1;
+        failures += expect("at the gate", 0, (take(packed, x, &row) == BS_OK) && (row.used == 1));
+    }
+    return failures;
+}
+
 int test_em_covariance(void)
 {
-    int failures = guards();
+    int failures = guards() + limits();
     for (int k = 0; k < VECTORS; ++k) {
         draw_case(k);
         failures += update(k, 0);

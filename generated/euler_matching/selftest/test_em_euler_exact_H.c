@@ -411,84 +411,116 @@ static const double tol_H[N_VECTORS][18] = {
 #endif
 static const unsigned short at_H[18] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17 };
 
+static void set_point(int v, bs_real x[EM_N_STATES], em_nav *nav, em_angles *angles)
+{
+    for (int i = 0; i < 6; ++i) {
+        x[i] = (bs_real)in_x[v][i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        nav->mu[i] = (bs_real)in_mu[v][i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        angles->euler_b[i] = (bs_real)in_euler_b[v][i];
+    }
+}
+
 int test_em_euler_exact_H(void)
 {
     int failures = 0;
-    for (int k = 0; k <= N_VECTORS; ++k) {
-        bs_real x[EM_N_STATES] = {0};
-        em_nav nav = {0};
-        em_angles angles = {0};
-        bs_real H[18];
-        const int v = (k < N_VECTORS) ? k : 0;
-        for (int i = 0; i < 6; ++i) {
-            x[i] = (bs_real)in_x[v][i];
-        }
-        for (int i = 0; i < 3; ++i) {
-            nav.mu[i] = (bs_real)in_mu[v][i];
-        }
-        for (int i = 0; i < 3; ++i) {
-            angles.euler_b[i] = (bs_real)in_euler_b[v][i];
-        }
-        if (k < N_VECTORS) {
-            if (em_euler_exact_H(x, &nav, &angles, H) != BS_OK) {
-                ++failures;
-                continue;
-            }
-            failures += selftest_compare("em_euler_exact_H H", k, H, 18, out_H[v], tol_H[v], at_H, 18, 0);
+    bs_real x[EM_N_STATES] = {0};
+    em_nav nav = {0};
+    em_angles angles = {0};
+    bs_real H[18];
+    for (int v = 0; v < N_VECTORS; ++v) {
+        set_point(v, x, &nav, &angles);
+        if (em_euler_exact_H(x, &nav, &angles, H) != BS_OK) {
+            ++failures;
             continue;
         }
-        /* Bad input: each component in turn NaN, infinite, beyond either end of its box. */
-        for (int i = 0; i < 6; ++i) {
-            static const double beyond_low[6] = { -1.5, -1.5, -1.5, -1.5, -1.5, -1.5 };
-            static const double beyond_high[6] = { 1.5, 1.5, 1.5, 1.5, 1.5, 1.5 };
-            const bs_real good = x[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(H, 18);
-                if (em_euler_exact_H(x, &nav, &angles, H) != expected) {
-                    (void)printf("em_euler_exact_H: x[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("em_euler_exact_H H", H, 18);
+        failures += selftest_compare("em_euler_exact_H H", v, H, 18, out_H[v], tol_H[v], at_H, 18, 0);
+    }
+    /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 6; ++i) {
+        static const double beyond_low[6] = { -0.50025, -0.50025, -0.50025, -0.50025, -0.50025, -0.50025 };
+        static const double beyond_high[6] = { 0.50025, 0.50025, 0.50025, 0.50025, 0.50025, 0.50025 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, x, &nav, &angles);
+            x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(H, 18);
+            if (em_euler_exact_H(x, &nav, &angles, H) != expected) {
+                (void)printf("em_euler_exact_H: x[%d] bad value %d not refused\n", i, bad);
+                ++failures;
             }
-            x[i] = good;
+            failures += selftest_painted("em_euler_exact_H H", H, 18);
         }
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -1.5, -1.5, -1.5 };
-            static const double beyond_high[3] = { 1.5, 1.5, 1.5 };
-            const bs_real good = nav.mu[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                nav.mu[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(H, 18);
-                if (em_euler_exact_H(x, &nav, &angles, H) != expected) {
-                    (void)printf("em_euler_exact_H: mu[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("em_euler_exact_H H", H, 18);
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[6] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
+            static const bs_real high[6] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
+            set_point(0, x, &nav, &angles);
+            x[i] = (end == 0) ? low[i] : high[i];
+            if (em_euler_exact_H(x, &nav, &angles, H) != BS_OK) {
+                (void)printf("em_euler_exact_H: x[%d] end %d refused\n", i, end);
+                ++failures;
             }
-            nav.mu[i] = good;
-        }
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -9.42477796076938, -4.1887902047863905, -9.42477796076938 };
-            static const double beyond_high[3] = { 9.42477796076938, 4.1887902047863905, 9.42477796076938 };
-            const bs_real good = angles.euler_b[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                angles.euler_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(H, 18);
-                if (em_euler_exact_H(x, &nav, &angles, H) != expected) {
-                    (void)printf("em_euler_exact_H: euler_b[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("em_euler_exact_H H", H, 18);
-            }
-            angles.euler_b[i] = good;
-        }
-        if (em_euler_exact_H(0, &nav, &angles, H) != BS_NULL_POINTER) {
-            ++failures;
         }
     }
+    /* mu: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -0.50025, -0.50025, -0.50025 };
+        static const double beyond_high[3] = { 0.50025, 0.50025, 0.50025 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, x, &nav, &angles);
+            nav.mu[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(H, 18);
+            if (em_euler_exact_H(x, &nav, &angles, H) != expected) {
+                (void)printf("em_euler_exact_H: mu[%d] bad value %d not refused\n", i, bad);
+                ++failures;
+            }
+            failures += selftest_painted("em_euler_exact_H H", H, 18);
+        }
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
+            static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
+            set_point(0, x, &nav, &angles);
+            nav.mu[i] = (end == 0) ? low[i] : high[i];
+            if (em_euler_exact_H(x, &nav, &angles, H) != BS_OK) {
+                (void)printf("em_euler_exact_H: mu[%d] end %d refused\n", i, end);
+                ++failures;
+            }
+        }
+    }
+    /* euler_b: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -3.143163449916588, -1.3969615332962613, -3.143163449916588 };
+        static const double beyond_high[3] = { 3.143163449916588, 1.3969615332962613, 3.143163449916588 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, x, &nav, &angles);
+            angles.euler_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(H, 18);
+            if (em_euler_exact_H(x, &nav, &angles, H) != expected) {
+                (void)printf("em_euler_exact_H: euler_b[%d] bad value %d not refused\n", i, bad);
+                ++failures;
+            }
+            failures += selftest_painted("em_euler_exact_H H", H, 18);
+        }
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-3.141592653589793), BS_REAL(-1.3962634015954636), BS_REAL(-3.141592653589793) };
+            static const bs_real high[3] = { BS_REAL(3.141592653589793), BS_REAL(1.3962634015954636), BS_REAL(3.141592653589793) };
+            set_point(0, x, &nav, &angles);
+            angles.euler_b[i] = (end == 0) ? low[i] : high[i];
+            if (em_euler_exact_H(x, &nav, &angles, H) != BS_OK) {
+                (void)printf("em_euler_exact_H: euler_b[%d] end %d refused\n", i, end);
+                ++failures;
+            }
+        }
+    }
+    set_point(0, x, &nav, &angles);
+    failures += (em_euler_exact_H(0, &nav, &angles, H) != BS_NULL_POINTER);
+    failures += (em_euler_exact_H(x, 0, &angles, H) != BS_NULL_POINTER);
+    failures += (em_euler_exact_H(x, &nav, 0, H) != BS_NULL_POINTER);
+    failures += (em_euler_exact_H(x, &nav, &angles, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -411,83 +411,114 @@ static const double tol_z[N_VECTORS][3] = {
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
 
+static void set_point(int v, em_nav *nav, em_angles *angles)
+{
+    for (int i = 0; i < 3; ++i) {
+        nav->mu[i] = (bs_real)in_mu[v][i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        angles->euler_b[i] = (bs_real)in_euler_b[v][i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        angles->euler_r[i] = (bs_real)in_euler_r[v][i];
+    }
+}
+
 int test_em_euler_exact_z(void)
 {
     int failures = 0;
-    for (int k = 0; k <= N_VECTORS; ++k) {
-        em_nav nav = {0};
-        em_angles angles = {0};
-        bs_real z[3];
-        const int v = (k < N_VECTORS) ? k : 0;
-        for (int i = 0; i < 3; ++i) {
-            nav.mu[i] = (bs_real)in_mu[v][i];
-        }
-        for (int i = 0; i < 3; ++i) {
-            angles.euler_b[i] = (bs_real)in_euler_b[v][i];
-        }
-        for (int i = 0; i < 3; ++i) {
-            angles.euler_r[i] = (bs_real)in_euler_r[v][i];
-        }
-        if (k < N_VECTORS) {
-            if (em_euler_exact_z(&nav, &angles, z) != BS_OK) {
-                ++failures;
-                continue;
-            }
-            failures += selftest_compare("em_euler_exact_z z", k, z, 3, out_z[v], tol_z[v], at_z, 3, 1);
+    em_nav nav = {0};
+    em_angles angles = {0};
+    bs_real z[3];
+    for (int v = 0; v < N_VECTORS; ++v) {
+        set_point(v, &nav, &angles);
+        if (em_euler_exact_z(&nav, &angles, z) != BS_OK) {
+            ++failures;
             continue;
         }
-        /* Bad input: each component in turn NaN, infinite, beyond either end of its box. */
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -1.5, -1.5, -1.5 };
-            static const double beyond_high[3] = { 1.5, 1.5, 1.5 };
-            const bs_real good = nav.mu[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                nav.mu[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(z, 3);
-                if (em_euler_exact_z(&nav, &angles, z) != expected) {
-                    (void)printf("em_euler_exact_z: mu[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("em_euler_exact_z z", z, 3);
+        failures += selftest_compare("em_euler_exact_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 1);
+    }
+    /* mu: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -0.50025, -0.50025, -0.50025 };
+        static const double beyond_high[3] = { 0.50025, 0.50025, 0.50025 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &nav, &angles);
+            nav.mu[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(z, 3);
+            if (em_euler_exact_z(&nav, &angles, z) != expected) {
+                (void)printf("em_euler_exact_z: mu[%d] bad value %d not refused\n", i, bad);
+                ++failures;
             }
-            nav.mu[i] = good;
+            failures += selftest_painted("em_euler_exact_z z", z, 3);
         }
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -9.42477796076938, -4.1887902047863905, -9.42477796076938 };
-            static const double beyond_high[3] = { 9.42477796076938, 4.1887902047863905, 9.42477796076938 };
-            const bs_real good = angles.euler_b[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                angles.euler_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(z, 3);
-                if (em_euler_exact_z(&nav, &angles, z) != expected) {
-                    (void)printf("em_euler_exact_z: euler_b[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("em_euler_exact_z z", z, 3);
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
+            static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
+            set_point(0, &nav, &angles);
+            nav.mu[i] = (end == 0) ? low[i] : high[i];
+            if (em_euler_exact_z(&nav, &angles, z) != BS_OK) {
+                (void)printf("em_euler_exact_z: mu[%d] end %d refused\n", i, end);
+                ++failures;
             }
-            angles.euler_b[i] = good;
-        }
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -9.42477796076938, -4.1887902047863905, -9.42477796076938 };
-            static const double beyond_high[3] = { 9.42477796076938, 4.1887902047863905, 9.42477796076938 };
-            const bs_real good = angles.euler_r[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                angles.euler_r[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(z, 3);
-                if (em_euler_exact_z(&nav, &angles, z) != expected) {
-                    (void)printf("em_euler_exact_z: euler_r[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("em_euler_exact_z z", z, 3);
-            }
-            angles.euler_r[i] = good;
-        }
-        if (em_euler_exact_z(0, &angles, z) != BS_NULL_POINTER) {
-            ++failures;
         }
     }
+    /* euler_b: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -3.143163449916588, -1.3969615332962613, -3.143163449916588 };
+        static const double beyond_high[3] = { 3.143163449916588, 1.3969615332962613, 3.143163449916588 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &nav, &angles);
+            angles.euler_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(z, 3);
+            if (em_euler_exact_z(&nav, &angles, z) != expected) {
+                (void)printf("em_euler_exact_z: euler_b[%d] bad value %d not refused\n", i, bad);
+                ++failures;
+            }
+            failures += selftest_painted("em_euler_exact_z z", z, 3);
+        }
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-3.141592653589793), BS_REAL(-1.3962634015954636), BS_REAL(-3.141592653589793) };
+            static const bs_real high[3] = { BS_REAL(3.141592653589793), BS_REAL(1.3962634015954636), BS_REAL(3.141592653589793) };
+            set_point(0, &nav, &angles);
+            angles.euler_b[i] = (end == 0) ? low[i] : high[i];
+            if (em_euler_exact_z(&nav, &angles, z) != BS_OK) {
+                (void)printf("em_euler_exact_z: euler_b[%d] end %d refused\n", i, end);
+                ++failures;
+            }
+        }
+    }
+    /* euler_r: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -3.143163449916588, -1.3969615332962613, -3.143163449916588 };
+        static const double beyond_high[3] = { 3.143163449916588, 1.3969615332962613, 3.143163449916588 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &nav, &angles);
+            angles.euler_r[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(z, 3);
+            if (em_euler_exact_z(&nav, &angles, z) != expected) {
+                (void)printf("em_euler_exact_z: euler_r[%d] bad value %d not refused\n", i, bad);
+                ++failures;
+            }
+            failures += selftest_painted("em_euler_exact_z z", z, 3);
+        }
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-3.141592653589793), BS_REAL(-1.3962634015954636), BS_REAL(-3.141592653589793) };
+            static const bs_real high[3] = { BS_REAL(3.141592653589793), BS_REAL(1.3962634015954636), BS_REAL(3.141592653589793) };
+            set_point(0, &nav, &angles);
+            angles.euler_r[i] = (end == 0) ? low[i] : high[i];
+            if (em_euler_exact_z(&nav, &angles, z) != BS_OK) {
+                (void)printf("em_euler_exact_z: euler_r[%d] end %d refused\n", i, end);
+                ++failures;
+            }
+        }
+    }
+    set_point(0, &nav, &angles);
+    failures += (em_euler_exact_z(0, &angles, z) != BS_NULL_POINTER);
+    failures += (em_euler_exact_z(&nav, 0, z) != BS_NULL_POINTER);
+    failures += (em_euler_exact_z(&nav, &angles, 0) != BS_NULL_POINTER);
     return failures;
 }

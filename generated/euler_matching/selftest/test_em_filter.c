@@ -20,10 +20,10 @@
 enum { N = EM_N_STATES, POINTS = 4 };
 
 static const double in_nav[POINTS][7] = {
-    { 0x1.3ee73c914729ep-1, -0x1.5d05c81768415p-3, -0x1.fe109935f6ceap-2, 0x1.284b0b0c564bfp-1, -0x1.ce5c07a2115b8p-4, 0x1.b307ef52f4514p-3, 0x1.e46f47e82599ap-2 },
-    { -0x1.3181fe7d25c7ap-3, 0x1.56833b0389715p-1, 0x1.74cdb7bbaec60p-1, 0x1.d03fcc7931b6cp-8, 0x1.028b8a19ec124p-2, -0x1.8fa7e004f0b14p-2, -0x1.aa6886f3d4630p-3 },
-    { 0x1.54f135808319cp-2, 0x1.5b365d90ff17fp-1, -0x1.0c7c2c2911ea2p-1, -0x1.92356af501040p-2, 0x1.d569d0efb739ap-2, -0x1.61a0507a4e898p-4, 0x1.80b5fc9fad250p-4 },
-    { -0x1.f5dda52ae5f03p-2, -0x1.37eeb505e29c7p-1, 0x1.1f9fd9816f2a8p-4, 0x1.3d25a034006b0p-1, -0x1.061d06ccb770cp-3, 0x1.3d1a351aeb580p-2, 0x1.7f0ba7050a128p-2 }
+    { 0x1.3f08375a94ddcp-1, -0x1.5d29e0451818fp-3, -0x1.fe4558e4a87ebp-2, 0x1.2869af3e71bf4p-1, -0x1.ce5c07a2115b8p-4, 0x1.b307ef52f4514p-3, 0x1.e46f47e82599ap-2 },
+    { -0x1.31754b9d1b2b1p-3, 0x1.5674fe5fd11fcp-1, 0x1.74be38c54ed3ep-1, 0x1.d02c8072b17a6p-8, 0x1.028b8a19ec124p-2, -0x1.8fa7e004f0b14p-2, -0x1.aa6886f3d4630p-3 },
+    { 0x1.55162e922c20bp-2, 0x1.5b5c04b437432p-1, -0x1.0c9949b592d93p-1, -0x1.926108dfe510ep-2, 0x1.d569d0efb739ap-2, -0x1.61a0507a4e898p-4, 0x1.80b5fc9fad250p-4 },
+    { -0x1.f5ac4f51d5a56p-2, -0x1.37d00aff54073p-1, 0x1.1f839335fbe1bp-4, 0x1.3d0672f32a63cp-1, -0x1.061d06ccb770cp-3, 0x1.3d1a351aeb580p-2, 0x1.7f0ba7050a128p-2 }
 };
 static const double in_step[POINTS][7] = {
     { -0x1.10369affdea28p-3, -0x1.7ccb7e332867ap-2, 0x1.d45b4310e9ae6p-2, 0x1.a89e326ef1d48p-9, -0x1.92bd40069858ap-8, 0x1.c44bb55c5c860p-11, 0x1.fb238822b56f1p+2 },
@@ -351,12 +351,78 @@ static int spoil(const char *what, bs_status (*function)(void), bs_real *value, 
     return failures;
 }
 
+/* At either end of its box a number is taken.  What the function made of it is put back. */
+static int accepts(const char *what, bs_status (*function)(void), bs_real *value, bs_real low, bs_real high)
+{
+    const bs_real good = *value;
+    int failures = 0;
+    before = flown;
+    for (int end = 0; end < 2; ++end) {
+        *value = (end == 0) ? low : high;
+        failures += expect(what, function() == BS_OK);
+        flown = before;
+    }
+    *value = good;
+    return failures;
+}
+
+static int limits(void)
+{
+    int failures = begin();
+    for (int i = 0; i < 4; ++i) {
+#ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
+        for (int j = 0; j < 4; ++j) {
+            given_nav.q_b2n_wxyz[j] = BS_REAL(0.0);
+        }
+        failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i], BS_REAL(-0.999), BS_REAL(0.999));
+        failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i], BS_REAL(-1.001), BS_REAL(1.001));
+#endif
+    }
+    for (int end = 0; end < 2; ++end) {
+        static const double beyond[2] = { 0.49937512500000003, 0.500625125 };
+        for (int i = 0; i < 4; ++i) {
+            given_nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
+        }
+        failures += refuses("init: q_b2n_wxyz, norm", init, BS_OUT_OF_RANGE);
+    }
+    set_point(0);
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
+        static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
+        failures += accepts("init: mu", init, &given_nav.mu[i], low[i], high[i]);
+    }
+    failures += accepts("propagate: dt", propagate, &given_step.dt, BS_REAL(1e-06), BS_REAL(10.0));
+    rows = 0U;
+    failures += accepts("measure_euler: gate", measure_euler, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    for (int i = 0; i < 3; ++i) {
+        failures += accepts("measure_euler: R", measure_euler, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+    }
+    failures += accepts("measure_euler_exact: gate", measure_euler_exact, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    for (int i = 0; i < 3; ++i) {
+        failures += accepts("measure_euler_exact: R", measure_euler_exact, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+    }
+    rows = BS_ALL_ROWS;
+    for (int i = 0; i < (2 * N); ++i) { /* the first iteration may lead x out of its box: then the second undoes it */
+        static const bs_real x_low[N] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
+        static const bs_real x_high[N] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
+        failures += begin();
+        flown.x[i / 2] = ((i % 2) != 0) ? x_high[i / 2] : x_low[i / 2];
+        for (int k = 0; k < 3; ++k) {
+            R[k] = BS_REAL(1e-9);
+        }
+        before = flown;
+        failures += expect("measure_euler_exact: undone", (measure_euler_exact() == BS_OK) || same_state(&flown, &before));
+    }
+    set_point(0);
+    return failures + begin();
+}
+
 static int guards(void)
 {
     int failures = begin();
     {
-        static const double low[4] = { -3.0029999999999997, -3.0029999999999997, -3.0029999999999997, -3.0029999999999997 };
-        static const double high[4] = { 3.0029999999999997, 3.0029999999999997, 3.0029999999999997, 3.0029999999999997 };
+        static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
+        static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
@@ -365,8 +431,8 @@ static int guards(void)
         }
     }
     {
-        static const double low[3] = { -1.5, -1.5, -1.5 };
-        static const double high[3] = { 1.5, 1.5, 1.5 };
+        static const double low[3] = { -0.50025, -0.50025, -0.50025 };
+        static const double high[3] = { 0.50025, 0.50025, 0.50025 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: mu", init, &given_nav.mu[i], low[i], high[i]);
             failures += spoil("correct: mu", correct, &flown.nav.mu[i], low[i], high[i]);
@@ -375,70 +441,74 @@ static int guards(void)
         }
     }
     {
-        static const double low[3] = { -1.5, -1.5, -1.5 };
-        static const double high[3] = { 1.5, 1.5, 1.5 };
+        static const double low[3] = { -0.50025, -0.50025, -0.50025 };
+        static const double high[3] = { 0.50025, 0.50025, 0.50025 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dtheta_ib_b", strapdown, &given_step.dtheta_ib_b[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -0.03, -0.03, -0.03 };
-        static const double high[3] = { 0.03, 0.03, 0.03 };
+        static const double low[3] = { -0.010005, -0.010005, -0.010005 };
+        static const double high[3] = { 0.010005, 0.010005, 0.010005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: omega_in_n", propagate, &given_step.omega_in_n[i], low[i], high[i]);
             failures += spoil("strapdown: omega_in_n", strapdown, &given_step.omega_in_n[i], low[i], high[i]);
         }
     }
     {
-        static const double low[1] = { -9.999998000000001 };
-        static const double high[1] = { 19.999999000000003 };
+        static const double low[1] = { 9.995e-07 };
+        static const double high[1] = { 10.005 };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("propagate: dt", propagate, &given_step.dt, low[i], high[i]);
             failures += spoil("strapdown: dt", strapdown, &given_step.dt, low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -0.1, -0.1, -0.1 };
-        static const double high[3] = { 0.2, 0.2, 0.2 };
+        static const double low[3] = { -5e-05, -5e-05, -5e-05 };
+        static const double high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -9.42477796076938, -4.1887902047863905, -9.42477796076938 };
-        static const double high[3] = { 9.42477796076938, 4.1887902047863905, 9.42477796076938 };
+        static const double low[3] = { -3.143163449916588, -1.3969615332962613, -3.143163449916588 };
+        static const double high[3] = { 3.143163449916588, 1.3969615332962613, 3.143163449916588 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_euler: euler_b", measure_euler, &given_angles.euler_b[i], low[i], high[i]);
             failures += spoil("measure_euler_exact: euler_b", measure_euler_exact, &given_angles.euler_b[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -9.42477796076938, -4.1887902047863905, -9.42477796076938 };
-        static const double high[3] = { 9.42477796076938, 4.1887902047863905, 9.42477796076938 };
+        static const double low[3] = { -3.143163449916588, -1.3969615332962613, -3.143163449916588 };
+        static const double high[3] = { 3.143163449916588, 1.3969615332962613, 3.143163449916588 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_euler: euler_r", measure_euler, &given_angles.euler_r[i], low[i], high[i]);
             failures += spoil("measure_euler_exact: euler_r", measure_euler_exact, &given_angles.euler_r[i], low[i], high[i]);
         }
     }
-    failures += spoil("measure_euler: gate", measure_euler, &gate, -1.0, 1e35);
+    failures += spoil("measure_euler: gate", measure_euler, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
-        failures += spoil("measure_euler: R", measure_euler, &R[i], 0.0, 1e35);
+        failures += spoil("measure_euler: R", measure_euler, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    failures += expect("measure_euler: null pointers",
-        (em_filter_measure_euler(0, &given_angles, R, rows, gate, &said) == BS_NULL_POINTER) &&
-        (em_filter_measure_euler(&flown, &given_angles, 0, rows, gate, &said) == BS_NULL_POINTER) &&
-        (em_filter_measure_euler(&flown, &given_angles, R, rows, gate, 0) == BS_NULL_POINTER));
-    failures += spoil("measure_euler_exact: gate", measure_euler_exact, &gate, -1.0, 1e35);
+    gate = (bs_real)selftest_nan(); /* is not looked at */
+    failures += expect("measure_euler: a null pointer", em_filter_measure_euler(0, &given_angles, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_euler: a null pointer", em_filter_measure_euler(&flown, 0, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_euler: a null pointer", em_filter_measure_euler(&flown, &given_angles, 0, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_euler: a null pointer", em_filter_measure_euler(&flown, &given_angles, R, rows, gate, 0) == BS_NULL_POINTER);
+    gate = BS_REAL(0.0);
+    failures += spoil("measure_euler_exact: gate", measure_euler_exact, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
-        failures += spoil("measure_euler_exact: R", measure_euler_exact, &R[i], 0.0, 1e35);
+        failures += spoil("measure_euler_exact: R", measure_euler_exact, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
     iterations = 0;
     failures += refuses("measure_euler_exact: iterations", measure_euler_exact, BS_OUT_OF_RANGE);
     iterations = 2;
-    failures += expect("measure_euler_exact: null pointers",
-        (em_filter_measure_euler_exact(0, &given_angles, R, rows, gate, iterations, &said) == BS_NULL_POINTER) &&
-        (em_filter_measure_euler_exact(&flown, &given_angles, 0, rows, gate, iterations, &said) == BS_NULL_POINTER) &&
-        (em_filter_measure_euler_exact(&flown, &given_angles, R, rows, gate, iterations, 0) == BS_NULL_POINTER));
+    gate = (bs_real)selftest_nan(); /* is not looked at */
+    failures += expect("measure_euler_exact: a null pointer", em_filter_measure_euler_exact(0, &given_angles, R, rows, gate, iterations, &said) == BS_NULL_POINTER);
+    failures += expect("measure_euler_exact: a null pointer", em_filter_measure_euler_exact(&flown, 0, R, rows, gate, iterations, &said) == BS_NULL_POINTER);
+    failures += expect("measure_euler_exact: a null pointer", em_filter_measure_euler_exact(&flown, &given_angles, 0, rows, gate, iterations, &said) == BS_NULL_POINTER);
+    failures += expect("measure_euler_exact: a null pointer", em_filter_measure_euler_exact(&flown, &given_angles, R, rows, gate, iterations, 0) == BS_NULL_POINTER);
+    gate = BS_REAL(0.0);
     for (int i = 0; i < N; ++i) {
         const bs_real good = P0[i * (N + 1)];
         P0[i * (N + 1)] = (bs_real)selftest_nan();
@@ -447,12 +517,17 @@ static int guards(void)
         failures += refuses("init: P", init, BS_NOT_POSITIVE);
         P0[i * (N + 1)] = good;
     }
-    failures += expect("null pointers",
-        (em_filter_init(0, &given_nav, P0) == BS_NULL_POINTER) && (em_filter_init(&flown, &given_nav, 0) == BS_NULL_POINTER) &&
-        (em_filter_propagate(0, &given_step, &given_noise) == BS_NULL_POINTER) &&
-        (em_filter_strapdown(0, &given_step) == BS_NULL_POINTER) &&
-        (em_filter_correct(0) == BS_NULL_POINTER) &&
-        (em_filter_covariance(0, dense) == BS_NULL_POINTER) && (em_filter_covariance(&flown, 0) == BS_NULL_POINTER));
+    failures += expect("init: a null pointer", em_filter_init(0, &given_nav, P0) == BS_NULL_POINTER);
+    failures += expect("init: a null pointer", em_filter_init(&flown, 0, P0) == BS_NULL_POINTER);
+    failures += expect("init: a null pointer", em_filter_init(&flown, &given_nav, 0) == BS_NULL_POINTER);
+    failures += expect("propagate: a null pointer", em_filter_propagate(0, &given_step, &given_noise) == BS_NULL_POINTER);
+    failures += expect("propagate: a null pointer", em_filter_propagate(&flown, 0, &given_noise) == BS_NULL_POINTER);
+    failures += expect("propagate: a null pointer", em_filter_propagate(&flown, &given_step, 0) == BS_NULL_POINTER);
+    failures += expect("strapdown: a null pointer", em_filter_strapdown(0, &given_step) == BS_NULL_POINTER);
+    failures += expect("strapdown: a null pointer", em_filter_strapdown(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("correct: a null pointer", em_filter_correct(0) == BS_NULL_POINTER);
+    failures += expect("covariance: a null pointer", em_filter_covariance(0, dense) == BS_NULL_POINTER);
+    failures += expect("covariance: a null pointer", em_filter_covariance(&flown, 0) == BS_NULL_POINTER);
     failures += expect("the filter changed", same_state(&flown, &before));
     return failures;
 }
@@ -465,5 +540,5 @@ int test_em_filter(void)
         failures += fly();
     }
     set_point(0);
-    return failures + guards();
+    return failures + limits() + guards();
 }

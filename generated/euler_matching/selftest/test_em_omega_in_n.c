@@ -411,82 +411,112 @@ static const double tol_omega_in_n[N_VECTORS][3] = {
 #endif
 static const unsigned short at_omega_in_n[3] = { 0, 1, 2 };
 
+static void set_point(int v, em_place *place)
+{
+    for (int i = 0; i < 1; ++i) {
+        place->lat = (bs_real)in_lat[v][i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        place->height = (bs_real)in_height[v][i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        place->v_n[i] = (bs_real)in_v_n[v][i];
+    }
+}
+
 int test_em_omega_in_n(void)
 {
     int failures = 0;
-    for (int k = 0; k <= N_VECTORS; ++k) {
-        em_place place = {0};
-        bs_real omega_in_n[3];
-        const int v = (k < N_VECTORS) ? k : 0;
-        for (int i = 0; i < 1; ++i) {
-            place.lat = (bs_real)in_lat[v][i];
-        }
-        for (int i = 0; i < 1; ++i) {
-            place.height = (bs_real)in_height[v][i];
-        }
-        for (int i = 0; i < 3; ++i) {
-            place.v_n[i] = (bs_real)in_v_n[v][i];
-        }
-        if (k < N_VECTORS) {
-            if (em_omega_in_n(&place, omega_in_n) != BS_OK) {
-                ++failures;
-                continue;
-            }
-            failures += selftest_compare("em_omega_in_n omega_in_n", k, omega_in_n, 3, out_omega_in_n[v], tol_omega_in_n[v], at_omega_in_n, 3, 0);
+    em_place place = {0};
+    bs_real omega_in_n[3];
+    for (int v = 0; v < N_VECTORS; ++v) {
+        set_point(v, &place);
+        if (em_omega_in_n(&place, omega_in_n) != BS_OK) {
+            ++failures;
             continue;
         }
-        /* Bad input: each component in turn NaN, infinite, beyond either end of its box. */
-        for (int i = 0; i < 1; ++i) {
-            static const double beyond_low[1] = { -4.4505895925855405 };
-            static const double beyond_high[1] = { 4.4505895925855405 };
-            const bs_real good = place.lat;
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                place.lat = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(omega_in_n, 3);
-                if (em_omega_in_n(&place, omega_in_n) != expected) {
-                    (void)printf("em_omega_in_n: lat[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("em_omega_in_n omega_in_n", omega_in_n, 3);
+        failures += selftest_compare("em_omega_in_n omega_in_n", v, omega_in_n, 3, out_omega_in_n[v], tol_omega_in_n[v], at_omega_in_n, 3, 0);
+    }
+    /* lat: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 1; ++i) {
+        static const double beyond_low[1] = { -1.4842716291272777 };
+        static const double beyond_high[1] = { 1.4842716291272777 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &place);
+            place.lat = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(omega_in_n, 3);
+            if (em_omega_in_n(&place, omega_in_n) != expected) {
+                (void)printf("em_omega_in_n: lat[%d] bad value %d not refused\n", i, bad);
+                ++failures;
             }
-            place.lat = good;
+            failures += selftest_painted("em_omega_in_n omega_in_n", omega_in_n, 3);
         }
-        for (int i = 0; i < 1; ++i) {
-            static const double beyond_low[1] = { -31000.0 };
-            static const double beyond_high[1] = { 60500.0 };
-            const bs_real good = place.height;
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                place.height = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(omega_in_n, 3);
-                if (em_omega_in_n(&place, omega_in_n) != expected) {
-                    (void)printf("em_omega_in_n: height[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("em_omega_in_n omega_in_n", omega_in_n, 3);
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[1] = { BS_REAL(-1.4835298641951802) };
+            static const bs_real high[1] = { BS_REAL(1.4835298641951802) };
+            set_point(0, &place);
+            place.lat = (end == 0) ? low[i] : high[i];
+            if (em_omega_in_n(&place, omega_in_n) != BS_OK) {
+                (void)printf("em_omega_in_n: lat[%d] end %d refused\n", i, end);
+                ++failures;
             }
-            place.height = good;
-        }
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -3000.0, -3000.0, -3000.0 };
-            static const double beyond_high[3] = { 3000.0, 3000.0, 3000.0 };
-            const bs_real good = place.v_n[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                place.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(omega_in_n, 3);
-                if (em_omega_in_n(&place, omega_in_n) != expected) {
-                    (void)printf("em_omega_in_n: v_n[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("em_omega_in_n omega_in_n", omega_in_n, 3);
-            }
-            place.v_n[i] = good;
-        }
-        if (em_omega_in_n(0, omega_in_n) != BS_NULL_POINTER) {
-            ++failures;
         }
     }
+    /* height: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 1; ++i) {
+        static const double beyond_low[1] = { -500.25 };
+        static const double beyond_high[1] = { 30015.0 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &place);
+            place.height = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(omega_in_n, 3);
+            if (em_omega_in_n(&place, omega_in_n) != expected) {
+                (void)printf("em_omega_in_n: height[%d] bad value %d not refused\n", i, bad);
+                ++failures;
+            }
+            failures += selftest_painted("em_omega_in_n omega_in_n", omega_in_n, 3);
+        }
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[1] = { BS_REAL(-500.0) };
+            static const bs_real high[1] = { BS_REAL(30000.0) };
+            set_point(0, &place);
+            place.height = (end == 0) ? low[i] : high[i];
+            if (em_omega_in_n(&place, omega_in_n) != BS_OK) {
+                (void)printf("em_omega_in_n: height[%d] end %d refused\n", i, end);
+                ++failures;
+            }
+        }
+    }
+    /* v_n: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -1000.5, -1000.5, -1000.5 };
+        static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &place);
+            place.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(omega_in_n, 3);
+            if (em_omega_in_n(&place, omega_in_n) != expected) {
+                (void)printf("em_omega_in_n: v_n[%d] bad value %d not refused\n", i, bad);
+                ++failures;
+            }
+            failures += selftest_painted("em_omega_in_n omega_in_n", omega_in_n, 3);
+        }
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+            static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+            set_point(0, &place);
+            place.v_n[i] = (end == 0) ? low[i] : high[i];
+            if (em_omega_in_n(&place, omega_in_n) != BS_OK) {
+                (void)printf("em_omega_in_n: v_n[%d] end %d refused\n", i, end);
+                ++failures;
+            }
+        }
+    }
+    set_point(0, &place);
+    failures += (em_omega_in_n(0, omega_in_n) != BS_NULL_POINTER);
+    failures += (em_omega_in_n(&place, 0) != BS_NULL_POINTER);
     return failures;
 }

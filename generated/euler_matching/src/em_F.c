@@ -4,12 +4,13 @@
 
 #include "em_F_kernel.h"
 
-bs_status em_F_nz(const em_step *step, bs_real F_nz[6])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status em_F_checked(const em_step *step, bs_real F_nz[6])
 {
     static const bs_real omega_in_n_low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
     static const bs_real omega_in_n_high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
     bs_status status;
-    if ((step == 0) || (F_nz == 0)) {
+    if ((step == NULL) || (F_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(step->omega_in_n, omega_in_n_low, omega_in_n_high, 3);
@@ -21,15 +22,20 @@ bs_status em_F_nz(const em_step *step, bs_real F_nz[6])
     return BS_OK;
 }
 
+bs_status em_F_nz(const em_step *step, bs_real F_nz[6])
+{
+    return em_F_checked(step, F_nz);
+}
+
 bs_status em_F(const em_step *step, bs_real F[6 * EM_N_STATES])
 {
     static const unsigned short F_index[6] = { 1, 2, 6, 8, 12, 13 };
     bs_real F_nz[6];
     bs_status status;
-    if (F == 0) {
+    if (F == NULL) {
         return BS_NULL_POINTER;
     }
-    status = em_F_nz(step, F_nz);
+    status = em_F_checked(step, F_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 36; ++i) {
             F[i] = BS_REAL(0.0);

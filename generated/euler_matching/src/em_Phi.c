@@ -4,14 +4,15 @@
 
 #include "em_Phi_kernel.h"
 
-bs_status em_Phi_nz(const em_step *step, bs_real Phi_nz[12])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status em_Phi_checked(const em_step *step, bs_real Phi_nz[12])
 {
     static const bs_real omega_in_n_low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
     static const bs_real omega_in_n_high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
     static const bs_real dt_low[1] = { BS_REAL(1e-06) };
     static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status;
-    if ((step == 0) || (Phi_nz == 0)) {
+    if ((step == NULL) || (Phi_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(step->omega_in_n, omega_in_n_low, omega_in_n_high, 3);
@@ -27,15 +28,20 @@ bs_status em_Phi_nz(const em_step *step, bs_real Phi_nz[12])
     return BS_OK;
 }
 
+bs_status em_Phi_nz(const em_step *step, bs_real Phi_nz[12])
+{
+    return em_Phi_checked(step, Phi_nz);
+}
+
 bs_status em_Phi(const em_step *step, bs_real Phi[6 * EM_N_STATES])
 {
     static const unsigned short Phi_index[12] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 21, 28, 35 };
     bs_real Phi_nz[12];
     bs_status status;
-    if (Phi == 0) {
+    if (Phi == NULL) {
         return BS_NULL_POINTER;
     }
-    status = em_Phi_nz(step, Phi_nz);
+    status = em_Phi_checked(step, Phi_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 36; ++i) {
             Phi[i] = BS_REAL(0.0);

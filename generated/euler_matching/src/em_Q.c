@@ -4,7 +4,8 @@
 
 #include "em_Q_kernel.h"
 
-bs_status em_Q_nz(const em_nav *nav, const em_step *step, const em_noise *noise, bs_real Q_nz[9])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status em_Q_checked(const em_nav *nav, const em_step *step, const em_noise *noise, bs_real Q_nz[9])
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001) };
     static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
@@ -15,7 +16,7 @@ bs_status em_Q_nz(const em_nav *nav, const em_step *step, const em_noise *noise,
     static const bs_real gyro_noise_low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
     static const bs_real gyro_noise_high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
     bs_status status;
-    if ((nav == 0) || (step == 0) || (noise == 0) || (Q_nz == 0)) {
+    if ((nav == NULL) || (step == NULL) || (noise == NULL) || (Q_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->q_b2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
@@ -43,15 +44,20 @@ bs_status em_Q_nz(const em_nav *nav, const em_step *step, const em_noise *noise,
     return BS_OK;
 }
 
+bs_status em_Q_nz(const em_nav *nav, const em_step *step, const em_noise *noise, bs_real Q_nz[9])
+{
+    return em_Q_checked(nav, step, noise, Q_nz);
+}
+
 bs_status em_Q(const em_nav *nav, const em_step *step, const em_noise *noise, bs_real Q[6 * EM_N_STATES])
 {
     static const unsigned short Q_index[9] = { 0, 1, 2, 6, 7, 8, 12, 13, 14 };
     bs_real Q_nz[9];
     bs_status status;
-    if (Q == 0) {
+    if (Q == NULL) {
         return BS_NULL_POINTER;
     }
-    status = em_Q_nz(nav, step, noise, Q_nz);
+    status = em_Q_checked(nav, step, noise, Q_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 36; ++i) {
             Q[i] = BS_REAL(0.0);

@@ -4,14 +4,15 @@
 
 #include "em_Qc_kernel.h"
 
-bs_status em_Qc_nz(const em_nav *nav, const em_noise *noise, bs_real Qc_nz[9])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status em_Qc_checked(const em_nav *nav, const em_noise *noise, bs_real Qc_nz[9])
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001) };
     static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
     static const bs_real gyro_noise_low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
     static const bs_real gyro_noise_high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
     bs_status status;
-    if ((nav == 0) || (noise == 0) || (Qc_nz == 0)) {
+    if ((nav == NULL) || (noise == NULL) || (Qc_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->q_b2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
@@ -31,15 +32,20 @@ bs_status em_Qc_nz(const em_nav *nav, const em_noise *noise, bs_real Qc_nz[9])
     return BS_OK;
 }
 
+bs_status em_Qc_nz(const em_nav *nav, const em_noise *noise, bs_real Qc_nz[9])
+{
+    return em_Qc_checked(nav, noise, Qc_nz);
+}
+
 bs_status em_Qc(const em_nav *nav, const em_noise *noise, bs_real Qc[6 * EM_N_STATES])
 {
     static const unsigned short Qc_index[9] = { 0, 1, 2, 6, 7, 8, 12, 13, 14 };
     bs_real Qc_nz[9];
     bs_status status;
-    if (Qc == 0) {
+    if (Qc == NULL) {
         return BS_NULL_POINTER;
     }
-    status = em_Qc_nz(nav, noise, Qc_nz);
+    status = em_Qc_checked(nav, noise, Qc_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 36; ++i) {
             Qc[i] = BS_REAL(0.0);

@@ -4,14 +4,15 @@
 
 #include "em_euler_H_kernel.h"
 
-bs_status em_euler_H_nz(const em_angles *angles, bs_real H_nz[14])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status em_euler_H_checked(const em_angles *angles, bs_real H_nz[14])
 {
     static const bs_real euler_b_low[3] = { BS_REAL(-3.141592653589793), BS_REAL(-1.3962634015954636), BS_REAL(-3.141592653589793) };
     static const bs_real euler_b_high[3] = { BS_REAL(3.141592653589793), BS_REAL(1.3962634015954636), BS_REAL(3.141592653589793) };
     static const bs_real euler_r_low[3] = { BS_REAL(-3.141592653589793), BS_REAL(-1.3962634015954636), BS_REAL(-3.141592653589793) };
     static const bs_real euler_r_high[3] = { BS_REAL(3.141592653589793), BS_REAL(1.3962634015954636), BS_REAL(3.141592653589793) };
     bs_status status;
-    if ((angles == 0) || (H_nz == 0)) {
+    if ((angles == NULL) || (H_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(angles->euler_b, euler_b_low, euler_b_high, 3);
@@ -27,15 +28,20 @@ bs_status em_euler_H_nz(const em_angles *angles, bs_real H_nz[14])
     return BS_OK;
 }
 
+bs_status em_euler_H_nz(const em_angles *angles, bs_real H_nz[14])
+{
+    return em_euler_H_checked(angles, H_nz);
+}
+
 bs_status em_euler_H(const em_angles *angles, bs_real H[3 * EM_N_STATES])
 {
     static const unsigned short H_index[14] = { 0, 1, 3, 4, 5, 6, 7, 10, 11, 12, 13, 14, 16, 17 };
     bs_real H_nz[14];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = em_euler_H_nz(angles, H_nz);
+    status = em_euler_H_checked(angles, H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 18; ++i) {
             H[i] = BS_REAL(0.0);

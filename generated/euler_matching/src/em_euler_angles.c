@@ -13,7 +13,7 @@ bs_status em_euler_angles(const em_nav *nav, bs_real euler_b[3])
     bs_real euler_b_nz[3];
     bs_status status;
 
-    if ((nav == 0) || (euler_b == 0)) {
+    if ((nav == NULL) || (euler_b == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->q_b2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);

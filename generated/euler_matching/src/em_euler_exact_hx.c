@@ -15,7 +15,7 @@ bs_status em_euler_exact_h(const bs_real x[EM_N_STATES], const em_nav *nav, cons
     bs_real h_nz[3];
     bs_status status;
 
-    if ((x == 0) || (nav == 0) || (angles == 0) || (h == 0)) {
+    if ((x == NULL) || (nav == NULL) || (angles == NULL) || (h == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(x, x_low, x_high, 6);

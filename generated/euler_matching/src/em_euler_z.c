@@ -15,7 +15,7 @@ bs_status em_euler_z(const em_nav *nav, const em_angles *angles, bs_real z[3])
     bs_real z_nz[3];
     bs_status status;
 
-    if ((nav == 0) || (angles == 0) || (z == 0)) {
+    if ((nav == NULL) || (angles == NULL) || (z == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->mu, mu_low, mu_high, 3);

@@ -16,7 +16,7 @@ bs_status em_feedback(const bs_real x[EM_N_STATES], const em_nav *nav, bs_real q
     bs_real mu_nz[3];
     bs_status status;
 
-    if ((x == 0) || (nav == 0) || (q_b2n_wxyz == 0) || (mu == 0)) {
+    if ((x == NULL) || (nav == NULL) || (q_b2n_wxyz == NULL) || (mu == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(x, x_low, x_high, 6);

@@ -34,12 +34,16 @@ static bs_status take(em_filter *filter, const bs_real *z, const bs_real *H, con
     bs_status status = BS_OK;
     innovation->used = 0U;
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
-        const int used = (int)((rows >> (unsigned int)i) & 1U);
-        bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i], gate, z[i], R[i], used };
+        bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i], gate, z[i], R[i], 0 };
+        if (((rows >> (unsigned int)i) & 1U) != 0U) {
+            row.used = 1;
+        }
         status = UPDATE(filter->P, filter->x, &row);
         innovation->nu[i] = row.nu;
         innovation->S[i] = row.S;
-        innovation->used |= (unsigned int)row.used << (unsigned int)i;
+        if (row.used != 0) {
+            innovation->used |= 1U << (unsigned int)i;
+        }
     }
     return status;
 }
@@ -51,7 +55,7 @@ bs_status em_filter_init(em_filter *filter, const em_nav *nav, const bs_real P[E
     static const bs_real mu_low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
     static const bs_real mu_high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
     bs_status status;
-    if ((filter == 0) || (nav == 0) || (P == 0)) {
+    if ((filter == NULL) || (nav == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->q_b2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
@@ -80,7 +84,7 @@ bs_status em_filter_strapdown(em_filter *filter, const em_step *step)
 {
     em_nav next_nav;
     bs_status status;
-    if ((filter == 0) || (step == 0)) {
+    if ((filter == NULL) || (step == NULL)) {
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
@@ -96,7 +100,7 @@ bs_status em_filter_propagate(em_filter *filter, const em_step *step, const em_n
     static const bs_real dt_low[1] = { BS_REAL(1e-06) };
     static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status;
-    if ((filter == 0) || (step == 0) || (noise == 0)) {
+    if ((filter == NULL) || (step == NULL) || (noise == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(&step->dt, dt_low, dt_high, 1);
@@ -121,7 +125,7 @@ bs_status em_filter_measure_euler(em_filter *filter, const em_angles *angles, co
     static const unsigned short at[14] = { 0, 1, 3, 4, 5, 0, 1, 4, 5, 0, 1, 2, 4, 5 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (angles == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (angles == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -144,7 +148,7 @@ bs_status em_filter_measure_euler_exact(em_filter *filter, const em_angles *angl
     static const unsigned short at[18] = { 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (angles == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (angles == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -174,7 +178,7 @@ bs_status em_filter_measure_euler_exact(em_filter *filter, const em_angles *angl
             /* h is taken about the last estimate, so that the rows may treat it as linear in the state */
             for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
                 target[i] = z[i] - target[i];
-                for (int q = start[i]; q < start[i + 1]; ++q) {
+                for (int q = (int)start[i]; q < (int)start[i + 1]; ++q) {
                     target[i] += H[q] * filter->x[at[q]];
                 }
             }
@@ -201,7 +205,7 @@ bs_status em_filter_correct(em_filter *filter)
 {
     em_nav next_nav;
     bs_status status;
-    if (filter == 0) {
+    if (filter == NULL) {
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
@@ -217,7 +221,7 @@ bs_status em_filter_correct(em_filter *filter)
 
 bs_status em_filter_covariance(const em_filter *filter, bs_real P[EM_N_STATES * EM_N_STATES])
 {
-    if ((filter == 0) || (P == 0)) {
+    if ((filter == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
     DENSE(filter->P, P);

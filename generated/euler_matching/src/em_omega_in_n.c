@@ -15,7 +15,7 @@ bs_status em_omega_in_n(const em_place *place, bs_real omega_in_n[3])
     bs_real omega_in_n_nz[3];
     bs_status status;
 
-    if ((place == 0) || (omega_in_n == 0)) {
+    if ((place == NULL) || (omega_in_n == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(&place->lat, lat_low, lat_high, 1);

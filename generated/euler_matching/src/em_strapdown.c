@@ -17,7 +17,7 @@ bs_status em_strapdown(const em_nav *nav, const em_step *step, bs_real q_b2n_wxy
     bs_real q_b2n_wxyz_nz[4];
     bs_status status;
 
-    if ((nav == 0) || (step == 0) || (q_b2n_wxyz == 0)) {
+    if ((nav == NULL) || (step == NULL) || (q_b2n_wxyz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->q_b2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);

@@ -12,21 +12,19 @@
 #include "boresight.h"
 
 /* The error state. */
-enum {
-    /* error of the position (rad, rad, m, WGS-84) */
-    PHI_IX_D_LON = 0,
-    PHI_IX_D_LAT = 1,
-    PHI_IX_D_HEIGHT = 2,
-    /* error of the velocity, v_hat - v (m/s, ENU) */
-    PHI_IX_DV_E = 3,
-    PHI_IX_DV_N = 4,
-    PHI_IX_DV_U = 5,
-    /* attitude error, C_hat = (I - [phi x]) C (rad, ENU) */
-    PHI_IX_PHI_E = 6,
-    PHI_IX_PHI_N = 7,
-    PHI_IX_PHI_U = 8,
-    PHI_N_STATES = 9
-};
+/* error of the position (rad, rad, m, WGS-84) */
+#define PHI_IX_D_LON 0
+#define PHI_IX_D_LAT 1
+#define PHI_IX_D_HEIGHT 2
+/* error of the velocity, v_hat - v (m/s, ENU) */
+#define PHI_IX_DV_E 3
+#define PHI_IX_DV_N 4
+#define PHI_IX_DV_U 5
+/* attitude error, C_hat = (I - [phi x]) C (rad, ENU) */
+#define PHI_IX_PHI_E 6
+#define PHI_IX_PHI_N 7
+#define PHI_IX_PHI_U 8
+#define PHI_N_STATES 9
 
 /* Position, velocity and attitude. */
 typedef struct {

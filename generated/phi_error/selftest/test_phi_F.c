@@ -411,83 +411,117 @@ static const double tol_F[N_VECTORS][42] = {
 #endif
 static const unsigned short at_F[42] = { 1, 2, 3, 10, 11, 13, 23, 28, 29, 30, 31, 32, 34, 35, 37, 38, 39, 40, 41, 42, 44, 46, 47, 48, 49, 51, 52, 55, 56, 58, 61, 62, 64, 65, 66, 69, 71, 73, 74, 75, 78, 79 };
 
+static void set_point(int v, phi_nav *nav, phi_step *step)
+{
+    for (int i = 0; i < 3; ++i) {
+        nav->position[i] = (bs_real)in_position[v][i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        nav->v_n[i] = (bs_real)in_v_n[v][i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        step->f_n[i] = (bs_real)in_f_n[v][i];
+    }
+}
+
 int test_phi_F(void)
 {
     int failures = 0;
-    for (int k = 0; k <= N_VECTORS; ++k) {
-        phi_nav nav = {0};
-        phi_step step = {0};
-        bs_real F[81];
-        const int v = (k < N_VECTORS) ? k : 0;
-        for (int i = 0; i < 3; ++i) {
-            nav.position[i] = (bs_real)in_position[v][i];
-        }
-        for (int i = 0; i < 3; ++i) {
-            nav.v_n[i] = (bs_real)in_v_n[v][i];
-        }
-        for (int i = 0; i < 3; ++i) {
-            step.f_n[i] = (bs_real)in_f_n[v][i];
-        }
-        if (k < N_VECTORS) {
-            if (phi_F(&nav, &step, F) != BS_OK) {
-                ++failures;
-                continue;
-            }
-            failures += selftest_compare("phi_F F", k, F, 81, out_F[v], tol_F[v], at_F, 42, 0);
+    phi_nav nav = {0};
+    phi_step step = {0};
+    bs_real F[81];
+    for (int v = 0; v < N_VECTORS; ++v) {
+        set_point(v, &nav, &step);
+        if (phi_F(&nav, &step, F) != BS_OK) {
+            ++failures;
             continue;
         }
-        /* Bad input: each component in turn NaN, infinite, beyond either end of its box. */
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -18.84955592153876, -4.4505895925855405, -31000.0 };
-            static const double beyond_high[3] = { 18.84955592153876, 4.4505895925855405, 60500.0 };
-            const bs_real good = nav.position[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                nav.position[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(F, 81);
-                if (phi_F(&nav, &step, F) != expected) {
-                    (void)printf("phi_F: position[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("phi_F F", F, 81);
+        failures += selftest_compare("phi_F F", v, F, 81, out_F[v], tol_F[v], at_F, 42, 0);
+    }
+    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
+        static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &nav, &step);
+            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(F, 81);
+            if (phi_F(&nav, &step, F) != expected) {
+                (void)printf("phi_F: position[%d] bad value %d not refused\n", i, bad);
+                ++failures;
             }
-            nav.position[i] = good;
+            failures += selftest_painted("phi_F F", F, 81);
         }
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -3000.0, -3000.0, -3000.0 };
-            static const double beyond_high[3] = { 3000.0, 3000.0, 3000.0 };
-            const bs_real good = nav.v_n[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(F, 81);
-                if (phi_F(&nav, &step, F) != expected) {
-                    (void)printf("phi_F: v_n[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("phi_F F", F, 81);
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
+            static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
+            set_point(0, &nav, &step);
+            nav.position[i] = (end == 0) ? low[i] : high[i];
+            if (phi_F(&nav, &step, F) != BS_OK) {
+                (void)printf("phi_F: position[%d] end %d refused\n", i, end);
+                ++failures;
             }
-            nav.v_n[i] = good;
-        }
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -1500.0, -1500.0, -1500.0 };
-            static const double beyond_high[3] = { 1500.0, 1500.0, 1500.0 };
-            const bs_real good = step.f_n[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                step.f_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(F, 81);
-                if (phi_F(&nav, &step, F) != expected) {
-                    (void)printf("phi_F: f_n[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("phi_F F", F, 81);
-            }
-            step.f_n[i] = good;
-        }
-        if (phi_F(0, &step, F) != BS_NULL_POINTER) {
-            ++failures;
         }
     }
+    /* v_n: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -1000.5, -1000.5, -1000.5 };
+        static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &nav, &step);
+            nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(F, 81);
+            if (phi_F(&nav, &step, F) != expected) {
+                (void)printf("phi_F: v_n[%d] bad value %d not refused\n", i, bad);
+                ++failures;
+            }
+            failures += selftest_painted("phi_F F", F, 81);
+        }
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+            static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+            set_point(0, &nav, &step);
+            nav.v_n[i] = (end == 0) ? low[i] : high[i];
+            if (phi_F(&nav, &step, F) != BS_OK) {
+                (void)printf("phi_F: v_n[%d] end %d refused\n", i, end);
+                ++failures;
+            }
+        }
+    }
+    /* f_n: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -500.25, -500.25, -500.25 };
+        static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &nav, &step);
+            step.f_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(F, 81);
+            if (phi_F(&nav, &step, F) != expected) {
+                (void)printf("phi_F: f_n[%d] bad value %d not refused\n", i, bad);
+                ++failures;
+            }
+            failures += selftest_painted("phi_F F", F, 81);
+        }
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
+            static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
+            set_point(0, &nav, &step);
+            step.f_n[i] = (end == 0) ? low[i] : high[i];
+            if (phi_F(&nav, &step, F) != BS_OK) {
+                (void)printf("phi_F: f_n[%d] end %d refused\n", i, end);
+                ++failures;
+            }
+        }
+    }
+    set_point(0, &nav, &step);
+    failures += (phi_F(0, &step, F) != BS_NULL_POINTER);
+    failures += (phi_F(&nav, 0, F) != BS_NULL_POINTER);
+    failures += (phi_F(&nav, &step, 0) != BS_NULL_POINTER);
+    failures += (phi_F_nz(0, &step, F) != BS_NULL_POINTER);
+    failures += (phi_F_nz(&nav, 0, F) != BS_NULL_POINTER);
+    failures += (phi_F_nz(&nav, &step, 0) != BS_NULL_POINTER);
     return failures;
 }

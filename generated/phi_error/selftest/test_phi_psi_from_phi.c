@@ -345,63 +345,85 @@ static const double tol_T[N_VECTORS][17] = {
 #endif
 static const unsigned short at_T[17] = { 0, 10, 20, 27, 30, 36, 37, 40, 45, 46, 50, 55, 60, 63, 70, 72, 80 };
 
+static void set_point(int v, phi_nav *nav)
+{
+    for (int i = 0; i < 3; ++i) {
+        nav->position[i] = (bs_real)in_position[v][i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        nav->v_n[i] = (bs_real)in_v_n[v][i];
+    }
+}
+
 int test_phi_psi_from_phi(void)
 {
     int failures = 0;
-    for (int k = 0; k <= N_VECTORS; ++k) {
-        phi_nav nav = {0};
-        bs_real T[81];
-        const int v = (k < N_VECTORS) ? k : 0;
-        for (int i = 0; i < 3; ++i) {
-            nav.position[i] = (bs_real)in_position[v][i];
-        }
-        for (int i = 0; i < 3; ++i) {
-            nav.v_n[i] = (bs_real)in_v_n[v][i];
-        }
-        if (k < N_VECTORS) {
-            if (phi_psi_from_phi(&nav, T) != BS_OK) {
-                ++failures;
-                continue;
-            }
-            failures += selftest_compare("phi_psi_from_phi T", k, T, 81, out_T[v], tol_T[v], at_T, 17, 0);
+    phi_nav nav = {0};
+    bs_real T[81];
+    for (int v = 0; v < N_VECTORS; ++v) {
+        set_point(v, &nav);
+        if (phi_psi_from_phi(&nav, T) != BS_OK) {
+            ++failures;
             continue;
         }
-        /* Bad input: each component in turn NaN, infinite, beyond either end of its box. */
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -18.84955592153876, -4.4505895925855405, -31000.0 };
-            static const double beyond_high[3] = { 18.84955592153876, 4.4505895925855405, 60500.0 };
-            const bs_real good = nav.position[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                nav.position[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(T, 81);
-                if (phi_psi_from_phi(&nav, T) != expected) {
-                    (void)printf("phi_psi_from_phi: position[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("phi_psi_from_phi T", T, 81);
+        failures += selftest_compare("phi_psi_from_phi T", v, T, 81, out_T[v], tol_T[v], at_T, 17, 0);
+    }
+    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
+        static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &nav);
+            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(T, 81);
+            if (phi_psi_from_phi(&nav, T) != expected) {
+                (void)printf("phi_psi_from_phi: position[%d] bad value %d not refused\n", i, bad);
+                ++failures;
             }
-            nav.position[i] = good;
+            failures += selftest_painted("phi_psi_from_phi T", T, 81);
         }
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -3000.0, -3000.0, -3000.0 };
-            static const double beyond_high[3] = { 3000.0, 3000.0, 3000.0 };
-            const bs_real good = nav.v_n[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(T, 81);
-                if (phi_psi_from_phi(&nav, T) != expected) {
-                    (void)printf("phi_psi_from_phi: v_n[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("phi_psi_from_phi T", T, 81);
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
+            static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
+            set_point(0, &nav);
+            nav.position[i] = (end == 0) ? low[i] : high[i];
+            if (phi_psi_from_phi(&nav, T) != BS_OK) {
+                (void)printf("phi_psi_from_phi: position[%d] end %d refused\n", i, end);
+                ++failures;
             }
-            nav.v_n[i] = good;
-        }
-        if (phi_psi_from_phi(0, T) != BS_NULL_POINTER) {
-            ++failures;
         }
     }
+    /* v_n: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -1000.5, -1000.5, -1000.5 };
+        static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &nav);
+            nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(T, 81);
+            if (phi_psi_from_phi(&nav, T) != expected) {
+                (void)printf("phi_psi_from_phi: v_n[%d] bad value %d not refused\n", i, bad);
+                ++failures;
+            }
+            failures += selftest_painted("phi_psi_from_phi T", T, 81);
+        }
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+            static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+            set_point(0, &nav);
+            nav.v_n[i] = (end == 0) ? low[i] : high[i];
+            if (phi_psi_from_phi(&nav, T) != BS_OK) {
+                (void)printf("phi_psi_from_phi: v_n[%d] end %d refused\n", i, end);
+                ++failures;
+            }
+        }
+    }
+    set_point(0, &nav);
+    failures += (phi_psi_from_phi(0, T) != BS_NULL_POINTER);
+    failures += (phi_psi_from_phi(&nav, 0) != BS_NULL_POINTER);
+    failures += (phi_psi_from_phi_nz(0, T) != BS_NULL_POINTER);
+    failures += (phi_psi_from_phi_nz(&nav, 0) != BS_NULL_POINTER);
     return failures;
 }

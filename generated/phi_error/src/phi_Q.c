@@ -23,7 +23,7 @@ bs_status phi_Q(const phi_nav *nav, const phi_step *step, const phi_noise *noise
     bs_real Q_nz[81];
     bs_status status;
 
-    if ((nav == 0) || (step == 0) || (noise == 0) || (Q == 0)) {
+    if ((nav == NULL) || (step == NULL) || (noise == NULL) || (Q == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);

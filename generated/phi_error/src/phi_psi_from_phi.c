@@ -4,14 +4,15 @@
 
 #include "phi_psi_from_phi_kernel.h"
 
-bs_status phi_psi_from_phi_nz(const phi_nav *nav, bs_real T_nz[17])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status phi_psi_from_phi_checked(const phi_nav *nav, bs_real T_nz[17])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
     static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
     static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
     bs_status status;
-    if ((nav == 0) || (T_nz == 0)) {
+    if ((nav == NULL) || (T_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -27,15 +28,20 @@ bs_status phi_psi_from_phi_nz(const phi_nav *nav, bs_real T_nz[17])
     return BS_OK;
 }
 
+bs_status phi_psi_from_phi_nz(const phi_nav *nav, bs_real T_nz[17])
+{
+    return phi_psi_from_phi_checked(nav, T_nz);
+}
+
 bs_status phi_psi_from_phi(const phi_nav *nav, bs_real T[9 * PHI_N_STATES])
 {
     static const unsigned short T_index[17] = { 0, 10, 20, 27, 30, 36, 37, 40, 45, 46, 50, 55, 60, 63, 70, 72, 80 };
     bs_real T_nz[17];
     bs_status status;
-    if (T == 0) {
+    if (T == NULL) {
         return BS_NULL_POINTER;
     }
-    status = phi_psi_from_phi_nz(nav, T_nz);
+    status = phi_psi_from_phi_checked(nav, T_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 81; ++i) {
             T[i] = BS_REAL(0.0);

@@ -13,21 +13,19 @@
 #include "boresight.h"
 
 /* The error state. */
-enum {
-    /* error of the position (rad, rad, m, WGS-84) */
-    PSI_IX_D_LON = 0,
-    PSI_IX_D_LAT = 1,
-    PSI_IX_D_HEIGHT = 2,
-    /* error of the velocity, v_hat - C_n2c v (m/s, ENU) */
-    PSI_IX_DVC_E = 3,
-    PSI_IX_DVC_N = 4,
-    PSI_IX_DVC_U = 5,
-    /* attitude error, phi - dtheta (rad, ENU) */
-    PSI_IX_PSI_E = 6,
-    PSI_IX_PSI_N = 7,
-    PSI_IX_PSI_U = 8,
-    PSI_N_STATES = 9
-};
+/* error of the position (rad, rad, m, WGS-84) */
+#define PSI_IX_D_LON 0
+#define PSI_IX_D_LAT 1
+#define PSI_IX_D_HEIGHT 2
+/* error of the velocity, v_hat - C_n2c v (m/s, ENU) */
+#define PSI_IX_DVC_E 3
+#define PSI_IX_DVC_N 4
+#define PSI_IX_DVC_U 5
+/* attitude error, phi - dtheta (rad, ENU) */
+#define PSI_IX_PSI_E 6
+#define PSI_IX_PSI_N 7
+#define PSI_IX_PSI_U 8
+#define PSI_N_STATES 9
 
 /* Position, velocity and attitude. */
 typedef struct {

@@ -4,7 +4,8 @@
 
 #include "psi_F_kernel.h"
 
-bs_status psi_F_nz(const psi_nav *nav, const psi_step *step, bs_real F_nz[33])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status psi_F_checked(const psi_nav *nav, const psi_step *step, bs_real F_nz[33])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
@@ -13,7 +14,7 @@ bs_status psi_F_nz(const psi_nav *nav, const psi_step *step, bs_real F_nz[33])
     static const bs_real f_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real f_n_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
     bs_status status;
-    if ((nav == 0) || (step == 0) || (F_nz == 0)) {
+    if ((nav == NULL) || (step == NULL) || (F_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -33,15 +34,20 @@ bs_status psi_F_nz(const psi_nav *nav, const psi_step *step, bs_real F_nz[33])
     return BS_OK;
 }
 
+bs_status psi_F_nz(const psi_nav *nav, const psi_step *step, bs_real F_nz[33])
+{
+    return psi_F_checked(nav, step, F_nz);
+}
+
 bs_status psi_F(const psi_nav *nav, const psi_step *step, bs_real F[9 * PSI_N_STATES])
 {
     static const unsigned short F_index[33] = { 0, 1, 2, 3, 9, 10, 11, 13, 18, 19, 23, 27, 31, 32, 34, 35, 37, 39, 41, 42, 44, 46, 47, 48, 49, 51, 52, 61, 62, 69, 71, 78, 79 };
     bs_real F_nz[33];
     bs_status status;
-    if (F == 0) {
+    if (F == NULL) {
         return BS_NULL_POINTER;
     }
-    status = psi_F_nz(nav, step, F_nz);
+    status = psi_F_checked(nav, step, F_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 81; ++i) {
             F[i] = BS_REAL(0.0);

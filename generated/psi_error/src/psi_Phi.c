@@ -4,7 +4,8 @@
 
 #include "psi_Phi_kernel.h"
 
-bs_status psi_Phi_nz(const psi_nav *nav, const psi_step *step, bs_real Phi_nz[60])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status psi_Phi_checked(const psi_nav *nav, const psi_step *step, bs_real Phi_nz[60])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
@@ -15,7 +16,7 @@ bs_status psi_Phi_nz(const psi_nav *nav, const psi_step *step, bs_real Phi_nz[60
     static const bs_real dt_low[1] = { BS_REAL(1e-06) };
     static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status;
-    if ((nav == 0) || (step == 0) || (Phi_nz == 0)) {
+    if ((nav == NULL) || (step == NULL) || (Phi_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -39,15 +40,20 @@ bs_status psi_Phi_nz(const psi_nav *nav, const psi_step *step, bs_real Phi_nz[60
     return BS_OK;
 }
 
+bs_status psi_Phi_nz(const psi_nav *nav, const psi_step *step, bs_real Phi_nz[60])
+{
+    return psi_Phi_checked(nav, step, Phi_nz);
+}
+
 bs_status psi_Phi(const psi_nav *nav, const psi_step *step, bs_real Phi[9 * PSI_N_STATES])
 {
     static const unsigned short Phi_index[60] = { 0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 18, 19, 20, 21, 22, 23, 24, 25, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 60, 61, 62, 69, 70, 71, 78, 79, 80 };
     bs_real Phi_nz[60];
     bs_status status;
-    if (Phi == 0) {
+    if (Phi == NULL) {
         return BS_NULL_POINTER;
     }
-    status = psi_Phi_nz(nav, step, Phi_nz);
+    status = psi_Phi_checked(nav, step, Phi_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 81; ++i) {
             Phi[i] = BS_REAL(0.0);

@@ -4,7 +4,8 @@
 
 #include "psi_Qc_kernel.h"
 
-bs_status psi_Qc_nz(const psi_nav *nav, const psi_noise *noise, bs_real Qc_nz[18])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status psi_Qc_checked(const psi_nav *nav, const psi_noise *noise, bs_real Qc_nz[18])
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001) };
     static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
@@ -13,7 +14,7 @@ bs_status psi_Qc_nz(const psi_nav *nav, const psi_noise *noise, bs_real Qc_nz[18
     static const bs_real accel_noise_low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
     static const bs_real accel_noise_high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
     bs_status status;
-    if ((nav == 0) || (noise == 0) || (Qc_nz == 0)) {
+    if ((nav == NULL) || (noise == NULL) || (Qc_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->q_b2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
@@ -37,15 +38,20 @@ bs_status psi_Qc_nz(const psi_nav *nav, const psi_noise *noise, bs_real Qc_nz[18
     return BS_OK;
 }
 
+bs_status psi_Qc_nz(const psi_nav *nav, const psi_noise *noise, bs_real Qc_nz[18])
+{
+    return psi_Qc_checked(nav, noise, Qc_nz);
+}
+
 bs_status psi_Qc(const psi_nav *nav, const psi_noise *noise, bs_real Qc[9 * PSI_N_STATES])
 {
     static const unsigned short Qc_index[18] = { 30, 31, 32, 39, 40, 41, 48, 49, 50, 60, 61, 62, 69, 70, 71, 78, 79, 80 };
     bs_real Qc_nz[18];
     bs_status status;
-    if (Qc == 0) {
+    if (Qc == NULL) {
         return BS_NULL_POINTER;
     }
-    status = psi_Qc_nz(nav, noise, Qc_nz);
+    status = psi_Qc_checked(nav, noise, Qc_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 81; ++i) {
             Qc[i] = BS_REAL(0.0);

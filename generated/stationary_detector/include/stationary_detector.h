@@ -15,14 +15,12 @@
 #endif
 
 /* The detectors: indices of thresholds and statistics, and bits of `rest`. */
-enum {
-    SD_GYRO_MEAN = 0, /* norm of the mean angular rate (rad/s): |mean(w)|; kim-2018 (32), with the norm */
-    SD_GYRO_STD = 1, /* spread of the angular rate (rad/s): sqrt(mean(|w - mean(w)|^2)); kim-2018 (31), of the rate */
-    SD_ACCEL_MEAN = 2, /* mean specific force against gravity (m/s^2): ||mean(f)| - g|; named beside kim-2018 (31) */
-    SD_ACCEL_STD = 3, /* spread of the specific force (m/s^2): sqrt(mean(|f - mean(f)|^2)); kim-2018 (31) */
-    SD_LIKELIHOOD_RATIO = 4, /* generalized likelihood ratio (1): mean(|f - g mean(f)/|mean(f)||^2 / sigma_accel^2 + |w|^2 / sigma_gyro^2); Skog et al. 2010 */
-    SD_N_DETECTORS = 5
-};
+#define SD_GYRO_MEAN 0 /* norm of the mean angular rate (rad/s): |mean(w)|; kim-2018 (32), with the norm */
+#define SD_GYRO_STD 1 /* spread of the angular rate (rad/s): sqrt(mean(|w - mean(w)|^2)); kim-2018 (31), of the rate */
+#define SD_ACCEL_MEAN 2 /* mean specific force against gravity (m/s^2): ||mean(f)| - g|; named beside kim-2018 (31) */
+#define SD_ACCEL_STD 3 /* spread of the specific force (m/s^2): sqrt(mean(|f - mean(f)|^2)); kim-2018 (31) */
+#define SD_LIKELIHOOD_RATIO 4 /* generalized likelihood ratio (1): mean(|f - g mean(f)/|mean(f)||^2 / sigma_accel^2 + |w|^2 / sigma_gyro^2); Skog et al. 2010 */
+#define SD_N_DETECTORS 5
 
 /* What stays while samples come. */
 typedef struct {

@@ -63,7 +63,7 @@ static void moments(const bs_real sample[][3], int n, bs_real *norm, bs_real *sp
 bs_status sd_init(sd_detector *detector, const sd_settings *settings)
 {
     bs_status status;
-    if ((detector == 0) || (settings == 0)) {
+    if ((detector == NULL) || (settings == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_settings(settings);
@@ -77,7 +77,7 @@ bs_status sd_init(sd_detector *detector, const sd_settings *settings)
 
 bs_status sd_restart(sd_detector *detector)
 {
-    if (detector == 0) {
+    if (detector == NULL) {
         return BS_NULL_POINTER;
     }
     detector->count = 0;
@@ -85,7 +85,8 @@ bs_status sd_restart(sd_detector *detector)
     return BS_OK;
 }
 
-bs_status sd_add(sd_detector *detector, const bs_real gyro[3], const bs_real accel[3])
+/* What add and push share. */
+static bs_status take_sample(sd_detector *detector, const bs_real gyro[3], const bs_real accel[3])
 {
     static const bs_real gyro_low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
     static const bs_real gyro_high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
@@ -93,7 +94,7 @@ bs_status sd_add(sd_detector *detector, const bs_real gyro[3], const bs_real acc
     static const bs_real accel_high[3] = { BS_REAL(10000.0), BS_REAL(10000.0), BS_REAL(10000.0) };
     bs_status of_gyro;
     bs_status of_accel;
-    if ((detector == 0) || (gyro == 0) || (accel == 0)) {
+    if ((detector == NULL) || (gyro == NULL) || (accel == NULL)) {
         return BS_NULL_POINTER;
     }
     if (!is_state(detector)) {
@@ -118,7 +119,13 @@ bs_status sd_add(sd_detector *detector, const bs_real gyro[3], const bs_real acc
     return BS_OK;
 }
 
-bs_status sd_decide(const sd_detector *detector, sd_decision *decision)
+bs_status sd_add(sd_detector *detector, const bs_real gyro[3], const bs_real accel[3])
+{
+    return take_sample(detector, gyro, accel);
+}
+
+/* What decide and push share. */
+static bs_status judge(const sd_detector *detector, sd_decision *decision)
 {
     const sd_settings *settings;
     bs_real *statistic;
@@ -128,7 +135,7 @@ bs_status sd_decide(const sd_detector *detector, sd_decision *decision)
     bs_real accel_spread;
     bs_real from_gravity;
     unsigned int rest = 0U;
-    if ((detector == 0) || (decision == 0)) {
+    if ((detector == NULL) || (decision == NULL)) {
         return BS_NULL_POINTER;
     }
     if (!is_state(detector)) {
@@ -162,13 +169,18 @@ bs_status sd_decide(const sd_detector *detector, sd_decision *decision)
     return BS_OK;
 }
 
+bs_status sd_decide(const sd_detector *detector, sd_decision *decision)
+{
+    return judge(detector, decision);
+}
+
 bs_status sd_push(sd_detector *detector, const bs_real gyro[3], const bs_real accel[3],
                   sd_decision *decision)
 {
     bs_status status;
-    if (decision == 0) {
+    if (decision == NULL) {
         return BS_NULL_POINTER;
     }
-    status = sd_add(detector, gyro, accel);
-    return (status == BS_OK) ? sd_decide(detector, decision) : status;
+    status = take_sample(detector, gyro, accel);
+    return (status == BS_OK) ? judge(detector, decision) : status;
 }

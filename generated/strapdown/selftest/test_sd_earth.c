@@ -751,75 +751,101 @@ static const double tol_gravity_n[N_VECTORS][1] = {
 #endif
 static const unsigned short at_gravity_n[1] = { 2 };
 
+static void set_point(int v, sd_nav *nav)
+{
+    for (int i = 0; i < 3; ++i) {
+        nav->position[i] = (bs_real)in_position[v][i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        nav->v_n[i] = (bs_real)in_v_n[v][i];
+    }
+}
+
 int test_sd_earth(void)
 {
     int failures = 0;
-    for (int k = 0; k <= N_VECTORS; ++k) {
-        sd_nav nav = {0};
-        bs_real omega_ie_n[3];
-        bs_real omega_en_n[3];
-        bs_real gravity_n[3];
-        const int v = (k < N_VECTORS) ? k : 0;
-        for (int i = 0; i < 3; ++i) {
-            nav.position[i] = (bs_real)in_position[v][i];
-        }
-        for (int i = 0; i < 3; ++i) {
-            nav.v_n[i] = (bs_real)in_v_n[v][i];
-        }
-        if (k < N_VECTORS) {
-            if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != BS_OK) {
-                ++failures;
-                continue;
-            }
-            failures += selftest_compare("sd_earth omega_ie_n", k, omega_ie_n, 3, out_omega_ie_n[v], tol_omega_ie_n[v], at_omega_ie_n, 2, 0);
-            failures += selftest_compare("sd_earth omega_en_n", k, omega_en_n, 3, out_omega_en_n[v], tol_omega_en_n[v], at_omega_en_n, 3, 0);
-            failures += selftest_compare("sd_earth gravity_n", k, gravity_n, 3, out_gravity_n[v], tol_gravity_n[v], at_gravity_n, 1, 0);
+    sd_nav nav = {0};
+    bs_real omega_ie_n[3];
+    bs_real omega_en_n[3];
+    bs_real gravity_n[3];
+    for (int v = 0; v < N_VECTORS; ++v) {
+        set_point(v, &nav);
+        if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != BS_OK) {
+            ++failures;
             continue;
         }
-        /* Bad input: each component in turn NaN, infinite, beyond either end of its box. */
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -18.84955592153876, -4.4505895925855405, -31000.0 };
-            static const double beyond_high[3] = { 18.84955592153876, 4.4505895925855405, 60500.0 };
-            const bs_real good = nav.position[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                nav.position[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(omega_ie_n, 3);
-                selftest_paint(omega_en_n, 3);
-                selftest_paint(gravity_n, 3);
-                if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != expected) {
-                    (void)printf("sd_earth: position[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("sd_earth omega_ie_n", omega_ie_n, 3);
-                failures += selftest_painted("sd_earth omega_en_n", omega_en_n, 3);
-                failures += selftest_painted("sd_earth gravity_n", gravity_n, 3);
+        failures += selftest_compare("sd_earth omega_ie_n", v, omega_ie_n, 3, out_omega_ie_n[v], tol_omega_ie_n[v], at_omega_ie_n, 2, 0);
+        failures += selftest_compare("sd_earth omega_en_n", v, omega_en_n, 3, out_omega_en_n[v], tol_omega_en_n[v], at_omega_en_n, 3, 0);
+        failures += selftest_compare("sd_earth gravity_n", v, gravity_n, 3, out_gravity_n[v], tol_gravity_n[v], at_gravity_n, 1, 0);
+    }
+    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
+        static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &nav);
+            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(omega_ie_n, 3);
+            selftest_paint(omega_en_n, 3);
+            selftest_paint(gravity_n, 3);
+            if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != expected) {
+                (void)printf("sd_earth: position[%d] bad value %d not refused\n", i, bad);
+                ++failures;
             }
-            nav.position[i] = good;
+            failures += selftest_painted("sd_earth omega_ie_n", omega_ie_n, 3);
+            failures += selftest_painted("sd_earth omega_en_n", omega_en_n, 3);
+            failures += selftest_painted("sd_earth gravity_n", gravity_n, 3);
         }
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -3000.0, -3000.0, -3000.0 };
-            static const double beyond_high[3] = { 3000.0, 3000.0, 3000.0 };
-            const bs_real good = nav.v_n[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(omega_ie_n, 3);
-                selftest_paint(omega_en_n, 3);
-                selftest_paint(gravity_n, 3);
-                if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != expected) {
-                    (void)printf("sd_earth: v_n[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("sd_earth omega_ie_n", omega_ie_n, 3);
-                failures += selftest_painted("sd_earth omega_en_n", omega_en_n, 3);
-                failures += selftest_painted("sd_earth gravity_n", gravity_n, 3);
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
+            static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
+            set_point(0, &nav);
+            nav.position[i] = (end == 0) ? low[i] : high[i];
+            if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != BS_OK) {
+                (void)printf("sd_earth: position[%d] end %d refused\n", i, end);
+                ++failures;
             }
-            nav.v_n[i] = good;
-        }
-        if (sd_earth(0, omega_ie_n, omega_en_n, gravity_n) != BS_NULL_POINTER) {
-            ++failures;
         }
     }
+    /* v_n: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -1000.5, -1000.5, -1000.5 };
+        static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &nav);
+            nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(omega_ie_n, 3);
+            selftest_paint(omega_en_n, 3);
+            selftest_paint(gravity_n, 3);
+            if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != expected) {
+                (void)printf("sd_earth: v_n[%d] bad value %d not refused\n", i, bad);
+                ++failures;
+            }
+            failures += selftest_painted("sd_earth omega_ie_n", omega_ie_n, 3);
+            failures += selftest_painted("sd_earth omega_en_n", omega_en_n, 3);
+            failures += selftest_painted("sd_earth gravity_n", gravity_n, 3);
+        }
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+            static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+            set_point(0, &nav);
+            nav.v_n[i] = (end == 0) ? low[i] : high[i];
+            if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != BS_OK) {
+                (void)printf("sd_earth: v_n[%d] end %d refused\n", i, end);
+                ++failures;
+            }
+        }
+    }
+    set_point(0, &nav);
+    failures += (sd_earth(0, omega_ie_n, omega_en_n, gravity_n) != BS_NULL_POINTER);
+    failures += (sd_earth(&nav, 0, omega_en_n, gravity_n) != BS_NULL_POINTER);
+    failures += (sd_earth(&nav, omega_ie_n, 0, gravity_n) != BS_NULL_POINTER);
+    failures += (sd_earth(&nav, omega_ie_n, omega_en_n, 0) != BS_NULL_POINTER);
+    failures += (sd_earth_nz(0, omega_ie_n, omega_en_n, gravity_n) != BS_NULL_POINTER);
+    failures += (sd_earth_nz(&nav, 0, omega_en_n, gravity_n) != BS_NULL_POINTER);
+    failures += (sd_earth_nz(&nav, omega_ie_n, 0, gravity_n) != BS_NULL_POINTER);
+    failures += (sd_earth_nz(&nav, omega_ie_n, omega_en_n, 0) != BS_NULL_POINTER);
     return failures;
 }

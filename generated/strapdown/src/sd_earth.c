@@ -4,14 +4,15 @@
 
 #include "sd_earth_kernel.h"
 
-bs_status sd_earth_nz(const sd_nav *nav, bs_real omega_ie_n_nz[2], bs_real omega_en_n_nz[3], bs_real gravity_n_nz[1])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status sd_earth_checked(const sd_nav *nav, bs_real omega_ie_n_nz[2], bs_real omega_en_n_nz[3], bs_real gravity_n_nz[1])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
     static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
     static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
     bs_status status;
-    if ((nav == 0) || (omega_ie_n_nz == 0) || (omega_en_n_nz == 0) || (gravity_n_nz == 0)) {
+    if ((nav == NULL) || (omega_ie_n_nz == NULL) || (omega_en_n_nz == NULL) || (gravity_n_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -27,6 +28,11 @@ bs_status sd_earth_nz(const sd_nav *nav, bs_real omega_ie_n_nz[2], bs_real omega
     return BS_OK;
 }
 
+bs_status sd_earth_nz(const sd_nav *nav, bs_real omega_ie_n_nz[2], bs_real omega_en_n_nz[3], bs_real gravity_n_nz[1])
+{
+    return sd_earth_checked(nav, omega_ie_n_nz, omega_en_n_nz, gravity_n_nz);
+}
+
 bs_status sd_earth(const sd_nav *nav, bs_real omega_ie_n[3], bs_real omega_en_n[3], bs_real gravity_n[3])
 {
     static const unsigned short omega_ie_n_index[2] = { 1, 2 };
@@ -35,10 +41,10 @@ bs_status sd_earth(const sd_nav *nav, bs_real omega_ie_n[3], bs_real omega_en_n[
     bs_real omega_en_n_nz[3];
     bs_real gravity_n_nz[1];
     bs_status status;
-    if ((omega_ie_n == 0) || (omega_en_n == 0) || (gravity_n == 0)) {
+    if ((omega_ie_n == NULL) || (omega_en_n == NULL) || (gravity_n == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = sd_earth_nz(nav, omega_ie_n_nz, omega_en_n_nz, gravity_n_nz);
+    status = sd_earth_checked(nav, omega_ie_n_nz, omega_en_n_nz, gravity_n_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 3; ++i) {
             omega_ie_n[i] = BS_REAL(0.0);

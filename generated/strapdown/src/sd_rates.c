@@ -21,7 +21,7 @@ bs_status sd_rates(const sd_nav *nav, const sd_motion *motion, bs_real position_
     bs_real q_b2n_rate_nz[4];
     bs_status status;
 
-    if ((nav == 0) || (motion == 0) || (position_rate == 0) || (v_n_rate == 0) || (q_b2n_rate == 0)) {
+    if ((nav == NULL) || (motion == NULL) || (position_rate == NULL) || (v_n_rate == NULL) || (q_b2n_rate == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);

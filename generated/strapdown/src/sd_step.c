@@ -27,7 +27,7 @@ bs_status sd_step(const sd_nav *nav, const sd_imu *imu, bs_real position[3], bs_
     bs_real q_b2n_wxyz_nz[4];
     bs_status status;
 
-    if ((nav == 0) || (imu == 0) || (position == 0) || (v_n == 0) || (q_b2n_wxyz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (position == NULL) || (v_n == NULL) || (q_b2n_wxyz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);

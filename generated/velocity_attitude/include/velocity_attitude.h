@@ -15,31 +15,29 @@
 #include "boresight.h"
 
 /* The error state. */
-enum {
-    /* attitude error, C_hat = (I - [phi x]) C (rad, NED) */
-    VA_IX_PHI_N = 0,
-    VA_IX_PHI_E = 1,
-    VA_IX_PHI_D = 2,
-    /* error of the velocity, v_hat - v (m/s, NED) */
-    VA_IX_DV_N = 3,
-    VA_IX_DV_E = 4,
-    VA_IX_DV_D = 5,
-    /* error of the gyro bias, estimated - true (rad/s, body) */
-    VA_IX_DBG_X = 6,
-    VA_IX_DBG_Y = 7,
-    VA_IX_DBG_Z = 8,
-    /* error of the accelerometer bias, estimated - true (m/s^2, body) */
-    VA_IX_DBA_X = 9,
-    VA_IX_DBA_Y = 10,
-    VA_IX_DBA_Z = 11,
-    /* misalignment error, C_hat_b2m = (I - [dmu x]) C_b2m (rad, master body) */
-    VA_IX_DMU_X = 12,
-    VA_IX_DMU_Y = 13,
-    VA_IX_DMU_Z = 14,
-    /* error of the delay, tau_hat - tau (s) */
-    VA_IX_D_TAU = 15,
-    VA_N_STATES = 16
-};
+/* attitude error, C_hat = (I - [phi x]) C (rad, NED) */
+#define VA_IX_PHI_N 0
+#define VA_IX_PHI_E 1
+#define VA_IX_PHI_D 2
+/* error of the velocity, v_hat - v (m/s, NED) */
+#define VA_IX_DV_N 3
+#define VA_IX_DV_E 4
+#define VA_IX_DV_D 5
+/* error of the gyro bias, estimated - true (rad/s, body) */
+#define VA_IX_DBG_X 6
+#define VA_IX_DBG_Y 7
+#define VA_IX_DBG_Z 8
+/* error of the accelerometer bias, estimated - true (m/s^2, body) */
+#define VA_IX_DBA_X 9
+#define VA_IX_DBA_Y 10
+#define VA_IX_DBA_Z 11
+/* misalignment error, C_hat_b2m = (I - [dmu x]) C_b2m (rad, master body) */
+#define VA_IX_DMU_X 12
+#define VA_IX_DMU_Y 13
+#define VA_IX_DMU_Z 14
+/* error of the delay, tau_hat - tau (s) */
+#define VA_IX_D_TAU 15
+#define VA_N_STATES 16
 
 /* What the slave carries and the filter corrects. */
 typedef struct {

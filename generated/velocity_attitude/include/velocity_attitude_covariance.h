@@ -10,15 +10,14 @@
 #ifndef VELOCITY_ATTITUDE_COVARIANCE_H
 #define VELOCITY_ATTITUDE_COVARIANCE_H
 
+#include "boresight_filter.h"
 #include "velocity_attitude.h"
 
-enum {
-    VA_N_PACKED = 136, /* numbers of a packed symmetric matrix */
-    VA_N_F = 41,      /* non-zeros of F, as va_F writes them */
-    VA_N_QC = 28,     /* non-zeros of Qc, as va_Qc writes them */
-    VA_N_PHI = 82,    /* non-zeros of I + F + F F, and so of Phi */
-    VA_N_WORK = 512   /* numbers of scratch memory */
-};
+#define VA_N_PACKED 136 /* numbers of a packed symmetric matrix */
+#define VA_N_F 41 /* non-zeros of F, as va_F writes them */
+#define VA_N_QC 28 /* non-zeros of Qc, as va_Qc writes them */
+#define VA_N_PHI 82 /* non-zeros of I + F + F F, and so of Phi */
+#define VA_N_WORK 512 /* numbers of scratch memory */
 
 /* Phi = I + F dt + (F dt)^2 / 2, and Q, the covariance that noise of density Qc adds over dt, to the third power of dt.
  * in   F, Qc: non-zeros; both are overwritten, by themselves times dt

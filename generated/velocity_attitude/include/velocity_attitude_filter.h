@@ -8,7 +8,7 @@
 
 #include "velocity_attitude_covariance.h"
 
-enum { VA_MAX_ROWS = 3 };
+#define VA_MAX_ROWS 3
 
 /* The filter: filled by va_filter_init. */
 typedef struct {

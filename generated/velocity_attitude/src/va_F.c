@@ -4,7 +4,8 @@
 
 #include "va_F_kernel.h"
 
-bs_status va_F_nz(const va_nav *nav, const va_imu *imu, bs_real F_nz[41])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status va_F_checked(const va_nav *nav, const va_imu *imu, bs_real F_nz[41])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -15,7 +16,7 @@ bs_status va_F_nz(const va_nav *nav, const va_imu *imu, bs_real F_nz[41])
     static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (F_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (F_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -43,15 +44,20 @@ bs_status va_F_nz(const va_nav *nav, const va_imu *imu, bs_real F_nz[41])
     return BS_OK;
 }
 
+bs_status va_F_nz(const va_nav *nav, const va_imu *imu, bs_real F_nz[41])
+{
+    return va_F_checked(nav, imu, F_nz);
+}
+
 bs_status va_F(const va_nav *nav, const va_imu *imu, bs_real F[16 * VA_N_STATES])
 {
     static const unsigned short F_index[41] = { 1, 2, 4, 6, 7, 8, 16, 18, 19, 22, 23, 24, 32, 33, 36, 38, 39, 40, 49, 50, 51, 52, 53, 57, 58, 59, 64, 66, 67, 68, 69, 73, 74, 75, 80, 81, 83, 84, 89, 90, 91 };
     bs_real F_nz[41];
     bs_status status;
-    if (F == 0) {
+    if (F == NULL) {
         return BS_NULL_POINTER;
     }
-    status = va_F_nz(nav, imu, F_nz);
+    status = va_F_checked(nav, imu, F_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 256; ++i) {
             F[i] = BS_REAL(0.0);

@@ -4,7 +4,8 @@
 
 #include "va_Phi_kernel.h"
 
-bs_status va_Phi_nz(const va_nav *nav, const va_imu *imu, bs_real Phi_nz[82])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status va_Phi_checked(const va_nav *nav, const va_imu *imu, bs_real Phi_nz[82])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -17,7 +18,7 @@ bs_status va_Phi_nz(const va_nav *nav, const va_imu *imu, bs_real Phi_nz[82])
     static const bs_real dt_low[1] = { BS_REAL(1e-06) };
     static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (Phi_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (Phi_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -49,15 +50,20 @@ bs_status va_Phi_nz(const va_nav *nav, const va_imu *imu, bs_real Phi_nz[82])
     return BS_OK;
 }
 
+bs_status va_Phi_nz(const va_nav *nav, const va_imu *imu, bs_real Phi_nz[82])
+{
+    return va_Phi_checked(nav, imu, Phi_nz);
+}
+
 bs_status va_Phi(const va_nav *nav, const va_imu *imu, bs_real Phi[16 * VA_N_STATES])
 {
     static const unsigned short Phi_index[82] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 102, 119, 136, 153, 170, 187, 204, 221, 238, 255 };
     bs_real Phi_nz[82];
     bs_status status;
-    if (Phi == 0) {
+    if (Phi == NULL) {
         return BS_NULL_POINTER;
     }
-    status = va_Phi_nz(nav, imu, Phi_nz);
+    status = va_Phi_checked(nav, imu, Phi_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 256; ++i) {
             Phi[i] = BS_REAL(0.0);

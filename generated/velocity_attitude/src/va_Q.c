@@ -4,7 +4,8 @@
 
 #include "va_Q_kernel.h"
 
-bs_status va_Q_nz(const va_nav *nav, const va_imu *imu, const va_noise *noise, bs_real Q_nz[118])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status va_Q_checked(const va_nav *nav, const va_imu *imu, const va_noise *noise, bs_real Q_nz[118])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -29,7 +30,7 @@ bs_status va_Q_nz(const va_nav *nav, const va_imu *imu, const va_noise *noise, b
     static const bs_real tau_noise_low[1] = { BS_REAL(0.0) };
     static const bs_real tau_noise_high[1] = { BS_REAL(0.1) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (noise == 0) || (Q_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (noise == NULL) || (Q_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -85,15 +86,20 @@ bs_status va_Q_nz(const va_nav *nav, const va_imu *imu, const va_noise *noise, b
     return BS_OK;
 }
 
+bs_status va_Q_nz(const va_nav *nav, const va_imu *imu, const va_noise *noise, bs_real Q_nz[118])
+{
+    return va_Q_checked(nav, imu, noise, Q_nz);
+}
+
 bs_status va_Q(const va_nav *nav, const va_imu *imu, const va_noise *noise, bs_real Q[16 * VA_N_STATES])
 {
     static const unsigned short Q_index[118] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 96, 97, 98, 99, 100, 101, 102, 112, 113, 114, 115, 116, 117, 119, 128, 129, 130, 131, 132, 133, 136, 144, 145, 146, 147, 148, 149, 153, 160, 161, 162, 163, 164, 165, 170, 176, 177, 178, 179, 180, 181, 187, 204, 221, 238, 255 };
     bs_real Q_nz[118];
     bs_status status;
-    if (Q == 0) {
+    if (Q == NULL) {
         return BS_NULL_POINTER;
     }
-    status = va_Q_nz(nav, imu, noise, Q_nz);
+    status = va_Q_checked(nav, imu, noise, Q_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 256; ++i) {
             Q[i] = BS_REAL(0.0);

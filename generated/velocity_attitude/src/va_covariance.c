@@ -2,10 +2,10 @@
  * Loops over the places of the non-zeros, which are fixed. */
 #include "velocity_attitude_covariance.h"
 
-enum {
-    N = VA_N_STATES,
-    ROW = 16 /* numbers of a row in scratch memory: whole blocks of 4 */
-};
+#include <stdbool.h>
+
+#define N VA_N_STATES
+#define ROW 16 /* numbers of a row in scratch memory: whole blocks of 4 */
 
 /* How far rounding may carry a covariance from symmetric and positive, and a pivot below which there is no variance,
  * both in parts of the variances. */
@@ -19,10 +19,6 @@ enum {
 #define LEAST BS_REAL(2.2250738585072014e-308)
 #endif
 
-static const unsigned short F_start[N + 1] = { 0, 6, 12, 18, 26, 34, 41, 41, 41, 41, 41, 41, 41, 41, 41, 41, 41 };
-static const unsigned short F_at[VA_N_F] = { 1, 2, 4, 6, 7, 8, 0, 2, 3, 6, 7, 8, 0, 1, 4, 6, 7, 8, 1, 2, 3, 4, 5, 9, 10, 11, 0, 2, 3, 4, 5, 9, 10, 11, 0, 1, 3, 4, 9, 10, 11 };
-static const unsigned short Qc_start[N + 1] = { 0, 3, 6, 9, 12, 15, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28 };
-static const unsigned short Qc_at[VA_N_QC] = { 0, 1, 2, 0, 1, 2, 0, 1, 2, 3, 4, 5, 3, 4, 5, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
 static const unsigned short Phi_start[N + 1] = { 0, 12, 24, 36, 48, 60, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82 };
 static const unsigned short Phi_at[VA_N_PHI] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
 
@@ -32,7 +28,7 @@ static int column(int j)
     return (j * (j + 1)) / 2;
 }
 
-static int is_finite(bs_real value)
+static bool is_finite(bs_real value)
 {
     return (value - value) <= BS_REAL(0.0);
 }
@@ -47,17 +43,20 @@ static void clear(bs_real *value, int n)
 /* A X for a sparse A: element (i, j) goes to out[i * down + j * along].  Of row i the first i + 1 columns if `triangular`,
  * else all; some more, for the columns are taken 4 at a time, to keep the sums out of memory. */
 static void product(const bs_real *A, const unsigned short *start, const unsigned short *at, const bs_real *X, bs_real *out,
-                    int down, int along, int triangular)
+                    int down, int along, bool triangular)
 {
     for (int i = 0; i < N; ++i) {
-        const int width = triangular ? (i + 1) : N;
+        int width = N;
+        if (triangular) {
+            width = i + 1;
+        }
         for (int j = 0; j < width; j += 4) {
             bs_real *const to = &out[(i * down) + (j * along)];
             bs_real s0 = BS_REAL(0.0);
             bs_real s1 = BS_REAL(0.0);
             bs_real s2 = BS_REAL(0.0);
             bs_real s3 = BS_REAL(0.0);
-            for (int p = start[i]; p < start[i + 1]; ++p) {
+            for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
                 const bs_real *const row = &X[((int)at[p] * ROW) + j];
                 const bs_real a = A[p];
                 s0 += a * row[0];
@@ -75,10 +74,10 @@ static void product(const bs_real *A, const unsigned short *start, const unsigne
 
 /* A packed symmetric matrix becomes its factors U and D.  A pivot that is rounding, or negative, counts as no variance,
  * and its column as no covariance.  Returns whether that was all that was left of it, to TOLERANCE. */
-static int factorize(bs_real *UD)
+static bool factorize(bs_real *UD)
 {
     bs_real variance[N];
-    int positive = 1;
+    bool positive = true;
     for (int j = 0; j < N; ++j) {
         variance[j] = UD[column(j) + j];
     }
@@ -108,6 +107,10 @@ static int factorize(bs_real *UD)
 void va_discretize(bs_real F[VA_N_F], bs_real Qc[VA_N_QC], bs_real dt, bs_real Phi[VA_N_PHI],
                   bs_real Q[VA_N_PACKED], bs_real work[VA_N_WORK])
 {
+    static const unsigned short F_start[N + 1] = { 0, 6, 12, 18, 26, 34, 41, 41, 41, 41, 41, 41, 41, 41, 41, 41, 41 };
+    static const unsigned short F_at[VA_N_F] = { 1, 2, 4, 6, 7, 8, 0, 2, 3, 6, 7, 8, 0, 1, 4, 6, 7, 8, 1, 2, 3, 4, 5, 9, 10, 11, 0, 2, 3, 4, 5, 9, 10, 11, 0, 1, 3, 4, 9, 10, 11 };
+    static const unsigned short Qc_start[N + 1] = { 0, 3, 6, 9, 12, 15, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28 };
+    static const unsigned short Qc_at[VA_N_QC] = { 0, 1, 2, 0, 1, 2, 0, 1, 2, 3, 4, 5, 3, 4, 5, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
     bs_real *const X = work;
     bs_real *const Y = &work[ROW * ROW];
     for (int p = 0; p < VA_N_F; ++p) {
@@ -121,19 +124,19 @@ void va_discretize(bs_real F[VA_N_F], bs_real Qc[VA_N_QC], bs_real dt, bs_real P
     for (int i = 0; i < N; ++i) {
         bs_real row[N];
         clear(row, N);
-        for (int p = F_start[i]; p < F_start[i + 1]; ++p) {
-            const int k = F_at[p];
+        for (int p = (int)F_start[i]; p < (int)F_start[i + 1]; ++p) {
+            const int k = (int)F_at[p];
             const bs_real half = BS_REAL(0.5) * F[p];
-            for (int q = F_start[k]; q < F_start[k + 1]; ++q) {
+            for (int q = (int)F_start[k]; q < (int)F_start[k + 1]; ++q) {
                 row[F_at[q]] += half * F[q];
             }
             row[k] += F[p];
-            for (int q = Qc_start[k]; q < Qc_start[k + 1]; ++q) {
+            for (int q = (int)Qc_start[k]; q < (int)Qc_start[k + 1]; ++q) {
                 Y[(i * ROW) + (int)Qc_at[q]] += F[p] * Qc[q];
             }
         }
         row[i] += BS_REAL(1.0);
-        for (int p = Phi_start[i]; p < Phi_start[i + 1]; ++p) {
+        for (int p = (int)Phi_start[i]; p < (int)Phi_start[i + 1]; ++p) {
             Phi[p] = row[Phi_at[p]];
         }
     }
@@ -142,16 +145,16 @@ void va_discretize(bs_real F[VA_N_F], bs_real Qc[VA_N_QC], bs_real dt, bs_real P
         for (int j = 0; j < N; ++j) {
             X[(i * ROW) + j] = (Y[(i * ROW) + j] + Y[(j * ROW) + i]) * BS_REAL(0.16666666666666666);
         }
-        for (int q = Qc_start[i]; q < Qc_start[i + 1]; ++q) {
+        for (int q = (int)Qc_start[i]; q < (int)Qc_start[i + 1]; ++q) {
             X[(i * ROW) + (int)Qc_at[q]] += BS_REAL(0.5) * Qc[q];
         }
     }
-    product(F, F_start, F_at, X, Y, ROW, 1, 0);
+    product(F, F_start, F_at, X, Y, ROW, 1, false);
     for (int j = 0; j < N; ++j) {
         for (int i = 0; i <= j; ++i) {
             Q[column(j) + i] = Y[(i * ROW) + j] + Y[(j * ROW) + i];
         }
-        for (int q = Qc_start[j]; (q < Qc_start[j + 1]) && ((int)Qc_at[q] <= j); ++q) {
+        for (int q = (int)Qc_start[j]; (q < (int)Qc_start[j + 1]) && ((int)Qc_at[q] <= j); ++q) {
             Q[column(j) + (int)Qc_at[q]] += Qc[q];
         }
     }
@@ -162,7 +165,7 @@ void va_predict_state(const bs_real Phi[VA_N_PHI], bs_real x[VA_N_STATES])
     bs_real next[N];
     for (int i = 0; i < N; ++i) {
         next[i] = BS_REAL(0.0);
-        for (int p = Phi_start[i]; p < Phi_start[i + 1]; ++p) {
+        for (int p = (int)Phi_start[i]; p < (int)Phi_start[i + 1]; ++p) {
             next[i] += Phi[p] * x[Phi_at[p]];
         }
     }
@@ -171,10 +174,10 @@ void va_predict_state(const bs_real Phi[VA_N_PHI], bs_real x[VA_N_STATES])
     }
 }
 
-bs_status va_ud_init(const bs_real dense[VA_N_STATES * VA_N_STATES], bs_real UD[VA_N_PACKED],
-                     bs_real work[VA_N_WORK])
+/* The factors of a dense covariance, into work. */
+static bs_status judge(const bs_real *dense, bs_real *work)
 {
-    int positive = 1;
+    bool positive = true;
     for (int i = 0; i < (N * N); ++i) {
         if (!is_finite(dense[i])) {
             return BS_NOT_FINITE;
@@ -192,16 +195,25 @@ bs_status va_ud_init(const bs_real dense[VA_N_STATES * VA_N_STATES], bs_real UD[
     if (!positive) {
         return BS_NOT_POSITIVE;
     }
-    for (int i = 0; i < VA_N_PACKED; ++i) {
-        UD[i] = work[i];
-    }
     return BS_OK;
+}
+
+bs_status va_ud_init(const bs_real dense[VA_N_STATES * VA_N_STATES], bs_real UD[VA_N_PACKED],
+                     bs_real work[VA_N_WORK])
+{
+    const bs_status status = judge(dense, work);
+    if (status == BS_OK) {
+        for (int i = 0; i < VA_N_PACKED; ++i) {
+            UD[i] = work[i];
+        }
+    }
+    return status;
 }
 
 bs_status va_joseph_init(const bs_real dense[VA_N_STATES * VA_N_STATES], bs_real P[VA_N_PACKED],
                          bs_real work[VA_N_WORK])
 {
-    const bs_status status = va_ud_init(dense, work, work); /* judged by its factors, kept as it is */
+    const bs_status status = judge(dense, work); /* judged by its factors, kept as it is */
     if (status == BS_OK) {
         for (int j = 0; j < N; ++j) {
             for (int i = 0; i <= j; ++i) {
@@ -224,8 +236,8 @@ void va_joseph_predict(bs_real P[VA_N_PACKED], const bs_real Phi[VA_N_PHI], cons
             X[(j * ROW) + i] = value;
         }
     }
-    product(Phi, Phi_start, Phi_at, X, Y, 1, ROW, 0); /* Y = P Phi' */
-    product(Phi, Phi_start, Phi_at, Y, X, 1, ROW, 1); /* the upper triangle of Phi P Phi' */
+    product(Phi, Phi_start, Phi_at, X, Y, 1, ROW, false); /* Y = P Phi' */
+    product(Phi, Phi_start, Phi_at, Y, X, 1, ROW, true); /* the upper triangle of Phi P Phi' */
     for (int j = 0; j < N; ++j) {
         for (int i = 0; i <= j; ++i) {
             P[column(j) + i] = X[(i * ROW) + j] + Q[column(j) + i];
@@ -249,7 +261,7 @@ void va_ud_predict(bs_real UD[VA_N_PACKED], const bs_real Phi[VA_N_PHI], bs_real
         X[j * (ROW + 1)] = BS_REAL(1.0);
         D[j] = UD[column(j) + j];
     }
-    product(Phi, Phi_start, Phi_at, X, W, ROW, 1, 0); /* W = Phi U */
+    product(Phi, Phi_start, Phi_at, X, W, ROW, 1, false); /* W = Phi U */
     for (int j = 0; j < N; ++j) {
         for (int i = 0; i < j; ++i) {
             X[(i * ROW) + j] = Q[column(j) + i];
@@ -308,7 +320,7 @@ bs_status va_joseph_update(bs_real P[VA_N_PACKED], bs_real x[VA_N_STATES], bs_ro
     bs_real S = row->R;
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
-        const int k = row->at[p];
+        const int k = (int)row->at[p];
         const bs_real h = row->h[p];
         nu -= h * x[k];
         for (int i = 0; i < k; ++i) {
@@ -332,13 +344,23 @@ bs_status va_joseph_update(bs_real P[VA_N_PACKED], bs_real x[VA_N_STATES], bs_ro
     }
     if (row->used != 0) {
         const bs_real inverse = BS_REAL(1.0) / S;
+        bs_real b[N]; /* A h, of the rounded A = P - K g' */
+        for (int i = 0; i < N; ++i) {
+            K[i] = g[i] * inverse;
+            x[i] += K[i] * nu;
+            b[i] = BS_REAL(0.0);
+            for (int p = 0; p < row->count; ++p) {
+                const int k = (int)row->at[p];
+                const bs_real of_P = (i < k) ? P[column(k) + i] : P[column(i) + k];
+                b[i] += row->h[p] * (of_P - (K[i] * g[k]));
+            }
+        }
+        /* (I - K h') P (I - K h')' + K R K' as two products, A - b K': multiplied out at once it would lose as much as
+         * (I - K h') P does where a good measurement meets a coarse start. */
         for (int j = 0; j < N; ++j) {
             bs_real *const p = &P[column(j)];
-            K[j] = g[j] * inverse;
-            x[j] += K[j] * nu;
-            /* (I - K h') P (I - K h')' + K R K', multiplied out: right for any K */
             for (int i = 0; i <= j; ++i) {
-                p[i] = (p[i] - ((K[i] * g[j]) + (g[i] * K[j]))) + (S * (K[i] * K[j]));
+                p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
             }
         }
     }
@@ -353,7 +375,7 @@ bs_status va_ud_update(bs_real UD[VA_N_PACKED], bs_real x[VA_N_STATES], bs_row *
     bs_real S = row->R;
     clear(f, N);
     for (int p = 0; p < row->count; ++p) {
-        const int k = row->at[p];
+        const int k = (int)row->at[p];
         const bs_real h = row->h[p];
         nu -= h * x[k];
         f[k] += h;

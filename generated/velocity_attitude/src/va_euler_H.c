@@ -4,7 +4,8 @@
 
 #include "va_euler_H_kernel.h"
 
-bs_status va_euler_H_nz(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H_nz[20])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status va_euler_H_checked(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H_nz[20])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -17,7 +18,7 @@ bs_status va_euler_H_nz(const va_nav *nav, const va_imu *imu, const va_master *m
     static const bs_real euler_m_low[3] = { BS_REAL(-3.141592653589793), BS_REAL(-1.3962634015954636), BS_REAL(-3.141592653589793) };
     static const bs_real euler_m_high[3] = { BS_REAL(3.141592653589793), BS_REAL(1.3962634015954636), BS_REAL(3.141592653589793) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (master == 0) || (H_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (master == NULL) || (H_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -49,15 +50,20 @@ bs_status va_euler_H_nz(const va_nav *nav, const va_imu *imu, const va_master *m
     return BS_OK;
 }
 
+bs_status va_euler_H_nz(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H_nz[20])
+{
+    return va_euler_H_checked(nav, imu, master, H_nz);
+}
+
 bs_status va_euler_H(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real H[3 * VA_N_STATES])
 {
     static const unsigned short H_index[20] = { 0, 1, 2, 12, 13, 14, 15, 16, 17, 28, 29, 30, 31, 32, 33, 34, 44, 45, 46, 47 };
     bs_real H_nz[20];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = va_euler_H_nz(nav, imu, master, H_nz);
+    status = va_euler_H_checked(nav, imu, master, H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 48; ++i) {
             H[i] = BS_REAL(0.0);

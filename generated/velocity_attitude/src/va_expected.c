@@ -23,7 +23,7 @@ bs_status va_expected(const va_nav *nav, const va_imu *imu, const va_mounting *m
     bs_real omega_nb_n_nz[3];
     bs_status status;
 
-    if ((nav == 0) || (imu == 0) || (mounting == 0) || (v_m_n == 0) || (q_m2n_wxyz == 0) || (omega_nb_n == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (mounting == NULL) || (v_m_n == NULL) || (q_m2n_wxyz == NULL) || (omega_nb_n == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);

@@ -28,7 +28,7 @@ bs_status va_feedback(const bs_real x[VA_N_STATES], const va_nav *nav, bs_real v
     bs_real tau_nz[1];
     bs_status status;
 
-    if ((x == 0) || (nav == 0) || (v_n == 0) || (q_b2n_wxyz == 0) || (gyro_bias == 0) || (accel_bias == 0) || (q_b2m_wxyz == 0) || (tau == 0)) {
+    if ((x == NULL) || (nav == NULL) || (v_n == NULL) || (q_b2n_wxyz == NULL) || (gyro_bias == NULL) || (accel_bias == NULL) || (q_b2m_wxyz == NULL) || (tau == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(x, x_low, x_high, 16);

@@ -34,12 +34,16 @@ static bs_status take(va_filter *filter, const bs_real *z, const bs_real *H, con
     bs_status status = BS_OK;
     innovation->used = 0U;
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
-        const int used = (int)((rows >> (unsigned int)i) & 1U);
-        bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i], gate, z[i], R[i], used };
+        bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i], gate, z[i], R[i], 0 };
+        if (((rows >> (unsigned int)i) & 1U) != 0U) {
+            row.used = 1;
+        }
         status = UPDATE(filter->P, filter->x, &row);
         innovation->nu[i] = row.nu;
         innovation->S[i] = row.S;
-        innovation->used |= (unsigned int)row.used << (unsigned int)i;
+        if (row.used != 0) {
+            innovation->used |= 1U << (unsigned int)i;
+        }
     }
     return status;
 }
@@ -61,7 +65,7 @@ bs_status va_filter_init(va_filter *filter, const va_nav *nav, const bs_real P[V
     static const bs_real tau_low[1] = { BS_REAL(-1.0) };
     static const bs_real tau_high[1] = { BS_REAL(1.0) };
     bs_status status;
-    if ((filter == 0) || (nav == 0) || (P == 0)) {
+    if ((filter == NULL) || (nav == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -114,7 +118,7 @@ bs_status va_filter_strapdown(va_filter *filter, const va_imu *imu, const va_inc
 {
     va_nav next_nav;
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (increments == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (increments == NULL)) {
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
@@ -130,7 +134,7 @@ bs_status va_filter_propagate(va_filter *filter, const va_imu *imu, const va_noi
     static const bs_real dt_low[1] = { BS_REAL(1e-06) };
     static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (noise == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (noise == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(&imu->dt, dt_low, dt_high, 1);
@@ -155,7 +159,7 @@ bs_status va_filter_measure_velocity(va_filter *filter, const va_imu *imu, const
     static const unsigned short at[24] = { 0, 1, 2, 3, 6, 7, 8, 15, 0, 1, 2, 4, 6, 7, 8, 15, 0, 1, 2, 5, 6, 7, 8, 15 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (mounting == 0) || (master == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (mounting == NULL) || (master == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -178,7 +182,7 @@ bs_status va_filter_measure_dcm(va_filter *filter, const va_imu *imu, const va_m
     static const unsigned short at[15] = { 0, 12, 13, 14, 15, 1, 12, 13, 14, 15, 2, 12, 13, 14, 15 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (master == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -201,7 +205,7 @@ bs_status va_filter_measure_quaternion(va_filter *filter, const va_imu *imu, con
     static const unsigned short at[30] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 0, 1, 2, 6, 7, 8, 12, 13, 14, 15 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (master == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -231,7 +235,7 @@ bs_status va_filter_measure_quaternion(va_filter *filter, const va_imu *imu, con
             /* h is taken about the last estimate, so that the rows may treat it as linear in the state */
             for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
                 target[i] = z[i] - target[i];
-                for (int q = start[i]; q < start[i + 1]; ++q) {
+                for (int q = (int)start[i]; q < (int)start[i + 1]; ++q) {
                     target[i] += H[q] * filter->x[at[q]];
                 }
             }
@@ -261,7 +265,7 @@ bs_status va_filter_measure_euler(va_filter *filter, const va_imu *imu, const va
     static const unsigned short at[20] = { 0, 1, 2, 12, 13, 14, 15, 0, 1, 12, 13, 14, 15, 0, 1, 2, 12, 13, 14, 15 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (master == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -281,7 +285,7 @@ bs_status va_filter_correct(va_filter *filter)
 {
     va_nav next_nav;
     bs_status status;
-    if (filter == 0) {
+    if (filter == NULL) {
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
@@ -297,7 +301,7 @@ bs_status va_filter_correct(va_filter *filter)
 
 bs_status va_filter_covariance(const va_filter *filter, bs_real P[VA_N_STATES * VA_N_STATES])
 {
-    if ((filter == 0) || (P == 0)) {
+    if ((filter == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
     DENSE(filter->P, P);

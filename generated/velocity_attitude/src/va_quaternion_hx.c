@@ -25,7 +25,7 @@ bs_status va_quaternion_h(const bs_real x[VA_N_STATES], const va_nav *nav, const
     bs_real h_nz[3];
     bs_status status;
 
-    if ((x == 0) || (nav == 0) || (imu == 0) || (master == 0) || (h == 0)) {
+    if ((x == NULL) || (nav == NULL) || (imu == NULL) || (master == NULL) || (h == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(x, x_low, x_high, 16);

@@ -23,7 +23,7 @@ bs_status va_quaternion_z(const va_nav *nav, const va_imu *imu, const va_master 
     bs_real z_nz[3];
     bs_status status;
 
-    if ((nav == 0) || (imu == 0) || (master == 0) || (z == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (master == NULL) || (z == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);

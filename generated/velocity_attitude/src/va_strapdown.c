@@ -31,7 +31,7 @@ bs_status va_strapdown(const va_nav *nav, const va_imu *imu, const va_increments
     bs_real q_b2n_wxyz_nz[4];
     bs_status status;
 
-    if ((nav == 0) || (imu == 0) || (increments == 0) || (position == 0) || (v_n == 0) || (q_b2n_wxyz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (increments == NULL) || (position == NULL) || (v_n == NULL) || (q_b2n_wxyz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);

@@ -4,7 +4,8 @@
 
 #include "va_velocity_H_kernel.h"
 
-bs_status va_velocity_H_nz(const va_nav *nav, const va_imu *imu, const va_mounting *mounting, const va_master *master, bs_real H_nz[24])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status va_velocity_H_checked(const va_nav *nav, const va_imu *imu, const va_mounting *mounting, const va_master *master, bs_real H_nz[24])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -19,7 +20,7 @@ bs_status va_velocity_H_nz(const va_nav *nav, const va_imu *imu, const va_mounti
     static const bs_real a_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real a_n_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (mounting == 0) || (master == 0) || (H_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (mounting == NULL) || (master == NULL) || (H_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -55,15 +56,20 @@ bs_status va_velocity_H_nz(const va_nav *nav, const va_imu *imu, const va_mounti
     return BS_OK;
 }
 
+bs_status va_velocity_H_nz(const va_nav *nav, const va_imu *imu, const va_mounting *mounting, const va_master *master, bs_real H_nz[24])
+{
+    return va_velocity_H_checked(nav, imu, mounting, master, H_nz);
+}
+
 bs_status va_velocity_H(const va_nav *nav, const va_imu *imu, const va_mounting *mounting, const va_master *master, bs_real H[3 * VA_N_STATES])
 {
     static const unsigned short H_index[24] = { 0, 1, 2, 3, 6, 7, 8, 15, 16, 17, 18, 20, 22, 23, 24, 31, 32, 33, 34, 37, 38, 39, 40, 47 };
     bs_real H_nz[24];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = va_velocity_H_nz(nav, imu, mounting, master, H_nz);
+    status = va_velocity_H_checked(nav, imu, mounting, master, H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 48; ++i) {
             H[i] = BS_REAL(0.0);

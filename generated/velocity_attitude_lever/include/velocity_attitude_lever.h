@@ -15,35 +15,33 @@
 #include "boresight.h"
 
 /* The error state. */
-enum {
-    /* attitude error, C_hat = (I - [phi x]) C (rad, NED) */
-    VAL_IX_PHI_N = 0,
-    VAL_IX_PHI_E = 1,
-    VAL_IX_PHI_D = 2,
-    /* error of the velocity, v_hat - v (m/s, NED) */
-    VAL_IX_DV_N = 3,
-    VAL_IX_DV_E = 4,
-    VAL_IX_DV_D = 5,
-    /* error of the gyro bias, estimated - true (rad/s, body) */
-    VAL_IX_DBG_X = 6,
-    VAL_IX_DBG_Y = 7,
-    VAL_IX_DBG_Z = 8,
-    /* error of the accelerometer bias, estimated - true (m/s^2, body) */
-    VAL_IX_DBA_X = 9,
-    VAL_IX_DBA_Y = 10,
-    VAL_IX_DBA_Z = 11,
-    /* misalignment error, C_hat_b2m = (I - [dmu x]) C_b2m (rad, master body) */
-    VAL_IX_DMU_X = 12,
-    VAL_IX_DMU_Y = 13,
-    VAL_IX_DMU_Z = 14,
-    /* error of the delay, tau_hat - tau (s) */
-    VAL_IX_D_TAU = 15,
-    /* error of the lever arm, estimated - true (m, body) */
-    VAL_IX_D_LEVER_X = 16,
-    VAL_IX_D_LEVER_Y = 17,
-    VAL_IX_D_LEVER_Z = 18,
-    VAL_N_STATES = 19
-};
+/* attitude error, C_hat = (I - [phi x]) C (rad, NED) */
+#define VAL_IX_PHI_N 0
+#define VAL_IX_PHI_E 1
+#define VAL_IX_PHI_D 2
+/* error of the velocity, v_hat - v (m/s, NED) */
+#define VAL_IX_DV_N 3
+#define VAL_IX_DV_E 4
+#define VAL_IX_DV_D 5
+/* error of the gyro bias, estimated - true (rad/s, body) */
+#define VAL_IX_DBG_X 6
+#define VAL_IX_DBG_Y 7
+#define VAL_IX_DBG_Z 8
+/* error of the accelerometer bias, estimated - true (m/s^2, body) */
+#define VAL_IX_DBA_X 9
+#define VAL_IX_DBA_Y 10
+#define VAL_IX_DBA_Z 11
+/* misalignment error, C_hat_b2m = (I - [dmu x]) C_b2m (rad, master body) */
+#define VAL_IX_DMU_X 12
+#define VAL_IX_DMU_Y 13
+#define VAL_IX_DMU_Z 14
+/* error of the delay, tau_hat - tau (s) */
+#define VAL_IX_D_TAU 15
+/* error of the lever arm, estimated - true (m, body) */
+#define VAL_IX_D_LEVER_X 16
+#define VAL_IX_D_LEVER_Y 17
+#define VAL_IX_D_LEVER_Z 18
+#define VAL_N_STATES 19
 
 /* What the slave carries and the filter corrects. */
 typedef struct {

@@ -10,15 +10,14 @@
 #ifndef VELOCITY_ATTITUDE_LEVER_COVARIANCE_H
 #define VELOCITY_ATTITUDE_LEVER_COVARIANCE_H
 
+#include "boresight_filter.h"
 #include "velocity_attitude_lever.h"
 
-enum {
-    VAL_N_PACKED = 190, /* numbers of a packed symmetric matrix */
-    VAL_N_F = 41,      /* non-zeros of F, as val_F writes them */
-    VAL_N_QC = 28,     /* non-zeros of Qc, as val_Qc writes them */
-    VAL_N_PHI = 85,    /* non-zeros of I + F + F F, and so of Phi */
-    VAL_N_WORK = 800   /* numbers of scratch memory */
-};
+#define VAL_N_PACKED 190 /* numbers of a packed symmetric matrix */
+#define VAL_N_F 41 /* non-zeros of F, as val_F writes them */
+#define VAL_N_QC 28 /* non-zeros of Qc, as val_Qc writes them */
+#define VAL_N_PHI 85 /* non-zeros of I + F + F F, and so of Phi */
+#define VAL_N_WORK 800 /* numbers of scratch memory */
 
 /* Phi = I + F dt + (F dt)^2 / 2, and Q, the covariance that noise of density Qc adds over dt, to the third power of dt.
  * in   F, Qc: non-zeros; both are overwritten, by themselves times dt

@@ -8,7 +8,7 @@
 
 #include "velocity_attitude_lever_covariance.h"
 
-enum { VAL_MAX_ROWS = 3 };
+#define VAL_MAX_ROWS 3
 
 /* The filter: filled by val_filter_init. */
 typedef struct {

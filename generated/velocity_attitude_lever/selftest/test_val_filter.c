@@ -20,10 +20,10 @@
 enum { N = VAL_N_STATES, POINTS = 4 };
 
 static const double in_nav[POINTS][21] = {
-    { -0x1.74f935bcbbfb8p+0, 0x1.56175043cc560p+2, 0x1.36897cdf939b5p+13, -0x1.43fbbfc8455c8p+9, -0x1.75e499f51d3fap+9, 0x1.506f73e151616p+9, -0x1.d81da4cd24d3dp-2, -0x1.73aee14539fd7p-1, 0x1.fd3df8b5bb07cp-2, 0x1.d53e29c874d65p-4, -0x1.19482307c48e4p-8, -0x1.57e31eba8a830p-10, 0x1.02857acf3c8dbp-6, 0x1.7d214a1d79d28p-1, 0x1.c141e814aee18p-3, -0x1.04b85b06ad860p-1, -0x1.52e00e34e26a9p-1, -0x1.2c0a5bd827557p-5, -0x1.4953a0307fcb8p-1, 0x1.886d7f253b6ccp-2, 0x1.ae472ed537e34p-1 },
-    { 0x1.2284ca7be966cp-1, -0x1.bbcc771957788p+0, 0x1.27c0134914217p+14, 0x1.46aedd29c7ef4p+8, 0x1.cf83dba1df1d0p+4, -0x1.3cbfc5e3e78c0p+6, 0x1.ad12870eb4d34p-1, 0x1.759d2b7c3170bp-2, 0x1.a40dc3b5463aep-3, -0x1.666b877a98d4dp-2, 0x1.7090a35aa1688p-7, 0x1.1f594d1a3fb30p-7, -0x1.35a1a1cf9f7c4p-7, 0x1.8568e353f3da6p-1, 0x1.08593e0516eeap-1, 0x1.885f3c50ab4f2p-1, 0x1.120549b66f949p-1, -0x1.8a7b289df8596p-1, -0x1.d2fa1bc08b726p-3, -0x1.0aec9833820dep-2, 0x1.9b9164b33cf9cp-2 },
-    { -0x1.5246158785cd2p+0, -0x1.7406d4e863ef6p+2, 0x1.19afe08314e7fp+13, 0x1.21f1e509367a4p+8, -0x1.6c22b9ed4a23ep+9, 0x1.51a102eb24ff0p+6, 0x1.d30430ca16d19p-2, 0x1.8e53282bcea41p-1, 0x1.1f29f7ff983e9p-2, -0x1.50afc7da294f0p-2, 0x1.fa20d90f482a9p-7, 0x1.e9cb551f245cfp-8, 0x1.04dd2617c903cp-7, -0x1.f708682b5e234p-2, -0x1.2ec7d84b3cab0p-3, 0x1.797e58f67cc08p-3, 0x1.ba1542635c874p-5, 0x1.83d763c6a08dfp-2, -0x1.29a659b02ea29p-1, -0x1.6fab11bbb922ap-1, -0x1.296086169f9ecp-2 },
-    { -0x1.f6a008bd34505p-1, 0x1.26295f7fbee08p+0, 0x1.2aabc567cbb25p+14, 0x1.a7fb4606c04a6p+9, 0x1.367cb389df1c8p+9, -0x1.e641e468b276ap+9, -0x1.51b8a7271bf54p-1, -0x1.17e81b0a9fccbp-1, -0x1.19684ded557b7p-3, -0x1.fd15122b3f7e3p-2, 0x1.aeef1e25c5216p-7, -0x1.9dc2e8c280a20p-10, 0x1.41090340f91b2p-7, 0x1.44284850bd860p-5, -0x1.b2c694625778ep-1, -0x1.af609f7d1c330p-1, -0x1.cef9b66f69c20p-1, 0x1.8ec86bfeb495fp-3, 0x1.6fc64e4db58d3p-3, -0x1.56f4fafef5308p-2, -0x1.e33f709d5c5f0p-4 }
+    { -0x1.74f935bcbbfb8p+0, 0x1.56175043cc560p+2, 0x1.36897cdf939b5p+13, -0x1.43fbbfc8455c8p+9, -0x1.75e499f51d3fap+9, 0x1.506f73e151616p+9, -0x1.d7ed020123d8cp-2, -0x1.7388971e26a06p-1, 0x1.fd0982ce643dap-2, 0x1.d50dd2c0cb12dp-4, -0x1.19482307c48e4p-8, -0x1.57e31eba8a830p-10, 0x1.02857acf3c8dbp-6, 0x1.7d214a1d79d28p-1, 0x1.c141e814aee18p-3, -0x1.04b85b06ad860p-1, -0x1.52a0dd853f53fp-1, -0x1.2bd268fd6bf1fp-5, -0x1.491637512960cp-1, 0x1.8824520e19518p-2, 0x1.ae472ed537e34p-1 },
+    { 0x1.2284ca7be966cp-1, -0x1.bbcc771957788p+0, 0x1.27c0134914217p+14, 0x1.46aedd29c7ef4p+8, 0x1.cf83dba1df1d0p+4, -0x1.3cbfc5e3e78c0p+6, 0x1.ad6e6a5fd5945p-1, 0x1.75ed2e5e3e1b6p-2, 0x1.a467b89790bccp-3, -0x1.66b8496051b03p-2, 0x1.7090a35aa1688p-7, 0x1.1f594d1a3fb30p-7, -0x1.35a1a1cf9f7c4p-7, 0x1.8568e353f3da6p-1, 0x1.08593e0516eeap-1, 0x1.885f3c50ab4f2p-1, 0x1.1211afe07a4c0p-1, -0x1.8a8d0227a8cecp-1, -0x1.d30f3d0ef0e46p-3, -0x1.0af8ac2993c07p-2, 0x1.9b9164b33cf9cp-2 },
+    { -0x1.5246158785cd2p+0, -0x1.7406d4e863ef6p+2, 0x1.19afe08314e7fp+13, 0x1.21f1e509367a4p+8, -0x1.6c22b9ed4a23ep+9, 0x1.51a102eb24ff0p+6, 0x1.d342f2d757d7dp-2, 0x1.8e88af21f8dfdp-1, 0x1.1f508edc85fe8p-2, -0x1.50dd065e83e1cp-2, 0x1.fa20d90f482a9p-7, 0x1.e9cb551f245cfp-8, 0x1.04dd2617c903cp-7, -0x1.f708682b5e234p-2, -0x1.2ec7d84b3cab0p-3, 0x1.797e58f67cc08p-3, 0x1.ba1b8a67544acp-5, 0x1.83dce67eadaecp-2, -0x1.29aa945911892p-1, -0x1.6fb04b13472c6p-1, -0x1.296086169f9ecp-2 },
+    { -0x1.f6a008bd34505p-1, 0x1.26295f7fbee08p+0, 0x1.2aabc567cbb25p+14, 0x1.a7fb4606c04a6p+9, 0x1.367cb389df1c8p+9, -0x1.e641e468b276ap+9, -0x1.51744700c0b38p-1, -0x1.17af6f6f09922p-1, -0x1.192f5488a9915p-3, -0x1.fcae0059a9ec7p-2, 0x1.aeef1e25c5216p-7, -0x1.9dc2e8c280a20p-10, 0x1.41090340f91b2p-7, 0x1.44284850bd860p-5, -0x1.b2c694625778ep-1, -0x1.af609f7d1c330p-1, -0x1.ce910d9d8fa29p-1, 0x1.8e6e460eb0a79p-3, 0x1.6f732ad7db203p-3, -0x1.56a773c1f6226p-2, -0x1.e33f709d5c5f0p-4 }
 };
 static const double in_imu[POINTS][7] = {
     { -0x1.8115a15be89ccp+8, -0x1.ce13320bf079cp+5, -0x1.c9a403137b3d6p+8, 0x1.6df8d648b4c00p+1, -0x1.c5c9f94ab2840p+1, 0x1.8edf6aff45630p+2, 0x1.d2929827dae81p+2 },
@@ -50,10 +50,10 @@ static const double in_mounting[POINTS][3] = {
     { 0x1.b7c083f687514p+5, -0x1.4aabb980ed3e0p+5, 0x1.1708752a83754p+6 }
 };
 static const double in_master[POINTS][14] = {
-    { 0x1.aecee3d8717bap+9, -0x1.41155a625b3b0p+9, -0x1.805197281d805p+8, -0x1.48ac190040144p-2, -0x1.0d17ee94cdb0dp-1, 0x1.2afb89e8f275ep-1, 0x1.0ece45b036689p-1, -0x1.13f09d0f0c56cp+1, -0x1.b7c2c603c25f8p-2, 0x1.0a5ec94f0dd98p+0, -0x1.c991444b9ab94p+8, -0x1.5b95730a0bed8p+8, -0x1.11a43b2dd8b30p+7, 0x1.380b7d1b99aaap-1 },
-    { -0x1.c9b35b577307cp+9, -0x1.f0d7e06a4d7b4p+9, 0x1.9d26a4395952dp+8, 0x1.0923fc3c697f8p-5, 0x1.d889fb5732317p-1, 0x1.5047538baa8ffp-4, -0x1.7fb72127f7866p-2, -0x1.42421f53ebc68p+0, -0x1.b1acf9418eae0p-2, 0x1.36a6d5bdc094ap+1, 0x1.1634b3ad41730p+6, 0x1.444dc05f879f8p+8, -0x1.efacb08c05a38p+8, -0x1.69447a8175f30p-4 },
-    { 0x1.93047ba6d9a6ap+9, 0x1.176cbc70ea545p+8, -0x1.62eedb9a6cd37p+8, 0x1.4c437d899d788p-5, -0x1.9c34e7aa078d9p-1, 0x1.6b658e2592e61p-2, 0x1.e4e8a6271e424p-2, -0x1.37cab8698c530p-1, 0x1.10edea20e3781p+0, -0x1.f4ee755cf6e80p-3, -0x1.2915d86e451c8p+8, 0x1.479e27ea66140p+5, -0x1.1fb5d4a325adcp+7, -0x1.688f4a50c0578p-2 },
-    { 0x1.b58c36375ca7cp+8, 0x1.0739829b7af3cp+8, -0x1.2d2188fa9a688p+8, -0x1.2f07a3faee426p-1, 0x1.c03ab4efdf175p-2, 0x1.48af83d25a6bdp-1, -0x1.b72fc46d9029fp-3, 0x1.0efb39f5520d6p+1, -0x1.6770b1a6dc6a4p-2, -0x1.177d107eddda8p+1, 0x1.ee93274032f34p+8, 0x1.ab1eaf3b765a2p+8, 0x1.0843b0c155a90p+5, -0x1.ca590e263eff4p-1 }
+    { 0x1.aecee3d8717bap+9, -0x1.41155a625b3b0p+9, -0x1.805197281d805p+8, -0x1.4885cd59f9f0fp-2, -0x1.0cf8940cc076bp-1, 0x1.2ad8b3d874d07p-1, 0x1.0eaeb8155460fp-1, -0x1.13f09d0f0c56cp+1, -0x1.b7c2c603c25f8p-2, 0x1.0a5ec94f0dd98p+0, -0x1.c991444b9ab94p+8, -0x1.5b95730a0bed8p+8, -0x1.11a43b2dd8b30p+7, 0x1.380b7d1b99aaap-1 },
+    { -0x1.c9b35b577307cp+9, -0x1.f0d7e06a4d7b4p+9, 0x1.9d26a4395952dp+8, 0x1.0925b19ee1676p-5, 0x1.d88d06db468f9p-1, 0x1.50497e482a26ep-4, -0x1.7fb99a2548c7dp-2, -0x1.42421f53ebc68p+0, -0x1.b1acf9418eae0p-2, 0x1.36a6d5bdc094ap+1, 0x1.1634b3ad41730p+6, 0x1.444dc05f879f8p+8, -0x1.efacb08c05a38p+8, -0x1.69447a8175f30p-4 },
+    { 0x1.93047ba6d9a6ap+9, 0x1.176cbc70ea545p+8, -0x1.62eedb9a6cd37p+8, 0x1.4c4691a8c1ab0p-5, -0x1.9c38b968a9092p-1, 0x1.6b68ec1d86489p-2, 0x1.e4ed24585ffebp-2, -0x1.37cab8698c530p-1, 0x1.10edea20e3781p+0, -0x1.f4ee755cf6e80p-3, -0x1.2915d86e451c8p+8, 0x1.479e27ea66140p+5, -0x1.1fb5d4a325adcp+7, -0x1.688f4a50c0578p-2 },
+    { 0x1.b58c36375ca7cp+8, 0x1.0739829b7af3cp+8, -0x1.2d2188fa9a688p+8, -0x1.2ed68278eced2p-1, 0x1.bff208cd98730p-2, 0x1.487a397337042p-1, -0x1.b6e88f9ecaa98p-3, 0x1.0efb39f5520d6p+1, -0x1.6770b1a6dc6a4p-2, -0x1.177d107eddda8p+1, 0x1.ee93274032f34p+8, 0x1.ab1eaf3b765a2p+8, 0x1.0843b0c155a90p+5, -0x1.ca590e263eff4p-1 }
 };
 static const double sigma[N] = { 0.0001, 0.0001, 0.0001, 0.02, 0.02, 0.02, 3.490658503988659e-06, 3.490658503988659e-06, 3.490658503988659e-06, 0.0002, 0.0002, 0.0002, 0.0001, 0.0001, 0.0001, 0.0002, 0.02, 0.02, 0.02 };
 static const double start[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; /* of x: zero if it is an error */
@@ -455,12 +455,128 @@ static int spoil(const char *what, bs_status (*function)(void), bs_real *value, 
     return failures;
 }
 
+/* At either end of its box a number is taken.  What the function made of it is put back. */
+static int accepts(const char *what, bs_status (*function)(void), bs_real *value, bs_real low, bs_real high)
+{
+    const bs_real good = *value;
+    int failures = 0;
+    before = flown;
+    for (int end = 0; end < 2; ++end) {
+        *value = (end == 0) ? low : high;
+        failures += expect(what, function() == BS_OK);
+        flown = before;
+    }
+    *value = good;
+    return failures;
+}
+
+static int limits(void)
+{
+    int failures = begin();
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
+        static const bs_real high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
+        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+        static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+    }
+    for (int i = 0; i < 4; ++i) {
+#ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
+        for (int j = 0; j < 4; ++j) {
+            given_nav.q_b2n_wxyz[j] = BS_REAL(0.0);
+        }
+        failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i], BS_REAL(-0.999), BS_REAL(0.999));
+        failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i], BS_REAL(-1.001), BS_REAL(1.001));
+#endif
+    }
+    for (int end = 0; end < 2; ++end) {
+        static const double beyond[2] = { 0.49937512500000003, 0.500625125 };
+        for (int i = 0; i < 4; ++i) {
+            given_nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
+        }
+        failures += refuses("init: q_b2n_wxyz, norm", init, BS_OUT_OF_RANGE);
+    }
+    set_point(0);
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-0.017453292519943295), BS_REAL(-0.017453292519943295), BS_REAL(-0.017453292519943295) };
+        static const bs_real high[3] = { BS_REAL(0.017453292519943295), BS_REAL(0.017453292519943295), BS_REAL(0.017453292519943295) };
+        failures += accepts("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
+        static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
+        failures += accepts("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
+    }
+    for (int i = 0; i < 4; ++i) {
+#ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
+        for (int j = 0; j < 4; ++j) {
+            given_nav.q_b2m_wxyz[j] = BS_REAL(0.0);
+        }
+        failures += accepts("init: q_b2m_wxyz, norm", init, &given_nav.q_b2m_wxyz[i], BS_REAL(-0.999), BS_REAL(0.999));
+        failures += accepts("init: q_b2m_wxyz, norm", init, &given_nav.q_b2m_wxyz[i], BS_REAL(-1.001), BS_REAL(1.001));
+#endif
+    }
+    for (int end = 0; end < 2; ++end) {
+        static const double beyond[2] = { 0.49937512500000003, 0.500625125 };
+        for (int i = 0; i < 4; ++i) {
+            given_nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
+        }
+        failures += refuses("init: q_b2m_wxyz, norm", init, BS_OUT_OF_RANGE);
+    }
+    set_point(0);
+    for (int i = 0; i < 1; ++i) {
+        static const bs_real low[1] = { BS_REAL(-1.0) };
+        static const bs_real high[1] = { BS_REAL(1.0) };
+        failures += accepts("init: tau", init, &given_nav.tau, low[i], high[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
+        static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
+        failures += accepts("init: lever_b", init, &given_mounting.lever_b[i], low[i], high[i]);
+    }
+    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0));
+    rows = 0U;
+    failures += accepts("measure_dcm: gate", measure_dcm, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    for (int i = 0; i < 3; ++i) {
+        failures += accepts("measure_dcm: R", measure_dcm, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+    }
+    failures += accepts("measure_quaternion: gate", measure_quaternion, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    for (int i = 0; i < 3; ++i) {
+        failures += accepts("measure_quaternion: R", measure_quaternion, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+    }
+    failures += accepts("measure_euler: gate", measure_euler, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    for (int i = 0; i < 3; ++i) {
+        failures += accepts("measure_euler: R", measure_euler, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+    }
+    failures += accepts("measure_velocity: gate", measure_velocity, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    for (int i = 0; i < 3; ++i) {
+        failures += accepts("measure_velocity: R", measure_velocity, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+    }
+    rows = BS_ALL_ROWS;
+    for (int i = 0; i < (2 * N); ++i) { /* the first iteration may lead x out of its box: then the second undoes it */
+        static const bs_real x_low[N] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-0.017453292519943295), BS_REAL(-0.017453292519943295), BS_REAL(-0.017453292519943295), BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-1.0), BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
+        static const bs_real x_high[N] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0), BS_REAL(0.017453292519943295), BS_REAL(0.017453292519943295), BS_REAL(0.017453292519943295), BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(1.0), BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
+        failures += begin();
+        flown.x[i / 2] = ((i % 2) != 0) ? x_high[i / 2] : x_low[i / 2];
+        for (int k = 0; k < 3; ++k) {
+            R[k] = BS_REAL(1e-9);
+        }
+        before = flown;
+        failures += expect("measure_quaternion: undone", (measure_quaternion() == BS_OK) || same_state(&flown, &before));
+    }
+    set_point(0);
+    return failures + begin();
+}
+
 static int guards(void)
 {
     int failures = begin();
     {
-        static const double low[3] = { -4.4505895925855405, -18.84955592153876, -31000.0 };
-        static const double high[3] = { 4.4505895925855405, 18.84955592153876, 60500.0 };
+        static const double low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
+        static const double high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
             failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i], high[i]);
@@ -472,8 +588,8 @@ static int guards(void)
         }
     }
     {
-        static const double low[3] = { -3000.0, -3000.0, -3000.0 };
-        static const double high[3] = { 3000.0, 3000.0, 3000.0 };
+        static const double low[3] = { -1000.5, -1000.5, -1000.5 };
+        static const double high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
             failures += spoil("propagate: v_n", propagate, &flown.nav.v_n[i], low[i], high[i]);
@@ -486,8 +602,8 @@ static int guards(void)
         }
     }
     {
-        static const double low[4] = { -3.0029999999999997, -3.0029999999999997, -3.0029999999999997, -3.0029999999999997 };
-        static const double high[4] = { 3.0029999999999997, 3.0029999999999997, 3.0029999999999997, 3.0029999999999997 };
+        static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
+        static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
@@ -500,8 +616,8 @@ static int guards(void)
         }
     }
     {
-        static const double low[3] = { -0.05235987755982989, -0.05235987755982989, -0.05235987755982989 };
-        static const double high[3] = { 0.05235987755982989, 0.05235987755982989, 0.05235987755982989 };
+        static const double low[3] = { -0.01746201916620327, -0.01746201916620327, -0.01746201916620327 };
+        static const double high[3] = { 0.01746201916620327, 0.01746201916620327, 0.01746201916620327 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
             failures += spoil("strapdown: gyro_bias", strapdown, &flown.nav.gyro_bias[i], low[i], high[i]);
@@ -509,8 +625,8 @@ static int guards(void)
         }
     }
     {
-        static const double low[3] = { -3.0, -3.0, -3.0 };
-        static const double high[3] = { 3.0, 3.0, 3.0 };
+        static const double low[3] = { -1.0005, -1.0005, -1.0005 };
+        static const double high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
             failures += spoil("strapdown: accel_bias", strapdown, &flown.nav.accel_bias[i], low[i], high[i]);
@@ -518,8 +634,8 @@ static int guards(void)
         }
     }
     {
-        static const double low[4] = { -3.0029999999999997, -3.0029999999999997, -3.0029999999999997, -3.0029999999999997 };
-        static const double high[4] = { 3.0029999999999997, 3.0029999999999997, 3.0029999999999997, 3.0029999999999997 };
+        static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
+        static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2m_wxyz", init, &given_nav.q_b2m_wxyz[i], low[i], high[i]);
             failures += spoil("correct: q_b2m_wxyz", correct, &flown.nav.q_b2m_wxyz[i], low[i], high[i]);
@@ -529,23 +645,23 @@ static int guards(void)
         }
     }
     {
-        static const double low[1] = { -3.0 };
-        static const double high[1] = { 3.0 };
+        static const double low[1] = { -1.0005 };
+        static const double high[1] = { 1.0005 };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("init: tau", init, &given_nav.tau, low[i], high[i]);
             failures += spoil("correct: tau", correct, &flown.nav.tau, low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -1500.0, -1500.0, -1500.0 };
-        static const double high[3] = { 1500.0, 1500.0, 1500.0 };
+        static const double low[3] = { -500.25, -500.25, -500.25 };
+        static const double high[3] = { 500.25, 500.25, 500.25 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -60.0, -60.0, -60.0 };
-        static const double high[3] = { 60.0, 60.0, 60.0 };
+        static const double low[3] = { -20.01, -20.01, -20.01 };
+        static const double high[3] = { 20.01, 20.01, 20.01 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_dcm: omega_ib_b", measure_dcm, &given_imu.omega_ib_b[i], low[i], high[i]);
             failures += spoil("measure_quaternion: omega_ib_b", measure_quaternion, &given_imu.omega_ib_b[i], low[i], high[i]);
@@ -554,86 +670,86 @@ static int guards(void)
         }
     }
     {
-        static const double low[1] = { -9.999998000000001 };
-        static const double high[1] = { 19.999999000000003 };
+        static const double low[1] = { 9.995e-07 };
+        static const double high[1] = { 10.005 };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
             failures += spoil("strapdown: dt", strapdown, &given_imu.dt, low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -1.5, -1.5, -1.5 };
-        static const double high[3] = { 1.5, 1.5, 1.5 };
+        static const double low[3] = { -0.50025, -0.50025, -0.50025 };
+        static const double high[3] = { 0.50025, 0.50025, 0.50025 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dtheta_ib_b", strapdown, &given_increments.dtheta_ib_b[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -300.0, -300.0, -300.0 };
-        static const double high[3] = { 300.0, 300.0, 300.0 };
+        static const double low[3] = { -100.05, -100.05, -100.05 };
+        static const double high[3] = { 100.05, 100.05, 100.05 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dv_b", strapdown, &given_increments.dv_b[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -1.5, -1.5, -1.5 };
-        static const double high[3] = { 1.5, 1.5, 1.5 };
+        static const double low[3] = { -0.50025, -0.50025, -0.50025 };
+        static const double high[3] = { 0.50025, 0.50025, 0.50025 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dtheta_before", strapdown, &given_increments.dtheta_before[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -300.0, -300.0, -300.0 };
-        static const double high[3] = { 300.0, 300.0, 300.0 };
+        static const double low[3] = { -100.05, -100.05, -100.05 };
+        static const double high[3] = { 100.05, 100.05, 100.05 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dv_before", strapdown, &given_increments.dv_before[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -0.1, -0.1, -0.1 };
-        static const double high[3] = { 0.2, 0.2, 0.2 };
+        static const double low[3] = { -5e-05, -5e-05, -5e-05 };
+        static const double high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -10.0, -10.0, -10.0 };
-        static const double high[3] = { 20.0, 20.0, 20.0 };
+        static const double low[3] = { -0.005, -0.005, -0.005 };
+        static const double high[3] = { 10.005, 10.005, 10.005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: accel_noise", propagate, &given_noise.accel_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -0.1, -0.1, -0.1 };
-        static const double high[3] = { 0.2, 0.2, 0.2 };
+        static const double low[3] = { -5e-05, -5e-05, -5e-05 };
+        static const double high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: gyro_bias_noise", propagate, &given_noise.gyro_bias_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -10.0, -10.0, -10.0 };
-        static const double high[3] = { 20.0, 20.0, 20.0 };
+        static const double low[3] = { -0.005, -0.005, -0.005 };
+        static const double high[3] = { 10.005, 10.005, 10.005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: accel_bias_noise", propagate, &given_noise.accel_bias_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -0.1, -0.1, -0.1 };
-        static const double high[3] = { 0.2, 0.2, 0.2 };
+        static const double low[3] = { -5e-05, -5e-05, -5e-05 };
+        static const double high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: mu_noise", propagate, &given_noise.mu_noise[i], low[i], high[i]);
         }
     }
     {
-        static const double low[1] = { -0.1 };
-        static const double high[1] = { 0.2 };
+        static const double low[1] = { -5e-05 };
+        static const double high[1] = { 0.10005 };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("propagate: tau_noise", propagate, &given_noise.tau_noise, low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -300.0, -300.0, -300.0 };
-        static const double high[3] = { 300.0, 300.0, 300.0 };
+        static const double low[3] = { -100.05, -100.05, -100.05 };
+        static const double high[3] = { 100.05, 100.05, 100.05 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: lever_b", init, &given_mounting.lever_b[i], low[i], high[i]);
             failures += spoil("correct: lever_b", correct, &flown.mounting.lever_b[i], low[i], high[i]);
@@ -641,37 +757,37 @@ static int guards(void)
         }
     }
     {
-        static const double low[3] = { -3000.0, -3000.0, -3000.0 };
-        static const double high[3] = { 3000.0, 3000.0, 3000.0 };
+        static const double low[3] = { -1000.5, -1000.5, -1000.5 };
+        static const double high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_velocity: v_m_n", measure_velocity, &given_master.v_m_n[i], low[i], high[i]);
         }
     }
     {
-        static const double low[4] = { -3.0029999999999997, -3.0029999999999997, -3.0029999999999997, -3.0029999999999997 };
-        static const double high[4] = { 3.0029999999999997, 3.0029999999999997, 3.0029999999999997, 3.0029999999999997 };
+        static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
+        static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("measure_dcm: q_m2n_wxyz", measure_dcm, &given_master.q_m2n_wxyz[i], low[i], high[i]);
             failures += spoil("measure_quaternion: q_m2n_wxyz", measure_quaternion, &given_master.q_m2n_wxyz[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -9.42477796076938, -4.1887902047863905, -9.42477796076938 };
-        static const double high[3] = { 9.42477796076938, 4.1887902047863905, 9.42477796076938 };
+        static const double low[3] = { -3.143163449916588, -1.3969615332962613, -3.143163449916588 };
+        static const double high[3] = { 3.143163449916588, 1.3969615332962613, 3.143163449916588 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_euler: euler_m", measure_euler, &given_master.euler_m[i], low[i], high[i]);
         }
     }
     {
-        static const double low[3] = { -1500.0, -1500.0, -1500.0 };
-        static const double high[3] = { 1500.0, 1500.0, 1500.0 };
+        static const double low[3] = { -500.25, -500.25, -500.25 };
+        static const double high[3] = { 500.25, 500.25, 500.25 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_velocity: a_n", measure_velocity, &given_master.a_n[i], low[i], high[i]);
         }
     }
     {
-        static const double low[1] = { -3.0 };
-        static const double high[1] = { 3.0 };
+        static const double low[1] = { -1.0005 };
+        static const double high[1] = { 1.0005 };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("measure_dcm: lag", measure_dcm, &given_master.lag, low[i], high[i]);
             failures += spoil("measure_quaternion: lag", measure_quaternion, &given_master.lag, low[i], high[i]);
@@ -679,41 +795,53 @@ static int guards(void)
             failures += spoil("measure_velocity: lag", measure_velocity, &given_master.lag, low[i], high[i]);
         }
     }
-    failures += spoil("measure_dcm: gate", measure_dcm, &gate, -1.0, 1e35);
+    failures += spoil("measure_dcm: gate", measure_dcm, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
-        failures += spoil("measure_dcm: R", measure_dcm, &R[i], 0.0, 1e35);
+        failures += spoil("measure_dcm: R", measure_dcm, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    failures += expect("measure_dcm: null pointers",
-        (val_filter_measure_dcm(0, &given_imu, &given_master, R, rows, gate, &said) == BS_NULL_POINTER) &&
-        (val_filter_measure_dcm(&flown, &given_imu, &given_master, 0, rows, gate, &said) == BS_NULL_POINTER) &&
-        (val_filter_measure_dcm(&flown, &given_imu, &given_master, R, rows, gate, 0) == BS_NULL_POINTER));
-    failures += spoil("measure_quaternion: gate", measure_quaternion, &gate, -1.0, 1e35);
+    gate = (bs_real)selftest_nan(); /* is not looked at */
+    failures += expect("measure_dcm: a null pointer", val_filter_measure_dcm(0, &given_imu, &given_master, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_dcm: a null pointer", val_filter_measure_dcm(&flown, 0, &given_master, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_dcm: a null pointer", val_filter_measure_dcm(&flown, &given_imu, 0, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_dcm: a null pointer", val_filter_measure_dcm(&flown, &given_imu, &given_master, 0, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_dcm: a null pointer", val_filter_measure_dcm(&flown, &given_imu, &given_master, R, rows, gate, 0) == BS_NULL_POINTER);
+    gate = BS_REAL(0.0);
+    failures += spoil("measure_quaternion: gate", measure_quaternion, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
-        failures += spoil("measure_quaternion: R", measure_quaternion, &R[i], 0.0, 1e35);
+        failures += spoil("measure_quaternion: R", measure_quaternion, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
     iterations = 0;
     failures += refuses("measure_quaternion: iterations", measure_quaternion, BS_OUT_OF_RANGE);
     iterations = 2;
-    failures += expect("measure_quaternion: null pointers",
-        (val_filter_measure_quaternion(0, &given_imu, &given_master, R, rows, gate, iterations, &said) == BS_NULL_POINTER) &&
-        (val_filter_measure_quaternion(&flown, &given_imu, &given_master, 0, rows, gate, iterations, &said) == BS_NULL_POINTER) &&
-        (val_filter_measure_quaternion(&flown, &given_imu, &given_master, R, rows, gate, iterations, 0) == BS_NULL_POINTER));
-    failures += spoil("measure_euler: gate", measure_euler, &gate, -1.0, 1e35);
+    gate = (bs_real)selftest_nan(); /* is not looked at */
+    failures += expect("measure_quaternion: a null pointer", val_filter_measure_quaternion(0, &given_imu, &given_master, R, rows, gate, iterations, &said) == BS_NULL_POINTER);
+    failures += expect("measure_quaternion: a null pointer", val_filter_measure_quaternion(&flown, 0, &given_master, R, rows, gate, iterations, &said) == BS_NULL_POINTER);
+    failures += expect("measure_quaternion: a null pointer", val_filter_measure_quaternion(&flown, &given_imu, 0, R, rows, gate, iterations, &said) == BS_NULL_POINTER);
+    failures += expect("measure_quaternion: a null pointer", val_filter_measure_quaternion(&flown, &given_imu, &given_master, 0, rows, gate, iterations, &said) == BS_NULL_POINTER);
+    failures += expect("measure_quaternion: a null pointer", val_filter_measure_quaternion(&flown, &given_imu, &given_master, R, rows, gate, iterations, 0) == BS_NULL_POINTER);
+    gate = BS_REAL(0.0);
+    failures += spoil("measure_euler: gate", measure_euler, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
-        failures += spoil("measure_euler: R", measure_euler, &R[i], 0.0, 1e35);
+        failures += spoil("measure_euler: R", measure_euler, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    failures += expect("measure_euler: null pointers",
-        (val_filter_measure_euler(0, &given_imu, &given_master, R, rows, gate, &said) == BS_NULL_POINTER) &&
-        (val_filter_measure_euler(&flown, &given_imu, &given_master, 0, rows, gate, &said) == BS_NULL_POINTER) &&
-        (val_filter_measure_euler(&flown, &given_imu, &given_master, R, rows, gate, 0) == BS_NULL_POINTER));
-    failures += spoil("measure_velocity: gate", measure_velocity, &gate, -1.0, 1e35);
+    gate = (bs_real)selftest_nan(); /* is not looked at */
+    failures += expect("measure_euler: a null pointer", val_filter_measure_euler(0, &given_imu, &given_master, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_euler: a null pointer", val_filter_measure_euler(&flown, 0, &given_master, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_euler: a null pointer", val_filter_measure_euler(&flown, &given_imu, 0, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_euler: a null pointer", val_filter_measure_euler(&flown, &given_imu, &given_master, 0, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_euler: a null pointer", val_filter_measure_euler(&flown, &given_imu, &given_master, R, rows, gate, 0) == BS_NULL_POINTER);
+    gate = BS_REAL(0.0);
+    failures += spoil("measure_velocity: gate", measure_velocity, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
-        failures += spoil("measure_velocity: R", measure_velocity, &R[i], 0.0, 1e35);
+        failures += spoil("measure_velocity: R", measure_velocity, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    failures += expect("measure_velocity: null pointers",
-        (val_filter_measure_velocity(0, &given_imu, &given_master, R, rows, gate, &said) == BS_NULL_POINTER) &&
-        (val_filter_measure_velocity(&flown, &given_imu, &given_master, 0, rows, gate, &said) == BS_NULL_POINTER) &&
-        (val_filter_measure_velocity(&flown, &given_imu, &given_master, R, rows, gate, 0) == BS_NULL_POINTER));
+    gate = (bs_real)selftest_nan(); /* is not looked at */
+    failures += expect("measure_velocity: a null pointer", val_filter_measure_velocity(0, &given_imu, &given_master, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_velocity: a null pointer", val_filter_measure_velocity(&flown, 0, &given_master, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_velocity: a null pointer", val_filter_measure_velocity(&flown, &given_imu, 0, R, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_velocity: a null pointer", val_filter_measure_velocity(&flown, &given_imu, &given_master, 0, rows, gate, &said) == BS_NULL_POINTER);
+    failures += expect("measure_velocity: a null pointer", val_filter_measure_velocity(&flown, &given_imu, &given_master, R, rows, gate, 0) == BS_NULL_POINTER);
+    gate = BS_REAL(0.0);
     for (int i = 0; i < N; ++i) {
         const bs_real good = P0[i * (N + 1)];
         P0[i * (N + 1)] = (bs_real)selftest_nan();
@@ -722,12 +850,19 @@ static int guards(void)
         failures += refuses("init: P", init, BS_NOT_POSITIVE);
         P0[i * (N + 1)] = good;
     }
-    failures += expect("null pointers",
-        (val_filter_init(0, &given_nav, &given_mounting, P0) == BS_NULL_POINTER) && (val_filter_init(&flown, &given_nav, &given_mounting, 0) == BS_NULL_POINTER) &&
-        (val_filter_propagate(0, &given_imu, &given_noise) == BS_NULL_POINTER) &&
-        (val_filter_strapdown(0, &given_imu, &given_increments) == BS_NULL_POINTER) &&
-        (val_filter_correct(0) == BS_NULL_POINTER) &&
-        (val_filter_covariance(0, dense) == BS_NULL_POINTER) && (val_filter_covariance(&flown, 0) == BS_NULL_POINTER));
+    failures += expect("init: a null pointer", val_filter_init(0, &given_nav, &given_mounting, P0) == BS_NULL_POINTER);
+    failures += expect("init: a null pointer", val_filter_init(&flown, 0, &given_mounting, P0) == BS_NULL_POINTER);
+    failures += expect("init: a null pointer", val_filter_init(&flown, &given_nav, 0, P0) == BS_NULL_POINTER);
+    failures += expect("init: a null pointer", val_filter_init(&flown, &given_nav, &given_mounting, 0) == BS_NULL_POINTER);
+    failures += expect("propagate: a null pointer", val_filter_propagate(0, &given_imu, &given_noise) == BS_NULL_POINTER);
+    failures += expect("propagate: a null pointer", val_filter_propagate(&flown, 0, &given_noise) == BS_NULL_POINTER);
+    failures += expect("propagate: a null pointer", val_filter_propagate(&flown, &given_imu, 0) == BS_NULL_POINTER);
+    failures += expect("strapdown: a null pointer", val_filter_strapdown(0, &given_imu, &given_increments) == BS_NULL_POINTER);
+    failures += expect("strapdown: a null pointer", val_filter_strapdown(&flown, 0, &given_increments) == BS_NULL_POINTER);
+    failures += expect("strapdown: a null pointer", val_filter_strapdown(&flown, &given_imu, 0) == BS_NULL_POINTER);
+    failures += expect("correct: a null pointer", val_filter_correct(0) == BS_NULL_POINTER);
+    failures += expect("covariance: a null pointer", val_filter_covariance(0, dense) == BS_NULL_POINTER);
+    failures += expect("covariance: a null pointer", val_filter_covariance(&flown, 0) == BS_NULL_POINTER);
     failures += expect("the filter changed", same_state(&flown, &before));
     return failures;
 }
@@ -740,5 +875,5 @@ int test_val_filter(void)
         failures += fly();
     }
     set_point(0);
-    return failures + guards();
+    return failures + limits() + guards();
 }

@@ -4,7 +4,8 @@
 
 #include "val_F_kernel.h"
 
-bs_status val_F_nz(const val_nav *nav, const val_imu *imu, bs_real F_nz[41])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status val_F_checked(const val_nav *nav, const val_imu *imu, bs_real F_nz[41])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -15,7 +16,7 @@ bs_status val_F_nz(const val_nav *nav, const val_imu *imu, bs_real F_nz[41])
     static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (F_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (F_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -43,15 +44,20 @@ bs_status val_F_nz(const val_nav *nav, const val_imu *imu, bs_real F_nz[41])
     return BS_OK;
 }
 
+bs_status val_F_nz(const val_nav *nav, const val_imu *imu, bs_real F_nz[41])
+{
+    return val_F_checked(nav, imu, F_nz);
+}
+
 bs_status val_F(const val_nav *nav, const val_imu *imu, bs_real F[19 * VAL_N_STATES])
 {
     static const unsigned short F_index[41] = { 1, 2, 4, 6, 7, 8, 19, 21, 22, 25, 26, 27, 38, 39, 42, 44, 45, 46, 58, 59, 60, 61, 62, 66, 67, 68, 76, 78, 79, 80, 81, 85, 86, 87, 95, 96, 98, 99, 104, 105, 106 };
     bs_real F_nz[41];
     bs_status status;
-    if (F == 0) {
+    if (F == NULL) {
         return BS_NULL_POINTER;
     }
-    status = val_F_nz(nav, imu, F_nz);
+    status = val_F_checked(nav, imu, F_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 361; ++i) {
             F[i] = BS_REAL(0.0);

@@ -4,7 +4,8 @@
 
 #include "val_Phi_kernel.h"
 
-bs_status val_Phi_nz(const val_nav *nav, const val_imu *imu, bs_real Phi_nz[85])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status val_Phi_checked(const val_nav *nav, const val_imu *imu, bs_real Phi_nz[85])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -17,7 +18,7 @@ bs_status val_Phi_nz(const val_nav *nav, const val_imu *imu, bs_real Phi_nz[85])
     static const bs_real dt_low[1] = { BS_REAL(1e-06) };
     static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (Phi_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (Phi_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -49,15 +50,20 @@ bs_status val_Phi_nz(const val_nav *nav, const val_imu *imu, bs_real Phi_nz[85])
     return BS_OK;
 }
 
+bs_status val_Phi_nz(const val_nav *nav, const val_imu *imu, bs_real Phi_nz[85])
+{
+    return val_Phi_checked(nav, imu, Phi_nz);
+}
+
 bs_status val_Phi(const val_nav *nav, const val_imu *imu, bs_real Phi[19 * VAL_N_STATES])
 {
     static const unsigned short Phi_index[85] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 120, 140, 160, 180, 200, 220, 240, 260, 280, 300, 320, 340, 360 };
     bs_real Phi_nz[85];
     bs_status status;
-    if (Phi == 0) {
+    if (Phi == NULL) {
         return BS_NULL_POINTER;
     }
-    status = val_Phi_nz(nav, imu, Phi_nz);
+    status = val_Phi_checked(nav, imu, Phi_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 361; ++i) {
             Phi[i] = BS_REAL(0.0);

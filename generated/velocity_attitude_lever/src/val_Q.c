@@ -4,7 +4,8 @@
 
 #include "val_Q_kernel.h"
 
-bs_status val_Q_nz(const val_nav *nav, const val_imu *imu, const val_noise *noise, bs_real Q_nz[118])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status val_Q_checked(const val_nav *nav, const val_imu *imu, const val_noise *noise, bs_real Q_nz[118])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -29,7 +30,7 @@ bs_status val_Q_nz(const val_nav *nav, const val_imu *imu, const val_noise *nois
     static const bs_real tau_noise_low[1] = { BS_REAL(0.0) };
     static const bs_real tau_noise_high[1] = { BS_REAL(0.1) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (noise == 0) || (Q_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (noise == NULL) || (Q_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -85,15 +86,20 @@ bs_status val_Q_nz(const val_nav *nav, const val_imu *imu, const val_noise *nois
     return BS_OK;
 }
 
+bs_status val_Q_nz(const val_nav *nav, const val_imu *imu, const val_noise *noise, bs_real Q_nz[118])
+{
+    return val_Q_checked(nav, imu, noise, Q_nz);
+}
+
 bs_status val_Q(const val_nav *nav, const val_imu *imu, const val_noise *noise, bs_real Q[19 * VAL_N_STATES])
 {
     static const unsigned short Q_index[118] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 114, 115, 116, 117, 118, 119, 120, 133, 134, 135, 136, 137, 138, 140, 152, 153, 154, 155, 156, 157, 160, 171, 172, 173, 174, 175, 176, 180, 190, 191, 192, 193, 194, 195, 200, 209, 210, 211, 212, 213, 214, 220, 240, 260, 280, 300 };
     bs_real Q_nz[118];
     bs_status status;
-    if (Q == 0) {
+    if (Q == NULL) {
         return BS_NULL_POINTER;
     }
-    status = val_Q_nz(nav, imu, noise, Q_nz);
+    status = val_Q_checked(nav, imu, noise, Q_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 361; ++i) {
             Q[i] = BS_REAL(0.0);

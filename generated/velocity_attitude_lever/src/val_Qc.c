@@ -4,7 +4,8 @@
 
 #include "val_Qc_kernel.h"
 
-bs_status val_Qc_nz(const val_nav *nav, const val_noise *noise, bs_real Qc_nz[28])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status val_Qc_checked(const val_nav *nav, const val_noise *noise, bs_real Qc_nz[28])
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001) };
     static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
@@ -21,7 +22,7 @@ bs_status val_Qc_nz(const val_nav *nav, const val_noise *noise, bs_real Qc_nz[28
     static const bs_real tau_noise_low[1] = { BS_REAL(0.0) };
     static const bs_real tau_noise_high[1] = { BS_REAL(0.1) };
     bs_status status;
-    if ((nav == 0) || (noise == 0) || (Qc_nz == 0)) {
+    if ((nav == NULL) || (noise == NULL) || (Qc_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->q_b2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
@@ -61,15 +62,20 @@ bs_status val_Qc_nz(const val_nav *nav, const val_noise *noise, bs_real Qc_nz[28
     return BS_OK;
 }
 
+bs_status val_Qc_nz(const val_nav *nav, const val_noise *noise, bs_real Qc_nz[28])
+{
+    return val_Qc_checked(nav, noise, Qc_nz);
+}
+
 bs_status val_Qc(const val_nav *nav, const val_noise *noise, bs_real Qc[19 * VAL_N_STATES])
 {
     static const unsigned short Qc_index[28] = { 0, 1, 2, 19, 20, 21, 38, 39, 40, 60, 61, 62, 79, 80, 81, 98, 99, 100, 120, 140, 160, 180, 200, 220, 240, 260, 280, 300 };
     bs_real Qc_nz[28];
     bs_status status;
-    if (Qc == 0) {
+    if (Qc == NULL) {
         return BS_NULL_POINTER;
     }
-    status = val_Qc_nz(nav, noise, Qc_nz);
+    status = val_Qc_checked(nav, noise, Qc_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 361; ++i) {
             Qc[i] = BS_REAL(0.0);

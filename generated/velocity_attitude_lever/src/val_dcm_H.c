@@ -4,7 +4,8 @@
 
 #include "val_dcm_H_kernel.h"
 
-bs_status val_dcm_H_nz(const val_nav *nav, const val_imu *imu, bs_real H_nz[15])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status val_dcm_H_checked(const val_nav *nav, const val_imu *imu, bs_real H_nz[15])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -17,7 +18,7 @@ bs_status val_dcm_H_nz(const val_nav *nav, const val_imu *imu, bs_real H_nz[15])
     static const bs_real omega_ib_b_low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
     static const bs_real omega_ib_b_high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (H_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (H_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -53,15 +54,20 @@ bs_status val_dcm_H_nz(const val_nav *nav, const val_imu *imu, bs_real H_nz[15])
     return BS_OK;
 }
 
+bs_status val_dcm_H_nz(const val_nav *nav, const val_imu *imu, bs_real H_nz[15])
+{
+    return val_dcm_H_checked(nav, imu, H_nz);
+}
+
 bs_status val_dcm_H(const val_nav *nav, const val_imu *imu, bs_real H[3 * VAL_N_STATES])
 {
     static const unsigned short H_index[15] = { 0, 12, 13, 14, 15, 20, 31, 32, 33, 34, 40, 50, 51, 52, 53 };
     bs_real H_nz[15];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = val_dcm_H_nz(nav, imu, H_nz);
+    status = val_dcm_H_checked(nav, imu, H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 57; ++i) {
             H[i] = BS_REAL(0.0);

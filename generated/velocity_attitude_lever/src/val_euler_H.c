@@ -4,7 +4,8 @@
 
 #include "val_euler_H_kernel.h"
 
-bs_status val_euler_H_nz(const val_nav *nav, const val_imu *imu, const val_master *master, bs_real H_nz[20])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status val_euler_H_checked(const val_nav *nav, const val_imu *imu, const val_master *master, bs_real H_nz[20])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -17,7 +18,7 @@ bs_status val_euler_H_nz(const val_nav *nav, const val_imu *imu, const val_maste
     static const bs_real euler_m_low[3] = { BS_REAL(-3.141592653589793), BS_REAL(-1.3962634015954636), BS_REAL(-3.141592653589793) };
     static const bs_real euler_m_high[3] = { BS_REAL(3.141592653589793), BS_REAL(1.3962634015954636), BS_REAL(3.141592653589793) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (master == 0) || (H_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (master == NULL) || (H_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -49,15 +50,20 @@ bs_status val_euler_H_nz(const val_nav *nav, const val_imu *imu, const val_maste
     return BS_OK;
 }
 
+bs_status val_euler_H_nz(const val_nav *nav, const val_imu *imu, const val_master *master, bs_real H_nz[20])
+{
+    return val_euler_H_checked(nav, imu, master, H_nz);
+}
+
 bs_status val_euler_H(const val_nav *nav, const val_imu *imu, const val_master *master, bs_real H[3 * VAL_N_STATES])
 {
     static const unsigned short H_index[20] = { 0, 1, 2, 12, 13, 14, 15, 19, 20, 31, 32, 33, 34, 38, 39, 40, 50, 51, 52, 53 };
     bs_real H_nz[20];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = val_euler_H_nz(nav, imu, master, H_nz);
+    status = val_euler_H_checked(nav, imu, master, H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 57; ++i) {
             H[i] = BS_REAL(0.0);

@@ -31,7 +31,7 @@ bs_status val_feedback(const bs_real x[VAL_N_STATES], const val_nav *nav, const 
     bs_real lever_b_nz[3];
     bs_status status;
 
-    if ((x == 0) || (nav == 0) || (mounting == 0) || (v_n == 0) || (q_b2n_wxyz == 0) || (gyro_bias == 0) || (accel_bias == 0) || (q_b2m_wxyz == 0) || (tau == 0) || (lever_b == 0)) {
+    if ((x == NULL) || (nav == NULL) || (mounting == NULL) || (v_n == NULL) || (q_b2n_wxyz == NULL) || (gyro_bias == NULL) || (accel_bias == NULL) || (q_b2m_wxyz == NULL) || (tau == NULL) || (lever_b == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(x, x_low, x_high, 19);

@@ -34,12 +34,16 @@ static bs_status take(val_filter *filter, const bs_real *z, const bs_real *H, co
     bs_status status = BS_OK;
     innovation->used = 0U;
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
-        const int used = (int)((rows >> (unsigned int)i) & 1U);
-        bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i], gate, z[i], R[i], used };
+        bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i], gate, z[i], R[i], 0 };
+        if (((rows >> (unsigned int)i) & 1U) != 0U) {
+            row.used = 1;
+        }
         status = UPDATE(filter->P, filter->x, &row);
         innovation->nu[i] = row.nu;
         innovation->S[i] = row.S;
-        innovation->used |= (unsigned int)row.used << (unsigned int)i;
+        if (row.used != 0) {
+            innovation->used |= 1U << (unsigned int)i;
+        }
     }
     return status;
 }
@@ -63,7 +67,7 @@ bs_status val_filter_init(val_filter *filter, const val_nav *nav, const val_moun
     static const bs_real lever_b_low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
     static const bs_real lever_b_high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
     bs_status status;
-    if ((filter == 0) || (nav == 0) || (mounting == 0) || (P == 0)) {
+    if ((filter == NULL) || (nav == NULL) || (mounting == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -121,7 +125,7 @@ bs_status val_filter_strapdown(val_filter *filter, const val_imu *imu, const val
 {
     val_nav next_nav;
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (increments == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (increments == NULL)) {
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
@@ -137,7 +141,7 @@ bs_status val_filter_propagate(val_filter *filter, const val_imu *imu, const val
     static const bs_real dt_low[1] = { BS_REAL(1e-06) };
     static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (noise == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (noise == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(&imu->dt, dt_low, dt_high, 1);
@@ -162,7 +166,7 @@ bs_status val_filter_measure_dcm(val_filter *filter, const val_imu *imu, const v
     static const unsigned short at[15] = { 0, 12, 13, 14, 15, 1, 12, 13, 14, 15, 2, 12, 13, 14, 15 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (master == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -185,7 +189,7 @@ bs_status val_filter_measure_quaternion(val_filter *filter, const val_imu *imu, 
     static const unsigned short at[30] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 0, 1, 2, 6, 7, 8, 12, 13, 14, 15 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (master == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -215,7 +219,7 @@ bs_status val_filter_measure_quaternion(val_filter *filter, const val_imu *imu, 
             /* h is taken about the last estimate, so that the rows may treat it as linear in the state */
             for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
                 target[i] = z[i] - target[i];
-                for (int q = start[i]; q < start[i + 1]; ++q) {
+                for (int q = (int)start[i]; q < (int)start[i + 1]; ++q) {
                     target[i] += H[q] * filter->x[at[q]];
                 }
             }
@@ -245,7 +249,7 @@ bs_status val_filter_measure_euler(val_filter *filter, const val_imu *imu, const
     static const unsigned short at[20] = { 0, 1, 2, 12, 13, 14, 15, 0, 1, 12, 13, 14, 15, 0, 1, 2, 12, 13, 14, 15 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (master == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -268,7 +272,7 @@ bs_status val_filter_measure_velocity(val_filter *filter, const val_imu *imu, co
     static const unsigned short at[33] = { 0, 1, 2, 3, 6, 7, 8, 15, 16, 17, 18, 0, 1, 2, 4, 6, 7, 8, 15, 16, 17, 18, 0, 1, 2, 5, 6, 7, 8, 15, 16, 17, 18 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (master == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -289,7 +293,7 @@ bs_status val_filter_correct(val_filter *filter)
     val_nav next_nav;
     val_mounting next_mounting;
     bs_status status;
-    if (filter == 0) {
+    if (filter == NULL) {
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
@@ -307,7 +311,7 @@ bs_status val_filter_correct(val_filter *filter)
 
 bs_status val_filter_covariance(const val_filter *filter, bs_real P[VAL_N_STATES * VAL_N_STATES])
 {
-    if ((filter == 0) || (P == 0)) {
+    if ((filter == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
     DENSE(filter->P, P);

@@ -4,7 +4,8 @@
 
 #include "val_quaternion_H_kernel.h"
 
-bs_status val_quaternion_H_nz(const bs_real x[VAL_N_STATES], const val_nav *nav, const val_imu *imu, const val_master *master, bs_real H_nz[30])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status val_quaternion_H_checked(const bs_real x[VAL_N_STATES], const val_nav *nav, const val_imu *imu, const val_master *master, bs_real H_nz[30])
 {
     static const bs_real x_low[19] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-0.017453292519943295), BS_REAL(-0.017453292519943295), BS_REAL(-0.017453292519943295), BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-1.0), BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
     static const bs_real x_high[19] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0), BS_REAL(0.017453292519943295), BS_REAL(0.017453292519943295), BS_REAL(0.017453292519943295), BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(1.0), BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
@@ -23,7 +24,7 @@ bs_status val_quaternion_H_nz(const bs_real x[VAL_N_STATES], const val_nav *nav,
     static const bs_real lag_low[1] = { BS_REAL(-1.0) };
     static const bs_real lag_high[1] = { BS_REAL(1.0) };
     bs_status status;
-    if ((x == 0) || (nav == 0) || (imu == 0) || (master == 0) || (H_nz == 0)) {
+    if ((x == NULL) || (nav == NULL) || (imu == NULL) || (master == NULL) || (H_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(x, x_low, x_high, 19);
@@ -75,15 +76,20 @@ bs_status val_quaternion_H_nz(const bs_real x[VAL_N_STATES], const val_nav *nav,
     return BS_OK;
 }
 
+bs_status val_quaternion_H_nz(const bs_real x[VAL_N_STATES], const val_nav *nav, const val_imu *imu, const val_master *master, bs_real H_nz[30])
+{
+    return val_quaternion_H_checked(x, nav, imu, master, H_nz);
+}
+
 bs_status val_quaternion_H(const bs_real x[VAL_N_STATES], const val_nav *nav, const val_imu *imu, const val_master *master, bs_real H[3 * VAL_N_STATES])
 {
     static const unsigned short H_index[30] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 19, 20, 21, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 44, 45, 46, 50, 51, 52, 53 };
     bs_real H_nz[30];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = val_quaternion_H_nz(x, nav, imu, master, H_nz);
+    status = val_quaternion_H_checked(x, nav, imu, master, H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 57; ++i) {
             H[i] = BS_REAL(0.0);

@@ -4,7 +4,8 @@
 
 #include "val_velocity_H_kernel.h"
 
-bs_status val_velocity_H_nz(const val_nav *nav, const val_imu *imu, const val_mounting *mounting, const val_master *master, bs_real H_nz[33])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status val_velocity_H_checked(const val_nav *nav, const val_imu *imu, const val_mounting *mounting, const val_master *master, bs_real H_nz[33])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
@@ -19,7 +20,7 @@ bs_status val_velocity_H_nz(const val_nav *nav, const val_imu *imu, const val_mo
     static const bs_real a_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real a_n_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (mounting == 0) || (master == 0) || (H_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (mounting == NULL) || (master == NULL) || (H_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -55,15 +56,20 @@ bs_status val_velocity_H_nz(const val_nav *nav, const val_imu *imu, const val_mo
     return BS_OK;
 }
 
+bs_status val_velocity_H_nz(const val_nav *nav, const val_imu *imu, const val_mounting *mounting, const val_master *master, bs_real H_nz[33])
+{
+    return val_velocity_H_checked(nav, imu, mounting, master, H_nz);
+}
+
 bs_status val_velocity_H(const val_nav *nav, const val_imu *imu, const val_mounting *mounting, const val_master *master, bs_real H[3 * VAL_N_STATES])
 {
     static const unsigned short H_index[33] = { 0, 1, 2, 3, 6, 7, 8, 15, 16, 17, 18, 19, 20, 21, 23, 25, 26, 27, 34, 35, 36, 37, 38, 39, 40, 43, 44, 45, 46, 53, 54, 55, 56 };
     bs_real H_nz[33];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = val_velocity_H_nz(nav, imu, mounting, master, H_nz);
+    status = val_velocity_H_checked(nav, imu, mounting, master, H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 57; ++i) {
             H[i] = BS_REAL(0.0);

@@ -25,7 +25,7 @@ bs_status val_velocity_z(const val_nav *nav, const val_imu *imu, const val_mount
     bs_real z_nz[3];
     bs_status status;
 
-    if ((nav == 0) || (imu == 0) || (mounting == 0) || (master == 0) || (z == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (mounting == NULL) || (master == NULL) || (z == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);

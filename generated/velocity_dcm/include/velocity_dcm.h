@@ -13,23 +13,21 @@
 #include "boresight.h"
 
 /* The error state. */
-enum {
-    /* error of the velocity against the true one carried into c (m/s, ENU) */
-    VD_IX_DV_E = 0,
-    VD_IX_DV_N = 1,
-    VD_IX_DV_U = 2,
-    /* attitude error against the computed level c (rad, ENU) */
-    VD_IX_PSI_E = 3,
-    VD_IX_PSI_N = 4,
-    VD_IX_PSI_U = 5,
-    /* misalignment error, mu_hat - mu (rad, body) */
-    VD_IX_DMU_X = 6,
-    VD_IX_DMU_Y = 7,
-    VD_IX_DMU_Z = 8,
-    /* error of the delay, tau_hat - tau (s) */
-    VD_IX_D_TAU = 9,
-    VD_N_STATES = 10
-};
+/* error of the velocity against the true one carried into c (m/s, ENU) */
+#define VD_IX_DV_E 0
+#define VD_IX_DV_N 1
+#define VD_IX_DV_U 2
+/* attitude error against the computed level c (rad, ENU) */
+#define VD_IX_PSI_E 3
+#define VD_IX_PSI_N 4
+#define VD_IX_PSI_U 5
+/* misalignment error, mu_hat - mu (rad, body) */
+#define VD_IX_DMU_X 6
+#define VD_IX_DMU_Y 7
+#define VD_IX_DMU_Z 8
+/* error of the delay, tau_hat - tau (s) */
+#define VD_IX_D_TAU 9
+#define VD_N_STATES 10
 
 /* What the slave carries and the filter corrects. */
 typedef struct {

@@ -10,15 +10,14 @@
 #ifndef VELOCITY_DCM_COVARIANCE_H
 #define VELOCITY_DCM_COVARIANCE_H
 
+#include "boresight_filter.h"
 #include "velocity_dcm.h"
 
-enum {
-    VD_N_PACKED = 55, /* numbers of a packed symmetric matrix */
-    VD_N_F = 18,      /* non-zeros of F, as vd_F writes them */
-    VD_N_QC = 18,     /* non-zeros of Qc, as vd_Qc writes them */
-    VD_N_PHI = 31,    /* non-zeros of I + F + F F, and so of Phi */
-    VD_N_WORK = 200   /* numbers of scratch memory */
-};
+#define VD_N_PACKED 55 /* numbers of a packed symmetric matrix */
+#define VD_N_F 18 /* non-zeros of F, as vd_F writes them */
+#define VD_N_QC 18 /* non-zeros of Qc, as vd_Qc writes them */
+#define VD_N_PHI 31 /* non-zeros of I + F + F F, and so of Phi */
+#define VD_N_WORK 200 /* numbers of scratch memory */
 
 /* Phi = I + F dt + (F dt)^2 / 2, and Q, the covariance that noise of density Qc adds over dt, to the third power of dt.
  * in   F, Qc: non-zeros; both are overwritten, by themselves times dt

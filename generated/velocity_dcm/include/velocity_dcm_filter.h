@@ -8,7 +8,7 @@
 
 #include "velocity_dcm_covariance.h"
 
-enum { VD_MAX_ROWS = 3 };
+#define VD_MAX_ROWS 3
 
 /* The filter: filled by vd_filter_init. */
 typedef struct {

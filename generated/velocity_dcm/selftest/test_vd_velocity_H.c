@@ -279,44 +279,56 @@ static const double tol_H[N_VECTORS][6] = {
 #endif
 static const unsigned short at_H[6] = { 0, 9, 11, 19, 22, 29 };
 
+static void set_point(int v, vd_master *master)
+{
+    for (int i = 0; i < 3; ++i) {
+        master->a_n[i] = (bs_real)in_a_n[v][i];
+    }
+}
+
 int test_vd_velocity_H(void)
 {
     int failures = 0;
-    for (int k = 0; k <= N_VECTORS; ++k) {
-        vd_master master = {0};
-        bs_real H[30];
-        const int v = (k < N_VECTORS) ? k : 0;
-        for (int i = 0; i < 3; ++i) {
-            master.a_n[i] = (bs_real)in_a_n[v][i];
-        }
-        if (k < N_VECTORS) {
-            if (vd_velocity_H(&master, H) != BS_OK) {
-                ++failures;
-                continue;
-            }
-            failures += selftest_compare("vd_velocity_H H", k, H, 30, out_H[v], tol_H[v], at_H, 6, 0);
+    vd_master master = {0};
+    bs_real H[30];
+    for (int v = 0; v < N_VECTORS; ++v) {
+        set_point(v, &master);
+        if (vd_velocity_H(&master, H) != BS_OK) {
+            ++failures;
             continue;
         }
-        /* Bad input: each component in turn NaN, infinite, beyond either end of its box. */
-        for (int i = 0; i < 3; ++i) {
-            static const double beyond_low[3] = { -1500.0, -1500.0, -1500.0 };
-            static const double beyond_high[3] = { 1500.0, 1500.0, 1500.0 };
-            const bs_real good = master.a_n[i];
-            for (int bad = 0; bad < 4; ++bad) {
-                const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-                master.a_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-                selftest_paint(H, 30);
-                if (vd_velocity_H(&master, H) != expected) {
-                    (void)printf("vd_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
-                    ++failures;
-                }
-                failures += selftest_painted("vd_velocity_H H", H, 30);
+        failures += selftest_compare("vd_velocity_H H", v, H, 30, out_H[v], tol_H[v], at_H, 6, 0);
+    }
+    /* a_n: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
+    for (int i = 0; i < 3; ++i) {
+        static const double beyond_low[3] = { -500.25, -500.25, -500.25 };
+        static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
+        for (int bad = 0; bad < 4; ++bad) {
+            const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
+            set_point(0, &master);
+            master.a_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity() : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(H, 30);
+            if (vd_velocity_H(&master, H) != expected) {
+                (void)printf("vd_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
+                ++failures;
             }
-            master.a_n[i] = good;
+            failures += selftest_painted("vd_velocity_H H", H, 30);
         }
-        if (vd_velocity_H(0, H) != BS_NULL_POINTER) {
-            ++failures;
+        for (int end = 0; end < 2; ++end) {
+            static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
+            static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
+            set_point(0, &master);
+            master.a_n[i] = (end == 0) ? low[i] : high[i];
+            if (vd_velocity_H(&master, H) != BS_OK) {
+                (void)printf("vd_velocity_H: a_n[%d] end %d refused\n", i, end);
+                ++failures;
+            }
         }
     }
+    set_point(0, &master);
+    failures += (vd_velocity_H(0, H) != BS_NULL_POINTER);
+    failures += (vd_velocity_H(&master, 0) != BS_NULL_POINTER);
+    failures += (vd_velocity_H_nz(0, H) != BS_NULL_POINTER);
+    failures += (vd_velocity_H_nz(&master, 0) != BS_NULL_POINTER);
     return failures;
 }

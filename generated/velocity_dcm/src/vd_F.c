@@ -4,7 +4,8 @@
 
 #include "vd_F_kernel.h"
 
-bs_status vd_F_nz(const vd_nav *nav, const vd_imu *imu, bs_real F_nz[18])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status vd_F_checked(const vd_nav *nav, const vd_imu *imu, bs_real F_nz[18])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
@@ -15,7 +16,7 @@ bs_status vd_F_nz(const vd_nav *nav, const vd_imu *imu, bs_real F_nz[18])
     static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (F_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (F_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -43,15 +44,20 @@ bs_status vd_F_nz(const vd_nav *nav, const vd_imu *imu, bs_real F_nz[18])
     return BS_OK;
 }
 
+bs_status vd_F_nz(const vd_nav *nav, const vd_imu *imu, bs_real F_nz[18])
+{
+    return vd_F_checked(nav, imu, F_nz);
+}
+
 bs_status vd_F(const vd_nav *nav, const vd_imu *imu, bs_real F[10 * VD_N_STATES])
 {
     static const unsigned short F_index[18] = { 1, 2, 4, 5, 10, 12, 13, 15, 20, 21, 23, 24, 34, 35, 43, 45, 53, 54 };
     bs_real F_nz[18];
     bs_status status;
-    if (F == 0) {
+    if (F == NULL) {
         return BS_NULL_POINTER;
     }
-    status = vd_F_nz(nav, imu, F_nz);
+    status = vd_F_checked(nav, imu, F_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 100; ++i) {
             F[i] = BS_REAL(0.0);

@@ -4,7 +4,8 @@
 
 #include "vd_Phi_kernel.h"
 
-bs_status vd_Phi_nz(const vd_nav *nav, const vd_imu *imu, bs_real Phi_nz[31])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status vd_Phi_checked(const vd_nav *nav, const vd_imu *imu, bs_real Phi_nz[31])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
@@ -17,7 +18,7 @@ bs_status vd_Phi_nz(const vd_nav *nav, const vd_imu *imu, bs_real Phi_nz[31])
     static const bs_real dt_low[1] = { BS_REAL(1e-06) };
     static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (Phi_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (Phi_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -49,15 +50,20 @@ bs_status vd_Phi_nz(const vd_nav *nav, const vd_imu *imu, bs_real Phi_nz[31])
     return BS_OK;
 }
 
+bs_status vd_Phi_nz(const vd_nav *nav, const vd_imu *imu, bs_real Phi_nz[31])
+{
+    return vd_Phi_checked(nav, imu, Phi_nz);
+}
+
 bs_status vd_Phi(const vd_nav *nav, const vd_imu *imu, bs_real Phi[10 * VD_N_STATES])
 {
     static const unsigned short Phi_index[31] = { 0, 1, 2, 3, 4, 5, 10, 11, 12, 13, 14, 15, 20, 21, 22, 23, 24, 25, 33, 34, 35, 43, 44, 45, 53, 54, 55, 66, 77, 88, 99 };
     bs_real Phi_nz[31];
     bs_status status;
-    if (Phi == 0) {
+    if (Phi == NULL) {
         return BS_NULL_POINTER;
     }
-    status = vd_Phi_nz(nav, imu, Phi_nz);
+    status = vd_Phi_checked(nav, imu, Phi_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 100; ++i) {
             Phi[i] = BS_REAL(0.0);

@@ -4,7 +4,8 @@
 
 #include "vd_Q_kernel.h"
 
-bs_status vd_Q_nz(const vd_nav *nav, const vd_imu *imu, const vd_noise *noise, bs_real Q_nz[36])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status vd_Q_checked(const vd_nav *nav, const vd_imu *imu, const vd_noise *noise, bs_real Q_nz[36])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
@@ -21,7 +22,7 @@ bs_status vd_Q_nz(const vd_nav *nav, const vd_imu *imu, const vd_noise *noise, b
     static const bs_real accel_noise_low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
     static const bs_real accel_noise_high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
     bs_status status;
-    if ((nav == 0) || (imu == 0) || (noise == 0) || (Q_nz == 0)) {
+    if ((nav == NULL) || (imu == NULL) || (noise == NULL) || (Q_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -61,15 +62,20 @@ bs_status vd_Q_nz(const vd_nav *nav, const vd_imu *imu, const vd_noise *noise, b
     return BS_OK;
 }
 
+bs_status vd_Q_nz(const vd_nav *nav, const vd_imu *imu, const vd_noise *noise, bs_real Q_nz[36])
+{
+    return vd_Q_checked(nav, imu, noise, Q_nz);
+}
+
 bs_status vd_Q(const vd_nav *nav, const vd_imu *imu, const vd_noise *noise, bs_real Q[10 * VD_N_STATES])
 {
     static const unsigned short Q_index[36] = { 0, 1, 2, 3, 4, 5, 10, 11, 12, 13, 14, 15, 20, 21, 22, 23, 24, 25, 30, 31, 32, 33, 34, 35, 40, 41, 42, 43, 44, 45, 50, 51, 52, 53, 54, 55 };
     bs_real Q_nz[36];
     bs_status status;
-    if (Q == 0) {
+    if (Q == NULL) {
         return BS_NULL_POINTER;
     }
-    status = vd_Q_nz(nav, imu, noise, Q_nz);
+    status = vd_Q_checked(nav, imu, noise, Q_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 100; ++i) {
             Q[i] = BS_REAL(0.0);

@@ -4,7 +4,8 @@
 
 #include "vd_Qc_kernel.h"
 
-bs_status vd_Qc_nz(const vd_nav *nav, const vd_noise *noise, bs_real Qc_nz[18])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status vd_Qc_checked(const vd_nav *nav, const vd_noise *noise, bs_real Qc_nz[18])
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001) };
     static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
@@ -13,7 +14,7 @@ bs_status vd_Qc_nz(const vd_nav *nav, const vd_noise *noise, bs_real Qc_nz[18])
     static const bs_real accel_noise_low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
     static const bs_real accel_noise_high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
     bs_status status;
-    if ((nav == 0) || (noise == 0) || (Qc_nz == 0)) {
+    if ((nav == NULL) || (noise == NULL) || (Qc_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->q_b2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
@@ -37,15 +38,20 @@ bs_status vd_Qc_nz(const vd_nav *nav, const vd_noise *noise, bs_real Qc_nz[18])
     return BS_OK;
 }
 
+bs_status vd_Qc_nz(const vd_nav *nav, const vd_noise *noise, bs_real Qc_nz[18])
+{
+    return vd_Qc_checked(nav, noise, Qc_nz);
+}
+
 bs_status vd_Qc(const vd_nav *nav, const vd_noise *noise, bs_real Qc[10 * VD_N_STATES])
 {
     static const unsigned short Qc_index[18] = { 0, 1, 2, 10, 11, 12, 20, 21, 22, 33, 34, 35, 43, 44, 45, 53, 54, 55 };
     bs_real Qc_nz[18];
     bs_status status;
-    if (Qc == 0) {
+    if (Qc == NULL) {
         return BS_NULL_POINTER;
     }
-    status = vd_Qc_nz(nav, noise, Qc_nz);
+    status = vd_Qc_checked(nav, noise, Qc_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 100; ++i) {
             Qc[i] = BS_REAL(0.0);

@@ -4,14 +4,15 @@
 
 #include "vd_dcm_H_kernel.h"
 
-bs_status vd_dcm_H_nz(const vd_master *master, bs_real H_nz[15])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status vd_dcm_H_checked(const vd_master *master, bs_real H_nz[15])
 {
     static const bs_real q_r2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001) };
     static const bs_real q_r2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
     static const bs_real omega_nr_n_low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
     static const bs_real omega_nr_n_high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
     bs_status status;
-    if ((master == 0) || (H_nz == 0)) {
+    if ((master == NULL) || (H_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(master->q_r2n_wxyz, q_r2n_wxyz_low, q_r2n_wxyz_high, 4);
@@ -31,15 +32,20 @@ bs_status vd_dcm_H_nz(const vd_master *master, bs_real H_nz[15])
     return BS_OK;
 }
 
+bs_status vd_dcm_H_nz(const vd_master *master, bs_real H_nz[15])
+{
+    return vd_dcm_H_checked(master, H_nz);
+}
+
 bs_status vd_dcm_H(const vd_master *master, bs_real H[3 * VD_N_STATES])
 {
     static const unsigned short H_index[15] = { 3, 6, 7, 8, 9, 14, 16, 17, 18, 19, 25, 26, 27, 28, 29 };
     bs_real H_nz[15];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = vd_dcm_H_nz(master, H_nz);
+    status = vd_dcm_H_checked(master, H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 30; ++i) {
             H[i] = BS_REAL(0.0);

@@ -4,7 +4,8 @@
 
 #include "vd_dcm_exact_H_kernel.h"
 
-bs_status vd_dcm_exact_H_nz(const bs_real x[VD_N_STATES], const vd_nav *nav, const vd_master *master, bs_real H_nz[21])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status vd_dcm_exact_H_checked(const bs_real x[VD_N_STATES], const vd_nav *nav, const vd_master *master, bs_real H_nz[21])
 {
     static const bs_real x_low[10] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-1.0) };
     static const bs_real x_high[10] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5), BS_REAL(1.0) };
@@ -17,7 +18,7 @@ bs_status vd_dcm_exact_H_nz(const bs_real x[VD_N_STATES], const vd_nav *nav, con
     static const bs_real omega_nr_n_low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
     static const bs_real omega_nr_n_high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
     bs_status status;
-    if ((x == 0) || (nav == 0) || (master == 0) || (H_nz == 0)) {
+    if ((x == NULL) || (nav == NULL) || (master == NULL) || (H_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(x, x_low, x_high, 10);
@@ -53,15 +54,20 @@ bs_status vd_dcm_exact_H_nz(const bs_real x[VD_N_STATES], const vd_nav *nav, con
     return BS_OK;
 }
 
+bs_status vd_dcm_exact_H_nz(const bs_real x[VD_N_STATES], const vd_nav *nav, const vd_master *master, bs_real H_nz[21])
+{
+    return vd_dcm_exact_H_checked(x, nav, master, H_nz);
+}
+
 bs_status vd_dcm_exact_H(const bs_real x[VD_N_STATES], const vd_nav *nav, const vd_master *master, bs_real H[3 * VD_N_STATES])
 {
     static const unsigned short H_index[21] = { 3, 4, 5, 6, 7, 8, 9, 13, 14, 15, 16, 17, 18, 19, 23, 24, 25, 26, 27, 28, 29 };
     bs_real H_nz[21];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = vd_dcm_exact_H_nz(x, nav, master, H_nz);
+    status = vd_dcm_exact_H_checked(x, nav, master, H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 30; ++i) {
             H[i] = BS_REAL(0.0);

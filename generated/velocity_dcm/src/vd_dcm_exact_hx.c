@@ -19,7 +19,7 @@ bs_status vd_dcm_exact_h(const bs_real x[VD_N_STATES], const vd_nav *nav, const 
     bs_real h_nz[3];
     bs_status status;
 
-    if ((x == 0) || (nav == 0) || (master == 0) || (h == 0)) {
+    if ((x == NULL) || (nav == NULL) || (master == NULL) || (h == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(x, x_low, x_high, 10);

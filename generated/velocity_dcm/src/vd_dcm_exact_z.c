@@ -15,7 +15,7 @@ bs_status vd_dcm_exact_z(const vd_nav *nav, const vd_master *master, bs_real z[3
     bs_real z_nz[3];
     bs_status status;
 
-    if ((nav == 0) || (master == 0) || (z == 0)) {
+    if ((nav == NULL) || (master == NULL) || (z == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->q_b2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);

@@ -22,7 +22,7 @@ bs_status vd_feedback(const bs_real x[VD_N_STATES], const vd_nav *nav, bs_real v
     bs_real tau_nz[1];
     bs_status status;
 
-    if ((x == 0) || (nav == 0) || (v_n == 0) || (q_b2n_wxyz == 0) || (mu == 0) || (tau == 0)) {
+    if ((x == NULL) || (nav == NULL) || (v_n == NULL) || (q_b2n_wxyz == NULL) || (mu == NULL) || (tau == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(x, x_low, x_high, 10);

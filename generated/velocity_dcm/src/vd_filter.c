@@ -34,12 +34,16 @@ static bs_status take(vd_filter *filter, const bs_real *z, const bs_real *H, con
     bs_status status = BS_OK;
     innovation->used = 0U;
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
-        const int used = (int)((rows >> (unsigned int)i) & 1U);
-        bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i], gate, z[i], R[i], used };
+        bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i], gate, z[i], R[i], 0 };
+        if (((rows >> (unsigned int)i) & 1U) != 0U) {
+            row.used = 1;
+        }
         status = UPDATE(filter->P, filter->x, &row);
         innovation->nu[i] = row.nu;
         innovation->S[i] = row.S;
-        innovation->used |= (unsigned int)row.used << (unsigned int)i;
+        if (row.used != 0) {
+            innovation->used |= 1U << (unsigned int)i;
+        }
     }
     return status;
 }
@@ -57,7 +61,7 @@ bs_status vd_filter_init(vd_filter *filter, const vd_nav *nav, const bs_real P[V
     static const bs_real tau_low[1] = { BS_REAL(-1.0) };
     static const bs_real tau_high[1] = { BS_REAL(1.0) };
     bs_status status;
-    if ((filter == 0) || (nav == 0) || (P == 0)) {
+    if ((filter == NULL) || (nav == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(nav->position, position_low, position_high, 3);
@@ -99,7 +103,7 @@ bs_status vd_filter_propagate(vd_filter *filter, const vd_imu *imu, const vd_noi
     static const bs_real dt_low[1] = { BS_REAL(1e-06) };
     static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status;
-    if ((filter == 0) || (imu == 0) || (noise == 0)) {
+    if ((filter == NULL) || (imu == NULL) || (noise == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(&imu->dt, dt_low, dt_high, 1);
@@ -124,7 +128,7 @@ bs_status vd_filter_measure_velocity(vd_filter *filter, const vd_master *master,
     static const unsigned short at[6] = { 0, 9, 1, 9, 2, 9 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (master == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (master == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -147,7 +151,7 @@ bs_status vd_filter_measure_dcm(vd_filter *filter, const vd_master *master, cons
     static const unsigned short at[15] = { 3, 6, 7, 8, 9, 4, 6, 7, 8, 9, 5, 6, 7, 8, 9 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (master == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (master == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -170,7 +174,7 @@ bs_status vd_filter_measure_dcm_exact(vd_filter *filter, const vd_master *master
     static const unsigned short at[21] = { 3, 4, 5, 6, 7, 8, 9, 3, 4, 5, 6, 7, 8, 9, 3, 4, 5, 6, 7, 8, 9 };
     bs_real z[3];
     bs_status status;
-    if ((filter == 0) || (master == 0) || (R == 0) || (innovation == 0)) {
+    if ((filter == NULL) || (master == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
     status = check_noise(R, gate, 3);
@@ -200,7 +204,7 @@ bs_status vd_filter_measure_dcm_exact(vd_filter *filter, const vd_master *master
             /* h is taken about the last estimate, so that the rows may treat it as linear in the state */
             for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
                 target[i] = z[i] - target[i];
-                for (int q = start[i]; q < start[i + 1]; ++q) {
+                for (int q = (int)start[i]; q < (int)start[i + 1]; ++q) {
                     target[i] += H[q] * filter->x[at[q]];
                 }
             }
@@ -227,7 +231,7 @@ bs_status vd_filter_correct(vd_filter *filter)
 {
     vd_nav next_nav;
     bs_status status;
-    if (filter == 0) {
+    if (filter == NULL) {
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
@@ -243,7 +247,7 @@ bs_status vd_filter_correct(vd_filter *filter)
 
 bs_status vd_filter_covariance(const vd_filter *filter, bs_real P[VD_N_STATES * VD_N_STATES])
 {
-    if ((filter == 0) || (P == 0)) {
+    if ((filter == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
     DENSE(filter->P, P);

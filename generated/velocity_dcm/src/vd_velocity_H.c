@@ -4,12 +4,13 @@
 
 #include "vd_velocity_H_kernel.h"
 
-bs_status vd_velocity_H_nz(const vd_master *master, bs_real H_nz[6])
+/* Checks, then the kernel: what both forms below share. */
+static bs_status vd_velocity_H_checked(const vd_master *master, bs_real H_nz[6])
 {
     static const bs_real a_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real a_n_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
     bs_status status;
-    if ((master == 0) || (H_nz == 0)) {
+    if ((master == NULL) || (H_nz == NULL)) {
         return BS_NULL_POINTER;
     }
     status = bs_check(master->a_n, a_n_low, a_n_high, 3);
@@ -21,15 +22,20 @@ bs_status vd_velocity_H_nz(const vd_master *master, bs_real H_nz[6])
     return BS_OK;
 }
 
+bs_status vd_velocity_H_nz(const vd_master *master, bs_real H_nz[6])
+{
+    return vd_velocity_H_checked(master, H_nz);
+}
+
 bs_status vd_velocity_H(const vd_master *master, bs_real H[3 * VD_N_STATES])
 {
     static const unsigned short H_index[6] = { 0, 9, 11, 19, 22, 29 };
     bs_real H_nz[6];
     bs_status status;
-    if (H == 0) {
+    if (H == NULL) {
         return BS_NULL_POINTER;
     }
-    status = vd_velocity_H_nz(master, H_nz);
+    status = vd_velocity_H_checked(master, H_nz);
     if (status == BS_OK) {
         for (int i = 0; i < 30; ++i) {
             H[i] = BS_REAL(0.0);
