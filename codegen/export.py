@@ -14,7 +14,7 @@ from boresight.codegen.generate import generate
 from boresight.codegen.samples import generator
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import Library, load
-from boresight.runtime.manifest import read_manifest
+from boresight.runtime.manifest import folder_of, read_manifest
 
 PRECISIONS = ("double", "float")
 SECONDS = 60  # of the example
@@ -31,6 +31,8 @@ def export(target: str, out: Path, precision: str, folder: Path | None = None) -
         raise BoresightError(f"there is no precision {precision!r}; choose {' or '.join(PRECISIONS)}")
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise BoresightError(f"{out} is not empty; choose another folder with -o, or remove it first")
+    if folder is None and ":" not in target:
+        folder = folder_of(target)  # from wherever the command is run
     report = generate(target, folder, check=True)
     if report.written:
         raise BoresightError(f"{report.folder} is not what {target} says now; run 'boresight generate {target}' first")
