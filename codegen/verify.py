@@ -176,7 +176,11 @@ def check_first_order(model: Model, m: Measurement, made: list[Unit], library: L
     read = {a.name: a for a in ((*unit.args, *full.args) if full else maker.variables)}
     rng = generator("first order", model.name, m.name)
     drawn = sample(tuple(read.values()), 0, count, rng)
-    values = {a.name: v if a.norm else v / 2 for a, v in zip(read.values(), drawn, strict=True)}
+    # a law of rotations holds for quaternions of the norm that is meant, the middle of its range
+    values = {
+        a.name: v / np.linalg.norm(v, axis=1, keepdims=True) * (sum(a.norm) / 2) if a.norm else v / 2
+        for a, v in zip(read.values(), drawn, strict=True)
+    }
     values["x"] = np.zeros((count, model.n))
     directions = rng.standard_normal(values[law.small].shape) if law.small else np.ones((count, 1))
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
