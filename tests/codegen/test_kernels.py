@@ -85,8 +85,8 @@ def test_the_self_test_sees_each_mutation(right, wrong, copy, tmp_path):
     assert text.count(right) >= 1
     source.write_text(text.replace(right, wrong))
     done = self_test(copy, tmp_path, "-std=c99")
-    assert done.returncode == 1, "the self-test does not see it"
-    assert "FAILED stationary_detector" in done.stdout
+    assert done.returncode != 0, "the self-test does not see it"  # a crash is seen too
+    assert done.returncode < 0 or "FAILED stationary_detector" in done.stdout
 
 
 def test_a_model_and_the_detector_link_into_one_binary(tmp_path):
