@@ -3,27 +3,48 @@
 import json
 import sys
 from collections.abc import Callable
-from math import isfinite
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
-
-import typer
+from typing import Annotated, Any
 
 from boresight import BoresightError, __version__
 
-if TYPE_CHECKING:
-    from rich.console import Console
+try:
+    import typer
+except ModuleNotFoundError:
+    sys.exit("boresight: the command line needs more packages; install them with pip install 'boresight[cli]'")
 
-app = typer.Typer(no_args_is_help=True, add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False)
+app = typer.Typer(no_args_is_help=True, rich_markup_mode=None, pretty_exceptions_enable=False)
 
+
+def model_names() -> list[str]:
+    from boresight.runtime.manifest import built_in
+
+    return built_in()
+
+
+def paper_names() -> list[str]:
+    from boresight.derive.ledger import PAPERS
+
+    return list(PAPERS)
+
+
+def completed(*sources: Callable[[], list[str]]) -> Callable[[str], list[str]]:
+    """What the shell offers for a word that was begun."""
+    return lambda incomplete: [name for source in sources for name in source() if name.startswith(incomplete)]
+
+
+STUDIES = ["azimuth-hold", "euler-table", "float-covariance", "sea-state"]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document and nothing else.")]
 Out = Annotated[Path | None, typer.Option("-o", "--out", help="Folder for results.")]
-
-
-def console() -> "Console":
-    from rich.console import Console
-
-    return Console(highlight=False)
+Targets = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="[MODEL | FILE.py:NAME]...",
+        help="All built-in models if left out.",
+        show_default=False,
+        autocompletion=completed(model_names),
+    ),
+]
 
 
 def print_json(document: Any) -> None:
@@ -45,11 +66,18 @@ def root(version: Annotated[bool, typer.Option("--version", help="Print the vers
 
 
 @app.command()
-def models(as_json: AsJson = False) -> None:
-    """The built-in models: states, measurements, and what is generated for each."""
-    from boresight.runtime.manifest import built_in, folder_of, read_manifest
+def models(
+    name: Annotated[
+        str | None,
+        typer.Argument(metavar="[MODEL]", help="All if left out.", autocompletion=completed(model_names)),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """The built-in models; with a name, its states, inputs, measurements and functions."""
+    from boresight.runtime.manifest import folder_of, read_manifest
 
-    manifests = [read_manifest(folder_of(name)) for name in built_in()]
+    names = [one_of(name, model_names(), "model")] if name else model_names()
+    manifests = [read_manifest(folder_of(name)) for name in names]
     if as_json:
         print_json(
             [
@@ -59,67 +87,67 @@ def models(as_json: AsJson = False) -> None:
             ]
         )
         return
-    from rich.table import Table
+    from boresight import report, terminal
 
-    for m in manifests:
-        print(f"{m['model']}: {m['title']}")
-        print(f"  frame {m['frame']}; C prefix {m['c_prefix']}_; states {' '.join(m['states'])}")
-        for name, measurement in m["measurements"].items():
-            print(f"  measurement {name} ({', '.join(measurement['rows'])}): {measurement['meaning']}")
-        table = Table("C function", "operations", "inputs", "outputs", box=None)
-        for unit in m["units"].values():
-            outputs = [f"{r['name']} {'x'.join(map(str, r['shape']))}" for r in unit["results"]]
-            table.add_row(unit["c_name"], str(unit["operations"]), ", ".join(unit["fields"]), ", ".join(outputs))
-        console().print(table)
+    terminal.page(*(report.model(manifests[0]) if name else report.models(manifests)))
 
 
 @app.command()
 def equations(
-    paper: Annotated[str | None, typer.Argument(help="A paper; all if left out.")] = None, as_json: AsJson = False
+    paper: Annotated[
+        str | None,
+        typer.Argument(metavar="[PAPER]", help="All if left out.", autocompletion=completed(paper_names)),
+    ] = None,
+    number: Annotated[str | None, typer.Argument(metavar="[NUMBER]", help="Of one equation, for its evidence.")] = None,
+    as_json: AsJson = False,
 ) -> None:
-    """The ledger: each printed equation, its computed status, and every erratum with numbers."""
-    import textwrap
-    from collections import Counter
+    """The ledger: the computed status of each printed equation, and every erratum with numbers."""
+    from boresight import report, terminal
+    from boresight.derive.ledger import conditions, findings, ledger
+    from boresight.derive.ledger import equations as printed
 
-    from boresight.derive.ledger import PAPERS, findings, ledger
-
-    papers = [one_of(paper, list(PAPERS), "paper")] if paper else list(PAPERS)
-    entries = [entry for name in papers for entry in ledger(name)]
+    papers = [one_of(paper, paper_names(), "paper")] if paper else paper_names()
+    if number is not None:
+        number = one_of(number.strip("()"), [equation.number for equation in printed(papers[0])], "equation")
+    with terminal.progress(sum(len(printed(name)) for name in papers)) as done:
+        ledgers = {name: ledger(name, done) for name in papers}
     if as_json:
-        print_json([entry.to_dict() for entry in entries])
-        return
-    for name in papers:
-        own = [entry for entry in entries if entry.paper == name]
-        print(name)
-        for entry in own:
-            head = f"{'(' + entry.number + ')':>6}  {entry.status:<12}"
-            if entry.status != "erratum":
-                print(textwrap.fill(head + entry.evidence.split("; ")[-1], 110, subsequent_indent=" " * 20))
-                continue
-            print(f"{head}{entry.kind}, {entry.origin}")
-            for text in (entry.note, entry.evidence):
-                print(textwrap.fill(text, 110, initial_indent=" " * 10, subsequent_indent=" " * 10))
-        for finding in findings(name):
-            print(textwrap.fill(str(finding), 110, subsequent_indent="  "))
-        counts = Counter(entry.status for entry in own)
-        print(f"{name}: " + ", ".join(f"{count} {status}" for status, count in sorted(counts.items())) + "\n")
+        print_json([e.to_dict() for entries in ledgers.values() for e in entries if number in (None, e.number)])
+    elif paper is None:
+        terminal.page(*report.equations(ledgers))
+    elif number is None:
+        terminal.page(*report.paper(paper, ledgers[paper], conditions(paper), findings(paper)))
+    else:
+        (entry,) = (entry for entry in ledgers[paper] if entry.number == number)
+        terminal.page(*report.equation(entry, conditions(paper)))
 
 
 @app.command()
 def show(
     name: Annotated[
-        str, typer.Argument(metavar="MODEL|PAPER", help="A model, a paper, or delay-error: what an unknown delay does.")
+        str,
+        typer.Argument(
+            metavar="MODEL|PAPER",
+            help="A model, a paper, or delay-error: what an unknown delay does.",
+            autocompletion=completed(model_names, paper_names, lambda: ["delay-error"]),
+        ),
     ],
     equation: Annotated[str | None, typer.Argument(help="Number of an equation; all if left out.")] = None,
-    form: Annotated[str, typer.Option("--format", help="text, latex, html or pdf.")] = "text",
+    form: Annotated[
+        str,
+        typer.Option(
+            "--format",
+            help="text, latex, html or pdf.",
+            autocompletion=completed(lambda: ["text", "latex", "html", "pdf"]),
+        ),
+    ] = "text",
     out: Annotated[Path | None, typer.Option("-o", "--out", help="File to write; needed for pdf.")] = None,
 ) -> None:
     """The derivation of a paper's equations, or of those that a model stands on, step by step."""
-    from boresight.codegen.generate import model_names
+    from boresight import terminal
     from boresight.derive import render as r
-    from boresight.derive.ledger import PAPERS
 
-    one_of(name, [*PAPERS, *model_names(), "delay-error"], "paper or model")
+    one_of(name, [*paper_names(), *model_names(), "delay-error"], "paper or model")
     one_of(form, [*r.FORMATS, "pdf"], "format")
     if form == "pdf" and out is None:
         raise BoresightError("a pdf needs a file to go to; add -o FILE.pdf")
@@ -127,11 +155,13 @@ def show(
     if name == "delay-error":
         text = delay_error(equation, kind)
     else:
-        text = r.render(name, equation, kind) if name in PAPERS else model_equations(name, equation, kind)
-    if out is None:
-        sys.stdout.write(text)
-    else:
+        text = r.render(name, equation, kind) if name in paper_names() else model_equations(name, equation, kind)
+    if out is not None:
         write(out, r.pdf_from_latex(text) if form == "pdf" else text.encode())
+    elif form == "text":
+        terminal.page_text(text)
+    else:
+        sys.stdout.write(text)
 
 
 def delay_error(number: str | None, form: str) -> str:
@@ -173,9 +203,7 @@ def write(path: Path, content: bytes) -> None:
 
 @app.command()
 def generate(
-    targets: Annotated[
-        list[str] | None, typer.Argument(metavar="[MODEL | FILE.py:NAME]...", show_default=False)
-    ] = None,
+    targets: Targets = None,
     check: Annotated[bool, typer.Option("--check", help="Write nothing; exit 1 if anything would change.")] = False,
     out: Annotated[Path | None, typer.Option("-o", "--out", help="Folder, if there is one model.")] = None,
 ) -> None:
@@ -184,109 +212,106 @@ def generate(
     Exit status with --check: 0 no difference, 1 a difference, 3 other versions of SymPy or CasADi than those that the
     committed files were made with, so that nothing can be said.
     """
+    from boresight import terminal
     from boresight.codegen import generate as g
 
+    if not targets and not check and not g.is_checkout():
+        raise BoresightError(
+            "the built-in models come generated; name one to write it to ./generated, or your own as FILE.py:NAME"
+        )
     targets = targets or g.target_names()
     if out is not None and len(targets) > 1:
         raise BoresightError("-o names one folder; give one model with it")
-    status = 0
-    for target in targets:
-        report = g.generate(target, out, check)
-        label = f"{report.model} in {report.folder}"
-        if not report.comparable:
-            made = ", ".join(f"{k} {v}" for k, v in g.old_manifest(report.folder)["versions"].items())
-            here = ", ".join(f"{k} {v}" for k, v in g.versions().items())
-            print(f"{label}: not comparable; made with {made}, here are {here}")
-            status = max(status, 3)
-            continue
-        if report.up_to_date or not report.written:
-            print(f"{label}: nothing changed")
-            continue
-        for change in report.changes:
-            print(f"  {change}")
-        verb = "would change" if check else "written"
-        print(f"{label}: {len(report.changes)} functions differ, {len(report.written)} files {verb}")
-        if check:
-            for path in report.written:
-                print(f"  {path}")
-            status = max(status, 1)
+    status, unchanged, lines = 0, 0, []
+    with terminal.progress(len(targets)) as done:
+        for target in targets:
+            report = g.generate(target, out, check)
+            done(target)
+            label = f"{report.model} in {near(report.folder)}"
+            if not report.comparable:
+                made = ", ".join(f"{k} {v}" for k, v in g.old_manifest(report.folder)["versions"].items())
+                here = ", ".join(f"{k} {v}" for k, v in g.versions().items())
+                lines.append(f"{label}: not comparable; made with {made}, here are {here}")
+                status = max(status, 3)
+            elif report.up_to_date or not report.written:
+                unchanged += 1
+            else:
+                verb = "would change" if check else "written"
+                lines += [f"  {change}" for change in report.changes]
+                lines.append(f"{label}: {len(report.changes)} functions differ, {len(report.written)} files {verb}")
+                if check:
+                    lines += [f"  {path}" for path in report.written]
+                    status = max(status, 1)
+    if unchanged:
+        lines.append(f"{label}: nothing changed" if len(targets) == 1 else f"nothing changed in {unchanged} models")
+    print("\n".join(lines))
     raise typer.Exit(status)
+
+
+def near(path: Path) -> Path:
+    """As the user would type it here."""
+    return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path
 
 
 @app.command()
 def verify(
-    targets: Annotated[
-        list[str] | None, typer.Argument(metavar="[MODEL | FILE.py:NAME]...", show_default=False)
-    ] = None,
+    targets: Targets = None,
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
     as_json: AsJson = False,
 ) -> None:
     """Prove the compiled C: bit for bit against CasADi's C, and within rounding of 50-digit arithmetic."""
-    from rich.progress import Progress, SpinnerColumn, TextColumn
-    from rich.table import Table
-
+    from boresight import report, terminal
+    from boresight.codegen import generate as g
     from boresight.codegen import verify as v
-    from boresight.codegen.generate import default_folder, model_names
 
-    targets = targets or model_names()
+    targets = targets or g.model_names()
     if folder is not None and len(targets) > 1:
         raise BoresightError("--generated names one folder; give one model with it")
+    folders = {target: folder or (g.default_folder(target) if ":" in target else None) for target in targets}
+    units = sum(len(g.old_manifest(where or g.default_folder(t)).get("units", ())) for t, where in folders.items())
     checks = []
-    from rich.console import Console
-
-    with Progress(
-        SpinnerColumn(), TextColumn("{task.description}"), transient=True, console=Console(stderr=True)
-    ) as bar:
-        task = bar.add_task("")
-        for target in targets:
-            where = folder or (default_folder(target) if ":" in target else None)
-            checks += v.verify(target, where, progress=lambda text: bar.update(task, description=text))
-    good = all(check.ok for check in checks)
+    with terminal.progress(units) as done:
+        for target, where in folders.items():
+            checks += v.verify(target, where, progress=done)
     if as_json:
         print_json(v.to_json(checks))
-        raise typer.Exit(0 if good else 1)
-    table = Table(
-        "model", "function", "points", "outputs", "bits as CasADi", "largest error", "bound / error", "", box=None
-    )
-    for check in checks:
-        if isinstance(check, v.UnitCheck):
-            loose = f"{check.looseness:.1f}" if isfinite(check.looseness) else "exact"
-            table.add_row(
-                check.model, check.unit, str(check.points), str(check.outputs), "yes" if check.same_bits else "NO",
-                f"{check.largest_error:.1e}", loose, "ok" if check.ok else "FAILED",
-            )  # fmt: skip
-    console().print(table)
-    for check in checks:
-        if isinstance(check, v.FirstOrderCheck):
-            beyond = (
-                f" where nothing is neglected, then by {check.coefficient:.3f} a unit of what is; halved, the "
-                f"difference is {check.ratio:.4f} of it"
-                if check.coefficient is not None
-                else ""
-            )
-            print(
-                f"{check.model} {check.unit}: differs from the exact Jacobian by {check.limit:.1e}{beyond}: "
-                f"{'ok' if check.ok else 'FAILED'}"
-            )
-    print(f"verify: {sum(c.ok for c in checks)} passed, {sum(not c.ok for c in checks)} failed")
-    raise typer.Exit(0 if good else 1)
+    else:
+        terminal.page(*report.verified(checks))
+    raise typer.Exit(0 if all(check.ok for check in checks) else 1)
 
 
 @app.command()
 def export(
-    target: Annotated[str, typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False)],
+    target: Annotated[
+        str,
+        typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
+    ],
     out: Annotated[Path, typer.Option("-o", "--out", help="The new folder.", show_default=False)],
-    precision: Annotated[str, typer.Option(help="double, or float with the covariance as UD factors.")] = "double",
+    precision: Annotated[
+        str,
+        typer.Option(
+            help="double, or float with the covariance as UD factors.",
+            autocompletion=completed(lambda: ["double", "float"]),
+        ),
+    ] = "double",
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
 ) -> None:
     """Write a folder of C that needs nothing of Python: filter, self-test, example, Makefile, CMake package."""
-    from boresight.codegen.export import export as write
+    from boresight.codegen.export import export as export_model
 
-    written = write(target, out, precision, folder)
+    written = export_model(target, out, precision, folder)
     print(f"{len(written)} files in {out}; try 'make -C {out} test example'")
 
 
-STUDIES = ["azimuth-hold", "euler-table", "float-covariance", "sea-state"]
+# What a study takes beside --seed, -o and --json; behind "--explore", what its exploration takes.
+TAKES = {
+    "azimuth-hold": {"--runs", "--seconds"},
+    "euler-table": {"--runs", "--seconds", "--switch", "--explore"},
+    "euler-table --explore": {"--runs", "--explore"},
+    "float-covariance": set(),
+    "sea-state": {"--runs", "--seconds", "--explore"},
+    "sea-state --explore": {"--runs", "--explore"},
+}
 
 
 @app.command()
@@ -295,10 +320,13 @@ def study(
         str,
         typer.Argument(
             help="euler-table: Table 1 of Song and Lee; azimuth-hold: the experiment of Kim; sea-state: that of Kang; "
-            "float-covariance: what single precision does to a covariance."
+            "float-covariance: what single precision does to a covariance.",
+            autocompletion=completed(lambda: STUDIES),
         ),
     ],
-    runs: Annotated[int, typer.Option(help="Monte Carlo runs of each case.")] = 20,
+    runs: Annotated[
+        int | None, typer.Option(help="Monte Carlo runs of each case, 20 if left out; not of float-covariance.")
+    ] = None,
     seed: Annotated[int, typer.Option(help="Of the random numbers; a run's depend on seed and run alone.")] = 0,
     seconds: Annotated[
         float | None,
@@ -314,31 +342,28 @@ def study(
     as_json: AsJson = False,
 ) -> None:
     """Run an experiment of a paper; euler-table exits 1 where it disagrees with the paper."""
+    from boresight import terminal
+
     one_of(name, STUDIES, "study")
-    if switch and name != "euler-table":
-        raise BoresightError(f"--switch belongs to euler-table; {name} has none")
-    if explore and name not in ("euler-table", "sea-state"):
-        raise BoresightError(f"--explore belongs to euler-table and sea-state; {name} has none")
-    from rich.console import Console
-
-    with Console(stderr=True).status("") as status:
-
-        def progress(line: str) -> None:
-            status.update(line)
-
-        fly = {
-            "azimuth-hold": azimuth_hold,
-            "euler-table": euler_table,
-            "float-covariance": float_covariance,
-            "sea-state": sea_state,
-        }[name]
+    given = {"--runs": runs is not None, "--seconds": seconds is not None, "--switch": switch, "--explore": explore}
+    asked = f"{name} --explore" if explore and "--explore" in TAKES[name] else name
+    for option in (option for option, value in given.items() if value and option not in TAKES[asked]):
+        raise BoresightError(f"study {asked} takes no {option}; leave it out")
+    fly = {
+        "azimuth-hold": azimuth_hold,
+        "euler-table": euler_table,
+        "float-covariance": float_covariance,
+        "sea-state": sea_state,
+    }[name]
+    with terminal.progress(None) as progress:
+        runs = 20 if runs is None else runs
         result, text, written, good = fly(runs, seed, seconds, tuple(switch or ()), explore, out, progress)
     if as_json:
         print_json(result)
     else:
-        for path in written:
-            print(f"wrote {path}")
-        print(text)
+        if written:
+            print(f"{len(written)} figures in {out}")
+        terminal.page_text(text + "\n")
     raise typer.Exit(0 if good else 1)
 
 
@@ -515,13 +540,13 @@ def replay(
             recording, folder=folder, as_json=as_json, delay=delay_ms * 1e-3, rate_hz=rate_hz, measurement=measurement
         )
         raise typer.Exit(status)
-    from rich.console import Console
+    from boresight import terminal
 
-    with Console(stderr=True).status("") as line:
+    with terminal.progress(None) as progress:
         result = transfer_replay.run(
             data, load(name), noise=noise, prior={key: float(value[0]) for key, value in prior.items()},
             lever_b=None if lever_arm is None else quantity(lever_arm, "length", 3), delay=delay_ms * 1e-3,
-            rate_hz=rate_hz, progress=line.update,
+            rate_hz=rate_hz, progress=progress,
         )  # fmt: skip
     raise typer.Exit(transfer_replay.finish(result, folder=folder, as_json=as_json))
 
@@ -534,10 +559,10 @@ def make(folder: Path) -> Path:
     return folder
 
 
-def main() -> None:
+def main(words: list[str] | None = None) -> None:
     """The entry point: a BoresightError becomes one line on standard error and exit status 1."""
     try:
-        app()
+        app(words)
     except BoresightError as error:
         print(f"boresight: {error}", file=sys.stderr)
         sys.exit(1)

@@ -21,7 +21,7 @@ from boresight.codegen.kernels import KERNELS, make_kernel
 from boresight.runtime.manifest import GENERATED, cache_folder
 
 VERSIONED = ("casadi", "sympy")  # what the bytes of the output depend on, beside Boresight itself
-PACKAGE = Path(__file__).parent.parent
+PACKAGE = Path(__file__).resolve().parent.parent  # in the repository its root, for boresight/ holds links
 MODELS = PACKAGE / "derive" / "models"
 
 
@@ -72,12 +72,16 @@ def versions() -> dict[str, str]:
 
 
 def default_folder(target: str) -> Path:
-    """generated/ of the checkout for a built-in model, ./generated/NAME for a user's own."""
+    """generated/ of the checkout for a built-in model, ./generated/ for a user's own; both by the model's name."""
     if ":" in target:
-        return Path("generated") / target.rsplit(":", 1)[1].lower().replace("-", "_")
-    if not os.access(PACKAGE / "pyproject.toml", os.F_OK):
-        return Path("generated") / target.replace("-", "_")  # an installed package is never written to
-    return GENERATED / target.replace("-", "_")
+        return Path("generated") / load_model(target).name.replace("-", "_")
+    folder = GENERATED.resolve() if is_checkout() else Path("generated")  # an installed package is never written to
+    return folder / target.replace("-", "_")
+
+
+def is_checkout() -> bool:
+    """Whether the package lies in the repository, where the generated files belong to it, or was installed."""
+    return (PACKAGE / "pyproject.toml").is_file()
 
 
 def load_model(target: str) -> Any:

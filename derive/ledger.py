@@ -8,7 +8,7 @@
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 from functools import cache
 from importlib import import_module
@@ -83,13 +83,17 @@ def equations(paper: str) -> tuple[Equation, ...]:
     return paper_module(paper).equations()
 
 
-def ledger(paper: str) -> list[Entry]:
-    """The ledger of a paper, one entry for each numbered equation.
+def ledger(paper: str, progress: Callable[[str], None] = lambda done: None) -> list[Entry]:
+    """The ledger of a paper, one entry for each numbered equation; `progress` is called after each with its number.
 
     Raises BoresightError on an unknown name, and when the witness refutes a derived form: then the derivation is wrong.
     """
     with mp.workdps(DIGITS):
-        return [_entry(equation) for equation in equations(paper)]
+        entries = []
+        for equation in equations(paper):
+            entries.append(_entry(equation))
+            progress(f"{paper} ({equation.number})")
+        return entries
 
 
 def findings(paper: str) -> tuple[str, ...]:
@@ -97,6 +101,13 @@ def findings(paper: str) -> tuple[str, ...]:
     paper_module(paper)
     with mp.workdps(DIGITS):
         return import_module(PAPERS[paper] + "_world").findings()
+
+
+def conditions(paper: str) -> tuple[str, str]:
+    """What the sizes of its first-order equations hold for, and the point at which its errata are computed."""
+    paper_module(paper)
+    world = import_module(PAPERS[paper] + "_world")
+    return world.CONDITIONS_TEXT, world.STATED_TEXT
 
 
 # ---- Status --------------------------------------------------------------------------------------------------------
