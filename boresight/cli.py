@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any
 
-from boresight import BoresightError, __version__
+from boresight import BoresightError, __version__, need
 
 try:
     import typer
@@ -355,6 +355,9 @@ def study(
         "float-covariance": float_covariance,
         "sea-state": sea_state,
     }[name]
+    if out is not None:
+        need("replay")  # for the figures; said before the flight and not after it
+        make(out)
     with terminal.progress(None) as progress:
         runs = 20 if runs is None else runs
         result, text, written, good = fly(runs, seed, seconds, tuple(switch or ()), explore, out, progress)
@@ -386,7 +389,7 @@ def euler_table(
     library = load("euler-matching")
     if explore:
         result = euler_exploration.explore(library, runs=runs, seed=seed, progress=progress)
-        written = [] if out is None else figures.euler_exploration(result, make(out))
+        written = [] if out is None else figures.euler_exploration(result, out)
         return result, euler_exploration.report(result), written, result["finished"]
     result = table.run(
         library,
@@ -396,7 +399,7 @@ def euler_table(
         switches=switches,
         progress=progress,
     )
-    written = [] if out is None else figures.euler_figures(result, make(out))
+    written = [] if out is None else figures.euler_figures(result, out)
     good = all(result[kind]["agree"] == result["cells"] for kind in ("linear", "monte_carlo"))
     return result, table.report(result), written, good
 
@@ -420,7 +423,7 @@ def azimuth_hold(
         histories=out is not None,
         progress=progress,
     )
-    written = [] if out is None else azimuth_figures.azimuth_figures(result, make(out))
+    written = [] if out is None else azimuth_figures.azimuth_figures(result, out)
     return result, hold.report(result), written, True
 
 
@@ -439,7 +442,7 @@ def float_covariance(
     from boresight.studies import float_covariance as single
 
     result = single.run(seed=seed, progress=progress)
-    written = [] if out is None else single.float_figures(result, make(out))
+    written = [] if out is None else single.float_figures(result, out)
     worst = result["worst"]["100 Hz"]
     return result, single.report(result), written, worst["dies_s"] is None and worst["deviation"] < 0.005
 
@@ -460,21 +463,42 @@ def sea_state(
     if explore:
         shown = sea_exploration.explore(runs=runs, seed=seed, progress=progress)
         varied = sea_claims.explore(runs=runs, seed=seed, progress=progress)
-        written = [] if out is None else sea_exploration.exploration_figures(shown, make(out))
+        written = [] if out is None else sea_exploration.exploration_figures(shown, out)
         report = f"{sea_exploration.report(shown)}\n{sea_claims.report(varied)}"
         return {"exploration": shown, "claims": varied}, report, written, True
     scenario = Scenario() if seconds is None else Scenario(seconds=round(seconds))
     result = sea.run(runs=runs, seed=seed, scenario=scenario, histories=out is not None, progress=progress)
-    written = [] if out is None else sea_figures.sea_figures(result, make(out))
+    written = [] if out is None else sea_figures.sea_figures(result, out)
     return result, sea.report(result), written, True
+
+
+def print_template(wanted: bool) -> None:
+    if wanted:
+        from boresight.runtime import recording
+
+        sys.stdout.write((Path(recording.__file__).parent / "recordings" / "template.toml").read_text())
+        raise typer.Exit
 
 
 @app.command()
 def replay(
     recording: Annotated[str, typer.Argument(help="A recording, or the TOML file that describes one.")],
+    template: Annotated[
+        bool,
+        typer.Option(
+            "--template",
+            help="Print a description of a recording, to be filled in, and end.",
+            callback=print_template,
+            is_eager=True,
+        ),
+    ] = False,
     model: Annotated[
         str | None,
-        typer.Option("--model", help=f"{', '.join(REPLAYED[:3])} with a master, azimuth-hold without one."),
+        typer.Option(
+            "--model",
+            help=f"{', '.join(REPLAYED[:3])} with a master, azimuth-hold without one.",
+            autocompletion=completed(lambda: REPLAYED),
+        ),
     ] = None,
     check: Annotated[bool, typer.Option("--check", help="Look at the recording and fly nothing.")] = False,
     delay_ms: Annotated[

@@ -1,1 +1,5 @@
-"""Equations, derivations, papers and models as SymPy values.  Nothing here writes files."""
+"""Equations, derivations, papers and models as SymPy values."""
+
+from boresight import need
+
+need("derive")

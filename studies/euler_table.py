@@ -442,9 +442,7 @@ def report(result: dict[str, Any]) -> str:
         if len(got["disagree"]) > 12:
             lines.append(f"    ... and {len(got['disagree']) - 12} more")
     claimed = int(np.sum((np.array(result["monte_carlo"]["claimed"]) < threshold) & ~paper))
-    lines.append(
-        f"    The filter's sigma calls {claimed} of the {np.sum(~paper)} others estimated: it is no witness."
-    )
+    lines.append(f"    The filter's sigma calls {claimed} of the {np.sum(~paper)} others estimated: it is no witness.")
     if result["monte_carlo"]["lost_runs"]:
         lines.append(f"    {result['monte_carlo']['lost_runs']} of {49 * result['runs']} runs left the model's box")
     if result["switches"]:
