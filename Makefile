@@ -42,9 +42,9 @@ tools:
 	@command -v $${CC:-cc} >/dev/null || { echo "make: no C compiler; install gcc, or set CC"; exit 1; }
 
 $(VENV)/.installed: pyproject.toml constraints.txt | tools
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[all]'
-	touch $@
+	@$(PYTHON) -m venv $(VENV)
+	@$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[all]'
+	@touch $@
 
 $(VENV)/.tested: $(VENV)/.installed
 	$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[test]'

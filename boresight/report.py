@@ -88,15 +88,14 @@ def sentence(entry: "Entry", conditions: str) -> str:
 def equations(ledgers: dict[str, list["Entry"]]) -> Parts:
     """How many equations of each paper have which status, and which are errata."""
     rows = table("paper", "equations", *STATUSES, right=("equations", *STATUSES))
-    errata = table("errata of", "kind", "equations", prose="equations")
+    errata = table("errata of", "kinds and equations", prose="kinds and equations")
     for paper, entries in ledgers.items():
         counts = Counter(entry.status for entry in entries)
         rows.add_row(paper, str(len(entries)), *(str(counts[status]) for status in STATUSES))
         kinds = dict.fromkeys(entry.kind for entry in entries if entry.kind)
-        for i, kind in enumerate(kinds):
-            numbers = " ".join(f"({entry.number})" for entry in entries if entry.kind == kind)
-            errata.add_row("" if i else paper, kind, numbers)
-    return [rows, "", errata, "", "'boresight equations PAPER' prints what was found about each equation."]
+        named = (f"{kind} " + " ".join(f"({e.number})" for e in entries if e.kind == kind) for kind in kinds)
+        errata.add_row(paper, ", ".join(named))
+    return [rows, "", errata, "'boresight equations PAPER' prints what was found about each equation."]
 
 
 def paper(name: str, entries: Sequence["Entry"], conditions: tuple[str, str], findings: Sequence[str]) -> Parts:
@@ -153,10 +152,9 @@ def verified(checks: Sequence["UnitCheck | FirstOrderCheck"]) -> Parts:
                 continue
             beyond = (
                 "" if check.coefficient is None
-                else f" where nothing is neglected, and by {check.coefficient:.3f} per unit of what is; at half of "
-                f"that the difference is {check.ratio:.4f} of it"
+                else f", and by {check.coefficient:.3f} per unit of what it neglects"
             )  # fmt: skip
             orders.append(f"{check.unit} differs from the exact Jacobian by {check.limit:.1e}{beyond}: {ok}")
-        parts += [name, indented(rows), *map(indented, orders), ""]
-    parts.append("The bits are held against those of CasADi's C, the error and its bound against 50 digits.")
+        parts += [name, indented(rows), *map(indented, orders)]
+    parts.append("The bits are compared with CasADi's C, error and bound with 50 digits.")
     return [*parts, f"verify: {sum(c.ok for c in checks)} passed, {sum(not c.ok for c in checks)} failed"]

@@ -422,7 +422,6 @@ def report(result: dict[str, Any]) -> str:
     lines = [
         "Table 1 of Song and Lee (2001): O where eps_n, eps_e, eps_d can be estimated,",
         "x where not.  A row is named by the angles matched, a column by those that move.",
-        "",
     ]
     short = [name.replace("roll", "r").replace("pitch", "p").replace("yaw", "y").replace(", ", "") for name in NAMES]
     lines.append("  " + " " * 18 + " ".join(f"{name:4}" for name in short).rstrip())
@@ -434,10 +433,11 @@ def report(result: dict[str, Any]) -> str:
     for title, part in titles:
         got, margin = result[part], result[part]["margin"]
         lines.append(f"{title}: {got['agree']} of {result['cells']} cells are as in the paper.")
-        lines.append(f"    Estimated errors fall to {got['largest_estimated']:.3f} of the start or below,")
-        lines.append(f"    the others stay at {got['smallest_not_estimated']:.3f} or above.")
-        lines.append(f"    Nearest to the threshold {threshold:.3f} by a factor of {margin['factor']:.2f} is")
-        lines.append(f"    {margin['cell']}: {margin['ratio']:.3f}.")
+        lines.append(
+            f"    Estimated errors fall to {got['largest_estimated']:.3f} of the start or below, the others stay at "
+            f"{got['smallest_not_estimated']:.3f}."
+        )
+        lines.append(f"    Nearest to {threshold:.3f}: {margin['cell']}, {margin['ratio']:.3f}.")
         lines += [f"    differs from the paper: {cell}" for cell in got["disagree"][:12]]
         if len(got["disagree"]) > 12:
             lines.append(f"    ... and {len(got['disagree']) - 12} more")
