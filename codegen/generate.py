@@ -17,11 +17,11 @@ from pathlib import Path
 from typing import Any
 
 from boresight import BoresightError
-from boresight.codegen.kernels import KERNELS, make_kernel
 from boresight.runtime.manifest import GENERATED, cache_folder
 
 VERSIONED = ("casadi", "sympy")  # what the bytes of the output depend on, beside Boresight itself
 PACKAGE = Path(__file__).parent.parent
+COMPONENTS = ("stationary-detector",)  # C that comes from no model
 MODELS = PACKAGE / "derive" / "models"
 
 
@@ -29,7 +29,7 @@ MODELS = PACKAGE / "derive" / "models"
 class Change:
     """A function that was added, changed or removed, with its operation counts before and after (None: not there).
 
-    The loops of a kernel have lines, not operations.
+    A component has lines, not operations.
     """
 
     name: str
@@ -63,8 +63,8 @@ def model_names() -> list[str]:
 
 
 def target_names() -> list[str]:
-    """Everything that is generated with Boresight: the models and the kernels."""
-    return sorted([*model_names(), *KERNELS])
+    """Everything that is generated with Boresight: the models and the components."""
+    return sorted([*model_names(), *COMPONENTS])
 
 
 def versions() -> dict[str, str]:
@@ -85,8 +85,8 @@ def load_model(target: str) -> Any:
     from boresight.derive.model import Model
 
     if ":" not in target:
-        if target in KERNELS:
-            raise BoresightError(f"{target} is a kernel and not a model; models are {', '.join(model_names())}")
+        if target in COMPONENTS:
+            raise BoresightError(f"{target} comes from no model; models are {', '.join(model_names())}")
         if target not in model_names():
             raise BoresightError(f"no model {target!r}; there are {', '.join(model_names())}, or give FILE.py:NAME")
         name = target.replace("-", "_")
@@ -144,9 +144,7 @@ def sources() -> dict[str, str]:
         real = Path(path).resolve()
         if real.suffix == ".py" and (name.startswith("boresight") or not str(real).startswith(outside)):
             files.add(real)
-    files |= {
-        path.resolve() for name in ("templates", "kernels") for path in (Path(__file__).parent / name).glob("*.j2")
-    }
+    files |= {path.resolve() for path in (Path(__file__).parent / "templates").rglob("*.j2")}
     return {str(path): digest(path) for path in sorted(files) if path.is_file()}
 
 
@@ -218,25 +216,21 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
     if check and not before:
         raise BoresightError(f"{folder} holds no generated model; run 'boresight generate {target}'")
 
-    if target in KERNELS:
-        name, counted = target, "lines"
-        files, counts, hashes = make_kernel(target, versions())
-    else:
-        model = load_model(target)
-        name, counted = model.name, "operations"
-        files, counts, hashes = make(model, folder, before, stamp if same_tools and not check else {})
-    old_units = before.get("units", {})
+    document, files = make(target, folder, stamp if same_tools and not check else {})
+    files["manifest.json"] = manifest_text(document, files)
+    counted = "operations" if target not in COMPONENTS else "lines"
+    old_units, new_units = before.get("units", {}), document["units"]
     changes = tuple(
-        Change(unit, old_units.get(unit, {}).get(counted), counts.get(unit), counted)
-        for unit in dict.fromkeys([*counts, *old_units])
-        if old_units.get(unit, {}).get("hash") != hashes.get(unit)
+        Change(unit, old_units.get(unit, {}).get(counted), new_units.get(unit, {}).get(counted), counted)
+        for unit in dict.fromkeys([*new_units, *old_units])
+        if old_units.get(unit, {}).get("hash") != new_units.get(unit, {}).get("hash")
     )
     stale = [path for path in before.get("files", {}) if path not in files and (folder / path).is_file()]
     differing = [path for path, text in files.items() if not same(folder / path, text)]
     if not check:
         write(folder, {path: files[path] for path in differing}, stale)
-        save_stamp(target, folder, name)
-    return Report(name, folder, changes, tuple(sorted(differing + stale)), up_to_date=False)
+        save_stamp(target, folder, document["model"])
+    return Report(document["model"], folder, changes, tuple(sorted(differing + stale)), up_to_date=False)
 
 
 def same(path: Path, text: str) -> bool:
@@ -246,45 +240,49 @@ def same(path: Path, text: str) -> bool:
         return False
 
 
-def make(
-    model: Any, folder: Path, before: dict[str, Any], stamp: dict[str, Any]
-) -> tuple[dict[str, str], dict[str, int], dict[str, str]]:
-    """All files of the model, and of each unit its operation count and hash.
+def make(target: str, folder: Path, stamp: dict[str, Any]) -> tuple[dict[str, Any], dict[str, str]]:
+    """What the manifest says of the target, and all other files.
 
-    Golden vectors cost most of the time.  Those of a unit whose C did not change are taken from the folder, if the
-    generator itself is the one that made them.
+    Golden vectors cost most of the time.  Those in the folder are kept where the C that they test did not change, if
+    the generator itself is the one that made them.
     """
-    from boresight.codegen import emit
-    from boresight.codegen.units import units
+    from boresight.codegen.functions.units import units
+    from boresight.codegen.text import files as text
+    from boresight.codegen.text.filter import has_filter
+    from boresight.codegen.text.manifest import described
+    from boresight.codegen.text.names import file_stem
 
+    if target in COMPONENTS:
+        return text.detector_files()
+    model = load_model(target)
     made = units(model)
     generator = str(Path(__file__).parent.resolve())
-    known = {path: value for path, value in stamp.get("sources", {}).items() if path.startswith(generator)}
-    may_keep = unchanged(known)
+    may_keep = unchanged(
+        {path: value for path, value in stamp.get("sources", {}).items() if path.startswith(generator)}
+    )
+
+    def kept(test: str, tested: dict[str, str]) -> bool:
+        unmoved = all(same(folder / path, content) for path, content in tested.items())
+        return may_keep and unmoved and (folder / test).is_file()
+
+    shared = text.model_files(model, made)
     files: dict[str, str] = {}
-    hashes = {unit.name: emit.unit_hash(unit) for unit in made}
     for unit in made:
-        vectors = f"selftest/test_{emit.file_stem(model, unit.name)}.c"
-        printed = emit.unit_files(model, unit, with_vectors=False)
-        keep = (
-            may_keep
-            and before.get("units", {}).get(unit.name, {}).get("hash") == hashes[unit.name]
-            # names of structs are in the text, not in the hash
-            and all(same(folder / path, text) for path, text in printed.items())
-            and (folder / vectors).is_file()
-        )
-        if keep:
-            files |= printed
-            files[vectors] = (folder / vectors).read_text()
-        else:
-            files |= emit.unit_files(model, unit)
-    files |= emit.model_files(model, made)
-    if emit.has_filter(model):
-        kernels, vectors = f"src/{model.c_prefix}_covariance.c", f"selftest/test_{model.c_prefix}_covariance.c"
-        keep = may_keep and same(folder / kernels, files[kernels]) and (folder / vectors).is_file()
-        files[vectors] = (folder / vectors).read_text() if keep else emit.covariance_test(model, made)
-    files["manifest.json"] = emit.manifest(model, made, files, versions())
-    return files, {unit.name: unit.tape.operations for unit in made}, hashes
+        printed = text.unit_files(model, unit)
+        test = f"selftest/test_{file_stem(model, unit.name)}.c"
+        files |= printed
+        files[test] = (folder / test).read_text() if kept(test, printed) else text.unit_test(model, unit)
+    files |= shared
+    if has_filter(model):
+        source, test = f"src/{model.c_prefix}_covariance.c", f"selftest/test_{model.c_prefix}_covariance.c"
+        keep = kept(test, {source: shared[source]})
+        files[test] = (folder / test).read_text() if keep else text.covariance_test(model, made)
+    return described(model, made), files
+
+
+def manifest_text(document: dict[str, Any], files: dict[str, str]) -> str:
+    hashes = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
+    return json.dumps(document | {"files": hashes, "versions": versions()}, indent=1, sort_keys=True) + "\n"
 
 
 def write(folder: Path, files: dict[str, str], stale: list[str]) -> None:

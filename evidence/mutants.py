@@ -18,7 +18,7 @@ import numpy as np
 from pycparser import c_ast, c_generator, c_parser
 
 from boresight import BoresightError
-from boresight.codegen.samples import generator
+from boresight.codegen.functions.samples import generator
 from boresight.evidence.calls import Caller, Points, layout, points_of, shared_library
 from boresight.evidence.sources import Folder, Source
 from boresight.evidence.targets import GCC, HARNESS, compile_units, run, side_by_side

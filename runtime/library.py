@@ -72,7 +72,7 @@ def compile_library(
             f'const char *boresight_build(void);\nconst char *boresight_build(void) {{ return "{digest}"; }}\n'
         )
         jobs: list[tuple[Path, list[str]]] = [(stamp, [])]
-        jobs += [(folder / "batch" / f"{manifest['c_prefix']}_batch.c", [])]
+        jobs += [(folder / path, []) for path in manifest["files"] if path.startswith("batch/")]
         for stem in (unit["file"] for unit in manifest["units"].values()):
             # CasADi's kernel has the include guard of ours: seen first, it is the one that the wrapper calls
             instead = ["-include", str(folder / "casadi" / f"{stem}_kernel.h")] if backend == "casadi" else []
@@ -295,7 +295,7 @@ def load(model: str | Path, backend: str = "flight") -> Library:
         raise BoresightError(f"no backend {backend!r}; there are {', '.join(BACKENDS)}")
     folder = folder_of(model)
     manifest = read_manifest(folder)
-    if "kernel" in manifest:
-        raise BoresightError(f"{manifest['model']} is a kernel and not a model; models are {', '.join(built_in())}")
+    if "component" in manifest:
+        raise BoresightError(f"{manifest['model']} comes from no model; models are {', '.join(built_in())}")
     path, digest = build(folder, manifest, backend)
     return Library(manifest, path, digest, backend)

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from conftest import ROOT
 
-from boresight.codegen.kernels.covariance import phi_places, table
-from boresight.codegen.kernels.covariance_vectors import draw_case, predicted, updated
+from boresight.codegen.text.covariance import phi_places, table
+from boresight.codegen.text.covariance_vectors import draw_case, predicted, updated
 from boresight.runtime.library import load
 
 GENERATED = ROOT / "generated"
