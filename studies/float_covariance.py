@@ -6,11 +6,8 @@ second by zero velocity and by the azimuth.  docs/float.md says what came out.
 """
 
 import ctypes
-import hashlib
 import itertools
 import json
-import os
-import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
@@ -21,9 +18,10 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import rotation
+from boresight.runtime.compiler import PRECISIONS, open_library, shared_library
 from boresight.runtime.inertial import increments
-from boresight.runtime.library import FLAGS, compiler, compiler_version, load, run_compiler
-from boresight.runtime.manifest import cache_folder, folder_of, read_manifest
+from boresight.runtime.library import load
+from boresight.runtime.manifest import folder_of, read_manifest
 from boresight.runtime.simulation import generator
 from boresight.studies.figures import BLUE, GREY, ORANGE, figure
 
@@ -96,28 +94,15 @@ CORNERS = tuple(
 
 
 @cache
-def driver(precision: str) -> ctypes.CDLL:
+def driver(precision: str) -> ctypes.PyDLL:
     """The time loops with the generated C, compiled in "double" or "float" into the cache of libraries."""
-    folder, source = folder_of("azimuth-hold"), Path(__file__).with_suffix(".c")
+    folder, loops = folder_of("azimuth-hold"), Path(__file__).with_suffix(".c")
     manifest = read_manifest(folder)
-    command = [*compiler(), *FLAGS, *(["-DBORESIGHT_FLOAT"] if precision == "float" else [])]
-    key = hashlib.sha256(source.read_bytes())
-    for part in (json.dumps(manifest["files"], sort_keys=True), *command, compiler_version(tuple(compiler()))):
-        key.update(part.encode() + b"\0")
-    target = cache_folder() / f"float-covariance-{precision}-{key.hexdigest()[:32]}.so"
-    if not target.exists():
-        stems = [unit["file"] for unit in manifest["units"].values()] + manifest["filter"]["sources"]
-        try:
-            target.parent.mkdir(parents=True, exist_ok=True)
-            work = tempfile.TemporaryDirectory(dir=target.parent)
-        except OSError as error:
-            raise BoresightError(f"cannot write to {target.parent} ({error.strerror}); set BORESIGHT_CACHE") from None
-        with work as name:
-            aside = Path(name) / "library.so"
-            sources = [str(source), *(str(folder / "src" / f"{stem}.c") for stem in stems)]
-            run_compiler([*command, "-I", str(folder / "include"), "-shared", *sources, "-lm", "-o", str(aside)])
-            os.replace(aside, target)
-    return ctypes.CDLL(str(target))
+    stems = [unit["file"] for unit in manifest["units"].values()] + manifest["filter"]["sources"]
+    sources = dict.fromkeys([loops, *(folder / "src" / f"{stem}.c" for stem in stems)], ())
+    contents = loops.read_text() + json.dumps(manifest["files"], sort_keys=True)
+    name = f"float-covariance-{precision}"
+    return open_library(*shared_library(name, contents, sources, folder / "include", PRECISIONS[precision]))
 
 
 def pointer(array: Array | None) -> Any:
