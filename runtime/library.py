@@ -51,7 +51,7 @@ class Unit:
         self.described = described
         self.fields: tuple[str, ...] = tuple(described["fields"])
         self.structs: tuple[str, ...] = tuple(described["structs"])
-        self._library = library
+        self.library = library
         dll = library.dll
         self._one = getattr(dll, described["c_name"] + "_bound")
         self._one.restype = ctypes.c_int
@@ -59,7 +59,7 @@ class Unit:
         self._many.restype = ctypes.c_size_t
 
     def __call__(self, **fields: Any) -> Any:
-        library = self._library
+        library = self.library
         if set(fields) != set(self.fields):
             raise BoresightError(
                 f"{self.name} takes {', '.join(self.fields)}; it was given {', '.join(fields) or 'nothing'}"
@@ -80,7 +80,7 @@ class Unit:
 
     def outputs(self, n: int) -> list[np.ndarray]:
         """Room for the outputs of n runs, each (n, rows * columns)."""
-        real = self._library.real
+        real = self.library.real
         return [np.empty((n, r["shape"][0] * r["shape"][1]), real) for r in self.described["results"]]
 
     def evaluate(
@@ -93,7 +93,7 @@ class Unit:
         n = len(outputs[0])
         status = np.empty(n, dtype=np.uint8)
         arguments: list[Any] = [ctypes.c_size_t(n)]
-        kept = self._library.pack(self.structs, given, runs)
+        kept = self.library.pack(self.structs, given, runs)
         for packed, stride in kept:
             arguments += [ctypes.c_void_p(packed.ctypes.data), ctypes.c_size_t(stride)]
         arguments += [ctypes.c_void_p(out.ctypes.data) for out in (*outputs, status)]
@@ -115,7 +115,7 @@ class Bound:
     """
 
     def __init__(self, unit: Unit):
-        library = unit._library
+        library = unit.library
         self._arrays = {struct: np.zeros(library.width[struct], library.real) for struct in unit.structs}
         self.inputs = {
             name: self._arrays[struct][part]
