@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime.filter import Array, Filter, Innovation
+from boresight.runtime.array import Array
+from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.library import Library
 from boresight.runtime.status import Status
 

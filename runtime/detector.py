@@ -15,16 +15,15 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.runtime.array import Array
 from boresight.runtime.compiler import open_library
 from boresight.runtime.library import build
 from boresight.runtime.manifest import folder_of, read_manifest
 from boresight.runtime.status import Status
-
-Array = np.ndarray
+from boresight.runtime.units import STANDARD_GRAVITY
 
 DETECTORS = ("gyro_mean", "gyro_std", "accel_mean", "accel_std", "likelihood_ratio")
 MAX_WINDOW = 256  # room in the C state, in samples
-GRAVITY = 9.80665
 
 
 @dataclass(frozen=True)
@@ -39,7 +38,7 @@ class Settings:
     sigma_accel: float
     sigma_gyro: float
     threshold: Mapping[str, float]
-    gravity: float = GRAVITY
+    gravity: float = STANDARD_GRAVITY
 
     def __post_init__(self) -> None:
         check_noise(self.window, self.sigma_accel, self.sigma_gyro)
@@ -55,7 +54,7 @@ def settings(
     sigma_gyro: float,
     false_alarm_rate: float,
     *,
-    gravity: float = GRAVITY,
+    gravity: float = STANDARD_GRAVITY,
     rest_rate: float = 0.0,
     gravity_error: float = 0.0,
 ) -> Settings:

@@ -21,12 +21,11 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import detector, inertial, rotation
+from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.status import Status
+from boresight.runtime.units import ARCMIN, DEG, MILLI_G
 from boresight.studies.azimuth_alignment import (
-    ARCMIN,
-    DEG,
-    MILLI_G,
     Aligned,
     Models,
     Scenario,
@@ -38,8 +37,6 @@ from boresight.studies.azimuth_alignment import (
     step,
 )
 from boresight.studies.azimuth_hold import AXES, PHI, REFERENCE_SIGMA, root_mean_square
-
-Array = np.ndarray
 
 EVENTS = {
     "none": "nothing happens",

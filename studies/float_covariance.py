@@ -18,22 +18,21 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import rotation
+from boresight.runtime.array import Array
 from boresight.runtime.compiler import PRECISIONS, open_library, shared_library
 from boresight.runtime.inertial import increments
 from boresight.runtime.library import load
 from boresight.runtime.manifest import folder_of, read_manifest
 from boresight.runtime.simulation import generator
+from boresight.runtime.units import DEG, DEG_H, FOOT, MILLI_G, STANDARD_GRAVITY
 from boresight.studies.figures import BLUE, GREY, ORANGE, figure
 
-Array = np.ndarray
-
-DEG, DEG_H, MG = np.pi / 180, np.pi / 180 / 3600, 9.80665e-3
 STEP_S, UPDATE_S = 0.01, 1.0
 POSITION = np.array([0.2, 45 * DEG, 100.0])  # lon lat height
 RADIUS_M = 6.38e6  # turns a distance at the start into radians
 # Root densities of gyros, accelerometers and their biases' walks: 0.125 deg/sqrt(h), 0.065 ft/s/sqrt(h), 1 % of
 # 1 deg/h and of 1 mg in an hour.
-NOISE = np.repeat([0.125 * DEG / 60, 0.065 * 0.3048 / 60, 0.01 * DEG_H / 60, 0.01 * MG / 60], 3)
+NOISE = np.repeat([0.125 * DEG / 60, 0.065 * FOOT / 60, 0.01 * DEG_H / 60, 0.01 * MILLI_G / 60], 3)
 
 # The first two are shipped, and the others are written out in the driver over full matrices: the Joseph form multiplied
 # out, (I - K H) P with P made symmetric, and (I - K H) P.
@@ -63,7 +62,7 @@ class Start:
         return np.array(
             [east, self.position_m / RADIUS_M, self.position_m, *[self.velocity_m_s] * 3]
             + [self.tilt_deg * DEG] * 2 + [self.azimuth_deg * DEG]
-            + [self.gyro_bias_deg_h * DEG_H] * 3 + [self.accel_bias_mg * MG] * 3
+            + [self.gyro_bias_deg_h * DEG_H] * 3 + [self.accel_bias_mg * MILLI_G] * 3
         )  # fmt: skip
 
     @property
@@ -139,7 +138,7 @@ def motion(kind: str, seconds: float, dt: float) -> Array:
         q = level(3 * DEG * np.sin(2 * np.pi * time / 90), 2.3 * DEG * np.sin(2 * np.pi * time / 130), yaw)
         v_n[:, :2] = speed * np.stack([-np.sin(yaw), np.cos(yaw)], axis=1)
         a_n[:, :2] = -speed * rate * np.stack([np.cos(yaw), np.sin(yaw)], axis=1)
-    up = np.array([0.0, 0.0, 9.80665])
+    up = np.array([0.0, 0.0, STANDARD_GRAVITY])
     f_b = np.einsum("tji,tj->ti", rotation.matrix_from_quaternion(q), a_n + up)
     return np.hstack([np.broadcast_to(POSITION, v_n.shape), v_n, q, f_b])
 

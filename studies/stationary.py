@@ -11,10 +11,9 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import detector as d
+from boresight.runtime.array import Array
 from boresight.runtime.recording import Inertial, Recording
 from boresight.runtime.status import Status
-
-Array = np.ndarray
 
 KIM = "kim-2018"  # the paper's decision: accel_std and gyro_mean both say rest
 NAMES = (*d.DETECTORS, KIM)
