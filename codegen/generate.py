@@ -17,12 +17,12 @@ from typing import Any
 
 from boresight import BoresightError
 from boresight.codegen.stamp import made_from
-from boresight.runtime.manifest import GENERATED
 
 VERSIONED = ("casadi", "sympy")  # what the bytes of the output depend on, beside Boresight itself
 PACKAGE = Path(__file__).parent.parent
 COMPONENTS = ("stationary-detector",)  # C that comes from no model
 MODELS = PACKAGE / "derive" / "models"
+CHECKOUT = Path(__file__).resolve().parent.parent  # the links of a checkout lead there; of a wheel it is the package
 
 
 @dataclass(frozen=True)
@@ -82,12 +82,12 @@ def versions() -> dict[str, str]:
 
 
 def default_folder(target: str) -> Path:
-    """generated/ of the checkout for a built-in model, ./generated/NAME for a user's own."""
+    """generated/ of the checkout for a built-in model, from any folder; ./generated/NAME for a user's own."""
     if ":" in target:
         return Path("generated") / target.rsplit(":", 1)[1].lower().replace("-", "_")
-    if not os.access(PACKAGE / "pyproject.toml", os.F_OK):
-        return Path("generated") / target.replace("-", "_")  # an installed package is never written to
-    return GENERATED / target.replace("-", "_")
+    installed = not (CHECKOUT / "pyproject.toml").is_file()  # a package that is never written to
+    home = Path() if installed or Path.cwd() == CHECKOUT else CHECKOUT
+    return home / "generated" / target.replace("-", "_")
 
 
 def load_model(target: str) -> Any:

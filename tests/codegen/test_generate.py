@@ -44,6 +44,18 @@ def test_the_committed_files_are_those_of_the_models():
     assert report.written == ()
 
 
+@pytest.mark.parametrize("place", ["the checkout", "a folder of it", "another folder"])
+def test_the_generated_folder_of_the_checkout_is_found_from_any_folder(place, tmp_path):
+    folder = {"the checkout": ROOT, "a folder of it": ROOT / "docs", "another folder": tmp_path}[place]
+    command = [sys.executable, "-m", "boresight.cli", "generate", "--check", "stationary-detector"]
+    env = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    shown = "generated" if folder == ROOT else ROOT / "generated"
+    assert done.stdout == f"stationary-detector in {shown}/stationary_detector: nothing changed\n"
+    assert not (folder / "generated").exists() or folder == ROOT
+
+
 def test_an_edited_sign_changes_that_function_alone_and_moves_the_filter(checkout, library):
     copy, run = checkout
     source = copy / "derive" / "papers" / "song_lee_2001.py"
