@@ -227,7 +227,7 @@ def generate(
         for target in targets:
             report = g.generate(target, out, check)
             done(target)
-            label = f"{report.model} in {near(report.folder)}"
+            label = f"{report.model} in {report.folder}"
             if not report.comparable:
                 made = ", ".join(f"{k} {v}" for k, v in g.old_manifest(report.folder)["versions"].items())
                 here = ", ".join(f"{k} {v}" for k, v in g.versions().items())
@@ -246,11 +246,6 @@ def generate(
         lines.append(f"{label}: nothing changed" if len(targets) == 1 else f"nothing changed in {unchanged} models")
     print("\n".join(lines))
     raise typer.Exit(status)
-
-
-def near(path: Path) -> Path:
-    """As the user would type it here."""
-    return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path
 
 
 @app.command()
@@ -529,7 +524,8 @@ def replay(
     --check: norms, gaps, rates and suspicious units; exit 1 if something is wrong.
     """
     from boresight.runtime.library import load
-    from boresight.runtime.recording import quantity, read
+    from boresight.runtime.recording import read
+    from boresight.runtime.units import quantity
     from boresight.studies import replay as matched
     from boresight.studies import transfer_replay, zero_velocity
 

@@ -13,10 +13,10 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import rotation, simulation
+from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
+from boresight.runtime.units import ARCMIN, DEG
 from boresight.studies.observability import Moment, Replaced, along, with_fields
-
-Array = np.ndarray
 
 ANGLES = ("roll", "pitch", "yaw")
 ERRORS = ("eps_n", "eps_e", "eps_d")
@@ -38,9 +38,6 @@ PAPER = np.array(
         )
     ]
 )
-
-DEG = np.pi / 180
-ARCMIN = DEG / 60
 
 
 @dataclass(frozen=True)
@@ -434,8 +431,8 @@ def report(result: dict[str, Any]) -> str:
         got, margin = result[part], result[part]["margin"]
         lines.append(f"{title}: {got['agree']} of {result['cells']} cells are as in the paper.")
         lines.append(
-            f"    Estimated errors fall to {got['largest_estimated']:.3f} of the start or below, the others stay at "
-            f"{got['smallest_not_estimated']:.3f}."
+            f"    The largest estimated ratio to the start is {got['largest_estimated']:.3f}, "
+            f"the smallest other {got['smallest_not_estimated']:.3f}."
         )
         lines.append(f"    Nearest to {threshold:.3f}: {margin['cell']}, {margin['ratio']:.3f}.")
         lines += [f"    differs from the paper: {cell}" for cell in got["disagree"][:12]]

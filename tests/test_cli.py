@@ -209,13 +209,6 @@ def test_bare_generate_writes_nothing_where_the_package_was_installed(run, tmp_p
     assert not list(tmp_path.iterdir())
 
 
-def test_a_checkout_is_found_from_any_folder(monkeypatch, tmp_path):
-    from boresight.codegen import generate as g
-
-    monkeypatch.chdir(tmp_path)
-    assert g.default_folder("euler-matching") == ROOT / "generated" / "euler_matching"
-
-
 @pytest.mark.parametrize(
     ("words", "offered"),
     [
