@@ -39,7 +39,7 @@ Out = Annotated[Path | None, typer.Option("-o", "--out", help="Folder for result
 Targets = Annotated[
     list[str] | None,
     typer.Argument(
-        metavar="[MODEL | FILE.py:NAME]...",
+        metavar="MODEL | FILE.py:NAME",
         help="All built-in models if left out.",
         show_default=False,
         autocompletion=completed(model_names),
@@ -69,7 +69,7 @@ def root(version: Annotated[bool, typer.Option("--version", help="Print the vers
 def models(
     name: Annotated[
         str | None,
-        typer.Argument(metavar="[MODEL]", help="All if left out.", autocompletion=completed(model_names)),
+        typer.Argument(metavar="MODEL", help="All if left out.", autocompletion=completed(model_names)),
     ] = None,
     as_json: AsJson = False,
 ) -> None:
@@ -96,9 +96,9 @@ def models(
 def equations(
     paper: Annotated[
         str | None,
-        typer.Argument(metavar="[PAPER]", help="All if left out.", autocompletion=completed(paper_names)),
+        typer.Argument(metavar="PAPER", help="All if left out.", autocompletion=completed(paper_names)),
     ] = None,
-    number: Annotated[str | None, typer.Argument(metavar="[NUMBER]", help="Of one equation, for its evidence.")] = None,
+    number: Annotated[str | None, typer.Argument(metavar="NUMBER", help="Of one equation, for its evidence.")] = None,
     as_json: AsJson = False,
 ) -> None:
     """The ledger: the computed status of each printed equation, and every erratum with numbers."""
@@ -110,15 +110,15 @@ def equations(
     if number is not None:
         number = one_of(number.strip("()"), [equation.number for equation in printed(papers[0])], "equation")
     with terminal.progress(sum(len(printed(name)) for name in papers)) as done:
-        ledgers = {name: ledger(name, done) for name in papers}
+        ledgers = {name: [entry.to_dict() for entry in ledger(name, done)] for name in papers}
     if as_json:
-        print_json([e.to_dict() for entries in ledgers.values() for e in entries if number in (None, e.number)])
+        print_json([entry for entries in ledgers.values() for entry in entries if number in (None, entry["number"])])
     elif paper is None:
         terminal.page(*report.equations(ledgers))
     elif number is None:
         terminal.page(*report.paper(paper, ledgers[paper], conditions(paper), findings(paper)))
     else:
-        (entry,) = (entry for entry in ledgers[paper] if entry.number == number)
+        (entry,) = (entry for entry in ledgers[paper] if entry["number"] == number)
         terminal.page(*report.equation(entry, conditions(paper)))
 
 
@@ -582,7 +582,7 @@ def make(folder: Path) -> Path:
 def main(words: list[str] | None = None) -> None:
     """The entry point: a BoresightError becomes one line on standard error and exit status 1."""
     try:
-        app(words)
+        app(words, prog_name="boresight")
     except BoresightError as error:
         print(f"boresight: {error}", file=sys.stderr)
         sys.exit(1)

@@ -12,7 +12,6 @@ from boresight.terminal import bullets, indented, table
 
 if TYPE_CHECKING:
     from boresight.codegen.verify import FirstOrderCheck, UnitCheck
-    from boresight.derive.ledger import Entry
 
 Parts = list[RenderableType]
 STATUSES = ("exact", "first-order", "definition", "erratum")
@@ -72,38 +71,38 @@ def variables(fields: Iterable[dict[str, Any]], singly: bool = False) -> Rendera
 # ---------------------------------------------------------------- equations
 
 
-def sentence(entry: "Entry", conditions: str) -> str:
+def sentence(entry: dict[str, str], conditions: str) -> str:
     """What was found about an equation, as one sentence; `conditions` are those that its size holds for."""
-    first, *rest = entry.evidence.split("; ")
-    if entry.status == "first-order":
+    first, *rest = entry["evidence"].split("; ")
+    if entry["status"] == "first-order":
         return f"Its remainder is {rest[0].removesuffix(f' at {conditions}')}."
-    if entry.status != "erratum":
-        return f"It {first}." if entry.status == "definition" else f"{first[0].upper()}{first[1:].split(' at ')[0]}."
-    origin, *own = re.split(r"(?<=\.) ", entry.note)
+    if entry["status"] != "erratum":
+        return f"It {first}." if entry["status"] == "definition" else f"{first[0].upper()}{first[1:].split(' at ')[0]}."
+    origin, *own = re.split(r"(?<=\.) ", entry["note"])
     if " for " in origin:
         return f"It prints {origin.split(': ')[1]}."
     return f"I{first[1:]}." if first.startswith("it has no meaning") or not own else own[0]
 
 
-def equations(ledgers: dict[str, list["Entry"]]) -> Parts:
+def equations(ledgers: dict[str, list[dict[str, str]]]) -> Parts:
     """How many equations of each paper have which status, and which are errata."""
     rows = table("paper", "equations", *STATUSES, right=("equations", *STATUSES))
     errata = table("errata of", "kinds and equations", prose="kinds and equations")
     for paper, entries in ledgers.items():
-        counts = Counter(entry.status for entry in entries)
+        counts = Counter(entry["status"] for entry in entries)
         rows.add_row(paper, str(len(entries)), *(str(counts[status]) for status in STATUSES))
-        kinds = dict.fromkeys(entry.kind for entry in entries if entry.kind)
-        named = (f"{kind} " + " ".join(f"({e.number})" for e in entries if e.kind == kind) for kind in kinds)
+        kinds = dict.fromkeys(entry["kind"] for entry in entries if entry["kind"])
+        named = (f"{kind} " + " ".join(f"({e['number']})" for e in entries if e["kind"] == kind) for kind in kinds)
         errata.add_row(paper, ", ".join(named))
     return [rows, "", errata, "'boresight equations PAPER' prints what was found about each equation."]
 
 
-def paper(name: str, entries: Sequence["Entry"], conditions: tuple[str, str], findings: Sequence[str]) -> Parts:
+def paper(name: str, entries: Sequence[dict[str, str]], conditions: tuple[str, str], findings: Sequence[str]) -> Parts:
     """A line for each equation, and what was found beside them."""
     rows = table("", "status", "kind", "what was found", prose="what was found", right=("",))
     for entry in entries:
-        rows.add_row(f"({entry.number})", entry.status, entry.kind, sentence(entry, conditions[0]))
-    counts = Counter(entry.status for entry in entries)
+        rows.add_row(f"({entry['number']})", entry["status"], entry["kind"], sentence(entry, conditions[0]))
+    counts = Counter(entry["status"] for entry in entries)
     total = ", ".join(f"{counts[status]} {status}" for status in STATUSES if counts[status])
     beside: Parts = ["", "Beside the equations:", bullets(findings)] if findings else []
     return [
@@ -118,15 +117,15 @@ def paper(name: str, entries: Sequence["Entry"], conditions: tuple[str, str], fi
     ]
 
 
-def equation(entry: "Entry", conditions: tuple[str, str]) -> Parts:
+def equation(entry: dict[str, str], conditions: tuple[str, str]) -> Parts:
     """The evidence on one equation."""
-    kind = f"; kind {entry.kind}, origin {entry.origin}" if entry.kind else ""
-    parts: Parts = [f"{entry.paper} ({entry.number}): {entry.status}{kind}", ""]
-    evidence = entry.evidence.replace(f"at {conditions[1]}: ", "").replace(f" at {conditions[0]}", "")
+    kind = f"; kind {entry['kind']}, origin {entry['origin']}" if entry["kind"] else ""
+    parts: Parts = [f"{entry['paper']} ({entry['number']}): {entry['status']}{kind}", ""]
+    evidence = entry["evidence"].replace(f"at {conditions[1]}: ", "").replace(f" at {conditions[0]}", "")
     parts += ["Evidence", bullets(evidence.split("; "))]
-    used = [text for text in conditions if f"at {text}" in entry.evidence]
+    used = [text for text in conditions if f"at {text}" in entry["evidence"]]
     parts += [text for condition in used for text in ("", "Computed at", indented(condition))]
-    return parts + (["", "Note", indented(entry.note)] if entry.note else [])
+    return parts + (["", "Note", indented(entry["note"])] if entry["note"] else [])
 
 
 # ---------------------------------------------------------------- verify

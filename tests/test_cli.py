@@ -86,7 +86,7 @@ def test_equations_are_a_table_of_whole_sentences(run, columns, paper):
     _, out, _ = run("equations", paper, columns=columns)
     assert not fits(out, columns)
     for entry in ledger(paper):
-        said = report.sentence(entry, conditions(paper)[0])
+        said = report.sentence(entry.to_dict(), conditions(paper)[0])
         assert re.fullmatch(r"[A-Z].*[^ .]\.", said), said
         assert "Origin" not in said
         assert re.search(rf"^ *\({entry.number}\) +{entry.status} +{entry.kind}", out, re.MULTILINE)
