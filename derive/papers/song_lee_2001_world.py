@@ -1,6 +1,6 @@
 """Numbers for every letter of Song and Lee 2001 at a point, by finite rotations: the witness of its ledger."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cache, lru_cache
 from itertools import product
@@ -293,14 +293,17 @@ def _corners(size: float) -> Iterator[tuple[float, ...]]:
 
 
 @cache
-def _largest_second_order(pitch_deg: int) -> float:
+def _second_order() -> Callable:
     letters = sp.symbols("phi theta psi x y z")
-    term = sp.lambdify(letters, list(paper.relative_euler_second_order(letters[:3], letters[3:])), "math", cse=True)
+    return sp.lambdify(letters, list(paper.relative_euler_second_order(letters[:3], letters[3:])), "math", cse=True)
+
+
+def _largest_second_order(pitch_deg: int) -> float:
     return max(
         abs(part)
         for roll in range(0, 360, 15)
         for mu in _corners(3 * DEGREE)
-        for part in term(roll * DEGREE, pitch_deg * DEGREE, 0.0, *mu)
+        for part in _second_order()(roll * DEGREE, pitch_deg * DEGREE, 0.0, *mu)
     )
 
 
