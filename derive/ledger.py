@@ -21,14 +21,10 @@ from sympy.matrices import MatrixBase
 
 from boresight import BoresightError
 from boresight.derive.equation import Equation, Relation, is_explicit, negative
+from boresight.derive.latex import latex_relations
 from boresight.derive.numbers import Matrix, digits, largest, middle
+from boresight.derive.papers import PAPERS
 from boresight.derive.witness import DIGITS, Point, evaluate, residual
-
-PAPERS = {
-    "song-lee-2001": "boresight.derive.papers.song_lee_2001",
-    "kim-2018": "boresight.derive.papers.kim_2018",
-    "kang-2025": "boresight.derive.papers.kang_2025",
-}
 
 EXACT = mp.mpf("1e-28")
 FOURFOLD = mp.mpf("0.25025")  # a quarter; at errors of 5e-8 rad the next order changes it by far less than 0.1 %
@@ -89,8 +85,7 @@ def ledger(paper: str) -> list[Entry]:
 
     Raises BoresightError on an unknown name, and when the witness refutes a derived form: then the derivation is wrong.
     """
-    with digits(DIGITS):
-        return [_entry(equation) for equation in equations(paper)]
+    return [entry_of(equation) for equation in equations(paper)]
 
 
 def findings(paper: str) -> tuple[str, ...]:
@@ -312,9 +307,14 @@ def _sound(equation: Equation) -> bool:
 # ---- One entry -----------------------------------------------------------------------------------------------------
 
 
-def _entry(equation: Equation) -> Entry:
-    from boresight.derive.render import latex_relations
+@cache
+def entry_of(equation: Equation) -> Entry:
+    """The line of one equation.  Raises BoresightError where the witness refutes its derived form."""
+    with digits(DIGITS):
+        return _entry(equation)
 
+
+def _entry(equation: Equation) -> Entry:
     ours = judge(equation, equation.derived)
     if ours.status == "refuted":
         raise BoresightError(

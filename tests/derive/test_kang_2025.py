@@ -1,18 +1,12 @@
 """The ledger of Kang 2025: statuses, orders, mutations, functions against the witness, and what the errata do."""
 
 import math
-import os
-import re
-import subprocess
-import sys
-import xml.dom.minidom
-from collections import Counter
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 
 import pytest
 from flint import arb
+from sources import needs_source, source
 from sympy import Float
 from sympy import Matrix as Symbols
 
@@ -21,29 +15,15 @@ from boresight.derive import ellipsoid
 from boresight.derive import ledger as led
 from boresight.derive.equation import Relation, negative, total
 from boresight.derive.ledger import equations, findings, judge, ledger
-from boresight.derive.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED, survivors
 from boresight.derive.numbers import Matrix, digits, exact, largest, middle, norm
 from boresight.derive.papers import kang_2025 as paper
 from boresight.derive.papers import kang_2025_print as printed
 from boresight.derive.papers import kang_2025_world as world
-from boresight.derive.render import errata_table, render
 from boresight.derive.witness import DIGITS, Point, residual, skew, vector
 
 PAPER = "kang-2025"
-ROOT = Path(__file__).resolve().parents[2]
-SOURCE = ROOT.parent / "shared" / "papers" / "kang-2025-sea-state-transfer-alignment.txt"
 EQUATIONS = {equation.number: equation for equation in equations(PAPER)}
 STATUS = {"1": "first-order", "2": "first-order", "3": "erratum", "4": "erratum", "5": "erratum", "6": "erratum"}
-# number: (mutants, survivors that say the same, that put another name, that differ in second order).
-# The slave's velocity has three names, v_s, v_S and v_s(k); eye(3) is its own transpose.
-MUTANTS = {
-    "1": (74, 0, 4, 0),
-    "2": (60, 0, 2, 0),
-    "3": (132, 0, 4, 0),
-    "4": (57, 0, 2, 0),
-    "5": (24, 0, 0, 0),
-    "6": (15, 0, 0, 0),
-}
 
 
 @pytest.fixture(autouse=True)
@@ -103,14 +83,6 @@ def test_the_reading_of_6_is_there_only_because_an_arcsine_fails():
     (relation,) = six.read()
     amplitude = Relation((relation.sides[0], relation.sides[1] / 2))
     assert judge(six, (amplitude,)).status == "exact"
-
-
-@pytest.mark.parametrize("number", list(EQUATIONS))
-def test_every_single_mutation_changes_the_status_or_says_the_same(number):
-    count, found = survivors(EQUATIONS[number])
-    reasons = Counter(survivor.reason for survivor in found)
-    assert not reasons[UNEXPLAINED], [survivor for survivor in found if survivor.reason == UNEXPLAINED]
-    assert (count, reasons[SAME], reasons[ALIAS], reasons[SECOND_ORDER]) == MUTANTS[number]
 
 
 def test_a_wrong_derivation_is_refused(monkeypatch):
@@ -317,24 +289,9 @@ def test_findings_and_evidence_say_what_was_computed(entries):
         assert piece in entries[number].evidence
 
 
-# Where CI is true the text must be there, and these tests fail without it.
-needs_source = pytest.mark.skipif(
-    not SOURCE.exists() and os.environ.get("CI", "").lower() != "true",
-    reason="the paper's text is not beside the checkout",
-)
-
-
-@needs_source
-@pytest.mark.parametrize("number", list(printed.PRINTED))
-def test_printed_latex_stands_at_its_lines_of_the_source(number):
-    (first, last), displays = printed.PRINTED[number]
-    lines = SOURCE.read_text(encoding="utf-8").splitlines()[first - 1 : last]
-    assert displays[0] in lines[0] and f"({number})" in lines[-1]
-
-
 @needs_source
 def test_text_and_tables_stand_at_their_lines():
-    lines = SOURCE.read_text(encoding="utf-8").splitlines()
+    lines = source(PAPER)
     for line, text in (
         printed.RATE_OF_N,
         printed.WHEN,
@@ -352,25 +309,3 @@ def test_text_and_tables_stand_at_their_lines():
         (printed.TABLE_2_LINES, printed.TABLE_2),
     ):
         assert [tuple(line.split("\t")) for line in lines[first - 1 : last]] == list(table)
-
-
-# ---- Pages -----------------------------------------------------------------------------------------------------------
-
-
-def test_pages_are_well_formed_and_the_errata_table_of_the_documentation_is_fresh():
-    page = render(PAPER, None, "html")
-    for formula in re.findall(r"<math.*?</math>", page, re.DOTALL):
-        xml.dom.minidom.parseString(formula.replace("&InvisibleTimes;", ""))
-    assert len(re.findall(r'<section id="eq-\d+">', page)) == 6
-    assert max(map(len, render(PAPER).splitlines())) <= 110
-    assert errata_table(PAPER) in (ROOT / "docs" / "derivations" / "kang-2025.md").read_text(encoding="utf-8")
-
-
-def test_importing_the_paper_derives_nothing():
-    code = (
-        "import sys; from boresight.derive.papers import kang_2025 as p; "
-        "assert p.equations.cache_info().currsize == 0; "
-        "assert 'boresight.derive.ledger' not in sys.modules; "
-        "assert 'boresight.derive.papers.kang_2025_world' not in sys.modules"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)

@@ -1,34 +1,24 @@
 """The ledger of Kim 2018: statuses, orders, mutations, functions against the witness, and what wrong signs do."""
 
-import os
-import re
-import subprocess
-import sys
-import xml.dom.minidom
-from collections import Counter
 from dataclasses import replace
 from itertools import product
-from pathlib import Path
 
 import pytest
 from flint import arb
+from sources import needs_source, source
 from sympy import Float
 from sympy import Matrix as Symbols
 
 from boresight import BoresightError
 from boresight.derive import ledger as led
 from boresight.derive.ledger import equations, findings, judge, ledger
-from boresight.derive.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED, survivors
 from boresight.derive.numbers import Matrix, cos, digits, exact, largest, middle
 from boresight.derive.papers import kim_2018 as paper
 from boresight.derive.papers import kim_2018_print as printed
 from boresight.derive.papers import kim_2018_world as world
-from boresight.derive.render import errata_table, render
 from boresight.derive.witness import DIGITS, residual
 
 PAPER = "kim-2018"
-ROOT = Path(__file__).resolve().parents[2]
-SOURCE = ROOT.parent / "shared" / "papers" / "kim-2018-azimuth-hold-zupt.txt"
 EQUATIONS = {equation.number: equation for equation in equations(PAPER)}
 EXPECTED = {
     "exact": ["3", "13", "14", "15", "24", "25", "26", "31"],
@@ -47,41 +37,6 @@ ERRATA = {
     "23": ("shape", "print"),
     "29": ("structure", "print"),
     "32": ("structure", "print"),
-}
-# number: (mutants, survivors that say the same, that put another name, that differ in second order)
-MUTANTS = {
-    "1": (48, 0, 0, 0),
-    "2": (71, 0, 2, 0),
-    "3": (113, 0, 8, 0),
-    "4": (64, 0, 0, 0),
-    "5": (52, 0, 0, 1),
-    "6": (112, 0, 8, 0),
-    "7": (18, 0, 2, 0),
-    "8": (30, 0, 0, 0),
-    "9": (138, 0, 0, 11),
-    "10": (80, 0, 0, 3),
-    "11": (61, 0, 0, 1),
-    "12": (19, 0, 1, 0),
-    "13": (17, 0, 2, 0),
-    "14": (31, 0, 3, 0),
-    "15": (15, 0, 2, 0),
-    "16": (20, 0, 0, 0),
-    "17": (41, 0, 4, 0),
-    "18": (120, 0, 1, 0),
-    "19": (67, 0, 1, 0),
-    "20": (83, 0, 2, 0),
-    "21": (40, 0, 0, 0),
-    "22": (26, 0, 0, 0),
-    "23": (94, 0, 9, 0),
-    "24": (32, 0, 3, 0),
-    "25": (30, 0, 0, 0),
-    "26": (26, 0, 3, 0),
-    "27": (34, 0, 0, 0),
-    "28": (54, 0, 0, 0),
-    "29": (89, 0, 0, 0),
-    "30": (31, 0, 0, 0),
-    "31": (20, 0, 0, 0),
-    "32": (31, 0, 1, 0),
 }
 
 
@@ -161,14 +116,6 @@ def test_no_choice_of_rho_saves_the_position_rows():
             sizes.append(max(abs(residual(r.sides, changed)[0]) for r in EQUATIONS["9"].printed))
         saved.append(sizes[1] < 0.3 * sizes[0])
     assert len(saved) == 16 and not any(saved)
-
-
-@pytest.mark.parametrize("number", list(EQUATIONS))
-def test_every_single_mutation_changes_the_status_or_says_the_same(number):
-    count, found = survivors(EQUATIONS[number])
-    reasons = Counter(survivor.reason for survivor in found)
-    assert not reasons[UNEXPLAINED], [survivor for survivor in found if survivor.reason == UNEXPLAINED]
-    assert (count, reasons[SAME], reasons[ALIAS], reasons[SECOND_ORDER]) == MUTANTS[number]
 
 
 # ---- The functions against the witness -------------------------------------------------------------------------------
@@ -309,27 +256,10 @@ def test_findings_name_the_text_beside_the_equations():
 
 # ---- The print and its pages -----------------------------------------------------------------------------------------
 
-# Where CI is true the text must be there, and these tests fail without it.
-needs_source = pytest.mark.skipif(
-    not SOURCE.exists() and os.environ.get("CI", "").lower() != "true",
-    reason="the paper's text is not beside the checkout",
-)
-
-
-@needs_source
-@pytest.mark.parametrize("number", list(printed.PRINTED))
-def test_printed_latex_stands_at_its_lines_of_the_source(number):
-    (first, last), displays = printed.PRINTED[number]
-    lines = SOURCE.read_text(encoding="utf-8").splitlines()[first - 1 : last]
-    text = "\n".join(lines)
-    assert displays[0] in lines[0] and displays[-1] in lines[-1]
-    assert all(display in text for display in displays)
-    assert number in printed.CITED or f"({number})" in text
-
 
 @needs_source
 def test_text_between_the_equations_stands_at_its_lines():
-    lines = SOURCE.read_text(encoding="utf-8").splitlines()
+    lines = source(PAPER)
     for line, text in (printed.WINDOW, printed.DETECTORS):
         assert text in lines[line - 1]
     first, last = printed.TABLE_1_LINES
@@ -337,22 +267,3 @@ def test_text_between_the_equations_stands_at_its_lines():
     for i, sensor in enumerate(("gyro", "accelerometer")):
         pairs = zip(printed.TABLE_1[sensor], printed.TABLE_1_UNITS[sensor], strict=True)
         assert table[4 * i : 4 * i + 4] == [list(pair) for pair in pairs]
-
-
-def test_pages_are_well_formed_and_the_errata_table_of_the_documentation_is_fresh():
-    page = render(PAPER, None, "html")
-    for formula in re.findall(r"<math.*?</math>", page, re.DOTALL):
-        xml.dom.minidom.parseString(formula.replace("&InvisibleTimes;", ""))
-    assert len(re.findall(r'<section id="eq-\d+">', page)) == 32
-    assert max(map(len, render(PAPER).splitlines())) <= 110
-    assert errata_table(PAPER) in (ROOT / "docs" / "derivations" / "kim-2018.md").read_text(encoding="utf-8")
-
-
-def test_importing_the_paper_derives_nothing():
-    code = (
-        "import sys; from boresight.derive.papers import kim_2018 as p; "
-        "assert p.equations.cache_info().currsize == 0; "
-        "assert 'boresight.derive.ledger' not in sys.modules; "
-        "assert 'boresight.derive.papers.kim_2018_world' not in sys.modules"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)

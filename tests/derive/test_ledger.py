@@ -1,11 +1,9 @@
 """The ledger of Song and Lee: statuses from finite rotations, errata with kind and origin, and what it refuses."""
 
 import math
-import os
-import re
-from pathlib import Path
 
 import pytest
+from sources import needs_source, source
 from sympy import Float, Matrix
 
 from boresight import BoresightError
@@ -19,7 +17,6 @@ from boresight.derive.papers import song_lee_2001_world as world
 from boresight.derive.witness import DIGITS, Point, residual
 
 PAPER = "song-lee-2001"
-SOURCE = Path(__file__).resolve().parents[3] / "shared" / "papers" / "song-lee-2001-euler-angle-matching.txt"
 EXPECTED = {
     "definition": ("1", "2", "3", "14", "16", "22"),
     "exact": ("4", "17", "21", "23", "24"),
@@ -135,16 +132,19 @@ def test_reading_the_error_of_the_misalignment_the_other_way_refutes_19(by_numbe
     assert holds("19", nineteen, 5e-7) > 0.4 * holds("19", nineteen, 1e-6)
 
 
+KEPT = (paper.equations, led.entry_of, led.witness_point, led._sound, led._connected, led._own_definitions)
+
+
 def test_a_wrong_derivation_is_named_and_not_reported(monkeypatch):
     right = paper.euler_D_eps
     monkeypatch.setattr(paper, "euler_D_eps", lambda theta, psi: right(theta, -psi))
-    for cached in (paper.equations, led.witness_point, led._sound, led._connected, led._own_definitions):
+    for cached in KEPT:
         cached.cache_clear()
     try:
         with pytest.raises(BoresightError, match=r"\(9\): the derived form itself is refuted"):
             ledger(PAPER)
     finally:
-        for cached in (paper.equations, led.witness_point, led._sound, led._connected, led._own_definitions):
+        for cached in KEPT:
             cached.cache_clear()
 
 
@@ -226,27 +226,10 @@ def test_prose_formula_under_10_is_refuted_and_its_correction_exact():
 
 # ---- The print -------------------------------------------------------------------------------------------------------
 
-# Where CI is true the text must be there, and these tests fail without it.
-needs_source = pytest.mark.skipif(
-    not SOURCE.exists() and os.environ.get("CI", "").lower() != "true",
-    reason="the paper's text is not beside the checkout",
-)
-
-
-@needs_source
-@pytest.mark.parametrize("number", list(printed.PRINTED))
-def test_printed_latex_stands_at_its_lines_of_the_source(number):
-    (first, last), displays = printed.PRINTED[number]
-    lines = SOURCE.read_text(encoding="utf-8").splitlines()[first - 1 : last]
-    text = "\n".join(lines)
-    assert displays[0] in lines[0] and displays[-1] in lines[-1]
-    assert all(display in text for display in displays)
-    assert re.search(rf"\\tag\{{{number}\}}|\({number}\)", text)
-
 
 @needs_source
 def test_table_1_and_the_prose_formula_stand_at_their_lines():
-    lines = SOURCE.read_text(encoding="utf-8").splitlines()
+    lines = source(PAPER)
     first, last = printed.TABLE_1_LINES
     for row, line in zip(printed.TABLE_1, lines[first - 1 : last], strict=True):
         cells = [cell.replace(" ", "") for cell in line.strip().strip("|").split("|")[2:]]
