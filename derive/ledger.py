@@ -386,7 +386,7 @@ def _side_by_side(equation: Equation) -> str:
 
     def left(relations) -> str:
         size = _largest(relations, point)
-        return mp.nstr(size, 3) if size > EXACT else f"less than {mp.nstr(EXACT, 1)}"
+        return mp.nstr(size, 3) if size > EXACT else f"less than {float(EXACT):.0e}"
 
     try:
         _largest(equation.read(), point)
