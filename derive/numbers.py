@@ -14,7 +14,7 @@ from mpmath.libmp import from_man_exp
 
 from boresight import BoresightError
 
-RADIUS = 1e-30  # the widest ball that is a result, absolute below 1 and relative above
+BITS = 99  # of a ball that is a result, some 1e-30: absolute below 1, relative above
 
 digits = ctx.workdps  # with digits(50): balls are as narrow as 50 digits allow
 
@@ -144,21 +144,24 @@ def norm(x: Any) -> arb:
 def middle(value: Any) -> mp.mpf:
     """The middle of a ball, exactly.
 
-    Raises ZeroDivisionError if the value is not finite, BoresightError if the ball is wider than RADIUS.
+    Raises ZeroDivisionError if the value is not finite, BoresightError if the ball is too wide.
     """
-    ball = arb(value)
-    if not ball.is_finite():
-        raise ZeroDivisionError("a value is not finite")
-    middle, radius = ball.mid(), float(ball.rad())
-    if radius > RADIUS * max(1.0, abs(float(middle))):
-        raise BoresightError(f"a value is known to {radius:.0e} only: compute it with more digits")
-    man, exp = middle.man_exp()
+    man, exp = _judged(value).man_exp()
     return mp.mp.make_mpf(from_man_exp(int(man), int(exp)))
 
 
 def largest(values: Iterable[Any]) -> mp.mpf:
-    """The largest magnitude."""
-    return max(abs(middle(value)) for value in values)
+    """The largest magnitude.  Raises as `middle` does."""
+    return middle(max(abs(_judged(value)) for value in values))
+
+
+def _judged(value: Any) -> arb:
+    ball = arb(value)
+    if not ball.is_finite():
+        raise ZeroDivisionError("a value is not finite")
+    if ball.rel_one_accuracy_bits() < BITS:
+        raise BoresightError(f"a value is known to {float(ball.rad()):.0e} only: compute it with more digits")
+    return ball.mid()
 
 
 def shown(value: Any, count: int) -> str:

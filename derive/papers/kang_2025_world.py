@@ -8,7 +8,7 @@ numbers that judge it.
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
-from functools import lru_cache
+from functools import cache, lru_cache
 from random import Random
 from typing import Any
 
@@ -28,8 +28,8 @@ from boresight.derive.witness import (
 )
 
 
-@dataclass(frozen=True)
-class Base:
+@dataclass(frozen=True, eq=False)
+class Base:  # a key of the caches by itself: `draw` gives the same one for the same seed
     """What a point is made of; all else follows.  SI and rad; three components each, NED or slave body axes."""
 
     position: tuple  # longitude, latitude, height
@@ -145,6 +145,7 @@ STATED_TEXT = (
 )
 
 
+@cache
 def draw(seed: int, conditions: Conditions) -> Base:
     """A point of the conditions; the same seed at another scale gives the same directions."""
     generator = Random(seed)

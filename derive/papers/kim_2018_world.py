@@ -39,8 +39,8 @@ from boresight.derive.witness import (
 SAMPLES, WINDOW_AT, WINDOW_OF, NOW = 6, 2, 3, 3  # of the detector's record: its length, a window's start and length
 
 
-@dataclass(frozen=True)
-class Base:
+@dataclass(frozen=True, eq=False)
+class Base:  # a key of the caches by itself: `draw` gives the same one for the same seed
     """What a point is made of; all else follows.  SI and rad; three components each, east north up or body axes."""
 
     position: tuple  # longitude, latitude, height
@@ -168,6 +168,7 @@ STATED_TEXT = (
 )
 
 
+@cache
 def draw(seed: int, conditions: Conditions) -> Base:
     """A point of the conditions; the same seed at another scale gives the same directions."""
     generator = Random(seed)
@@ -268,6 +269,7 @@ def _truth(position, v_n, euler, f_b, omega) -> Truth:
     return Truth(parts[0], parts[1], C, parts[2], parts[3], Mechanics(parts[0], parts[1], C, parts[2], parts[3]))
 
 
+@lru_cache(maxsize=256)
 def truth(base: Base) -> Truth:
     with digits(WORKING):
         return _truth(base.position, base.v_n, base.euler, base.f_b, base.omega_ib_b)

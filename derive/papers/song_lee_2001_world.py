@@ -28,8 +28,8 @@ from boresight.derive.witness import (
 )
 
 
-@dataclass(frozen=True)
-class Base:
+@dataclass(frozen=True, eq=False)
+class Base:  # a key of the caches by itself: `draw` gives the same one for the same seed
     """What a point is made of; all else follows.  rad and rad/s; three components each."""
 
     euler_r: tuple
@@ -93,6 +93,7 @@ STATED_TEXT = (
 )
 
 
+@cache
 def draw(seed: int, conditions: Conditions) -> Base:
     """A point of the conditions; the same seed at another scale gives the same directions."""
     generator = Random(seed)

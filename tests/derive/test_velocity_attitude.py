@@ -11,7 +11,7 @@ import pytest
 from mechanics import F_N, POSITION, V_N, differentiable, numbers, states
 from sympy import Matrix, symbols
 
-from boresight.codegen.reference import evaluator
+from boresight.codegen.functions.reference import evaluator
 from boresight.derive import mechanization
 from boresight.derive import rotation as rot
 from boresight.derive.earth import NED
