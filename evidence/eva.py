@@ -14,10 +14,10 @@ from typing import Any
 
 import numpy as np
 
+from boresight.codegen.functions.samples import generator
+from boresight.codegen.functions.tape import evaluate
+from boresight.codegen.functions.units import Unit, units
 from boresight.codegen.generate import load_model
-from boresight.codegen.samples import generator
-from boresight.codegen.tape import evaluate
-from boresight.codegen.units import Unit, units
 from boresight.evidence.calls import layout, points_of
 from boresight.evidence.sources import Folder, Source
 from boresight.evidence.targets import HARNESS
@@ -40,8 +40,8 @@ def version() -> str:
 
 
 def eva(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
-    """By printed unit: alarms, the kinds of those that there are, and the assumptions made; nothing of a kernel."""
-    if folder.manifest.get("kernel"):
+    """By printed unit: alarms, the kinds of those that there are, and the assumptions made; nothing of a component."""
+    if folder.manifest.get("component"):
         return {}
     made = {unit.name: unit for unit in units(load_model(folder.manifest["model"]))}
     return {

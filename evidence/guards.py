@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight.codegen.samples import generator
+from boresight.codegen.functions.samples import generator
 from boresight.evidence.calls import Points, call, callable_units, layout, points_of
 from boresight.evidence.sources import Folder, Source
 from boresight.evidence.targets import GCC, HARNESS, PRECISIONS, WARNINGS

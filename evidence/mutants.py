@@ -1,11 +1,11 @@
 """Mutants of the C text of a unit, run through its shipped self-test.
 
-The preprocessed unit is parsed, and each real operation or comparison swapped, each sign flipped, each constant off by
-1e-3 becomes a choice that one global number makes: one executable holds all of them, and forks for each.  What the
-self-test lets pass is compared with the unit itself at 1e4 points of its box and beside the box's edges: a mutant with
-equal bits throughout is equivalent, and counted apart.  A filter's check of what it is started with repeats the boxes
-of the model: there a component's bound a thousandth further out is equivalent if the range of the norm ends at the
-bound, for then the norm refuses with the same status.
+The preprocessed unit is parsed, and each real operation or comparison swapped, each sign flipped, each constant off
+by 1e-3, in loops each statement dropped, becomes a choice that one global number makes: one executable holds all of
+them, and forks for each. What the self-test lets pass is compared with the unit itself at 1e4 points of its box and
+beside the box's edges: a mutant with equal bits throughout is equivalent, and counted apart. A filter's check of what
+it is started with repeats the boxes of the model: there a component's bound a thousandth further out is equivalent if
+the range of the norm ends at the bound, for then the norm refuses with the same status.
 """
 
 import ctypes
@@ -18,7 +18,7 @@ import numpy as np
 from pycparser import c_ast, c_generator, c_parser
 
 from boresight import BoresightError
-from boresight.codegen.samples import generator
+from boresight.codegen.functions.samples import generator
 from boresight.evidence.calls import Points, call, callable_units, layout, points_of, shared_library
 from boresight.evidence.sources import Folder, Source
 from boresight.evidence.targets import GCC, HARNESS, compile_units
@@ -112,6 +112,7 @@ class Mutator(c_generator.CGenerator):
         super().__init__()
         self.unit, self.types, self.chosen = unit, types, chosen
         self.candidates: list[str] = []
+        self.statements: set[int] = set()
         self.inside = False
 
     def choice(self, node: Any, what: str, otherwise: str, mutant: str) -> str:
@@ -129,6 +130,18 @@ class Mutator(c_generator.CGenerator):
         self.inside = here.name != "boresight.h" or n.decl.name in self.types.called
         text = str(super().visit_FuncDef(n))
         self.inside = False
+        return text
+
+    def visit_Compound(self, n: Any) -> str:
+        if self.unit.described is None:  # in a printed list every statement's value is named again
+            alone = (c_ast.Assignment, c_ast.FuncCall)
+            self.statements |= {id(item) for item in n.block_items or () if isinstance(item, alone)}
+        return str(super().visit_Compound(n))
+
+    def visit(self, node: Any) -> str:
+        text = str(super().visit(node))
+        if self.inside and id(node) in self.statements:
+            return self.choice(node, "statement dropped", f"(void)({text})", "(void)0")
         return text
 
     def visit_Decl(self, n: Any, no_type: bool = False) -> str:

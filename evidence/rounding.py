@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from boresight.codegen.functions.samples import generator
+from boresight.codegen.functions.tape import evaluate
+from boresight.codegen.functions.units import Unit, units
 from boresight.codegen.generate import load_model
-from boresight.codegen.samples import generator
-from boresight.codegen.tape import evaluate
-from boresight.codegen.units import Unit, units
 from boresight.evidence.calls import call, callable_units, points_of, shared_library
 from boresight.evidence.sources import Folder, Source
 from boresight.runtime.library import Unit as CompiledUnit
@@ -22,8 +22,8 @@ LIBM_ULPS = 1.0  # what sinf, cosf and atan2f of this machine's library may err 
 
 
 def rounding(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
-    """By printed unit: runs, violations of the bound, and for each output what `of_unit` says; nothing of a kernel."""
-    if folder.manifest.get("kernel"):
+    """By printed unit: runs, violations of the bound, and of each output what `of_unit` gives; no component has any."""
+    if folder.manifest.get("component"):
         return {}
     model = load_model(folder.manifest["model"])
     made = {unit.name: unit for unit in units(model)}

@@ -200,8 +200,8 @@ def library() -> ctypes.PyDLL:
     """The compiled detectors; raises BoresightError as `boresight.runtime.library.load`."""
     folder = folder_of("stationary-detector")
     manifest = read_manifest(folder)
-    said = manifest["kernel"]
-    if [d["name"] for d in said["detectors"]] != list(DETECTORS) or said["max_window"] != MAX_WINDOW:
+    described = manifest["component"]
+    if [d["name"] for d in described["detectors"]] != list(DETECTORS) or described["max_window"] != MAX_WINDOW:
         raise BoresightError(f"{folder} holds other detectors than this version of Boresight binds; generate it again")
     dll = open_library(*build(folder, manifest))
     dll.sd_sizeof_detector.restype = ctypes.c_size_t

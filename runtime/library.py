@@ -25,7 +25,7 @@ def build(
     folder: Path, manifest: dict[str, Any], backend: str = "flight", precision: str = "double"
 ) -> tuple[Path, str]:
     """The compiled library of a generated folder, as `compiler.shared_library`."""
-    sources: dict[Path, list[object]] = {folder / "batch" / f"{manifest['c_prefix']}_batch.c": []}
+    sources: dict[Path, list[object]] = {folder / path: [] for path in manifest["files"] if path.startswith("batch/")}
     for stem in (unit["file"] for unit in manifest["units"].values()):
         # CasADi's kernel has the include guard of ours: seen first, it is the one that the wrapper calls
         instead = ["-include", folder / "casadi" / f"{stem}_kernel.h"] if backend == "casadi" else []
@@ -240,6 +240,6 @@ def load(model: str | Path, backend: str = "flight", precision: str = "double") 
         raise BoresightError("CasADi's C computes in double; take the backend 'flight' for float")
     folder = folder_of(model)
     manifest = read_manifest(folder)
-    if "kernel" in manifest:
-        raise BoresightError(f"{manifest['model']} is a kernel and not a model; models are {', '.join(built_in())}")
+    if "component" in manifest:
+        raise BoresightError(f"{manifest['model']} comes from no model; models are {', '.join(built_in())}")
     return Library(manifest, open_library(*build(folder, manifest, backend, precision)), precision)

@@ -61,7 +61,7 @@ def test_the_c_computes_the_definitions(window):
 
 
 def test_the_bound_on_rounding_errors_holds_and_is_not_idle():
-    exact = importlib.import_module("boresight.codegen.kernels.stationary_detector").statistics
+    exact = importlib.import_module("boresight.codegen.text.stationary_detector").statistics
     rng = np.random.default_rng(3)
     looseness = []
     for _ in range(40):
