@@ -123,9 +123,7 @@ class UnitMaker:
         order = [s for s in symbols if s in used]
         where = {s: (v.name, i) for v in self.variables for i, s in enumerate(v.symbols)}
         # A derivative may not depend on what its function reads; any value in the box will then do.
-        anywhere = {
-            v.name: [lo / 4 + hi * 3 / 4 for lo, hi in zip(v.low, v.high, strict=True)] for v in self.variables
-        }
+        anywhere = {v.name: [lo / 4 + hi * 3 / 4 for lo, hi in zip(v.low, v.high, strict=True)] for v in self.variables}
         by = self.variables[0].symbols if jacobian else ()
         compiled: list[Any] = []  # made on first use: a unit that did not change never needs it
 
@@ -241,18 +239,15 @@ class UnitMaker:
             """The integral of Phi(s) S Phi(s)' over the step, Phi to second order, cut after the third power of dt."""
             with precise():
                 f, h, s = rows_of(F_exact(values)[0], n), arb(values[where][0]), spread_exact(values)
-                # Phi(s) = 1 + F s + F F s^2 / 2: each pair of its terms around S, with the power of its integral.
-                powers = [(1, identity), (1, f), (arb(1) / 2, times(f, f))]
-                left = [(weight, times(power, s)) for weight, power in powers]
-                return [
-                    weighted(
-                        *(
-                            (u * v * h ** (i + j + 1) / (i + j + 1), times(a, transposed(b, n)))
-                            for i, (u, a) in enumerate(left)
-                            for j, (v, b) in enumerate(powers[: 3 - i])
-                        ),
-                    )
-                ]
+                # Phi(s) = 1 + F s + F F s^2 / 2: each pair of its terms around S, with the power of its integral;
+                # the pair (j, i) is (i, j) transposed, as S is symmetric.
+                powers: list[tuple[Any, Rows]] = [(arb(1), identity), (arb(1), f), (arb(1) / 2, times(f, f))]
+                terms = []
+                for i, j in ((0, 0), (0, 1), (0, 2), (1, 1)):
+                    (u, left), (v, right) = powers[i], powers[j]
+                    weight, term = u * v * h ** (i + j + 1) / (i + j + 1), times(times(left, s), transposed(right, n))
+                    terms += [(weight, term)] if i == j else [(weight, term), (weight, transposed(term, n))]
+                return [weighted(*terms)]
 
         return [
             self.unit(
