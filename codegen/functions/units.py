@@ -55,7 +55,7 @@ def described(name: str, unit: str, meaning: str, **rest: Any) -> Result:
 Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
 
 
-def rows_of(entries: Entries, count: int) -> Rows:
+def by_rows(entries: Entries, count: int) -> Rows:
     rows: Rows = [{} for _ in range(count)]
     for (i, j), value in entries.items():
         rows[i][j] = value
@@ -222,7 +222,7 @@ class UnitMaker:
 
         def spread_exact(values: Values) -> Rows:
             g, root = G_exact(values)
-            rows = rows_of(g, n)
+            rows = by_rows(g, n)
             noisy = [{j: value * root[j, 0] ** 2 for j, value in row.items() if (j, 0) in root} for row in rows]
             return times(noisy, transposed(rows, model.noise.rows))
 
@@ -232,13 +232,13 @@ class UnitMaker:
 
         def Phi_exact(values: Values) -> list[Entries]:
             with precise():
-                f, h = rows_of(F_exact(values)[0], n), arb(values[where][0])
+                f, h = by_rows(F_exact(values)[0], n), arb(values[where][0])
                 return [weighted((1, identity), (h, f), (h * h / 2, times(f, f)))]
 
         def Q_exact(values: Values) -> list[Entries]:
             """The integral of Phi(s) S Phi(s)' over the step, Phi to second order, cut after the third power of dt."""
             with precise():
-                f, h, s = rows_of(F_exact(values)[0], n), arb(values[where][0]), spread_exact(values)
+                f, h, s = by_rows(F_exact(values)[0], n), arb(values[where][0]), spread_exact(values)
                 # Phi(s) = 1 + F s + F F s^2 / 2: each pair of its terms around S, with the power of its integral;
                 # the pair (j, i) is (i, j) transposed, as S is symmetric.
                 powers: list[tuple[Any, Rows]] = [(arb(1), identity), (arb(1), f), (arb(1) / 2, times(f, f))]
