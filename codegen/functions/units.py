@@ -11,6 +11,7 @@ import mpmath as mp
 import sympy as sp
 
 from boresight.codegen.functions.convert import to_casadi
+from boresight.codegen.functions.identities import identified
 from boresight.codegen.functions.reference import evaluator
 from boresight.codegen.functions.tape import Tape, share_reciprocals, tape
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
@@ -139,7 +140,7 @@ class UnitMaker:
         equations: tuple[str, ...],
     ) -> Unit:
         """results: each SX matrix with its description, whose shape and non-zeros are filled in here."""
-        outputs = [ca.sparsify(value) for value, _ in results]
+        outputs = identified(list(self.vectors.values()), [value for value, _ in results])
         read = {s.name() for s in ca.symvar(ca.vertcat(*(ca.vec(ca.densify(out)) for out in outputs)))}
         args = tuple(v for v in self.variables if read & {self.vectors[v.name][i].name() for i in range(v.size)})
         # Row-major: CasADi keeps the non-zeros column by column, C readers expect them row by row.
