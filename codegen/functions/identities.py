@@ -23,6 +23,7 @@ TERMS = 256  # beyond so many products of roots in one multiplication its result
 # A number: for each set of roots, as bits, the factor of their product; none for zero.  Two are one number only if they
 # are so for either sign of every root, so that sqrt(x^2) is neither x nor -x.
 Number = tuple[tuple[int, int], ...]
+ONE: Number = ((0, 1),)
 
 
 def numbers(program: Tape) -> list[Number]:
@@ -82,9 +83,10 @@ def numbers(program: Tape) -> list[Number]:
         if op in ("sin", "cos"):
             t = free("half angle", size)
             square = times(t, t)
-            one: Number = ((0, 1),)
-            over = plus(one, square, -1) if op == "cos" else plus((), plus(t, t), 1 if size == a else -1)
-            return times(over, inverse(plus(one, square)))
+            over = plus(ONE, square, -1) if op == "cos" else plus((), plus(t, t), 1 if size == a else -1)
+            return times(over, inverse(plus(ONE, square)))
+        if op == "if_else_zero" and b in (ONE, plus((), ONE, -1)):
+            return times(a, b)  # of a truth value, which is 0 or 1
         return free(op, size) if op == "fabs" else free(op, a, b)
 
     values: list[Number] = []
@@ -105,7 +107,7 @@ def identified(inputs: list[Any], outputs: list[Any]) -> list[Any]:
     those that agree, or as minus it.  Without the entries that are zero."""
     source = tape(ca.Function("f", inputs, outputs, {"cse": True}))
     listed = list(zip(source.steps, numbers(source), strict=True))
-    known: dict[Number, Any] = {(): ca.SX(0), ((0, 1),): ca.SX(1)}
+    known: dict[Number, Any] = {(): ca.SX(0), ONE: ca.SX(1)}
     for step, number in listed:
         if step.op in FREE:
             which, component = step.source

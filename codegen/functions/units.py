@@ -54,6 +54,11 @@ def described(name: str, unit: str, meaning: str, **rest: Any) -> Result:
     return Result(name, (0, 0), (), unit, meaning, **rest)
 
 
+def symmetric(matrix: Any) -> Any:
+    """An SX matrix whose lower triangle is a copy of its upper one, to the bit."""
+    return ca.triu2symm(ca.triu(matrix))
+
+
 Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
 
 
@@ -210,7 +215,7 @@ class UnitMaker:
         where = next(v.name for v in model.inputs if model.dt in v.symbols)
         n, source = model.n, model.equations
         A = F * dt
-        spread = G @ ca.diag(noise * noise) @ G.T  # what the noise adds a second
+        spread = symmetric(G @ ca.diag(noise * noise) @ G.T)  # what the noise adds a second
         FS = F @ spread
         FFS = F @ FS
         Q = spread * dt + (FS + FS.T) * (dt * dt / 2) + (FFS + FFS.T + 2 * FS @ F.T) * (dt * dt * dt / 6)
@@ -273,7 +278,7 @@ class UnitMaker:
             self.unit(
                 "Q",
                 "covariance that the noise adds over dt",
-                [(Q, described("Q", "mixed", "covariance of the noise"))],
+                [(symmetric(Q), described("Q", "mixed", "covariance of the noise"))],
                 Q_exact,
                 source,
             ),
