@@ -55,8 +55,8 @@ def described(name: str, unit: str, meaning: str, **rest: Any) -> Result:
 
 
 def symmetric(matrix: Any) -> Any:
-    """An SX matrix whose lower triangle is a copy of its upper one, to the bit."""
-    return ca.triu2symm(ca.triu(matrix))
+    """An SX matrix whose upper triangle is a copy of its lower one, to the bit."""
+    return ca.tril2symm(ca.tril(matrix))
 
 
 Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
@@ -160,7 +160,6 @@ class UnitMaker:
             rows,
             [v.name for v in args],
             [f"out_{result.name}" for _, result in results],
-            {"cse": True},
         )
         return Unit(
             name,
