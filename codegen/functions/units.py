@@ -11,6 +11,7 @@ import sympy as sp
 from flint import arb
 
 from boresight.codegen.functions.convert import to_casadi
+from boresight.codegen.functions.identities import identified
 from boresight.codegen.functions.reference import Entries, evaluator, precise
 from boresight.codegen.functions.tape import Tape, share_reciprocals, tape
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
@@ -50,6 +51,11 @@ class Unit:
 def described(name: str, unit: str, meaning: str, **rest: Any) -> Result:
     """A result before its shape is known."""
     return Result(name, (0, 0), (), unit, meaning, **rest)
+
+
+def symmetric(matrix: Any) -> Any:
+    """An SX matrix whose upper triangle is a copy of its lower one, to the bit."""
+    return ca.tril2symm(ca.tril(matrix))
 
 
 Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
@@ -143,7 +149,7 @@ class UnitMaker:
         equations: tuple[str, ...],
     ) -> Unit:
         """results: each SX matrix with its description, whose shape and non-zeros are filled in here."""
-        outputs = [ca.sparsify(value) for value, _ in results]
+        outputs = identified(list(self.vectors.values()), [value for value, _ in results])
         read = {s.name() for s in ca.symvar(ca.vertcat(*(ca.vec(ca.densify(out)) for out in outputs)))}
         args = tuple(v for v in self.variables if read & {self.vectors[v.name][i].name() for i in range(v.size)})
         # Row-major: CasADi keeps the non-zeros column by column, C readers expect them row by row.
@@ -158,7 +164,6 @@ class UnitMaker:
             rows,
             [v.name for v in args],
             [f"out_{result.name}" for _, result in results],
-            {"cse": True},
         )
         return Unit(
             name,
@@ -213,7 +218,7 @@ class UnitMaker:
         where = next(v.name for v in model.inputs if model.dt in v.symbols)
         n, source = model.n, model.equations
         A = F * dt
-        spread = G @ ca.diag(noise * noise) @ G.T  # what the noise adds a second
+        spread = symmetric(G @ ca.diag(noise * noise) @ G.T)  # what the noise adds a second
         FS = F @ spread
         FFS = F @ FS
         Q = spread * dt + (FS + FS.T) * (dt * dt / 2) + (FFS + FFS.T + 2 * FS @ F.T) * (dt * dt * dt / 6)
@@ -274,7 +279,7 @@ class UnitMaker:
             self.unit(
                 "Q",
                 "covariance that the noise adds over dt",
-                [(Q, described("Q", "mixed", "covariance of the noise"))],
+                [(symmetric(Q), described("Q", "mixed", "covariance of the noise"))],
                 Q_exact,
                 source,
             ),
