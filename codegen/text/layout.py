@@ -13,7 +13,7 @@ MORE = re.compile(r" *\* (?!in |out |returns )")
 HANGING = re.compile(r"\* ((in|out) +\S+ +|\w+ {2,})")  # further lines stand below the meaning
 WHOLE = re.compile(r"\((?:[^()]|\(\w*\)){1,30}\)|\S+ to \S+|\S+ \*/$")  # units, ranges and the end are not torn
 PROTOTYPE = re.compile(r"\w[\w *]*\(.*\);?")
-BREAK = re.compile(r"(?<=[,;]) | (?=[?:] )|(?<=\|\|) |(?<=&&) |(?<= [-+*]) ")
+BREAK = re.compile(r"(?<=[,;]) | (?=: )|(?<=\|\|) |(?<=&&) |(?<= [-+*]) ")
 
 
 def laid_out(text: str) -> str:
@@ -25,7 +25,7 @@ def laid_out(text: str) -> str:
         if len(line) <= WIDTH or is_row(line):
             lines.append(line)
             continue
-        while COMMENT.match(line) and not line.endswith(ENDS) and MORE.match(given[-1]):
+        while COMMENT.match(line) and not line.endswith(ENDS) and given and MORE.match(given[-1]):
             line += " " + given.pop().lstrip(" *")
         lines += broken(line)
     return "\n".join(lines)

@@ -60,8 +60,9 @@ def outcome(r: Result, model: Model) -> dict[str, Any]:
     if r.shape[1] == model.n:
         states = f"{model.c_prefix.upper()}_N_STATES"
         size = states if r.shape[0] == 1 else f"{r.shape[0]} * {states}"
-    shape = f"{r.shape[0]} x {r.shape[1]}" if r.shape[1] > 1 else f"{r.shape[0]}"
-    kind = "dense" if dense else f"dense, row-major; {len(positions)} of {total} are not zero"
+    shape = f"{r.shape[0]} x {r.shape[1]}, row-major" if r.shape[1] > 1 else f"{r.shape[0]}"
+    if not dense:
+        shape += f"; {len(positions)} of {total} are not zero"
     return {
         "name": r.name,
         "nz_name": nz_name(r),
@@ -73,7 +74,7 @@ def outcome(r: Result, model: Model) -> dict[str, Any]:
         "parameter": f"bs_real {r.name}[{size}]",
         "nz_parameter": f"bs_real {nz_name(r)}[{len(positions)}]",
         "path": r.name,
-        "text": f"{r.meaning} ({r.unit}); {shape}, {kind}"
+        "text": f"{r.meaning} ({r.unit}); {shape}"
         + (", wrapped to [-pi, pi]" if r.angle else "")
         + (f"; {span(r.low, r.high)}" if r.low else ""),
         "angle": r.angle,
