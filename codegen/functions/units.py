@@ -218,7 +218,7 @@ class UnitMaker:
         where = next(v.name for v in model.inputs if model.dt in v.symbols)
         n, source = model.n, model.equations
         A = F * dt
-        spread = symmetric(G @ ca.diag(noise * noise) @ G.T)  # what the noise adds a second
+        spread = symmetric(G @ ca.diag(noise * noise) @ G.T)  # noise covariance per second
         FS = F @ spread
         FFS = F @ FS
         Q = spread * dt + (FS + FS.T) * (dt * dt / 2) + (FFS + FFS.T + 2 * FS @ F.T) * (dt * dt * dt / 6)
@@ -271,7 +271,7 @@ class UnitMaker:
             ),
             self.unit(
                 "Qc",
-                "what the noise adds to the covariance a second, G W G'",
+                "noise covariance per second, G W G'",
                 [(spread, described("Qc", "mixed", "density of the noise"))],
                 density,
                 source,
@@ -317,7 +317,7 @@ class UnitMaker:
             self.unit(
                 f"{m.name}_H",
                 meaning,
-                [(value, described("H", f"{m.unit} a unit of x", f"rows {rows}"))],
+                [(value, described("H", f"{m.unit} per unit of state", f"rows {rows}"))],
                 reference,
                 m.equations,
             )

@@ -8,10 +8,11 @@ import casadi as ca
 import mpmath as mp
 import numpy as np
 import pytest
+from flint import arb
 from mechanics import F_N, POSITION, V_N, differentiable, numbers, states
 from sympy import Matrix, symbols
 
-from boresight.codegen.reference import evaluator
+from boresight.codegen.functions.reference import evaluator, precise
 from boresight.derive import mechanization
 from boresight.derive import rotation as rot
 from boresight.derive.earth import NED
@@ -105,6 +106,13 @@ OMEGA_IN = evaluator(
 )
 
 
+def omega_in(position, v):
+    """Of mp numbers, which FLINT's balls take and give to 60 digits."""
+    with precise():
+        (entries,) = OMEGA_IN([arb(mp.nstr(value, 60)) for value in (*position, *v)])
+        return mp.matrix([mp.mpf(entries[i, 0].str(60, radius=False)) if (i, 0) in entries else 0 for i in range(3)])
+
+
 def situation(seed, lag=0.0, level="estimated"):
     """x -> the inputs of a measurement, mp numbers by symbol, whose estimates are wrong by x (16).
 
@@ -121,7 +129,7 @@ def situation(seed, lag=0.0, level="estimated"):
         phi, dv, dbg, dmu, d_tau = (mp.matrix([x[i] for i in range(16)[BLOCK[n]]]) for n in
                                     ("phi", "dv", "dbg", "dmu", "d_tau"))  # fmt: skip
         v_hat = v + dv
-        (level_rate,) = OMEGA_IN([*position, *(v_hat if level == "estimated" else v)], DIGITS)
+        level_rate = omega_in(position, v_hat if level == "estimated" else v)
         # a body that turns against the level: the lever arm's end moves by omega_nb x lever
         omega_nb = omega - C.T * level_rate
         v_m, C_m2n = v - C * cross(omega_nb, lever), C * mount.T
