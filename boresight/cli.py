@@ -241,7 +241,11 @@ def verify(
         task = bar.add_task("")
         for target in targets:
             where = folder or (default_folder(target) if ":" in target else None)
-            checks += v.verify(target, where, progress=lambda text: bar.update(task, description=text))
+            checks += v.verify(
+                target,
+                where,
+                progress=lambda done, total, text: bar.update(task, description=f"{done} of {total}, {text}"),
+            )
     good = all(check.ok for check in checks)
     if as_json:
         print_json(v.to_json(checks))

@@ -12,11 +12,12 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import handover, inertial, rotation, simulation
+from boresight.runtime import inertial, rotation, simulation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, MILLI_G
+from boresight.studies import handover
 
 
 @dataclass(frozen=True)

@@ -15,9 +15,9 @@ PENDULUM = f"{ROOT / 'tests' / 'pendulum.py'}:PENDULUM"
 
 @pytest.fixture(scope="session")
 def compiled_once(tmp_path_factory):
-    """A cache of compiled libraries for the whole run, beside the user's own."""
-    before = os.environ.get("BORESIGHT_CACHE")
-    os.environ["BORESIGHT_CACHE"] = str(tmp_path_factory.mktemp("cache"))
+    """A cache of compiled libraries for the whole run, beside the user's own; workers side by side share it."""
+    before, base = os.environ.get("BORESIGHT_CACHE"), tmp_path_factory.getbasetemp()
+    os.environ["BORESIGHT_CACHE"] = str((base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "cache")
     yield
     if before is None:
         del os.environ["BORESIGHT_CACHE"]

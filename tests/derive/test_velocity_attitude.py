@@ -8,15 +8,17 @@ import casadi as ca
 import mpmath as mp
 import numpy as np
 import pytest
+from flint import arb
 from mechanics import F_N, POSITION, V_N, differentiable, numbers, states
 from sympy import Matrix, symbols
 
-from boresight.codegen.functions.reference import evaluator
+from boresight.codegen.functions.reference import evaluator, precise
 from boresight.derive import mechanization
 from boresight.derive import rotation as rot
 from boresight.derive.earth import NED
 from boresight.derive.model import symbols_in
 from boresight.derive.models import velocity_attitude as va
+from boresight.derive.numbers import middle
 from boresight.runtime.library import load
 
 MODEL = va.velocity_attitude()
@@ -100,9 +102,20 @@ def euler_of(C):
     return [mp.atan2(C[2, 1], C[2, 2]), -mp.asin(C[2, 0]), mp.atan2(C[1, 0], C[0, 0])]
 
 
-OMEGA_IN = evaluator(
-    [*va.POSITION.symbols, *va.V_N.symbols], [mechanization.omega_in_n(NED, va.POSITION.vector, va.V_N.vector)]
-)
+def evaluated(expression):
+    """The matrix as a function of mp numbers by symbol, in 50 digits."""
+    free = sorted(symbols_in(expression), key=str)
+    compiled, (rows, columns) = evaluator(free, [expression]), expression.shape
+
+    def at(known):
+        with precise():
+            (entries,) = compiled([arb(known[s]) for s in free])
+            return mp.matrix([[middle(entries.get((i, j), 0)) for j in range(columns)] for i in range(rows)])
+
+    return at
+
+
+LEVEL_RATE = evaluated(mechanization.omega_in_n(NED, va.POSITION.vector, va.V_N.vector))
 
 
 def situation(seed, lag=0.0, level="estimated"):
@@ -121,7 +134,8 @@ def situation(seed, lag=0.0, level="estimated"):
         phi, dv, dbg, dmu, d_tau = (mp.matrix([x[i] for i in range(16)[BLOCK[n]]]) for n in
                                     ("phi", "dv", "dbg", "dmu", "d_tau"))  # fmt: skip
         v_hat = v + dv
-        (level_rate,) = OMEGA_IN([*position, *(v_hat if level == "estimated" else v)], DIGITS)
+        v_level = v_hat if level == "estimated" else v
+        level_rate = LEVEL_RATE(dict(zip([*va.POSITION.symbols, *va.V_N.symbols], [*position, *v_level], strict=True)))
         # a body that turns against the level: the lever arm's end moves by omega_nb x lever
         omega_nb = omega - C.T * level_rate
         v_m, C_m2n = v - C * cross(omega_nb, lever), C * mount.T
@@ -134,13 +148,6 @@ def situation(seed, lag=0.0, level="estimated"):
         return {s: value for field, values in fields.items() for s, value in zip(field.symbols, values, strict=True)}
 
     return at
-
-
-def evaluated(expression):
-    """The matrix as a function of numbers by symbol, in 50 digits."""
-    free = sorted(symbols_in(expression), key=str)
-    compiled = evaluator(free, [expression])
-    return lambda known: compiled([known[s] for s in free], DIGITS)[0]
 
 
 def state(values):
