@@ -1,6 +1,6 @@
 """Transfer alignment by velocity and attitude with lever arm, misalignment and delay, sixteen states: Kang 2025."""
 
-from sympy import Matrix, eye, sqrt, zeros
+from sympy import Matrix, Piecewise, StrictLessThan, eye, zeros
 
 from boresight.derive import mechanization
 from boresight.derive.earth import NED
@@ -12,7 +12,6 @@ from boresight.derive.models.strapdown import attitude_variable, card, position_
 from boresight.derive.papers import kang_2025 as paper
 from boresight.derive.papers.song_lee_2001 import euler_D_beta
 from boresight.derive.rotation import (
-    TINY_SQUARE,
     conjugate,
     dcm_from_euler,
     dcm_from_quaternion,
@@ -112,7 +111,8 @@ def turned_back(state: tuple[Matrix, ...], lag) -> Matrix:
 def quaternion_residual(state: tuple[Matrix, ...], lag) -> Matrix:
     """Twice the vector part, which grows up to 180 deg; that of the DCM falls again from 90 deg on."""
     w, *xyz = quaternion_product(turned_back(state, lag), conjugate(Q_M.vector))
-    return 2 * Matrix(xyz) * (w / sqrt(w**2 + TINY_SQUARE))  # q and -q are one attitude
+    sign = Piecewise((-1, StrictLessThan(w, 0, evaluate=False)), (1, True))  # q and -q are one attitude
+    return 2 * sign * Matrix(xyz)
 
 
 def euler_residual(state: tuple[Matrix, ...], lag) -> Matrix:

@@ -8,12 +8,15 @@ import casadi as ca
 import mpmath as mp
 import numpy as np
 import pytest
+from flint import arb
 from mechanics import F_N, POSITION, V_N, differentiable, numbers, states
-from sympy import Matrix, lambdify, symbols
+from sympy import Matrix, symbols
 
+from boresight.codegen.functions.reference import evaluator, precise
 from boresight.derive import mechanization
 from boresight.derive import rotation as rot
 from boresight.derive.earth import NED
+from boresight.derive.model import symbols_in
 from boresight.derive.models import velocity_attitude as va
 from boresight.runtime.library import load
 
@@ -98,6 +101,18 @@ def euler_of(C):
     return [mp.atan2(C[2, 1], C[2, 2]), -mp.asin(C[2, 0]), mp.atan2(C[1, 0], C[0, 0])]
 
 
+OMEGA_IN = evaluator(
+    [*va.POSITION.symbols, *va.V_N.symbols], [mechanization.omega_in_n(NED, va.POSITION.vector, va.V_N.vector)]
+)
+
+
+def omega_in(position, v):
+    """Of mp numbers, which FLINT's balls take and give to 60 digits."""
+    with precise():
+        (entries,) = OMEGA_IN([arb(mp.nstr(value, 60)) for value in (*position, *v)])
+        return mp.matrix([mp.mpf(entries[i, 0].str(60, radius=False)) if (i, 0) in entries else 0 for i in range(3)])
+
+
 def situation(seed, lag=0.0, level="estimated"):
     """x -> the inputs of a measurement, mp numbers by symbol, whose estimates are wrong by x (16).
 
@@ -109,17 +124,12 @@ def situation(seed, lag=0.0, level="estimated"):
     position = [mp.mpf(float(value)) for value in (rng.uniform(-1.2, 1.2), rng.uniform(-3, 3), rng.uniform(-10, 100))]
     v, omega, lever = column(rng.uniform(-9, 9, 3)), column(rng.uniform(-0.4, 0.4, 3)), column(rng.uniform(-8, 8, 3))
     a = column(rng.uniform(-3, 3, 3))
-    omega_in = lambdify(
-        [va.POSITION.symbols, va.V_N.symbols],
-        mechanization.omega_in_n(NED, va.POSITION.vector, va.V_N.vector),
-        "mpmath",
-    )
 
     def at(x):
         phi, dv, dbg, dmu, d_tau = (mp.matrix([x[i] for i in range(16)[BLOCK[n]]]) for n in
                                     ("phi", "dv", "dbg", "dmu", "d_tau"))  # fmt: skip
         v_hat = v + dv
-        level_rate = omega_in(position, list(v_hat if level == "estimated" else v))
+        level_rate = omega_in(position, v_hat if level == "estimated" else v)
         # a body that turns against the level: the lever arm's end moves by omega_nb x lever
         omega_nb = omega - C.T * level_rate
         v_m, C_m2n = v - C * cross(omega_nb, lever), C * mount.T
@@ -136,9 +146,9 @@ def situation(seed, lag=0.0, level="estimated"):
 
 def evaluated(expression):
     """The matrix as a function of numbers by symbol, in 50 digits."""
-    free = sorted(expression.free_symbols, key=str)
-    compiled = lambdify([free], expression, modules="mpmath", cse=True)
-    return lambda known: mp.matrix(compiled([known[s] for s in free]))
+    free = sorted(symbols_in(expression), key=str)
+    compiled = evaluator(free, [expression])
+    return lambda known: compiled([known[s] for s in free], DIGITS)[0]
 
 
 def state(values):
