@@ -60,8 +60,8 @@ def test_extend_adds_states_behind_the_old_ones(tmp_path, library, points):
                     "from test_model import with_gyro_bias as MODEL\n")  # fmt: skip
     generate(f"{file}:MODEL", tmp_path / "out")
     grown = load(tmp_path / "out")
-    H = grown.euler_H(euler_b=points["euler_b"], euler_r=points["euler_r"])
-    np.testing.assert_array_equal(H[..., :6], library.euler_H(euler_b=points["euler_b"], euler_r=points["euler_r"]))
+    H = grown.euler_H(euler_b=points["euler_b"], euler_m=points["euler_m"])
+    np.testing.assert_array_equal(H[..., :6], library.euler_H(euler_b=points["euler_b"], euler_m=points["euler_m"]))
     np.testing.assert_array_equal(H[..., 6:], 0)
     F = grown.F(q_b2n_wxyz=[1.0, 0, 0, 0], omega_in_n=[1e-5, 0, 0])
     np.testing.assert_array_equal(F[:3, 6:], -np.eye(3))

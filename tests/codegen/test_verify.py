@@ -55,12 +55,12 @@ def test_a_flipped_sign_is_found(em_copy):
 def test_one_operation_in_another_order_is_found_by_its_bits(em_copy):
     # (-a) * b against -(a * b) is the same; a * b * c in another order is not
     kernel = (em_copy / "src" / "em_euler_H_kernel.h").read_text()
-    line = next(line.strip() for line in kernel.splitlines() if "= sin_theta_r * t" in line)
+    line = next(line.strip() for line in kernel.splitlines() if "= sin_pitch_m * t" in line)
     spoil(
         em_copy,
         "src/em_euler_H_kernel.h",
         line,
-        line.replace("= sin_theta_r *", "= (sin_theta_r * BS_REAL(3.0)) / BS_REAL(3.0) *"),
+        line.replace("= sin_pitch_m *", "= (sin_pitch_m * BS_REAL(3.0)) / BS_REAL(3.0) *"),
     )
     assert not failed(em_copy)["euler_H"].same_bits
 
