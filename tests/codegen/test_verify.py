@@ -43,7 +43,7 @@ def test_a_constant_off_by_1e_12_is_found_in_both_prints(em_copy):
 
 
 def test_a_flipped_sign_is_found(em_copy):
-    spoil(em_copy, "src/em_euler_H_kernel.h", "= -cos_psi_b", "= cos_psi_b")
+    spoil(em_copy, "src/em_euler_H_kernel.h", "= -cos_yaw_b", "= cos_yaw_b")
     found = failed(em_copy)
     assert set(found) == {"euler_H"}
     assert {type(check) for check in verify("euler-matching", em_copy, 100) if not check.ok} == {
