@@ -480,7 +480,8 @@ def replay(
     --check: norms, gaps, rates and suspicious units; exit 1 if something is wrong.
     """
     from boresight.runtime.library import load
-    from boresight.runtime.recording import quantity, read
+    from boresight.runtime.recording import read
+    from boresight.runtime.units import quantity
     from boresight.studies import replay as matched
     from boresight.studies import transfer_replay, zero_velocity
 

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.codegen.emit import templates
+from boresight.codegen.functions.samples import generator
 from boresight.codegen.generate import generate
-from boresight.codegen.samples import generator
+from boresight.codegen.text.files import rendered
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import Library, load
 from boresight.runtime.manifest import folder_of, read_manifest
@@ -47,10 +47,10 @@ def export(target: str, out: Path, precision: str, folder: Path | None = None) -
     if precision == "float":
         files["include/boresight.h"] = in_float(files["include/boresight.h"])
     view = export_view(manifest, load(report.folder), files, precision)
-    made = ["Makefile", "CMakeLists.txt", "README.md"]
-    for path in [*made, "example/main.c", "example/minute.h"] if view["minute"] else made:
-        files[path] = templates().get_template(f"export/{Path(path).name}.j2").render(e=view)
-    return write(out, files)
+    made: tuple[str, ...] = ("Makefile", "CMakeLists.txt", "README.md")
+    made += ("example/main.c", "example/minute.h") if view["minute"] else ()
+    texts = rendered(tuple(f"export/{path}" for path in made), {}, e=view)
+    return write(out, files | {path.removeprefix("export/"): text for path, text in texts.items()})
 
 
 def in_float(header: str) -> str:

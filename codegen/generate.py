@@ -10,26 +10,26 @@ import importlib.util
 import json
 import os
 import sys
-import sysconfig
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from boresight import BoresightError
-from boresight.codegen.kernels import KERNELS, make_kernel
-from boresight.runtime.manifest import GENERATED, cache_folder
+from boresight.codegen.stamp import made_from
 
 VERSIONED = ("casadi", "sympy")  # what the bytes of the output depend on, beside Boresight itself
 PACKAGE = Path(__file__).parent.parent
+COMPONENTS = ("stationary-detector",)  # C that comes from no model
 MODELS = PACKAGE / "derive" / "models"
+CHECKOUT = Path(__file__).resolve().parent.parent  # the links of a checkout lead there; of a wheel it is the package
 
 
 @dataclass(frozen=True)
 class Change:
     """A function that was added, changed or removed, with its operation counts before and after (None: not there).
 
-    The loops of a kernel have lines, not operations.
+    A component has lines, not operations.
     """
 
     name: str
@@ -53,7 +53,7 @@ class Report:
     folder: Path
     changes: tuple[Change, ...]
     written: tuple[str, ...]  # files that were, or would be, written or removed
-    up_to_date: bool  # known from hashes alone
+    up_to_date: bool  # known from the manifest alone
     comparable: bool = True  # with check: the versions of SymPy and CasADi are those of the committed files
 
 
@@ -64,8 +64,18 @@ def model_names() -> list[str]:
 
 
 def target_names() -> list[str]:
-    """Everything that is generated with Boresight: the models and the kernels."""
-    return sorted([*model_names(), *KERNELS])
+    """Everything that is generated with Boresight: the models and the components."""
+    return sorted([*model_names(), *COMPONENTS])
+
+
+def source_of(target: str) -> Path | None:
+    """The file of a model; None of a component."""
+    if ":" in target:
+        file = target.rsplit(":", 1)[0]
+        if not Path(file).is_file():
+            raise BoresightError(f"{file} is not found; give FILE.py:NAME with the path of a Python file")
+        return Path(file).resolve()
+    return None if target in COMPONENTS else MODELS / f"{target.replace('-', '_')}.py"
 
 
 def versions() -> dict[str, str]:
@@ -73,12 +83,12 @@ def versions() -> dict[str, str]:
 
 
 def default_folder(target: str) -> Path:
-    """generated/ of the checkout for a built-in model, ./generated/NAME for a user's own."""
+    """generated/ of the checkout for a built-in model, from any folder; ./generated/NAME for a user's own."""
     if ":" in target:
         return Path("generated") / target.rsplit(":", 1)[1].lower().replace("-", "_")
-    if not os.access(PACKAGE / "pyproject.toml", os.F_OK):
-        return Path("generated") / target.replace("-", "_")  # an installed package is never written to
-    return GENERATED / target.replace("-", "_")
+    installed = not (CHECKOUT / "pyproject.toml").is_file()  # a package that is never written to
+    home = Path() if installed or Path.cwd() == CHECKOUT else CHECKOUT
+    return home / "generated" / target.replace("-", "_")
 
 
 def load_model(target: str) -> Any:
@@ -86,17 +96,16 @@ def load_model(target: str) -> Any:
     from boresight.derive.model import Model
 
     if ":" not in target:
-        if target in KERNELS:
-            raise BoresightError(f"{target} is a kernel and not a model; models are {', '.join(model_names())}")
+        if target in COMPONENTS:
+            raise BoresightError(f"{target} comes from no model; models are {', '.join(model_names())}")
         if target not in model_names():
             raise BoresightError(f"no model {target!r}; there are {', '.join(model_names())}, or give FILE.py:NAME")
         name = target.replace("-", "_")
         value = getattr(importlib.import_module(f"boresight.derive.models.{name}"), name)
     else:
         file, name = target.rsplit(":", 1)
-        path = Path(file).resolve()
-        if not path.is_file():
-            raise BoresightError(f"{file} is not found; give FILE.py:NAME with the path of a Python file")
+        path = source_of(target)
+        assert path is not None
         sys.path.insert(0, str(path.parent))
         try:
             spec = importlib.util.spec_from_file_location(path.stem, path)
@@ -127,42 +136,6 @@ def load_model(target: str) -> Any:
 
 def digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
-
-
-def stamp_path(target: str, folder: Path) -> Path:
-    key = hashlib.sha256(f"{target}\0{folder.resolve()}".encode()).hexdigest()
-    return cache_folder() / f"generated-{key[:32]}.json"
-
-
-def sources() -> dict[str, str]:
-    """Every file that the loaded code came from, outside Python and its packages, and the templates; with hashes."""
-    outside = tuple(os.path.realpath(sysconfig.get_path(name)) + os.sep for name in ("stdlib", "platstdlib", "purelib"))
-    files = {Path(PACKAGE / "boresight" / "__init__.py").resolve()}
-    for name, module in list(sys.modules.items()):
-        path = getattr(module, "__file__", None)
-        if path is None or name.startswith(("boresight.cli", "boresight.runtime", "__main__", "pytest", "_pytest")):
-            continue
-        real = Path(path).resolve()
-        if real.suffix == ".py" and (name.startswith("boresight") or not str(real).startswith(outside)):
-            files.add(real)
-    files |= {
-        path.resolve() for name in ("templates", "kernels") for path in (Path(__file__).parent / name).glob("*.j2")
-    }
-    return {str(path): digest(path) for path in sorted(files) if path.is_file()}
-
-
-def read_stamp(target: str, folder: Path) -> dict[str, Any]:
-    try:
-        return dict(json.loads(stamp_path(target, folder).read_text()))
-    except (OSError, ValueError):
-        return {}
-
-
-def unchanged(known: dict[str, str]) -> bool:
-    try:
-        return bool(known) and all(digest(Path(path)) == value for path, value in known.items())
-    except OSError:
-        return False
 
 
 def edited(folder: Path, manifest: dict[str, Any]) -> list[str]:
@@ -202,43 +175,32 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
             f"{folder / by_hand[0]} was edited since it was generated; put the change into the model, delete the file, "
             "and generate again"
         )
-    stamp = read_stamp(target, folder)
-    complete = all((folder / path).is_file() for path in before.get("files", {}))
-    same_tools = stamp.get("versions") == versions()
-    if (
-        not check
-        and complete
-        and same_tools
-        and before
-        and stamp.get("manifest") == digest(folder / "manifest.json")
-        and unchanged(stamp.get("sources", {}))
-    ):
+    stamp = {"made_from": made_from(source_of(target)), "versions": versions()}
+    complete = before and all((folder / path).is_file() for path in before["files"])
+    if not check and complete and all(before.get(key) == value for key, value in stamp.items()):
         return Report(before["model"], folder, (), (), up_to_date=True)
     if check and before and before.get("versions") != versions():
         return Report(before["model"], folder, (), (), up_to_date=False, comparable=False)
     if check and not before:
         raise BoresightError(f"{folder} holds no generated model; run 'boresight generate {target}'")
 
-    if target in KERNELS:
-        name, counted = target, "lines"
-        files, counts, hashes = make_kernel(target, versions())
-    else:
-        model = load_model(target)
-        name, counted = model.name, "operations"
-        refuse_taken(model.c_prefix, name, folder)
-        files, counts, hashes = make(model, folder, before, stamp if same_tools and not check else {})
-    old_units = before.get("units", {})
+    document, files = make(target, folder, not check and same_generator(before, stamp))
+    refuse_taken(document["c_prefix"], document["model"], folder)
+    hashes = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
+    document |= {"files": hashes, **stamp}
+    files["manifest.json"] = json.dumps(document, indent=1, sort_keys=True) + "\n"
+    counted = "operations" if target not in COMPONENTS else "lines"
+    old_units, new_units = before.get("units", {}), document["units"]
     changes = tuple(
-        Change(unit, old_units.get(unit, {}).get(counted), counts.get(unit), counted)
-        for unit in dict.fromkeys([*counts, *old_units])
-        if old_units.get(unit, {}).get("hash") != hashes.get(unit)
+        Change(unit, old_units.get(unit, {}).get(counted), new_units.get(unit, {}).get(counted), counted)
+        for unit in dict.fromkeys([*new_units, *old_units])
+        if old_units.get(unit, {}).get("hash") != new_units.get(unit, {}).get("hash")
     )
     stale = [path for path in before.get("files", {}) if path not in files and (folder / path).is_file()]
     differing = [path for path, text in files.items() if not same(folder / path, text)]
     if not check:
         write(folder, {path: files[path] for path in differing}, stale)
-        save_stamp(target, folder, name)
-    return Report(name, folder, changes, tuple(sorted(differing + stale)), up_to_date=False)
+    return Report(document["model"], folder, changes, tuple(sorted(differing + stale)), up_to_date=False)
 
 
 def refuse_taken(prefix: str, name: str, folder: Path) -> None:
@@ -263,45 +225,26 @@ def same(path: Path, text: str) -> bool:
         return False
 
 
-def make(
-    model: Any, folder: Path, before: dict[str, Any], stamp: dict[str, Any]
-) -> tuple[dict[str, str], dict[str, int], dict[str, str]]:
-    """All files of the model, and of each unit its operation count and hash.
+def same_generator(before: dict[str, Any], stamp: dict[str, Any]) -> bool:
+    """Whether what lies in the folder was made by this generator, though perhaps of another model."""
+    return bool(
+        before.get("versions") == stamp["versions"]
+        and before.get("made_from", {}).get("generator") == stamp["made_from"]["generator"]
+    )
 
-    Golden vectors cost most of the time.  Those of a unit whose C did not change are taken from the folder, if the
-    generator itself is the one that made them.
+
+def make(target: str, folder: Path, keep: bool) -> tuple[dict[str, Any], dict[str, str]]:
+    """What the manifest says of the target, and all other files.
+
+    keep: golden vectors, which cost most of the time, are taken from the folder where the C that they test is the same.
     """
-    from boresight.codegen import emit
-    from boresight.codegen.units import units
+    from boresight.codegen.text.files import detector_files, folder_files
 
-    made = units(model)
-    generator = str(Path(__file__).parent.resolve())
-    known = {path: value for path, value in stamp.get("sources", {}).items() if path.startswith(generator)}
-    may_keep = unchanged(known)
-    files: dict[str, str] = {}
-    hashes = {unit.name: emit.unit_hash(unit) for unit in made}
-    for unit in made:
-        vectors = f"selftest/test_{emit.file_stem(model, unit.name)}.c"
-        printed = emit.unit_files(model, unit, with_vectors=False)
-        keep = (
-            may_keep
-            and before.get("units", {}).get(unit.name, {}).get("hash") == hashes[unit.name]
-            # names of structs are in the text, not in the hash
-            and all(same(folder / path, text) for path, text in printed.items())
-            and (folder / vectors).is_file()
-        )
-        if keep:
-            files |= printed
-            files[vectors] = (folder / vectors).read_text()
-        else:
-            files |= emit.unit_files(model, unit)
-    files |= emit.model_files(model, made)
-    if emit.has_filter(model):
-        kernels, vectors = f"src/{model.c_prefix}_covariance.c", f"selftest/test_{model.c_prefix}_covariance.c"
-        keep = may_keep and same(folder / kernels, files[kernels]) and (folder / vectors).is_file()
-        files[vectors] = (folder / vectors).read_text() if keep else emit.covariance_test(model, made)
-    files["manifest.json"] = emit.manifest(model, made, files, versions())
-    return files, {unit.name: unit.tape.operations for unit in made}, hashes
+    def kept(test: str, tested: dict[str, str]) -> str | None:
+        unmoved = keep and all(same(folder / path, text) for path, text in tested.items())
+        return (folder / test).read_text() if unmoved and (folder / test).is_file() else None
+
+    return detector_files() if target in COMPONENTS else folder_files(load_model(target), kept)
 
 
 def write(folder: Path, files: dict[str, str], stale: list[str]) -> None:
@@ -318,21 +261,3 @@ def write(folder: Path, files: dict[str, str], stale: list[str]) -> None:
             (folder / path).unlink()
     except OSError as error:
         raise BoresightError(f"cannot write to {folder} ({error.strerror}); choose another folder with -o") from None
-
-
-def save_stamp(target: str, folder: Path, model: str) -> None:
-    """Remember what was generated from what.  Without it the next run only takes longer."""
-    content = {
-        "model": model,
-        "versions": versions(),
-        "sources": sources(),
-        "manifest": digest(folder / "manifest.json"),
-    }
-    path = stamp_path(target, folder)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        aside = path.with_suffix(f".{os.getpid()}")
-        aside.write_text(json.dumps(content))
-        os.replace(aside, path)
-    except OSError:
-        return

@@ -16,11 +16,11 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 
-from boresight.codegen.emit import exact
+from boresight.codegen.functions.samples import answered, generator, sample
+from boresight.codegen.functions.tape import evaluate
+from boresight.codegen.functions.units import DIGITS, Unit, UnitMaker, units
 from boresight.codegen.generate import load_model
-from boresight.codegen.samples import answered, generator, sample
-from boresight.codegen.tape import evaluate
-from boresight.codegen.units import DIGITS, Unit, UnitMaker, units
+from boresight.codegen.text.vectors import exact
 from boresight.derive.model import Measurement, Model
 from boresight.runtime.library import Library, load
 

@@ -16,7 +16,7 @@ INCLUDED = re.compile(r'^#include "(\w+\.h)"', re.MULTILINE)
 
 @dataclass(frozen=True)
 class Folder:
-    """One generated folder: a model or a kernel."""
+    """One generated folder: a model or a component."""
 
     path: Path
 
@@ -54,7 +54,7 @@ class Source:
 
     @cached_property
     def described(self) -> dict[str, Any] | None:
-        """What the manifest says of a printed unit; None for a kernel template, whose structs it does not list."""
+        """What the manifest says of a printed unit; None for loops, whose structs it does not list."""
         for name, unit in self.folder.manifest["units"].items():
             if unit["file"] == self.name and "structs" in unit:
                 return {"name": name, **unit}

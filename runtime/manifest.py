@@ -14,14 +14,14 @@ GENERATED = Path(__file__).parent.parent / "generated"
 def built_in() -> list[str]:
     """Names of the models that are generated with the package."""
     return sorted(
-        path.parent.name.replace("_", "-") for path in GENERATED.glob("*/manifest.json") if not is_kernel(path)
+        path.parent.name.replace("_", "-") for path in GENERATED.glob("*/manifest.json") if not is_component(path)
     )
 
 
-def is_kernel(manifest: Path) -> bool:
-    """Whether the folder of this manifest holds loops with a binding of their own, as the detector, and no model."""
+def is_component(manifest: Path) -> bool:
+    """Whether the folder holds C that comes from no model, as the detectors; its binding is its own."""
     try:
-        return "kernel" in json.loads(manifest.read_text())
+        return "component" in json.loads(manifest.read_text())
     except (OSError, ValueError):
         return False  # what cannot be read is reported by who reads it
 

@@ -16,11 +16,10 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import inertial, rotation
+from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
+from boresight.runtime.units import ARCMIN, DEG, MILLI_G
 from boresight.studies.azimuth_alignment import (
-    ARCMIN,
-    DEG,
-    MILLI_G,
     Aligned,
     Models,
     Scenario,
@@ -32,8 +31,6 @@ from boresight.studies.azimuth_alignment import (
     load_models,
     rest_specific_force,
 )
-
-Array = np.ndarray
 
 MODES = ("inertial", "zupt", "azimuth", "reference")
 AXES = ("east", "north", "up")

@@ -27,8 +27,8 @@ def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(tmp_path):
     (wheel,) = (tmp_path / "dist").glob("*.whl")
     wanted = (
         "generated/euler_matching/manifest.json", "generated/euler_matching/CMakeLists.txt",
-        "generated/euler_matching/src/em_euler_H_kernel.h", "codegen/templates/unit.c.j2", "derive/model.py",
-        "codegen/kernels/stationary_detector.c.j2", "generated/stationary_detector/src/stationary_detector.c",
+        "generated/euler_matching/src/em_euler_H_kernel.h", "codegen/templates/src/UNIT.c.j2", "derive/model.py",
+        "codegen/templates/src/stationary_detector.c.j2", "generated/stationary_detector/src/stationary_detector.c",
         "runtime/recordings/fog_mems_transfer.toml", "studies/euler_table.py", "cli.py", "py.typed",
     )  # fmt: skip
     with zipfile.ZipFile(wheel) as archive:

@@ -5,7 +5,7 @@ import pytest
 import sympy as sp
 
 from boresight import BoresightError
-from boresight.codegen.reference import evaluator
+from boresight.codegen.functions.reference import evaluator
 
 x, y = sp.symbols("x y", real=True)
 EXPRESSIONS = sp.Matrix(

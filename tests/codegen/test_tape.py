@@ -7,8 +7,8 @@ import pytest
 import sympy as sp
 
 from boresight import BoresightError
-from boresight.codegen.convert import to_casadi
-from boresight.codegen.tape import evaluate, share_reciprocals, tape
+from boresight.codegen.functions.convert import to_casadi
+from boresight.codegen.functions.tape import evaluate, share_reciprocals, tape
 
 x, y, z = symbols = sp.symbols("x y z", real=True)
 EXPRESSIONS = [

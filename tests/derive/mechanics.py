@@ -4,7 +4,7 @@ import casadi as ca
 import numpy as np
 from sympy import Matrix, lambdify, symbols
 
-from boresight.codegen.convert import to_casadi
+from boresight.codegen.functions.convert import to_casadi
 
 POSITION, V_N, F_N = (Matrix(symbols(f"{name}_:3", real=True)) for name in ("p", "v", "f"))
 

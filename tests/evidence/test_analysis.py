@@ -66,8 +66,8 @@ def test_no_alarm_but_where_it_is_said(name):
     ],
 )
 def test_an_unsafe_unit_raises_an_alarm(path, right, wrong, em_copy, tmp_path):
+    from boresight.codegen.functions.units import units
     from boresight.codegen.generate import load_model
-    from boresight.codegen.units import units
 
     folder = spoilt(em_copy, path, right, wrong)
     unit = next(unit for unit in folder.units if unit.name == "em_omega_in_n")

@@ -1,72 +1,24 @@
-"""What the templates of the covariance kernels and of the whole filter are filled with, from a model and its units."""
+"""The whole filter as its templates see it, from a model and its units; and what its self-test flies."""
 
 from typing import Any
 
 import numpy as np
 
 from boresight import BoresightError
-from boresight.codegen.samples import generator, sample
-from boresight.codegen.tape import evaluate
-from boresight.codegen.units import Unit
+from boresight.codegen.functions.samples import generator, sample
+from boresight.codegen.functions.tape import evaluate
+from boresight.codegen.functions.units import Unit
+from boresight.codegen.text.covariance import nonzeros, table
+from boresight.codegen.text.names import beyond, norms_beyond, number
 from boresight.derive.model import Model
 
 FLOWN = 4  # points at which the self-test flies the filter
-BLOCK = 5  # columns of a product that are summed at a time: what the registers of a small target hold
 LEAST_R, MOST_R = 1e-30, 1e30  # variances of measurements, within the range of a float
-
-Places = tuple[tuple[int, int], ...]
 
 
 def has_filter(model: Model) -> bool:
     """Whether there is something to predict and something to update by."""
     return model.n > 0 and bool(model.measurements)
-
-
-def table(places: Places, rows: int) -> dict[str, Any]:
-    """Where row after row of a sparse matrix begins, and the columns of its non-zeros, as text."""
-    ordered = sorted(places)
-    start = [sum(row < i for row, _ in ordered) for i in range(rows + 1)]
-    return {
-        "nnz": len(ordered),
-        "start": ", ".join(map(str, start)),
-        "at": ", ".join(str(column) for _, column in ordered),
-    }
-
-
-def nonzeros(made: list[Unit], name: str) -> Places:
-    (unit,) = (unit for unit in made if unit.name == name)
-    return unit.results[0].nonzeros
-
-
-def phi_places(n: int, F: Places) -> Places:
-    """Non-zeros of I + F + F F, whatever the numbers."""
-    below: dict[int, set[int]] = {i: {column for row, column in F if row == i} for i in range(n)}
-    places = {(i, i) for i in range(n)} | set(F)
-    places |= {(i, column) for i in range(n) for k in below[i] for column in below[k]}
-    return tuple(sorted(places))
-
-
-def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
-    """Sizes and index tables of the kernels."""
-    n = model.n
-    F, Qc = nonzeros(made, "F"), nonzeros(made, "Qc")
-    Phi = phi_places(n, F)
-    block = -(-n // -(-n // BLOCK))  # as even as the number of states allows
-    row = -(-n // block) * block
-    leftmost = [min(column for i, column in Phi if i == j) for j in range(n)]
-    packed = n * (n + 1) // 2
-    return {
-        "packed": packed,
-        "block": block,
-        "row": row,
-        # a nonlinear measurement keeps P and H there
-        "work": max(2 * row * row, packed + max(len(nonzeros(made, f"{m.name}_H")) for m in model.measurements)),
-        "F": table(F, n),
-        "Qc": table(Qc, n),
-        "Phi": table(Phi, n),
-        "first": ", ".join(str(min(leftmost[j:])) for j in range(n)),
-        "sixth": repr(1 / 6),
-    }
 
 
 def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, Any]:
@@ -158,8 +110,6 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
 
 def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, Any]:
     """Points at which every unit answers, and which function of the filter reads what, for its self-test."""
-    from boresight.codegen.emit import beyond, norms_beyond, number
-
     points = answered_by_all(model, made)
     structs, spoilt, start = [], [], 0
     for s in model.structs:
@@ -248,8 +198,6 @@ def writes_fields(by_name: dict[str, Any], name: str, owner: dict[str, str]) -> 
 
 def box(access: str, v: Any, place: int | None = None) -> dict[str, Any]:
     """A field with its bounds as C; one component of it if `place` is given."""
-    from boresight.codegen.emit import number
-
     chosen = slice(None) if place is None else slice(place, place + 1)
     size = v.size if place is None else 1
     return {

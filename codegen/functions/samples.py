@@ -6,11 +6,12 @@ from itertools import product
 import numpy as np
 
 from boresight import BoresightError
-from boresight.codegen.tape import evaluate
-from boresight.codegen.units import Unit
+from boresight.codegen.functions.tape import evaluate
+from boresight.codegen.functions.units import Unit
 from boresight.derive.model import Variable
 
 PAIRS = 200  # of points between which the edge of a result's box is looked for
+BEYOND = 5e-4  # how far outside its box the self-test puts a number, as a part of the bound
 
 
 def generator(*words: str) -> np.random.Generator:

@@ -8,6 +8,8 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 
+from boresight.codegen.text.names import number
+
 MAX_WINDOW = 256
 DIGITS = 50
 U = mp.mpf(2) ** -53  # unit roundoff of a double
@@ -41,9 +43,8 @@ BOX = {
 
 def description() -> dict[str, Any]:
     """Everything the templates ask for, and what the manifest says of the kernel."""
-    from boresight.codegen.emit import number
-
     return {
+        "name": "stationary-detector",
         "title": "windowed stationary detectors of an inertial sensor",
         "prefix": "det",
         "max_window": MAX_WINDOW,

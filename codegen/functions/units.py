@@ -10,9 +10,9 @@ import casadi as ca
 import mpmath as mp
 import sympy as sp
 
-from boresight.codegen.convert import to_casadi
-from boresight.codegen.reference import evaluator
-from boresight.codegen.tape import Tape, share_reciprocals, tape
+from boresight.codegen.functions.convert import to_casadi
+from boresight.codegen.functions.reference import evaluator
+from boresight.codegen.functions.tape import Tape, share_reciprocals, tape
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
 
 Values = dict[str, list[Any]]  # field name -> components as mpf

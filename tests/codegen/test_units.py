@@ -135,9 +135,9 @@ def test_stale_c_is_not_run(copy, monkeypatch):
         detector.library()
 
 
-def test_a_kernel_is_generated_with_the_models_and_is_none():
+def test_a_component_is_generated_with_the_models_and_is_none():
     assert "stationary-detector" in target_names()
     assert "stationary-detector" not in built_in()
     for attempt in (load, load_model):
-        with pytest.raises(BoresightError, match=r"is a kernel and not a model; models are .*euler-matching"):
+        with pytest.raises(BoresightError, match=r"comes from no model; models are .*euler-matching"):
             attempt("stationary-detector")

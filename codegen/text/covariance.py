@@ -1,0 +1,57 @@
+"""What the templates of the covariance loops are filled with: sizes and index tables."""
+
+from typing import Any
+
+from boresight.codegen.functions.units import Unit
+from boresight.derive.model import Model
+
+BLOCK = 5  # columns of a product that are summed at a time: what the registers of a small target hold
+
+Places = tuple[tuple[int, int], ...]
+
+
+def table(places: Places, rows: int) -> dict[str, Any]:
+    """Where row after row of a sparse matrix begins, and the columns of its non-zeros, as text."""
+    ordered = sorted(places)
+    start = [sum(row < i for row, _ in ordered) for i in range(rows + 1)]
+    return {
+        "nnz": len(ordered),
+        "start": ", ".join(map(str, start)),
+        "at": ", ".join(str(column) for _, column in ordered),
+    }
+
+
+def nonzeros(made: list[Unit], name: str) -> Places:
+    (unit,) = (unit for unit in made if unit.name == name)
+    return unit.results[0].nonzeros
+
+
+def phi_places(n: int, F: Places) -> Places:
+    """Non-zeros of I + F + F F, whatever the numbers."""
+    below: dict[int, set[int]] = {i: {column for row, column in F if row == i} for i in range(n)}
+    places = {(i, i) for i in range(n)} | set(F)
+    places |= {(i, column) for i in range(n) for k in below[i] for column in below[k]}
+    return tuple(sorted(places))
+
+
+def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
+    """Sizes and index tables of the kernels."""
+    n = model.n
+    F, Qc = nonzeros(made, "F"), nonzeros(made, "Qc")
+    Phi = phi_places(n, F)
+    block = -(-n // -(-n // BLOCK))  # as even as the number of states allows
+    row = -(-n // block) * block
+    leftmost = [min(column for i, column in Phi if i == j) for j in range(n)]
+    packed = n * (n + 1) // 2
+    return {
+        "packed": packed,
+        "block": block,
+        "row": row,
+        # a nonlinear measurement keeps P and H there
+        "work": max(2 * row * row, packed + max(len(nonzeros(made, f"{m.name}_H")) for m in model.measurements)),
+        "F": table(F, n),
+        "Qc": table(Qc, n),
+        "Phi": table(Phi, n),
+        "first": ", ".join(str(min(leftmost[j:])) for j in range(n)),
+        "sixth": repr(1 / 6),
+    }

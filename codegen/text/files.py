@@ -1,0 +1,142 @@
+"""Path below the generated folder -> text.
+
+A template lies where its output does; `MODEL`, `PREFIX` and `UNIT` stand for the names of the model, of its functions
+in C and of the unit's files.
+"""
+
+import hashlib
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import casadi as ca
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from boresight.codegen.functions.units import DIGITS, Unit, units
+from boresight.codegen.text import stationary_detector
+from boresight.codegen.text.covariance import covariance_view, nonzeros
+from boresight.codegen.text.covariance_vectors import vectors_view
+from boresight.codegen.text.filter import filter_view, has_filter, test_view
+from boresight.codegen.text.manifest import described
+from boresight.codegen.text.names import file_stem, snake
+from boresight.codegen.text.vectors import LIBM_ULPS, vectors
+from boresight.codegen.text.views import model_view, view
+from boresight.derive.model import Model
+
+TEMPLATES = Path(__file__).parent.parent / "templates"
+SELFTEST = ("include/boresight.h", "selftest/selftest.h", "selftest/selftest.c", "CMakeLists.txt")  # of every folder
+
+
+@cache
+def environment() -> Environment:
+    made = Environment(
+        loader=FileSystemLoader(TEMPLATES),
+        undefined=StrictUndefined,
+        keep_trailing_newline=True,
+    )
+    made.filters["capitalize_first"] = lambda text: text[:1].upper() + text[1:]
+    return made
+
+
+def rendered(paths: tuple[str, ...], words: dict[str, str], **views: Any) -> dict[str, str]:
+    """Each template filled with the views, under its path with the words put in."""
+    files = {}
+    for path in paths:
+        out = path
+        for word, name in words.items():
+            out = out.replace(word, name)
+        files[out] = environment().get_template(f"{path}.j2").render(**views)
+    return files
+
+
+def folder_files(
+    model: Model, kept: Callable[[str, dict[str, str]], str | None]
+) -> tuple[dict[str, Any], dict[str, str]]:
+    """What the manifest says of the model, and all files of its folder.
+
+    kept: the path and the files under test of a self-test -> its text, if it need not be made again.
+    """
+    made = units(model)
+    files: dict[str, str] = {}
+    for unit in made:
+        printed = unit_files(model, unit)
+        test = f"selftest/test_{file_stem(model, unit.name)}.c"
+        files |= printed | {test: kept(test, printed) or unit_test(model, unit)}
+    files |= model_files(model, made)
+    if has_filter(model):
+        source, test = f"src/{model.c_prefix}_covariance.c", f"selftest/test_{model.c_prefix}_covariance.c"
+        files[test] = kept(test, {source: files[source]}) or covariance_test(model, made)
+    return described(model, made), files
+
+
+def unit_files(model: Model, unit: Unit) -> dict[str, str]:
+    """What belongs to one printed unit alone, but for its self-test."""
+    u, m = view(model, unit), model_view(model, [])
+    paths = ("src/UNIT.c", "src/UNIT_kernel.h", "casadi/UNIT_kernel.h")
+    return rendered(paths, {"UNIT": u["file"]}, u=u, m=m) | {f"casadi/{u['file']}_casadi.c": casadi_c(unit)}
+
+
+def unit_test(model: Model, unit: Unit) -> str:
+    """The self-test of one printed unit, whose golden vectors cost most of the time."""
+    views = {"u": view(model, unit), "m": model_view(model, []), "vectors": vectors(model, unit)}
+    (text,) = rendered(("selftest/test_UNIT.c",), {}, **views, digits=DIGITS, libm_ulps=LIBM_ULPS).values()
+    return text
+
+
+def model_files(model: Model, made: list[Unit]) -> dict[str, str]:
+    """What all units share, but for the self-test of the covariance."""
+    views = [view(model, unit) for unit in made]
+    m = model_view(model, views)
+    paths: tuple[str, ...] = (*SELFTEST, "include/MODEL.h", "batch/PREFIX_batch.c")
+    extra: dict[str, Any] = {"f": None}
+    if has_filter(model):
+        f = filter_view(model, made, views)
+        extra = {"c": covariance_view(model, made), "f": f, "t": test_view(model, made, f)}
+        m["parts"] = [f"{model.c_prefix}_covariance", f"{model.c_prefix}_filter"]
+        paths += (
+            *("include/boresight_filter.h", "include/MODEL_covariance.h", "include/MODEL_filter.h"),
+            *("src/PREFIX_covariance.c", "src/PREFIX_filter.c", "selftest/test_PREFIX_filter.c"),
+        )
+    return rendered(paths, {"MODEL": m["snake"], "PREFIX": model.c_prefix}, m=m, **extra)
+
+
+def covariance_test(model: Model, made: list[Unit]) -> str:
+    """The self-test of the covariance's loops, whose golden vectors depend on nothing but sizes and places."""
+    v = vectors_view(model.n, nonzeros(made, "F"), nonzeros(made, "Qc"))
+    views = {"m": model_view(model, []), "c": covariance_view(model, made), "v": v}
+    (text,) = rendered(("selftest/test_PREFIX_covariance.c",), {}, **views).values()
+    return text
+
+
+def casadi_c(unit: Unit) -> str:
+    """CasADi's own C of the unit."""
+    generator = ca.CodeGenerator(
+        unit.function.name(),
+        {"casadi_int": "int", "with_header": False, "static_aux": True, "prefix": unit.function.name() + "_"},
+    )
+    generator.add(unit.function)
+    return generator.dump()
+
+
+def detector_files() -> tuple[dict[str, Any], dict[str, str]]:
+    """What the manifest says of the stationary detectors, which come from no model, and their files."""
+    component = stationary_detector.description()
+    name = component["name"]
+    stem = snake(name)
+    m = component | {"snake": stem, "units": [{"file": stem, "c_name": stem}], "parts": []}
+    paths = (
+        *SELFTEST,
+        *(f"include/{stem}.h", f"src/{stem}.c", f"batch/{stem}_batch.c", f"selftest/test_{stem}.c"),
+    )
+    files = rendered(paths, {}, m=m, f=None)
+    source = files[f"src/{stem}.c"]
+    lines, digest = len(source.splitlines()), hashlib.sha256(source.encode()).hexdigest()
+    document = {
+        "model": name,  # what a folder is called, whether of a model or not
+        "component": component["manifest"],
+        "title": component["title"],
+        "c_prefix": component["prefix"],
+        "units": {stem: {"c_name": stem, "file": stem, "lines": lines, "hash": digest}},
+    }
+    return document, files

@@ -1,0 +1,72 @@
+"""What a reader without SymPy needs to bind and to check the generated C, as JSON."""
+
+from typing import Any
+
+from boresight.codegen.functions.units import Unit, state_variable
+from boresight.codegen.text.filter import filter_view, has_filter
+from boresight.codegen.text.views import view
+from boresight.derive.model import Model, Variable
+
+MATRICES = {"F", "Phi", "Q", "H"}  # two axes in NumPy, even for a model with one state
+
+
+def filter_manifest(model: Model, made: list[Unit]) -> dict[str, Any]:
+    """What a caller of the whole filter in C must know: its sources, its structs and what each function is given."""
+    f = filter_view(model, made, [view(model, unit) for unit in made])
+    return {
+        "sources": [f"{model.c_prefix}_covariance", f"{model.c_prefix}_filter"],
+        "carried": f["carried"],
+        "propagate": {key: f["propagate"][key] for key in ("structs", "fields")},
+        "correct": f["correct"] and {key: f["correct"][key] for key in ("structs", "fields", "written")},
+        "measurements": {
+            m["name"]: {key: m[key] for key in ("m", "structs", "fields", "nonlinear")} | {"brings_z": m["z"] is None}
+            for m in f["measurements"]
+        },
+    }
+
+
+def described(model: Model, made: list[Unit]) -> dict[str, Any]:
+    """Everything but the files and the versions."""
+
+    def field(v: Variable) -> dict[str, Any]:
+        return {
+            "name": v.name, "size": v.size, "components": [s.name for s in v.symbols], "unit": v.unit, "frame": v.frame,
+            "meaning": v.meaning, "low": v.low, "high": v.high, "norm": v.norm,
+        }  # fmt: skip
+
+    functions = {}
+    for unit in made:
+        u = view(model, unit)
+        functions[unit.name] = {
+            "c_name": u["c_name"],
+            "file": u["file"],
+            "meaning": unit.meaning,
+            "equations": unit.equations,
+            "hash": u["hash"],
+            "operations": u["operations"],
+            "structs": u["reads"],
+            "fields": [a.name for a in unit.args],
+            "results": [
+                {
+                    "name": r.name, "shape": r.shape, "nonzeros": len(r.nonzeros), "unit": r.unit, "angle": r.angle,
+                    "vector": r.shape[1] == 1 and r.name not in MATRICES,
+                }
+                for r in unit.results
+            ],
+        }  # fmt: skip
+    return {
+        "model": model.name,
+        "title": model.title,
+        "frame": model.frame,
+        "c_prefix": model.c_prefix,
+        "states": [s.name for s in model.x],
+        "blocks": [field(v) for v in model.states],
+        "structs": ({"x": [field(state_variable(model))]} if model.n else {})
+        | {s.name: [field(v) for v in s.fields] for s in model.structs},
+        "measurements": {
+            m.name: {"rows": m.rows, "unit": m.unit, "meaning": m.meaning, "angle": m.angle, "equations": m.equations}
+            for m in model.measurements
+        },
+        "units": functions,
+        "filter": filter_manifest(model, made) if has_filter(model) else None,
+    }  # fmt: skip

@@ -1,0 +1,89 @@
+"""How numbers, files, temporaries and boxes are written in C."""
+
+import math
+
+from boresight import BoresightError
+from boresight.codegen.functions.samples import BEYOND
+from boresight.codegen.functions.tape import Tape
+from boresight.codegen.functions.units import Result, Unit
+from boresight.derive.model import Model, Variable
+
+
+def snake(name: str) -> str:
+    return name.replace("-", "_")
+
+
+def file_stem(model: Model, unit: str) -> str:
+    """H and h are two functions; their files must not be one where a file system ignores case."""
+    return f"{model.c_prefix}_{unit}x" if unit.endswith("_h") else f"{model.c_prefix}_{unit}"
+
+
+def number(value: float) -> str:
+    """A literal that reads back as the same double."""
+    if not math.isfinite(value):
+        raise BoresightError(f"the constant {value} cannot be printed; a printed unit holds finite numbers only")
+    return f"BS_REAL({float(value)!r})"
+
+
+def temporaries(unit: Unit, tape: Tape) -> list[str]:
+    """What each value of the tape is called: inputs and constants as they are, sines by their angle, others counted."""
+    taken: set[str] = set()
+    names: list[str] = []
+    for position, step in enumerate(tape.steps):
+        if step.op == "const":
+            name = number(step.constant)
+        elif step.op == "input":
+            name = f"{unit.args[step.source[0]].name}[{step.source[1]}]"
+        else:
+            name = f"t{position}"
+            if step.op in ("sin", "cos") and tape.steps[step.args[0]].op == "input":
+                index, component = tape.steps[step.args[0]].source
+                name = f"{step.op}_{unit.args[index].symbols[component].name}"
+            if name in taken:
+                name = f"t{position}"
+            taken.add(name)
+        names.append(name)
+    return names
+
+
+def nz_name(result: Result) -> str:
+    return f"{result.name}_nz"
+
+
+def span(low: tuple[float, ...], high: tuple[float, ...]) -> str:
+    def one(a: float, b: float) -> str:
+        return f"{a:.6g} to {b:.6g}"
+
+    if len(set(low)) == 1 and len(set(high)) == 1:
+        return one(low[0], high[0])
+    return ", ".join(one(a, b) for a, b in zip(low, high, strict=True))
+
+
+def beyond(a: Variable) -> tuple[str, str]:
+    """Numbers of the self-test just below and just above the box."""
+    bounds = list(zip(a.low, a.high, strict=True))
+    return (
+        ", ".join(repr(lo - BEYOND * (abs(lo) or hi - lo)) for lo, hi in bounds),
+        ", ".join(repr(hi + BEYOND * (abs(hi) or hi - lo)) for lo, hi in bounds),
+    )
+
+
+def norms_beyond(a: Variable) -> str:
+    """What all components are so that the norm lies just below its range, and just above."""
+    ends = zip(a.norm or (), (-1, 1), strict=False)
+    return ", ".join(repr(norm * (1 + sign * BEYOND / 2) / math.sqrt(a.size)) for norm, sign in ends)
+
+
+def with_nulls(name: str, arguments: list[str]) -> list[str]:
+    """Calls with one pointer null, each in turn."""
+    places = range(len(arguments))
+    return [f"{name}({', '.join('0' if j == i else arguments[j] for j in places)})" for i in places]
+
+
+def null_test(pointers: list[str]) -> str:
+    return " || ".join(f"({p} == NULL)" for p in pointers) if len(pointers) > 1 else f"{pointers[0]} == NULL"
+
+
+def ranges(variable: Variable) -> str:
+    norm = f", norm {variable.norm[0]:.6g} to {variable.norm[1]:.6g}" if variable.norm else ""
+    return span(variable.low, variable.high) + norm

@@ -1,0 +1,215 @@
+"""Units and models as the templates see them."""
+
+import hashlib
+from typing import Any
+
+from boresight.codegen.functions.samples import norm_ends
+from boresight.codegen.functions.units import Result, Unit
+from boresight.codegen.text.names import (
+    beyond,
+    file_stem,
+    norms_beyond,
+    null_test,
+    number,
+    nz_name,
+    ranges,
+    snake,
+    span,
+    with_nulls,
+)
+from boresight.codegen.text.statements import statements
+from boresight.derive.model import Model, Variable
+
+
+def where_read(model: Model) -> dict[str, tuple[str, str]]:
+    """Field name -> (struct, how C reaches it)."""
+    return {
+        field.name: (struct.name, f"{struct.name}->{field.name}") for struct in model.structs for field in struct.fields
+    }
+
+
+def argument(a: Variable, path: str) -> dict[str, Any]:
+    """One input of a unit; path: how C reaches it."""
+    local = path.replace("->", ".")
+    indexed = a.size > 1 or path == "x"
+    return {
+        "name": a.name,
+        "size": a.size,
+        "access": path if a.size > 1 else f"&{path}",
+        "element": f"{local}[i]" if indexed else local,
+        "low": ", ".join(number(v) for v in a.low),
+        "high": ", ".join(number(v) for v in a.high),
+        "given": f"{path}[i]" if indexed else path,
+        "beyond_low": beyond(a)[0],
+        "beyond_high": beyond(a)[1],
+        "beyond_norm": norms_beyond(a),
+        "norm_ends": ", ".join(map(number, norm_ends(a))),
+        "norm": tuple(number(v * v) for v in a.norm) if a.norm else None,
+        "text": f"{path}: {a.meaning} ({a.unit}{', ' + a.frame if a.frame else ''}); {ranges(a)}",
+    }
+
+
+def outcome(r: Result, model: Model) -> dict[str, Any]:
+    """One output of a unit."""
+    positions = [row * r.shape[1] + column for row, column in r.nonzeros]
+    total = r.shape[0] * r.shape[1]
+    dense = positions == list(range(total))
+    size = str(total)
+    if r.shape[1] == model.n:
+        states = f"{model.c_prefix.upper()}_N_STATES"
+        size = states if r.shape[0] == 1 else f"{r.shape[0]} * {states}"
+    shape = f"{r.shape[0]} x {r.shape[1]}" if r.shape[1] > 1 else f"{r.shape[0]}"
+    kind = "dense" if dense else f"dense, row-major; {len(positions)} of {total} are not zero"
+    return {
+        "name": r.name,
+        "nz_name": nz_name(r),
+        "nnz": len(positions),
+        "total": total,
+        "index": "" if dense else ", ".join(map(str, positions)),
+        "positions": ", ".join(map(str, positions)),
+        "low": ", ".join(number(v) for v in r.low),
+        "high": ", ".join(number(v) for v in r.high),
+        "parameter": f"bs_real {r.name}[{size}]",
+        "nz_parameter": f"bs_real {nz_name(r)}[{len(positions)}]",
+        "text": f"{r.name}: {r.meaning} ({r.unit}); {shape}, {kind}"
+        + (", wrapped to [-pi, pi]" if r.angle else "")
+        + (f"; {span(r.low, r.high)}" if r.low else ""),
+        "angle": r.angle,
+    }
+
+
+def view(model: Model, unit: Unit) -> dict[str, Any]:
+    """One unit as the templates see it."""
+    prefix = model.c_prefix
+    c_name = f"{prefix}_{unit.name}"
+    reach = where_read(model)
+    columns = tuple(symbol.name for symbol in model.x)
+    structs = [s.name for s in model.structs if any(reach.get(a.name, ("",))[0] == s.name for a in unit.args)]
+    reads_x = any(a.name == "x" for a in unit.args)
+    reads = (["x"] if reads_x else []) + structs
+
+    args = [argument(a, reach.get(a.name, ("", "x"))[1]) for a in unit.args]
+    results = [outcome(r, model) for r in unit.results]
+    inputs = ([f"const bs_real x[{prefix.upper()}_N_STATES]"] if reads_x else []) + [
+        f"const {prefix}_{s} *{s}" for s in structs
+    ]
+    pointers = reads + [r["name"] for r in results]
+    call = ([*(["x"] if reads_x else []), *(f"&{s}" for s in structs)], [r["name"] for r in results])
+    return {
+        "c_name": c_name,
+        "file": file_stem(model, unit.name),
+        "meaning": unit.meaning,
+        "equations": unit.equations,
+        "operations": unit.tape.operations,
+        "hash": unit_hash(unit),
+        "args": args,
+        "results": results,
+        "prototype": f"bs_status {c_name}({', '.join(inputs + [r['parameter'] for r in results])})",
+        "null_test": null_test(pointers),
+        "sparse": any(r["index"] for r in results),
+        "nz_prototype": f"bs_status {c_name}_nz({', '.join(inputs + [r['nz_parameter'] for r in results])})",
+        "checked_prototype": f"static bs_status {c_name}_checked("
+        + f"{', '.join(inputs + [r['nz_parameter'] for r in results])})",
+        "checked_call": f"{c_name}_checked({', '.join(reads + [r['nz_name'] for r in results])})",
+        "nz_null_test": null_test(reads + [r["nz_name"] for r in results]),
+        "result_null_test": null_test([r["name"] for r in results]),
+        "nz_call": f"{c_name}_nz({', '.join(reads + [r['nz_name'] for r in results])})",
+        "kernel_parameters": ", ".join(
+            [f"const bs_real {a.name}[{a.size}]" for a in unit.args]
+            + [f"bs_real {r['nz_name']}[{r['nnz']}]" for r in results]
+        ),
+        "kernel_inputs": "".join(f"{a['access']}, " for a in args),
+        "statements": statements(unit, columns),
+        "casadi": {
+            "arg": max(1, unit.function.sz_arg()),
+            "res": max(1, unit.function.sz_res()),
+            "iw": max(1, unit.function.sz_iw()),
+            "w": max(1, unit.function.sz_w()),
+        },
+        "set_parameters": ", ".join(
+            ([f"bs_real x[{prefix.upper()}_N_STATES]"] if reads_x else []) + [f"{prefix}_{s} *{s}" for s in structs]
+        ),
+        "structs": ([{"declaration": f"bs_real x[{prefix.upper()}_N_STATES] = {{0}}"}] if reads_x else [])
+        + [{"declaration": f"{prefix}_{s} {s} = {{0}}"} for s in structs],
+        "reads": reads,
+        "inputs": ", ".join(call[0]),
+        "call": f"{c_name}({', '.join(call[0] + call[1])})",
+        "null_calls": with_nulls(c_name, call[0] + call[1])
+        + (with_nulls(f"{c_name}_nz", call[0] + call[1]) if any(r["index"] for r in results) else []),
+        "bound_arguments": ", ".join(
+            f"({kind} *)at[{i}]"
+            for i, kind in enumerate(
+                (["const bs_real"] if reads_x else [])
+                + [f"const {prefix}_{s}" for s in structs]
+                + ["bs_real"] * len(results)
+            )
+        ),
+        "batch_parameters": ", ".join(
+            (["const bs_real *x, size_t x_stride"] if reads_x else [])
+            + [f"const {prefix}_{s} *{s}, size_t {s}_stride" for s in structs]
+            + [f"bs_real *{r['name']}" for r in results]
+        ),
+        "batch_arguments": ", ".join(
+            (["&x[i * x_stride]"] if reads_x else [])
+            + [f"&{s}[i * {s}_stride]" for s in structs]
+            + [f"&{r['name']}[i * {r['total']}U]" for r in results]
+        ),
+    }  # fmt: skip
+
+
+def model_view(model: Model, unit_views: list[dict[str, Any]]) -> dict[str, Any]:
+    states, index = [], 0
+    for block in model.states:
+        components = []
+        for symbol in block.symbols:
+            components.append({"name": symbol.name, "index": index})
+            index += 1
+        states.append(
+            {
+                "name": block.name,
+                "meaning": block.meaning,
+                "unit": block.unit,
+                "frame": block.frame,
+                "components": components,
+            }
+        )
+    return {
+        "name": model.name,
+        "snake": snake(model.name),
+        "prefix": model.c_prefix,
+        "title": model.title,
+        "frame": model.frame,
+        "card": list(model.card),
+        "n": model.n,
+        "states": states,
+        "structs": [
+            {
+                "name": s.name,
+                "meaning": s.meaning,
+                "fields": [
+                    {
+                        "name": f.name,
+                        "size": f.size,
+                        "unit": f.unit,
+                        "frame": f.frame,
+                        "meaning": f.meaning,
+                        "range": ranges(f),
+                    }
+                    for f in s.fields
+                ],
+            }
+            for s in model.structs
+        ],
+        "units": unit_views,
+        "parts": [],  # sources beside the units, each with a test of its own
+    }
+
+
+def unit_hash(unit: Unit) -> str:
+    """Of the operations and of every name and number that the C of the unit takes from elsewhere."""
+    words = [unit.tape.hash(), unit.name]
+    for a in unit.args:
+        words += [a.name, *(s.name for s in a.symbols), repr((a.low, a.high, a.norm))]
+    for r in unit.results:
+        words += [r.name, repr((r.shape, r.nonzeros, r.angle, r.low, r.high))]
+    return hashlib.sha256("\n".join(words).encode()).hexdigest()
