@@ -15,10 +15,10 @@ from boresight.runtime.array import Array
 
 @dataclass(frozen=True)
 class Innovation:
-    """What one measurement said.  Rows that were masked or gated have used = False and add nothing to nis."""
+    """The innovation of one measurement.  Rows that were masked or gated have used = False and add nothing to nis."""
 
-    nu: Array  # (..., m) measured minus predicted, row after row, each given the rows before it
-    S: Array  # (..., m) its predicted variance
+    nu: Array  # (..., m) z - H x, or z - h(x) where h is not linear: row after row, each given the rows before it
+    S: Array  # (..., m) the variance of nu
     used: Array  # (..., m) bool
 
     @property

@@ -88,5 +88,5 @@ def points():
         "dt": rng.uniform(0.01, 1, 40),
         "gyro_noise": rng.uniform(0, 1e-3, (40, 3)),
         "euler_b": vectors(1.0),
-        "euler_r": vectors(1.0),
+        "euler_m": vectors(1.0),
     }

@@ -293,15 +293,15 @@ class UnitMaker:
             return matrix.applyfunc(lambda a: sp.atan2(sp.sin(a), sp.cos(a))) if m.angle else matrix
 
         for label, matrix, meaning in (
-            ("z", m.z, "measured minus predicted"),
-            ("h", m.h, "what the residual is expected to be for an error state x"),
+            ("z", m.z, "z = H x + noise" if m.H is not None else "z = h(x) + noise"),
+            ("h", m.h, "h(x), the z of an error state x without noise"),
         ):
             if matrix is not None and not (label == "h" and m.H is not None):
                 printed = wrapped(matrix)
                 made.append(
                     self.unit(
                         f"{m.name}_{label}",
-                        f"{m.meaning}: {meaning}; rows {rows}",
+                        f"{m.meaning}; {meaning}; rows {rows}",
                         [(self.convert(printed)[0], described(label, m.unit, ", ".join(m.rows), angle=m.angle))],
                         self.numeric(printed),
                         m.equations,
@@ -312,7 +312,7 @@ class UnitMaker:
         else:
             value = ca.jacobian(self.convert(m.h)[0], self.vectors["x"])
             reference = self.numeric(m.h, jacobian=True)
-        meaning = f"{m.meaning}: measurement matrix, d(residual) / d(x); rows {rows}"
+        meaning = f"{m.meaning}; measurement matrix H = d z / d x; rows {rows}"
         made.append(
             self.unit(
                 f"{m.name}_H",

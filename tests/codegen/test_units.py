@@ -24,7 +24,7 @@ def copy(tmp_path):
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("more", [(), ("-DSD_MAX_WINDOW=32",), ("-fsanitize=undefined", "-fno-sanitize-recover")])
+@pytest.mark.parametrize("more", [(), ("-DDET_MAX_WINDOW=32",), ("-fsanitize=undefined", "-fno-sanitize-recover")])
 def test_compiles_without_a_warning_and_passes_its_self_test(compiler, more, tmp_path):
     done = self_test(DETECTOR, tmp_path, *STRICT, *more, cc=compiler)
     assert (done.returncode, done.stdout) == (0, "1 passed, 0 failed\n"), done.stdout + done.stderr
@@ -51,7 +51,7 @@ def test_single_precision_holds_no_double(compiler, tmp_path):
         ("(gyro_norm * gyro_norm)", "BS_REAL(0.0)"),
         ("statistic[i] < settings->threshold[i]", "statistic[i] > settings->threshold[i]"),
         ("detector->count < settings->window", "detector->count < 1"),
-        ("(detector->next + 1) < detector->settings.window", "(detector->next + 1) < SD_MAX_WINDOW"),
+        ("(detector->next + 1) < detector->settings.window", "(detector->next + 1) < DET_MAX_WINDOW"),
         ("(of_gyro == BS_NOT_FINITE) || (of_accel == BS_NOT_FINITE)", "of_accel == BS_NOT_FINITE"),
         ("detector->count = 0;\n    detector->next = 0;\n    return", "detector->next = 0;\n    return"),
         ("settings->window < 2", "settings->window < 1"),
@@ -72,10 +72,10 @@ def test_a_model_and_the_detector_link_into_one_binary(tmp_path):
     main, em = tmp_path / "main.c", ROOT / "generated" / "euler_matching"
     main.write_text(
         '#include "euler_matching.h"\n#include "stationary_detector.h"\n'
-        "static sd_detector detector;\n"
+        "static det_detector detector;\n"
         "int main(void)\n{\n    em_step step = {{0}, {1e-5, 0, 0}, 1.0};\n    bs_real F[36];\n"
-        "    const sd_settings settings = {2, 9.81, 0.01, 0.001, {0}};\n"
-        "    return (em_F(&step, F) == BS_OK && sd_init(&detector, &settings) == BS_OK) ? 0 : 1;\n}\n"
+        "    const det_settings settings = {2, 9.81, 0.01, 0.001, {0}};\n"
+        "    return (em_F(&step, F) == BS_OK && det_init(&detector, &settings) == BS_OK) ? 0 : 1;\n}\n"
     )
     includes = ["-I", em / "include", "-I", DETECTOR / "include"]
     both = program(tmp_path, [main, *c_files(em, "src"), *c_files(DETECTOR, "src")], "-std=c99", *includes)

@@ -62,7 +62,7 @@ def test_a_constant_off_by_1e_12_is_found_in_both_prints(em_copy):
 
 
 def test_a_flipped_sign_is_found(em_copy):
-    spoil(em_copy, "src/em_euler_H_kernel.h", "= -cos_psi_b", "= cos_psi_b")
+    spoil(em_copy, "src/em_euler_H_kernel.h", "= -cos_yaw_b", "= cos_yaw_b")
     found = failed(em_copy)
     assert set(found) == {"euler_H"}
     assert {type(check) for check in verify("euler-matching", em_copy, 100) if not check.ok} == {
@@ -74,12 +74,12 @@ def test_a_flipped_sign_is_found(em_copy):
 def test_one_operation_in_another_order_is_found_by_its_bits(em_copy):
     # (-a) * b against -(a * b) is the same; a * b * c in another order is not
     kernel = (em_copy / "src" / "em_euler_H_kernel.h").read_text()
-    line = next(line.strip() for line in kernel.splitlines() if "= sin_theta_r * t" in line)
+    line = next(line.strip() for line in kernel.splitlines() if "= sin_pitch_m * t" in line)
     spoil(
         em_copy,
         "src/em_euler_H_kernel.h",
         line,
-        line.replace("= sin_theta_r *", "= (sin_theta_r * BS_REAL(3.0)) / BS_REAL(3.0) *"),
+        line.replace("= sin_pitch_m *", "= (sin_pitch_m * BS_REAL(3.0)) / BS_REAL(3.0) *"),
     )
     assert not failed(em_copy)["euler_H"].same_bits
 

@@ -142,8 +142,8 @@ def situation(seed, lag=0.0, level="estimated"):
         v_m, C_m2n = v_m - a * mp.mpf(lag), turn(-(C * omega_nb) * mp.mpf(lag)) * C_m2n
         fields = {
             va.POSITION: position, va.V_N: v_hat, va.Q: quaternion_of(turn(-phi) * C),
-            va.Q_MOUNT: quaternion_of(turn(-dmu) * mount), va.OMEGA_IB: omega - dbg, va.LEVER_B: lever, va.A_N: a,
-            va.LAG_S: [mp.mpf(lag) + d_tau[0]], va.V_M: v_m, va.Q_M: quaternion_of(C_m2n), va.EULER_M: euler_of(C_m2n),
+            va.Q_MOUNT: quaternion_of(turn(-dmu) * mount), va.OMEGA_IB_B: omega - dbg, va.LEVER_B: lever, va.A_N: a,
+            va.LAG: [mp.mpf(lag) + d_tau[0]], va.V_M: v_m, va.Q_M: quaternion_of(C_m2n), va.EULER_M: euler_of(C_m2n),
         }  # fmt: skip
         return {s: value for field, values in fields.items() for s, value in zip(field.symbols, values, strict=True)}
 
