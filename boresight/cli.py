@@ -23,7 +23,7 @@ def model_names() -> list[str]:
 
 
 def paper_names() -> list[str]:
-    from boresight.derive.ledger import PAPERS
+    from boresight.derive.papers import PAPERS
 
     return list(PAPERS)
 
@@ -103,23 +103,25 @@ def equations(
 ) -> None:
     """The ledger: the computed status of each printed equation, and every erratum with numbers."""
     from boresight import report, terminal
-    from boresight.derive.ledger import conditions, findings, ledger
-    from boresight.derive.ledger import equations as printed
+    from boresight.kept_ledger import ledger
 
     papers = [one_of(paper, paper_names(), "paper")] if paper else paper_names()
+    with terminal.progress() as progress:
+        ledgers = {name: ledger(name, progress) for name in papers}
+    rows = {name: kept["entries"] for name, kept in ledgers.items()}
     if number is not None:
-        number = one_of(number.strip("()"), [equation.number for equation in printed(papers[0])], "equation")
-    with terminal.progress(sum(len(printed(name)) for name in papers)) as done:
-        ledgers = {name: [entry.to_dict() for entry in ledger(name, done)] for name in papers}
+        own = rows[papers[0]]
+        number = one_of(number.strip("()"), [entry["number"] for entry in own], "equation")
+        rows[papers[0]] = [entry for entry in own if entry["number"] == number]
     if as_json:
-        print_json([entry for entries in ledgers.values() for entry in entries if number in (None, entry["number"])])
+        print_json([entry for entries in rows.values() for entry in entries])
     elif paper is None:
-        terminal.page(*report.equations(ledgers))
+        terminal.page(*report.equations(rows))
     elif number is None:
-        terminal.page(*report.paper(paper, ledgers[paper], conditions(paper), findings(paper)))
+        kept = ledgers[paper]
+        terminal.page(*report.paper(paper, rows[paper], kept["conditions"], kept["findings"]))
     else:
-        (entry,) = (entry for entry in ledgers[paper] if entry["number"] == number)
-        terminal.page(*report.equation(entry, conditions(paper)))
+        terminal.page(*report.equation(rows[paper][0], ledgers[paper]["conditions"]))
 
 
 @app.command()
@@ -223,10 +225,10 @@ def generate(
     if out is not None and len(targets) > 1:
         raise BoresightError("-o names one folder; give one model with it")
     status, unchanged, lines = 0, 0, []
-    with terminal.progress(len(targets)) as done:
-        for target in targets:
+    with terminal.progress() as progress:
+        for done, target in enumerate(targets):
+            progress(done, len(targets), target)
             report = g.generate(target, out, check)
-            done(target)
             label = f"{report.model} in {report.folder}"
             if not report.comparable:
                 made = ", ".join(f"{k} {v}" for k, v in g.old_manifest(report.folder)["versions"].items())
@@ -263,11 +265,8 @@ def verify(
     if folder is not None and len(targets) > 1:
         raise BoresightError("--generated names one folder; give one model with it")
     folders = {target: folder or (g.default_folder(target) if ":" in target else None) for target in targets}
-    units = sum(len(g.old_manifest(where or g.default_folder(t)).get("units", ())) for t, where in folders.items())
-    checks = []
-    with terminal.progress(units) as done:
-        for target, where in folders.items():
-            checks += v.verify(target, where, progress=done)
+    with terminal.progress() as progress:
+        checks = v.verify_all(list(folders.items()), progress=progress)
     if as_json:
         print_json(v.to_json(checks))
     else:
@@ -353,7 +352,7 @@ def study(
     if out is not None:
         need("replay")  # for the figures; said before the flight and not after it
         make(out)
-    with terminal.progress(None) as progress:
+    with terminal.working() as progress:
         runs = 20 if runs is None else runs
         result, text, written, good = fly(runs, seed, seconds, tuple(switch or ()), explore, out, progress)
     if as_json:
@@ -562,7 +561,7 @@ def replay(
         raise typer.Exit(status)
     from boresight import terminal
 
-    with terminal.progress(None) as progress:
+    with terminal.working() as progress:
         result = transfer_replay.run(
             data, load(name), noise=noise, prior={key: float(value[0]) for key, value in prior.items()},
             lever_b=None if lever_arm is None else quantity(lever_arm, "length", 3), delay=delay_ms * 1e-3,

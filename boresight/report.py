@@ -97,7 +97,7 @@ def equations(ledgers: dict[str, list[dict[str, str]]]) -> Parts:
     return [rows, "", errata, "'boresight equations PAPER' prints what was found about each equation."]
 
 
-def paper(name: str, entries: Sequence[dict[str, str]], conditions: tuple[str, str], findings: Sequence[str]) -> Parts:
+def paper(name: str, entries: Sequence[dict[str, str]], conditions: Sequence[str], findings: Sequence[str]) -> Parts:
     """A line for each equation, and what was found beside them."""
     rows = table("", "status", "kind", "what was found", prose="what was found", right=("",))
     for entry in entries:
@@ -117,7 +117,7 @@ def paper(name: str, entries: Sequence[dict[str, str]], conditions: tuple[str, s
     ]
 
 
-def equation(entry: dict[str, str], conditions: tuple[str, str]) -> Parts:
+def equation(entry: dict[str, str], conditions: Sequence[str]) -> Parts:
     """The evidence on one equation."""
     kind = f"; kind {entry['kind']}, origin {entry['origin']}" if entry["kind"] else ""
     parts: Parts = [f"{entry['paper']} ({entry['number']}): {entry['status']}{kind}", ""]

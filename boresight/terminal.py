@@ -59,16 +59,28 @@ def bullets(texts: Iterable[str]) -> Padding:
 
 
 @contextmanager
-def progress(total: int | None) -> Iterator[Callable[[str], None]]:
+def progress() -> Iterator[Callable[[int, int, str], None]]:
     """A bar on standard error that goes when the work is done.
 
-    Yields a function to be called with the name of each of `total` pieces when it is done; with None, of each when it
-    begins, and only the time that has passed is shown.
+    Yields a function of how many pieces are done, how many there are, and the name of the last one.
     """
+    columns = (
+        TextColumn("{task.description}", markup=False),
+        BarColumn(12),
+        MofNCompleteColumn(),
+        TaskProgressColumn(),
+    )
     err = Console(stderr=True)
-    name = TextColumn("{task.description}", markup=False)
-    counted = (name, BarColumn(12), MofNCompleteColumn(), TaskProgressColumn(), TimeRemainingColumn())
-    columns = counted if total is not None else (SpinnerColumn(), name, TimeElapsedColumn())
+    with Progress(*columns, TimeRemainingColumn(), console=err, transient=True, disable=not err.is_terminal) as bar:
+        task = bar.add_task("", total=None)
+        yield lambda done, total, text: bar.update(task, completed=done, total=total, description=text)
+
+
+@contextmanager
+def working() -> Iterator[Callable[[str], None]]:
+    """The same where nobody knows how much there is: a function of what is done now, and the time that has passed."""
+    columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), TimeElapsedColumn())
+    err = Console(stderr=True)
     with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
-        task = bar.add_task("", total=total)
-        yield lambda text: bar.update(task, description=text, advance=0 if total is None else 1)
+        task = bar.add_task("", total=None)
+        yield lambda text: bar.update(task, description=text)

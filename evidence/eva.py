@@ -96,7 +96,9 @@ def driver(unit: Source, assumed: dict[str, list[float]]) -> str:
     kernel = unit.path.with_name(f"{unit.name}_kernel.h").read_text()
     for name, (low, high) in assumed.items():
         kernel = re.sub(
-            rf"(    const bs_real {name} = .*;\n)", rf"\1    /*@ admit {low!r} <= {name} <= {high!r}; */\n", kernel
+            rf"(    (?:const bs_real |(shared->)){name} = .*;\n)",
+            rf"\1    /*@ admit {low!r} <= \2{name} <= {high!r}; */\n",
+            kernel,
         )
     text = unit.path.read_text().replace(f'#include "{unit.name}_kernel.h"\n', kernel)
     lines = ['#include "eva.h"', text, "void main(void)", "{"]

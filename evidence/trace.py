@@ -13,13 +13,16 @@ from pathlib import Path
 from typing import Any
 
 from boresight import BoresightError
-from boresight.derive.ledger import PAPERS, equations
+from boresight.derive.ledger import equations
+from boresight.derive.papers import PAPERS
 from boresight.evidence.sources import Folder, Source, folders
 
-STATEMENT = re.compile(r"^    const bs_real (\w+) = (.*);$")
+FUNCTION = re.compile(r"^static void (\w+)\(([^)]*)\)\n\{\n(.*?)\n\}$", re.MULTILINE | re.DOTALL)
+PARAMETER = re.compile(r"(\w+)(?:\[\d+\])?(?:,|$)")
+STATEMENT = re.compile(r"^    (?:const bs_real |shared->)(\w+) = (.*);$")
 OUTPUT = re.compile(r"^    (\w+)_nz\[(\d+)\] = (.*); /\* (.*) \*/$")
 READ = re.compile(r"([A-Za-z_]\w*)(\[\d+\])?")
-PLACES = re.compile(r"static const unsigned short at_(\w+)\[\d+\] = \{ ([\d, ]*) \};")
+PLACES = re.compile(r"static const unsigned short at_(\w+)\[\d+\] = \{ ([\d,\s]*) \};")
 WORDS = {"BS_REAL", "BS_SQRT", "BS_SIN", "BS_COS", "BS_ATAN2", "BS_FABS", "BS_SELECT", "BS_TRUTH", "e"}
 
 
@@ -44,7 +47,7 @@ class Kernel:
 def kernel(unit: Source) -> Kernel:
     """The printed kernel of a unit.  Raises BoresightError on a line of its body that is no statement."""
     path = unit.path.with_name(f"{unit.name}_kernel.h")
-    body = path.read_text().split("\n{\n", 1)[1].split("\n}\n", 1)[0].splitlines()
+    body = statements(path)
     defined: dict[str, tuple[int, str, list[str]]] = {}
     outputs: dict[tuple[str, int], str] = {}
     needs: dict[tuple[str, int], list[str]] = {}
@@ -53,7 +56,7 @@ def kernel(unit: Source) -> Kernel:
         statement, output = STATEMENT.match(line), OUTPUT.match(line)
         if statement is None and output is None:
             raise BoresightError(f"{path.name}: {line.strip()!r} is no statement of a kernel")
-        text = statement[2] if statement else output[3] if output else ""
+        text = (statement[2] if statement else output[3] if output else "").replace("shared->", "")
         names = [
             f"{name}{index}" for name, index in READ.findall(re.sub(r"BS_REAL\([^)]*\)", "", text)) if name not in WORDS
         ]
@@ -79,6 +82,19 @@ def kernel(unit: Source) -> Kernel:
     return Kernel(lines, outputs, frozenset(read))
 
 
+def statements(path: Path) -> list[str]:
+    """The lines of a kernel.  Of one in several functions those of each, which must be called in their order, with
+    arguments named as their parameters."""
+    *parts, (_, _, body) = FUNCTION.findall(path.read_text())
+    if not parts:
+        return body.splitlines()
+    calls = [f"{name}({', '.join(PARAMETER.findall(listed))});" for name, listed, _ in parts]
+    called = [line.strip() for line in re.sub(r",\n *", ", ", body).replace("&", "").splitlines()]
+    if [line for line in called if not line.endswith("_shared shared;")] != calls:
+        raise BoresightError(f"{path.name}: its functions are not called one after another, each with its parameters")
+    return [line for _, _, lines in parts for line in lines.splitlines()]
+
+
 @cache
 def printed(paper: str) -> frozenset[str]:
     """Numbers of the equations that the ledger of a paper has."""
@@ -95,9 +111,8 @@ def block(unit: Source, result: dict[str, Any], comment: str) -> str:
     """The block that an element lies in: of a matrix by states the two blocks of states, else its row."""
     row, _, column = comment.partition(", ")
     blocks = {name: of["name"] for of in unit.folder.manifest["blocks"] for name in of["components"]}
-    states = unit.folder.manifest["states"]
     right = blocks.get(column, column)
-    left = blocks[states[int(row)]] if right and result["shape"][0] == len(states) else row
+    left = blocks.get(row, row) if result["shape"][0] == len(unit.folder.manifest["states"]) else row
     return f"{result['name']}[{left}{', ' + right if right else ''}]"
 
 

@@ -13,11 +13,13 @@ from typing import Any
 import casadi as ca
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from boresight.codegen.functions.units import DIGITS, Unit, units
+from boresight.codegen.functions.reference import DIGITS
+from boresight.codegen.functions.units import Unit, units
 from boresight.codegen.text import stationary_detector
 from boresight.codegen.text.covariance import covariance_view, nonzeros
 from boresight.codegen.text.covariance_vectors import vectors_view
 from boresight.codegen.text.filter import filter_view, has_filter, test_view
+from boresight.codegen.text.layout import laid_out
 from boresight.codegen.text.manifest import described
 from boresight.codegen.text.names import file_stem, snake
 from boresight.codegen.text.vectors import LIBM_ULPS, vectors
@@ -40,13 +42,14 @@ def environment() -> Environment:
 
 
 def rendered(paths: tuple[str, ...], words: dict[str, str], **views: Any) -> dict[str, str]:
-    """Each template filled with the views, under its path with the words put in."""
+    """Each template filled with the views, under its path with the words put in; C is laid out."""
     files = {}
     for path in paths:
         out = path
         for word, name in words.items():
             out = out.replace(word, name)
-        files[out] = environment().get_template(f"{path}.j2").render(**views)
+        text = environment().get_template(f"{path}.j2").render(**views)
+        files[out] = laid_out(text) if out.endswith((".c", ".h")) else text
     return files
 
 

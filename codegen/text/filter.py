@@ -9,7 +9,7 @@ from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.units import Unit
 from boresight.codegen.text.covariance import nonzeros, table
-from boresight.codegen.text.names import beyond, norms_beyond, number
+from boresight.codegen.text.names import beyond, norms_beyond, number, shared_tables
 from boresight.derive.model import Model
 
 FLOWN = 4  # points at which the self-test flies the filter
@@ -88,11 +88,16 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
     path = f"filter->{owner[dt.name]}.{dt.name}" if owner[dt.name] in carried else f"{owner[dt.name]}->{dt.name}"
     value = path if dt.size == 1 else f"{path}[{place}]"
     structs = given("F", "Qc")
+    checked = [(s.name, a) for s in model.structs if s.name in carried for a in s.fields]
+    bounds = {f"{a.name}_{end}": values for _, a in checked for end, values in (("low", a.low), ("high", a.high))}
+    tables, names = shared_tables(bounds)
     if owner[dt.name] not in (*carried, *structs):
         structs = [s.name for s in model.structs if s.name in (*structs, owner[dt.name])]
     return {
         "carried": carried,
-        "checked": [box(f"{s.name}->{a.name}", a) for s in model.structs if s.name in carried for a in s.fields],
+        "checked": [box(f"{struct}->{a.name}", a) for struct, a in checked],
+        "tables": tables,
+        "table": names,
         "max_rows": max(len(m.rows) for m in model.measurements),
         "least_R": repr(LEAST_R),
         "most_R": repr(MOST_R),

@@ -87,3 +87,15 @@ def null_test(pointers: list[str]) -> str:
 def ranges(variable: Variable) -> str:
     norm = f", norm {variable.norm[0]:.6g} to {variable.norm[1]:.6g}" if variable.norm else ""
     return span(variable.low, variable.high) + norm
+
+
+def shared_tables(tables: dict[str, tuple[float, ...]]) -> tuple[list[str], dict[str, str]]:
+    """Each table of numbers in C, equal ones once; and under what name each is found."""
+    names: dict[tuple[float, ...], list[str]] = {}
+    for name, values in tables.items():
+        names.setdefault(values, []).append(name)
+    lines = []
+    for values, (first, *others) in names.items():
+        also = f" /* {', '.join(others)} too */" if others else ""
+        lines.append(f"static const bs_real {first}[{len(values)}] = {{ {', '.join(map(number, values))} }};{also}")
+    return lines, {name: same[0] for same in names.values() for name in same}

@@ -1,47 +1,130 @@
-"""The kernel of a unit as C: one statement an operation, in the order of the tape."""
+"""The kernel of a unit as C: one statement an operation, in the order of the tape; a long one in several functions."""
 
-from boresight.codegen.functions.units import Unit
+from dataclasses import dataclass
+from itertools import accumulate, pairwise
+
+from boresight.codegen.functions.tape import FREE, Tape
+from boresight.codegen.functions.units import Result, Unit
 from boresight.codegen.text.names import nz_name, temporaries
+from boresight.derive.model import Model
 
+LONGEST = 200  # statements of one function
 BINARY = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 CALLS = {"sqrt": "BS_SQRT", "sin": "BS_SIN", "cos": "BS_COS", "atan2": "BS_ATAN2", "fabs": "BS_FABS"}
 COMPARE = {"lt": "<", "le": "<=", "eq": "==", "ne": "!="}
 
 
-def statements(unit: Unit, columns: tuple[str, ...]) -> list[str]:
-    """One statement an operation, in the order of the tape; then the outputs, each with the element that it is."""
+@dataclass(frozen=True)
+class Part:
+    """A range of the tape as one function.
+
+    reads, writes: numbers of the arguments and of the results that it needs.  takes, leaves: whether it reads what an
+    earlier part left, and whether it leaves values to a later one.
+    """
+
+    lines: list[str]
+    reads: list[int]
+    writes: list[int]
+    takes: bool
+    leaves: bool
+
+
+def parts(model: Model, unit: Unit) -> tuple[list[Part], list[str]]:
+    """The functions of the kernel, and the names of the values that one leaves to a later one.
+
+    Each output is written where its value is known, with a comment that names the element.
+    """
     tape = unit.tape
-    names = temporaries(unit, tape)
-    lines = []
-    for position, step in enumerate(tape.steps):
-        a = [names[i] for i in step.args]
-        if step.op in ("const", "input"):
-            continue
-        if step.op in BINARY:
-            text = f"{a[0]} {BINARY[step.op]} {a[1]}"
-        elif step.op in CALLS:
-            text = f"{CALLS[step.op]}({', '.join(a)})"
-        elif step.op in COMPARE:
-            text = f"BS_TRUTH({a[0]} {COMPARE[step.op]} {a[1]})"
-        else:
-            text = {
-                "neg": lambda a: f"-{a[0]}",
-                "sq": lambda a: f"{a[0]} * {a[0]}",
-                "twice": lambda a: f"BS_REAL(2.0) * {a[0]}",
-                "inv": lambda a: f"BS_REAL(1.0) / {a[0]}",
-                "not": lambda a: f"BS_REAL(1.0) - {a[0]}",
-                "and": lambda a: f"{a[0]} * {a[1]}",
-                "or": lambda a: f"BS_TRUTH(({a[0]} + {a[1]}) > BS_REAL(0.0))",
-                "if_else_zero": lambda a: f"BS_SELECT({a[0]}, {a[1]})",
-            }[step.op](a)
-        lines.append(f"const bs_real {names[position]} = {text};")
-    for output, k, position in sorted(tape.results):
-        result = unit.results[output]
-        row, column = result.nonzeros[k]
-        where = (
-            f"{row}"
-            if result.shape[1] == 1
-            else f"{row}, {columns[column] if result.shape[1] == len(columns) else column}"
+    ranges = ranges_of(tape)
+    part_of = {position: number for number, positions in enumerate(ranges) for position in positions}
+    kept = {
+        position
+        for user, number in part_of.items()
+        for position in tape.steps[user].args
+        if part_of.get(position, number) != number
+    }
+    plain = temporaries(unit, tape)
+    where = [elements(model, unit, result) for result in unit.results]
+    names = [f"shared->{name}" if position in kept else name for position, name in enumerate(plain)]
+    made = []
+    for number, positions in enumerate(ranges):
+        read = [a for position in positions for a in tape.steps[position].args]
+        # what is no operation is written last
+        outputs = [r for r in sorted(tape.results) if part_of.get(r[2], len(ranges) - 1) == number]
+        read += [position for _, _, position in outputs]
+        lines = [
+            f"{names[p]} = {expression(tape, p, names)};"
+            if p in kept
+            else f"const bs_real {names[p]} = {expression(tape, p, names)};"
+            for p in positions
+        ]
+        lines += [
+            f"{nz_name(unit.results[o])}[{k}] = {names[position]}; /* {where[o][k]} */" for o, k, position in outputs
+        ]
+        made.append(
+            Part(
+                lines,
+                sorted({tape.steps[p].source[0] for p in read if tape.steps[p].op == "input"}),
+                sorted({o for o, _, _ in outputs}),
+                any(p in kept for p in read),
+                any(p in kept for p in positions),
+            )
         )
-        lines.append(f"{nz_name(result)}[{k}] = {names[position]}; /* {where} */")
-    return lines
+    return made, [plain[position] for position in sorted(kept)]
+
+
+def ranges_of(tape: Tape) -> list[list[int]]:
+    """The operations of the tape as ranges of LONGEST at most, cut where the fewest values are still to be used."""
+    work = [position for position, step in enumerate(tape.steps) if step.op not in FREE]
+    last = {position: i for i, user in enumerate(work) for position in tape.steps[user].args}
+    change = [0] * (len(work) + 1)  # in how many values are alive before each operation
+    for i, position in enumerate(work):
+        if position in last:
+            change[i + 1] += 1
+            change[last[position] + 1] -= 1
+    alive = list(accumulate(change))
+    costs, before = [0], [0]  # of the best cuts up to each operation, and where the last range of these begins
+    for end in range(1, len(work) + 1):
+        before.append(min(range(max(0, end - LONGEST), end), key=costs.__getitem__))
+        costs.append(costs[before[end]] + alive[end] + 1)
+    cuts = [len(work)]
+    while cuts[-1] > 0:
+        cuts.append(before[cuts[-1]])
+    return [work[start:end] for end, start in pairwise(cuts)][::-1] or [[]]
+
+
+def expression(tape: Tape, position: int, names: list[str]) -> str:
+    """One operation as C."""
+    step = tape.steps[position]
+    a = [names[i] for i in step.args]
+    if step.op in BINARY:
+        return f"{a[0]} {BINARY[step.op]} {a[1]}"
+    if step.op in CALLS:
+        return f"{CALLS[step.op]}({', '.join(a)})"
+    if step.op in COMPARE:
+        return f"BS_TRUTH({a[0]} {COMPARE[step.op]} {a[1]})"
+    return {
+        "neg": lambda: f"-{a[0]}",
+        "sq": lambda: f"{a[0]} * {a[0]}",
+        "twice": lambda: f"BS_REAL(2.0) * {a[0]}",
+        "inv": lambda: f"BS_REAL(1.0) / {a[0]}",
+        "not": lambda: f"BS_REAL(1.0) - {a[0]}",
+        "and": lambda: f"{a[0]} * {a[1]}",
+        "or": lambda: f"BS_TRUTH(({a[0]} + {a[1]}) > BS_REAL(0.0))",
+        "if_else_zero": lambda: f"BS_SELECT({a[0]}, {a[1]})",
+    }[step.op]()
+
+
+def elements(model: Model, unit: Unit, result: Result) -> list[str]:
+    """Row and column of each non-zero, by name if they have one: a state, a row of the measurement, a component."""
+    states = [symbol.name for symbol in model.x]
+    of_units = {f"{m.name}_{suffix}": list(m.rows) for m in model.measurements for suffix in ("z", "h", "H")}
+    of_units |= dict.fromkeys(("F", "Phi", "Qc", "Q"), states)
+    fields = {field.name: [symbol.name for symbol in field.symbols] for field in model.inputs}
+    named = of_units.get(unit.name) or fields.get(result.name, [])
+    rows, columns = result.shape
+    left = named if len(named) == rows else [str(i) for i in range(rows)]
+    if columns == 1:
+        return [left[i] for i, _ in result.nonzeros]
+    right = states if columns == model.n else [str(j) for j in range(columns)]
+    return [f"{left[i]}, {right[j]}" for i, j in result.nonzeros]

@@ -13,11 +13,12 @@ from boresight.codegen.text.names import (
     number,
     nz_name,
     ranges,
+    shared_tables,
     snake,
     span,
     with_nulls,
 )
-from boresight.codegen.text.statements import statements
+from boresight.codegen.text.statements import Part, parts
 from boresight.derive.model import Model, Variable
 
 
@@ -45,7 +46,8 @@ def argument(a: Variable, path: str) -> dict[str, Any]:
         "beyond_norm": norms_beyond(a),
         "norm_ends": ", ".join(map(number, norm_ends(a))),
         "norm": tuple(number(v * v) for v in a.norm) if a.norm else None,
-        "text": f"{path}: {a.meaning} ({a.unit}{', ' + a.frame if a.frame else ''}); {ranges(a)}",
+        "path": path,
+        "text": f"{a.meaning} ({a.unit}{', ' + a.frame if a.frame else ''}); {ranges(a)}",
     }
 
 
@@ -58,8 +60,9 @@ def outcome(r: Result, model: Model) -> dict[str, Any]:
     if r.shape[1] == model.n:
         states = f"{model.c_prefix.upper()}_N_STATES"
         size = states if r.shape[0] == 1 else f"{r.shape[0]} * {states}"
-    shape = f"{r.shape[0]} x {r.shape[1]}" if r.shape[1] > 1 else f"{r.shape[0]}"
-    kind = "dense" if dense else f"dense, row-major; {len(positions)} of {total} are not zero"
+    shape = f"{r.shape[0]} x {r.shape[1]}, row-major" if r.shape[1] > 1 else f"{r.shape[0]}"
+    if not dense:
+        shape += f"; {len(positions)} of {total} are not zero"
     return {
         "name": r.name,
         "nz_name": nz_name(r),
@@ -67,14 +70,40 @@ def outcome(r: Result, model: Model) -> dict[str, Any]:
         "total": total,
         "index": "" if dense else ", ".join(map(str, positions)),
         "positions": ", ".join(map(str, positions)),
-        "low": ", ".join(number(v) for v in r.low),
-        "high": ", ".join(number(v) for v in r.high),
+        "low": r.low,
         "parameter": f"bs_real {r.name}[{size}]",
         "nz_parameter": f"bs_real {nz_name(r)}[{len(positions)}]",
-        "text": f"{r.name}: {r.meaning} ({r.unit}); {shape}, {kind}"
+        "path": r.name,
+        "text": f"{r.meaning} ({r.unit}); {shape}"
         + (", wrapped to [-pi, pi]" if r.angle else "")
         + (f"; {span(r.low, r.high)}" if r.low else ""),
         "angle": r.angle,
+    }
+
+
+def declaration(field: Variable) -> str:
+    return f"bs_real {field.name}{f'[{field.size}]' if field.size > 1 else ''};"
+
+
+def kernel_parameters(args: list[dict[str, Any]], results: list[dict[str, Any]]) -> list[str]:
+    return [f"const bs_real {a['name']}[{a['size']}]" for a in args] + [
+        f"bs_real {r['nz_name']}[{r['nnz']}]" for r in results
+    ]
+
+
+def part_view(
+    name: str, part: Part, c_name: str, args: list[dict[str, Any]], results: list[dict[str, Any]]
+) -> dict[str, Any]:
+    """One function of a kernel that has several."""
+    read, written = [args[i] for i in part.reads], [results[i] for i in part.writes]
+    shared = [f"{'' if part.leaves else 'const '}{c_name}_shared *shared"] * (part.takes or part.leaves)
+    arguments = [*(a["name"] for a in read), *["&shared"] * len(shared), *(r["nz_name"] for r in written)]
+    parameters = [*kernel_parameters(read, []), *shared, *kernel_parameters([], written)]
+    return {
+        "name": name,
+        "parameters": ", ".join(parameters),
+        "call": f"{name}({', '.join(arguments)})",
+        "lines": part.lines,
     }
 
 
@@ -83,7 +112,6 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
     prefix = model.c_prefix
     c_name = f"{prefix}_{unit.name}"
     reach = where_read(model)
-    columns = tuple(symbol.name for symbol in model.x)
     structs = [s.name for s in model.structs if any(reach.get(a.name, ("",))[0] == s.name for a in unit.args)]
     reads_x = any(a.name == "x" for a in unit.args)
     reads = (["x"] if reads_x else []) + structs
@@ -94,12 +122,17 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         f"const {prefix}_{s} *{s}" for s in structs
     ]
     pointers = reads + [r["name"] for r in results]
+    functions, shared = parts(model, unit)
+    boxes = {f"{a.name}_{end}": values for a in unit.args for end, values in (("low", a.low), ("high", a.high))}
+    boxes |= {f"{r.name}_{end}": v for r in unit.results if r.low for end, v in (("least", r.low), ("most", r.high))}
+    tables, table = shared_tables(boxes)
     call = ([*(["x"] if reads_x else []), *(f"&{s}" for s in structs)], [r["name"] for r in results])
     return {
         "c_name": c_name,
         "file": file_stem(model, unit.name),
         "meaning": unit.meaning,
-        "equations": unit.equations,
+        "equations": ", ".join(unit.equations),
+        "column": max(len(named["path"]) for named in args + results),
         "operations": unit.tape.operations,
         "hash": unit_hash(unit),
         "args": args,
@@ -114,12 +147,14 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         "nz_null_test": null_test(reads + [r["nz_name"] for r in results]),
         "result_null_test": null_test([r["name"] for r in results]),
         "nz_call": f"{c_name}_nz({', '.join(reads + [r['nz_name'] for r in results])})",
-        "kernel_parameters": ", ".join(
-            [f"const bs_real {a.name}[{a.size}]" for a in unit.args]
-            + [f"bs_real {r['nz_name']}[{r['nnz']}]" for r in results]
-        ),
+        "tables": tables,
+        "table": table,
+        "kernel_parameters": ", ".join(kernel_parameters(args, results)),
         "kernel_inputs": "".join(f"{a['access']}, " for a in args),
-        "statements": statements(unit, columns),
+        "parts": [
+            part_view(f"{c_name}_kernel_{i}", part, c_name, args, results) for i, part in enumerate(functions, 1)
+        ],
+        "shared": ", ".join(shared),
         "casadi": {
             "arg": max(1, unit.function.sz_arg()),
             "res": max(1, unit.function.sz_res()),
@@ -186,10 +221,10 @@ def model_view(model: Model, unit_views: list[dict[str, Any]]) -> dict[str, Any]
             {
                 "name": s.name,
                 "meaning": s.meaning,
+                "column": max(len(declaration(f)) for f in s.fields),
                 "fields": [
                     {
-                        "name": f.name,
-                        "size": f.size,
+                        "declaration": declaration(f),
                         "unit": f.unit,
                         "frame": f.frame,
                         "meaning": f.meaning,

@@ -3,6 +3,7 @@
 import pytest
 from committed import NAMES, committed, folder_of, spoilt
 
+from boresight import BoresightError
 from boresight.evidence import eva, misra, trace
 from boresight.evidence.table import PAGE, page
 
@@ -23,13 +24,30 @@ def test_every_statement_is_traced_both_ways(name, tmp_path):
     ("path", "right", "wrong", "word"),
     [
         ("src/em_F_kernel.h", "F_nz[1] = t2;", "F_nz[1] = t3;", "const bs_real t2 = -omega_in_n[1]; reaches no output"),
-        ("src/em_F_kernel.h", "    F_nz[5] = t5; /* 2, eps_e */\n", "", "F: 5 non-zeros written, 6 in the manifest"),
+        (
+            "src/em_F_kernel.h",
+            "    F_nz[5] = t5; /* eps_d, eps_e */\n",
+            "",
+            "F: 5 non-zeros written, 6 in the manifest",
+        ),
         ("src/em_F_kernel.h", "= -omega_in_n[1]", "= -dtheta_ib_b[1]", "dtheta_ib_b is read and is no field"),
         ("selftest/test_em_F.c", "at_F[6] = { 1, ", "at_F[6] = { ", "F: 5 of 6 non-zeros in the test"),
     ],
 )
 def test_a_broken_trace_is_named(path, right, wrong, word, em_copy, tmp_path):
     assert word in trace.trace(spoilt(em_copy, path, right, wrong), tmp_path)["em_F"]["missing"]
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        ("    em_Q_kernel_1(q_b2n_wxyz, omega_in_n,", "    em_Q_kernel_1(omega_in_n, q_b2n_wxyz,"),
+        ("    em_Q_kernel_2(omega_in_n, dt, &shared, Q_nz);\n", ""),
+    ],
+)
+def test_functions_of_a_kernel_are_called_in_order_with_their_own_parameters(right, wrong, em_copy, tmp_path):
+    with pytest.raises(BoresightError, match=r"em_Q_kernel\.h: its functions are not called"):
+        trace.trace(spoilt(em_copy, "src/em_Q_kernel.h", right, wrong), tmp_path)
 
 
 def test_a_citation_that_no_ledger_has_is_seen():
