@@ -81,27 +81,28 @@ def equations(
     import textwrap
     from collections import Counter
 
-    from boresight.derive.ledger import PAPERS, findings, ledger
+    from boresight.derive.papers import PAPERS
+    from boresight.kept_ledger import ledger
 
     papers = [one_of(paper, list(PAPERS), "paper")] if paper else list(PAPERS)
-    entries = [entry for name in papers for entry in ledger(name)]
+    ledgers = {name: ledger(name) for name in papers}
     if as_json:
-        print_json([entry.to_dict() for entry in entries])
+        print_json([entry for name in papers for entry in ledgers[name]["entries"]])
         return
     for name in papers:
-        own = [entry for entry in entries if entry.paper == name]
+        own = ledgers[name]["entries"]
         print(name)
         for entry in own:
-            head = f"{'(' + entry.number + ')':>6}  {entry.status:<12}"
-            if entry.status != "erratum":
-                print(textwrap.fill(head + entry.evidence.split("; ")[-1], 110, subsequent_indent=" " * 20))
+            head = f"{'(' + entry['number'] + ')':>6}  {entry['status']:<12}"
+            if entry["status"] != "erratum":
+                print(textwrap.fill(head + entry["evidence"].split("; ")[-1], 110, subsequent_indent=" " * 20))
                 continue
-            print(f"{head}{entry.kind}, {entry.origin}")
-            for text in (entry.note, entry.evidence):
+            print(f"{head}{entry['kind']}, {entry['origin']}")
+            for text in (entry["note"], entry["evidence"]):
                 print(textwrap.fill(text, 110, initial_indent=" " * 10, subsequent_indent=" " * 10))
-        for finding in findings(name):
-            print(textwrap.fill(str(finding), 110, subsequent_indent="  "))
-        counts = Counter(entry.status for entry in own)
+        for finding in ledgers[name]["findings"]:
+            print(textwrap.fill(finding, 110, subsequent_indent="  "))
+        counts = Counter(entry["status"] for entry in own)
         print(f"{name}: " + ", ".join(f"{count} {status}" for status, count in sorted(counts.items())) + "\n")
 
 
@@ -117,7 +118,7 @@ def show(
     """The derivation of a paper's equations, or of those that a model stands on, step by step."""
     from boresight.codegen.generate import model_names
     from boresight.derive import render as r
-    from boresight.derive.ledger import PAPERS
+    from boresight.derive.papers import PAPERS
 
     one_of(name, [*PAPERS, *model_names(), "delay-error"], "paper or model")
     one_of(form, [*r.FORMATS, "pdf"], "format")
@@ -240,7 +241,11 @@ def verify(
         task = bar.add_task("")
         for target in targets:
             where = folder or (default_folder(target) if ":" in target else None)
-            checks += v.verify(target, where, progress=lambda text: bar.update(task, description=text))
+            checks += v.verify(
+                target,
+                where,
+                progress=lambda done, total, text: bar.update(task, description=f"{done} of {total}, {text}"),
+            )
     good = all(check.ok for check in checks)
     if as_json:
         print_json(v.to_json(checks))

@@ -58,8 +58,9 @@ class Report:
 
 
 def model_names() -> list[str]:
-    """The built-in models, from their files."""
-    return sorted(path.stem.replace("_", "-") for path in MODELS.glob("*.py") if path.stem != "__init__")
+    """The built-in models: each is a file that defines a function of the file's own name."""
+    files = [path for path in MODELS.glob("*.py") if f"\ndef {path.stem}(" in path.read_text()]
+    return sorted(path.stem.replace("_", "-") for path in files)
 
 
 def target_names() -> list[str]:
@@ -184,6 +185,7 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
         raise BoresightError(f"{folder} holds no generated model; run 'boresight generate {target}'")
 
     document, files = make(target, folder, not check and same_generator(before, stamp))
+    refuse_taken(document["c_prefix"], document["model"], folder)
     hashes = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
     document |= {"files": hashes, **stamp}
     files["manifest.json"] = json.dumps(document, indent=1, sort_keys=True) + "\n"
@@ -199,6 +201,21 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
     if not check:
         write(folder, {path: files[path] for path in differing}, stale)
     return Report(document["model"], folder, changes, tuple(sorted(differing + stale)), up_to_date=False)
+
+
+def refuse_taken(prefix: str, name: str, folder: Path) -> None:
+    """Raise BoresightError where a folder beside this one holds another model of the same prefix."""
+    for path in sorted(folder.resolve().parent.glob("*/manifest.json")):
+        try:
+            other = json.loads(path.read_text())
+            taken = other["c_prefix"] == prefix and other["model"] != name and path.parent != folder.resolve()
+        except (OSError, ValueError, TypeError, KeyError):
+            continue  # no manifest of a model
+        if taken:
+            raise BoresightError(
+                f"model {name}: c_prefix {prefix!r} is that of {other['model']} in {path.parent}, and C of "
+                "both would not link; choose another"
+            )
 
 
 def same(path: Path, text: str) -> bool:

@@ -5,7 +5,7 @@ expressions; an explicit matrix is an ImmutableMatrix in MatMul and MatAdd; a ma
 letter alone is a noncommutative Symbol.  Terms keep the order of the page.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from sympy import Add, ImmutableMatrix, MatAdd, MatMul, Mul, S, StrictLessThan, Symbol
@@ -162,6 +162,23 @@ def negative(term):
 def is_explicit(expression) -> bool:
     """Whether the expression is built on an explicit matrix."""
     return isinstance(expression, MatrixBase | MatMul | MatAdd)
+
+
+def holds_matrix(expr) -> bool:
+    """Whether an explicit matrix is among the factors of a product."""
+    return any(isinstance(factor, MatrixBase) for factor in expr.args)
+
+
+def terms(relation: Relation) -> Iterator[tuple[str, object]]:
+    """The terms of a chain in order, each with what stands before it: =, +, - or, at the start, nothing."""
+    for i, side in enumerate(relation.sides):
+        terms = side.args if isinstance(side, MatAdd) else (side,)
+        for j, term in enumerate(terms):
+            minus = isinstance(side, MatAdd) and term.args and term.args[0] == S.NegativeOne
+            if j == 0:
+                yield ("=" if i else ""), term
+            else:
+                yield ("-" if minus else "+"), (negative(term) if minus else term)
 
 
 def rebuild(expression, arguments):

@@ -21,13 +21,10 @@ from sympy.matrices import MatrixBase
 
 from boresight import BoresightError
 from boresight.derive.equation import Equation, Relation, is_explicit, negative
+from boresight.derive.latex import latex_relations
+from boresight.derive.numbers import Matrix, digits, largest, middle
+from boresight.derive.papers import PAPERS
 from boresight.derive.witness import DIGITS, Point, evaluate, residual
-
-PAPERS = {
-    "song-lee-2001": "boresight.derive.papers.song_lee_2001",
-    "kim-2018": "boresight.derive.papers.kim_2018",
-    "kang-2025": "boresight.derive.papers.kang_2025",
-}
 
 EXACT = mp.mpf("1e-28")
 FOURFOLD = mp.mpf("0.25025")  # a quarter; at errors of 5e-8 rad the next order changes it by far less than 0.1 %
@@ -88,14 +85,13 @@ def ledger(paper: str) -> list[Entry]:
 
     Raises BoresightError on an unknown name, and when the witness refutes a derived form: then the derivation is wrong.
     """
-    with mp.workdps(DIGITS):
-        return [_entry(equation) for equation in equations(paper)]
+    return [entry_of(equation) for equation in equations(paper)]
 
 
 def findings(paper: str) -> tuple[str, ...]:
     """What was computed about the paper's text and tables, beside its numbered equations."""
     paper_module(paper)
-    with mp.workdps(DIGITS):
+    with digits(DIGITS):
         return import_module(PAPERS[paper] + "_world").findings()
 
 
@@ -172,14 +168,14 @@ def _definitions(paper: str) -> dict:
 
 
 def _largest(relations: Iterable[Relation], point: Point) -> mp.mpf:
-    return max(abs(entry) for relation in relations for entry in residual(relation.sides, point))
+    return largest(entry for relation in relations for entry in residual(relation.sides, point))
 
 
 def _differs(a, b) -> bool:
     if a is b:
         return False
     difference = a - b
-    return (mp.mnorm(difference, mp.inf) if isinstance(difference, mp.matrix) else abs(difference)) > EXACT
+    return largest(difference if isinstance(difference, Matrix) else [difference]) > EXACT
 
 
 def _names(relations: Iterable[Relation]) -> set[str]:
@@ -311,9 +307,14 @@ def _sound(equation: Equation) -> bool:
 # ---- One entry -----------------------------------------------------------------------------------------------------
 
 
-def _entry(equation: Equation) -> Entry:
-    from boresight.derive.render import latex_relations
+@cache
+def entry_of(equation: Equation) -> Entry:
+    """The line of one equation.  Raises BoresightError where the witness refutes its derived form."""
+    with digits(DIGITS):
+        return _entry(equation)
 
+
+def _entry(equation: Equation) -> Entry:
     ours = judge(equation, equation.derived)
     if ours.status == "refuted":
         raise BoresightError(
@@ -378,16 +379,20 @@ def _side_by_side(equation: Equation) -> str:
 
     def numbers(side) -> str:
         value = evaluate(side, point)
-        entries = list(value) if isinstance(value, mp.matrix) else [value]
-        return "[" + ", ".join(mp.nstr(entry * factor, 5) for entry in entries) + "]"
+        entries = value if isinstance(value, Matrix) else [value]
+        return "[" + ", ".join(mp.nstr(middle(entry) * factor, 5) for entry in entries) + "]"
 
     text = f"at {world.STATED_TEXT}: "
+
+    def left(relations) -> str:
+        size = _largest(relations, point)
+        return mp.nstr(size, 3) if size > EXACT else f"less than {float(EXACT):.0e}"
+
     try:
         _largest(equation.read(), point)
     except (ValueError, KeyError):
-        return text + f"derived leaves {mp.nstr(_largest(equation.derived, point), 3)}"
+        return text + f"derived leaves {left(equation.derived)}"
     if equation.unit == "1":  # matrices: how far the sides are from one another says more than 9 numbers
-        printed, derived = (_largest(relations, point) for relations in (equation.read(), equation.derived))
-        return text + f"sides differ by {mp.nstr(printed, 3)} as printed, by {mp.nstr(derived, 3)} as derived"
+        return text + f"sides differ by {left(equation.read())} as printed, by {left(equation.derived)} as derived"
     printed, derived = equation.read()[0].sides, equation.derived[0].sides
     return text + f"true {numbers(derived[0])}, printed {numbers(printed[-1])}, derived {numbers(derived[-1])} {unit}"

@@ -14,6 +14,14 @@ from sympy import ImmutableMatrix, Matrix, Symbol
 from boresight import BoresightError
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
+# Names that mean something in the generated C already: C's own (with what its headers define), and the generator's.
+TAKEN = """
+    auto break case char const continue default do double else enum extern float for goto if inline int long register
+    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+    bool true false asm NULL NAN INFINITY HUGE_VAL size_t offsetof isnan isinf isfinite signbit errno assert
+    sin cos atan2 sqrt fabs x z R P status filter innovation rows gate iterations covariance
+"""
+RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of every model with states
 NONE = ImmutableMatrix(0, 0, [])
 
 
@@ -106,8 +114,10 @@ class FirstOrder:
 class Measurement:
     """A named measurement of `len(rows)` scalars, any of which a filter may leave out.
 
-    z: (m) measured minus predicted at zero error, from the inputs; None if the caller brings it.
-    h: (m) what z is expected to be for an error state x, from states and inputs; its Jacobian is printed as H.
+    z = H x + noise, or h(x) + noise, of the error x = computed - true: so z is computed - measured, or of a turn
+    whatever H makes of it.  meaning: says which, as `velocity of the master: z = computed - measured`.
+    z: (m) from the inputs; None if the caller brings it, and then it is the measured value.
+    h: (m) the z of an error state x without noise, from states and inputs; its Jacobian is printed as H.
     H: (m, n) a linear measurement matrix, printed instead of h.  first_order: what this H approximates.
     angle: z and h are angles, and are wrapped to [-pi, pi).
     """
@@ -149,11 +159,12 @@ class Function:
 
 @dataclass(frozen=True)
 class Model:
-    """x' = F x + G w with white noise w of root power spectral densities `noise`, over steps of `dt`.
+    """x' = F x + G w with white noise w of densities `noise`, over steps of `dt`.
 
     states: the error state, block after block.  Either F (n, n) is given or f (n), whose Jacobian at the state is F.
-    G: (n, m).  noise: (m) root power spectral densities.  dt: symbol of the step.  Phi is taken to the second power of
-    F dt and Q to the third of dt.  structs: the inputs.  equations: the source of F, as `song-lee-2001 (20)`.
+    G: (n, m).  noise: (m) noise densities, roots of power spectral densities.  dt: symbol of the step.  Phi is taken to
+    the second power of F dt and Q to the third of dt.  structs: the inputs.  equations: the source of F, as
+    `song-lee-2001 (20)`.
     A model without states has functions alone, such as a strapdown integrator: no F, G, noise, dt or measurements.
     """
 
@@ -265,10 +276,11 @@ def check(model: Model) -> None:
 
     if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", model.name):
         fail("a name is lower-case words joined by '-'")
-    if not re.fullmatch(r"[a-z][a-z0-9]*", model.c_prefix):
-        fail(f"c_prefix {model.c_prefix!r} must be lower-case letters and digits")
+    if not re.fullmatch(r"[a-z][a-z0-9]*", model.c_prefix) or model.c_prefix == "bs":
+        fail(f"c_prefix {model.c_prefix!r} must be lower-case letters and digits, and not 'bs'")
     names = [item.name for item in (*model.states, *model.inputs)]
     units = [m.name for m in model.measurements] + [f.name for f in model.functions] + [s.name for s in model.structs]
+    units += [f"{m.name}_{part}" for m in model.measurements for part in "zhH"] + list(RESULTS) * (model.n > 0)
     symbols = [symbol for item in (*model.states, *model.inputs) for symbol in item.symbols]
     for kind, listed in (
         ("field", names),
@@ -280,6 +292,9 @@ def check(model: Model) -> None:
                 fail(f"the {kind} name {item!r} is used twice")
             if not NAME.match(item):
                 fail(f"{item!r} cannot be a name in C")
+            # a component's name stands in C only within longer ones
+            if kind != "symbol" and (item in TAKEN.split() or re.fullmatch(r"t\d+|(bs|BS)_.*", item)):
+                fail(f"the {kind} name {item!r} has a meaning in C or in the generated code; choose another")
 
     n = model.n
     if n == 0 and (model.F is not None or model.f is not None or model.dt is not None or model.measurements):
@@ -291,6 +306,8 @@ def check(model: Model) -> None:
         own = m.first_order is not None and m.first_order.of is None
         if (m.H is None) == (m.h is None) and not (own and m.H is not None):
             fail(f"measurement {m.name}: give either h or H, or both with a first_order of its own")
+        if m.H.is_zero_matrix if m.H is not None else not symbols_in(m.h) & set(model.x):
+            fail(f"measurement {m.name} depends on no state")
         rows = len(m.rows)
         shapes += [(f"{m.name}: z", m.z, (rows, 1)), (f"{m.name}: h", m.h, (rows, 1)), (f"{m.name}: H", m.H, (rows, n))]
         if m.first_order is not None:
@@ -304,6 +321,12 @@ def check(model: Model) -> None:
     for label, matrix, shape in shapes:
         if matrix is not None and matrix.shape != shape:
             fail(f"{label} has shape {matrix.shape}, not {shape}")
+
+    if n > 0 and not model.noise.rows:
+        fail("give at least one noise")
+    for i in range(model.noise.rows):
+        if model.noise[i].is_zero or model.G[:, i].is_zero_matrix:
+            fail(f"noise {model.noise[i]} has no effect: it or column {i} of G is zero")
 
     states, inputs = set(model.x), {s for item in model.inputs for s in item.symbols}
     linear = [("G", model.G), ("noise", model.noise)] + ([("F", model.F)] if model.F is not None else [])

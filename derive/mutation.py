@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from functools import cache
 from random import Random
 
-import mpmath as mp
 from sympy import Add, MatAdd, MatMul, Mul, Pow, S, Symbol, cos, sin, tan
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
@@ -18,6 +17,7 @@ from sympy.matrices.exceptions import ShapeError
 
 from boresight.derive.equation import Equation, Quantity, Relation, children, negative, rebuild
 from boresight.derive.ledger import EXACT, FOURFOLD, FULL, HALF, SEEDS, SMALL, judge, witness_point
+from boresight.derive.numbers import Matrix, digits, exact, largest, middle
 from boresight.derive.witness import DIGITS, Point, residual
 
 SAME = "says the same: equal for any values of the letters"
@@ -132,7 +132,7 @@ class Survivor:
 
 def survivors(equation: Equation) -> tuple[int, list[Survivor]]:
     """How many mutants the print of an equation has, of an erratum the corrected form, and those which survive."""
-    with mp.workdps(DIGITS):
+    with digits(DIGITS):
         form, verdict = equation.read(), judge(equation, equation.read())
         if verdict.status == "refuted":
             form, verdict = equation.derived, judge(equation, equation.derived)
@@ -151,7 +151,9 @@ def _reason(equation: Equation, form, mutant) -> str:
         return first, second
 
     def same(first, second) -> bool:
-        return any(all(abs(a - sign * b) < EXACT for a, b in zip(first, second, strict=True)) for sign in (1, -1))
+        return any(
+            all(abs(middle(a - sign * b)) < EXACT for a, b in zip(first, second, strict=True)) for sign in (1, -1)
+        )
 
     with suppress(ValueError):  # values drawn freely may not be below their limits
         if same(*at(_free_point(equation))):
@@ -159,9 +161,7 @@ def _reason(equation: Equation, form, mutant) -> str:
     if same(*at(witness_point(equation.paper, SEEDS[0], FULL))):
         return ALIAS
     small, half = (
-        max(
-            abs(a - b) for a, b in zip(*at(witness_point(equation.paper, SEEDS[0], scale, equation.small)), strict=True)
-        )
+        largest(a - b for a, b in zip(*at(witness_point(equation.paper, SEEDS[0], scale, equation.small)), strict=True))
         for scale in (SMALL, HALF)
     )
     return SECOND_ORDER if half <= FOURFOLD * small else UNEXPLAINED
@@ -177,8 +177,8 @@ def _free_point(equation: Equation) -> Point:
         if letter.function:
             return known[letter.symbol.name]
         if not letter.shape:
-            return mp.mpf(generator.uniform(0.2, 1.2))
+            return exact(generator.uniform(0.2, 1.2))
         rows, columns = (*letter.shape, 1)[:2]
-        return mp.matrix([[generator.uniform(0.2, 1.2) for _ in range(columns)] for _ in range(rows)])
+        return Matrix([[generator.uniform(0.2, 1.2) for _ in range(columns)] for _ in range(rows)])
 
     return Point({letter.symbol.name: drawn(letter) for letter in equation.quantities})

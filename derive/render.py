@@ -8,21 +8,17 @@ from collections.abc import Iterable
 from html import escape
 from pathlib import Path
 from textwrap import fill
-from unicodedata import name as name_of
-from unicodedata import normalize
 
-from sympy import MatAdd, S, Symbol
-from sympy.core.function import AppliedUndef
-from sympy.matrices import MatrixBase
-from sympy.printing.latex import LatexPrinter
+from sympy import S, Symbol
 from sympy.printing.mathml import MathMLPresentationPrinter
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pretty.pretty import PrettyPrinter
 from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
 from boresight import BoresightError
-from boresight.derive.equation import Derivation, Equation, Quantity, Relation, negative
-from boresight.derive.ledger import Entry, equations, findings, ledger
+from boresight.derive.equation import Derivation, Equation, Quantity, Relation, holds_matrix, terms
+from boresight.derive.latex import latex_name, latex_relation
+from boresight.derive.ledger import Entry, entry_of, equations, findings
 
 WIDTH = 110
 FORMATS = ("text", "latex", "html")
@@ -35,11 +31,6 @@ def render(paper: str, number: str | None = None, format: str = "text") -> str:
     """
     chosen, entries = _chosen(paper, number)
     return render_equations(paper, chosen, entries, format, () if number else findings(paper))
-
-
-def pdf(paper: str, number: str | None = None) -> bytes:
-    """The same as a PDF, by pdflatex.  Raises BoresightError if it is not installed or fails."""
-    return pdf_from_latex(render(paper, number, "latex"))
 
 
 def render_equations(
@@ -82,34 +73,12 @@ def pdf_from_latex(document: str) -> bytes:
         return made.read_bytes()
 
 
-def errata_table(paper: str) -> str:
-    """The errata of a paper as a Markdown table."""
-    rows = [entry for entry in ledger(paper) if entry.status == "erratum"]
-    lines = ["| equation | kind | origin | printed | derived |", "|---|---|---|---|---|"]
-    for entry in rows:
-        by_number = {equation.number: equation for equation in equations(paper)}
-        equation = by_number[entry.number]
-        printed, derived = (_changed(equation, which) for which in ("printed", "derived"))
-        lines.append(f"| ({entry.number}) | {entry.kind} | {entry.origin} | {printed} | {derived} |")
-    return "\n".join(lines) + "\n"
-
-
-def _changed(equation: Equation, which: str) -> str:
-    from boresight.derive.ledger import differences
-
-    found = differences(equation.read(), equation.derived)
-    texts = (" ".join(str(getattr(difference, which)).replace("Matrix", "").split()) for difference in found)
-    return ", ".join(f"`{text}`" for text in dict.fromkeys(texts))
-
-
 def _chosen(paper: str, number: str | None) -> tuple[list[Equation], list[Entry]]:
-    every, entries = equations(paper), ledger(paper)
-    if number is None:
-        return list(every), entries
-    for equation, entry in zip(every, entries, strict=True):
-        if equation.number == str(number).strip("()"):
-            return [equation], [entry]
-    raise BoresightError(f"{paper} has no equation {number!r}: it has {every[0].number} to {every[-1].number}")
+    every = equations(paper)
+    chosen = [e for e in every if number is None or e.number == number.strip("()")]
+    if not chosen:
+        raise BoresightError(f"{paper} has no equation {number!r}: it has {every[0].number} to {every[-1].number}")
+    return chosen, [entry_of(equation) for equation in chosen]
 
 
 # ---- Text ----------------------------------------------------------------------------------------------------------
@@ -172,7 +141,7 @@ def _pretty(relation: Relation) -> str:
     printer = _Pretty({"order": "none", "use_unicode": True, "wrap_line": False})
     lines: list[stringPict] = []
     line: stringPict | None = None
-    for sign, term in _terms(relation):
+    for sign, term in terms(relation):
         piece = printer._print(term)
         piece = piece if not sign else prettyForm(*stringPict.next(prettyForm(f" {sign} "), piece))
         joined = piece if line is None else prettyForm(*stringPict.next(line, piece))
@@ -183,18 +152,6 @@ def _pretty(relation: Relation) -> str:
     lines += [] if line is None else [line]
     rows = [row.rstrip() for block in lines for row in block.render(wrap_line=False).splitlines()]
     return "\n".join("      " + row for row in rows)
-
-
-def _terms(relation: Relation) -> Iterable[tuple[str, object]]:
-    """The terms of a chain in order, each with what stands before it: =, +, - or, at the start, nothing."""
-    for i, side in enumerate(relation.sides):
-        terms = side.args if isinstance(side, MatAdd) else (side,)
-        for j, term in enumerate(terms):
-            minus = isinstance(side, MatAdd) and term.args and term.args[0] == S.NegativeOne
-            if j == 0:
-                yield ("=" if i else ""), term
-            else:
-                yield ("-" if minus else "+"), (negative(term) if minus else term)
 
 
 # ---- LaTeX ---------------------------------------------------------------------------------------------------------
@@ -222,7 +179,7 @@ def _latex(title: str, chosen: list[tuple[Equation, Entry]], remarks: tuple[str,
 
 
 def _latex_shown(relations: Iterable[Relation], quantities: Iterable[Quantity]) -> str:
-    return "\n".join(rf"\fitted{{{_latex_relation(r, quantities)}}}" for r in relations)
+    return "\n".join(rf"\fitted{{{latex_relation(r, quantities)}}}" for r in relations)
 
 
 def _latex_steps(derivation: Derivation, quantities: Iterable[Quantity]) -> list[str]:
@@ -258,95 +215,6 @@ def _displays(equation: Equation) -> list[str]:
         else:
             joined.append(display)
     return joined
-
-
-def latex_relations(relations: Iterable[Relation], quantities: Iterable[Quantity]) -> str:
-    """LaTeX of relations, with the paper's letters."""
-    quantities = tuple(quantities)
-    return r" \\ ".join(_latex_relation(relation, quantities) for relation in relations)
-
-
-class _Latex(LatexPrinter):
-    def __init__(self, letters: dict[str, str]):
-        super().__init__({"order": "none", "mat_str": "bmatrix", "mat_delim": "", "fold_func_brackets": True})
-        self.letters = letters
-
-    def _print_Symbol(self, expr, style="plain"):
-        return self.letters.get(expr.name) or latex_name(expr.name)
-
-    def _print_Function(self, expr, exp=None):
-        if not isinstance(expr, AppliedUndef):
-            return super()._print_Function(expr, exp)
-        return self._print_call(expr)
-
-    def _print_transpose(self, expr, exp=None):
-        return rf"{{{self.parenthesize(expr.args[0], PRECEDENCE['Pow'])}}}^{{T}}"
-
-    def _print_call(self, expr):
-        name = expr.func.__name__
-        arguments = ", ".join(self._print(argument) for argument in expr.args)
-        head = r"\exp" if name == "exp" else self.letters.get(name + "(") or latex_name(name)
-        return rf"{head}\left({arguments}\right)"
-
-    def _print_Mul(self, expr):
-        if not _holds_matrix(expr):
-            return super()._print_Mul(expr)
-        # As written: SymPy would multiply the explicit matrices.
-        signs = "-" * (expr.args[0] == S.NegativeOne)
-        return signs + " ".join(self.parenthesize(f, PRECEDENCE["Mul"]) for f in expr.args[len(signs) :])
-
-    def _print_MatrixBase(self, expr):
-        return self._print(expr[0]) if expr.shape == (1, 1) else super()._print_MatrixBase(expr)
-
-    _print_ImmutableDenseMatrix = _print_MatrixBase
-
-
-def _holds_matrix(expr) -> bool:
-    return any(isinstance(factor, MatrixBase) for factor in expr.args)
-
-
-def _latex_relation(relation: Relation, quantities: Iterable[Quantity]) -> str:
-    letters = {quantity.symbol.name + ("(" if quantity.function else ""): quantity.latex for quantity in quantities}
-    printer = _Latex(letters)
-    text = ""
-    for sign, term in _terms(relation):
-        text += f" {sign} {printer.doprint(term)}" if sign else printer.doprint(term)
-    return text
-
-
-SIGNS = {"→": r"\to", "∂": r"\partial"}
-MARKS = {"\u0302": "hat", "\u0307": "dot", "\u0304": "bar", "\u030c": "check"}
-
-
-def latex_name(name: str) -> str:
-    """LaTeX of a symbol's name: Greek letters, hats and dots, scripts, C_b2n, [v x]."""
-    transformation = re.fullmatch(r"(.*?)_(\w'?)2(\w'?)", name)
-    if transformation:
-        letter, source, target = transformation.groups()
-        return f"{latex_name(letter)}_{{{source}}}^{{{target}}}"
-    turning = re.fullmatch(r"\[(.*) x\]", name)
-    if turning:
-        return rf"[{latex_name(turning[1])}\times]"
-    text, _, scripts = name.partition("_")
-    result = ""
-    for character in normalize("NFD", text):
-        if character in MARKS:
-            letter = re.search(r"(\\[A-Za-z]+ |.)$", result)
-            assert letter is not None
-            result = result[: letter.start()] + rf"\{MARKS[character]}{{{letter.group().strip()}}}"
-        else:
-            result += _character(character)
-    below, _, above = scripts.partition("_")
-    return result.strip() + (f"_{{{below}}}" if below else "") + (f"^{{{above}}}" if above else "")
-
-
-def _character(character: str) -> str:
-    """LaTeX of one letter or sign, in a formula."""
-    greek = re.fullmatch(r"GREEK (SMALL|CAPITAL) LETTER (FINAL )?(\w+)", name_of(character, ""))
-    if greek:
-        word = greek[3].lower().replace("lamda", "lambda")
-        return "\\" + (word.capitalize() if greek[1] == "CAPITAL" else word) + " "
-    return SIGNS[character] + " " if character in SIGNS else character
 
 
 def _tex(text: str) -> str:
@@ -418,7 +286,7 @@ class _MathML(MathMLPresentationPrinter):
         return super()._print_Symbol(Symbol(re.sub(r"_(\w'?)2(\w'?)$", r"_\1^\2", sym.name)), style)
 
     def _print_Mul(self, expr):
-        if not _holds_matrix(expr):
+        if not holds_matrix(expr):
             return super()._print_Mul(expr)
         row = self.dom.createElement("mrow")
         for factor in expr.args:
@@ -447,7 +315,7 @@ class _MathML(MathMLPresentationPrinter):
 def _mathml(relation: Relation) -> str:
     printer = _MathML()
     row = ""
-    for sign, term in _terms(relation):
+    for sign, term in terms(relation):
         if sign:
             row += f"<mo>{'&#8722;' if sign == '-' else sign}</mo>"
         row += printer._print(term).toxml()

@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from boresight import BoresightError
-from boresight.derive.ledger import PAPERS, equations
+from boresight.derive.ledger import equations
+from boresight.derive.papers import PAPERS
 from boresight.evidence.sources import Folder, Source, folders
 
 FUNCTION = re.compile(r"^static void (\w+)\(([^)]*)\)\n\{\n(.*?)\n\}$", re.MULTILINE | re.DOTALL)

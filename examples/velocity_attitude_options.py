@@ -10,9 +10,20 @@ from dataclasses import replace
 
 from sympy import Matrix, diag, eye, zeros
 
-from boresight.derive.model import Function, Measurement, Model, Output, Struct, variable
+from boresight.derive.model import Function, Measurement, Model, Output, Struct
 from boresight.derive.models import velocity_attitude as va
-from boresight.derive.models.azimuth_hold import body
+from boresight.derive.models.variables import (
+    BA,
+    BG,
+    D_BG,
+    DT,
+    F_B,
+    INCREMENTS,
+    MASTER_BODY,
+    OMEGA_IB_B,
+    body,
+    noise_density,
+)
 from boresight.derive.rotation import dcm_from_quaternion, quaternion_product
 
 
@@ -22,22 +33,13 @@ def function(model: Model, name: str) -> Function:
 
 # ---------------------------------------------------------------- flexure
 
-MASTER = "master body"
-
-
-def about_master(name: str, letter: str, unit: str, meaning: str, low: float, high: float):
-    return variable(name, " ".join(f"{letter}_{axis}" for axis in "xyz"), unit, meaning, low, high, frame=MASTER)
-
-
-BEND = about_master("flexure", "bend", "rad", "estimated bending of the slave's seat", -0.1, 0.1)
-BEND_RATE = about_master("flexure_rate", "bend_rate", "rad/s", "its estimated rate", -1.0, 1.0)
-D_BEND = about_master("d_flexure", "d_bend", "rad", "error of the bending, estimated - true", -0.1, 0.1)
-D_BEND_RATE = about_master("d_flexure_rate", "d_bend_rate", "rad/s", "error of its rate", -1.0, 1.0)
-BETA = about_master("flexure_beta", "beta", "1/s", "one over the correlation time of the bending", 0.01, 100.0)
-BEND_NOISE = about_master(
-    "flexure_noise", "flexure_noise", "rad/s/sqrt(s)",
-    "root power spectral density that drives the bending: 2 sigma beta^1.5", 0.0, 100.0,
-)  # fmt: skip
+BEND = body("flexure", "bend", "rad", "estimated bending of the slave's seat", -0.1, 0.1, MASTER_BODY)
+BEND_RATE = body("flexure_rate", "bend_rate", "rad/s", "its estimated rate", -1.0, 1.0, MASTER_BODY)
+D_BEND = body("d_flexure", "d_bend", "rad", "error of the bending, estimated - true", -0.1, 0.1, MASTER_BODY)
+D_BEND_RATE = body("d_flexure_rate", "d_bend_rate", "rad/s", "error of its rate", -1.0, 1.0, MASTER_BODY)
+BETA = body("flexure_beta", "beta", "1/s", "one over the correlation time of the bending", 0.01, 100.0, MASTER_BODY)
+BEND_NOISE = noise_density("flexure_noise", "rad/s/sqrt(s)", "what drives the bending: 2 sigma beta^1.5", 100.0,
+                           MASTER_BODY)  # fmt: skip
 
 
 def flexure() -> Model:
@@ -52,10 +54,10 @@ def flexure() -> Model:
     base = va.velocity_attitude()
     C_m2b = dcm_from_quaternion(va.Q_MOUNT.vector).T
     q_bent = quaternion_product(Matrix([1, *(BEND.vector / 2)]), va.Q_MOUNT.vector)
-    omega_hull = va.OMEGA_IB.vector - C_m2b * BEND_RATE.vector
-    as_bent = dict(zip((*va.Q_MOUNT.symbols, *va.OMEGA_IB.symbols), (*q_bent, *omega_hull), strict=True))
+    omega_hull = OMEGA_IB_B.vector - C_m2b * BEND_RATE.vector
+    as_bent = dict(zip((*va.Q_MOUNT.symbols, *OMEGA_IB_B.symbols), (*q_bent, *omega_hull), strict=True))
     # What turns the slave one way turns the mounting the other: C_hat_b2m = (I - [(dmu - d_bend) x]) C_b2m.
-    less = {dmu: dmu - bend for dmu, bend in zip(va.DMU.symbols, D_BEND.symbols, strict=True)}
+    less = {dmu: dmu - bend for dmu, bend in zip(va.D_MOUNT.symbols, D_BEND.symbols, strict=True)}
 
     def seen(m: Measurement) -> Measurement:
         assert m.z is not None
@@ -72,14 +74,14 @@ def flexure() -> Model:
     F[19:22, 16:19], F[19:22, 19:22] = -diag(*(b**2 for b in BETA.symbols)), -2 * diag(*BETA.symbols)
     G[19:22, 16:19] = eye(3)
 
-    A, dt = F[16:, 16:], va.DT.scalar
+    A, dt = F[16:, 16:], DT.scalar
     estimate = Matrix.vstack(BEND.vector, BEND_RATE.vector)
     carried = estimate + dt * A * (estimate + dt / 2 * A * estimate)
     strapdown, expected, feedback = (function(base, name) for name in ("strapdown", "expected", "feedback"))
 
     def bending(angle: Matrix, rate: Matrix) -> tuple[Output, Output]:
-        return (Output(BEND.name, angle, BEND.unit, "bending of the slave's seat", MASTER),
-                Output(BEND_RATE.name, rate, BEND_RATE.unit, "its rate", MASTER))  # fmt: skip
+        return (Output(BEND.name, angle, BEND.unit, "bending of the slave's seat", MASTER_BODY),
+                Output(BEND_RATE.name, rate, BEND_RATE.unit, "its rate", MASTER_BODY))  # fmt: skip
 
     return base.extend(
         name="velocity-attitude-flexure",
@@ -115,11 +117,11 @@ def scale_factors() -> Model:
     What the caller gives has its biases removed, as before; every function divides it by the scale estimated.  Errors
     of the biases are then some 1e-3 of themselves smaller, which F and H leave out.
     """
-    rates, forces = va.OMEGA_IB.symbols, va.F_B.symbols
+    rates, forces = OMEGA_IB_B.symbols, F_B.symbols
     over = {
         symbol: symbol / (1 + s)
-        for scale, inputs in ((GYRO_SCALE, (va.OMEGA_IB, va.BG, va.INCREMENTS[0], va.INCREMENTS[2])),
-                              (ACCEL_SCALE, (va.F_B, va.BA, va.INCREMENTS[1], va.INCREMENTS[3])))
+        for scale, inputs in ((GYRO_SCALE, (OMEGA_IB_B, BG, INCREMENTS[0], INCREMENTS[2])),
+                              (ACCEL_SCALE, (F_B, BA, INCREMENTS[1], INCREMENTS[3])))
         for item in inputs
         for symbol, s in zip(item.symbols, scale.symbols, strict=True)
     }  # fmt: skip
@@ -135,10 +137,10 @@ def scale_factors() -> Model:
     true = Matrix([symbol.xreplace(over) for symbol in (*rates, *forces)])
     F = zeros(22)
     F[:6, 16:] = plain.F[:6, 6:12] * diag(*true)  # a bias in proportion to what is measured
-    in_proportion = va.DBG.vector + diag(*true[:3, 0]) * D_GYRO_SCALE.vector
+    in_proportion = D_BG.vector + diag(*true[:3, 0]) * D_GYRO_SCALE.vector
     velocity = next(m for m in base.measurements if m.name == "velocity")
     assert velocity.h is not None and velocity.H is not None
-    as_bias = dict(zip(va.DBG.symbols, in_proportion, strict=True))
+    as_bias = dict(zip(D_BG.symbols, in_proportion, strict=True))
     wide_H = Matrix.hstack(velocity.H, velocity.H[:, 6:9] * diag(*true[:3, 0]), zeros(3))
 
     strapdown, expected, feedback = (function(base, name) for name in ("strapdown", "expected", "feedback"))

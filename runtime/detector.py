@@ -204,7 +204,7 @@ def library() -> ctypes.PyDLL:
     if [d["name"] for d in described["detectors"]] != list(DETECTORS) or described["max_window"] != MAX_WINDOW:
         raise BoresightError(f"{folder} holds other detectors than this version of Boresight binds; generate it again")
     dll = open_library(*build(folder, manifest))
-    dll.sd_sizeof_detector.restype = ctypes.c_size_t
+    dll.det_sizeof_detector.restype = ctypes.c_size_t
     return dll
 
 
@@ -268,7 +268,7 @@ def evaluate(
     def pointer(array: Array | None) -> Any:
         return ctypes.c_void_p(None if array is None else array.ctypes.data)
 
-    refused = (dll or library()).sd_batch(
+    refused = (dll or library()).det_batch(
         ctypes.c_size_t(int(np.prod(runs, dtype=int))), ctypes.c_size_t(samples), ctypes.byref(c_settings(settings)),
         pointer(gyro), pointer(accel), pointer(begins), ctypes.c_size_t(every),
         pointer(statistic), pointer(bits), pointer(status),
@@ -296,18 +296,18 @@ class Detector:
 
     def __init__(self, settings: Settings):
         dll = library()
-        self._state = ctypes.create_string_buffer(dll.sd_sizeof_detector())
+        self._state = ctypes.create_string_buffer(dll.det_sizeof_detector())
         self._decision = CDecision()
         self._gyro, self._accel = np.zeros(3), np.zeros(3)
-        if dll.sd_init(self._state, ctypes.byref(c_settings(settings))) != Status.OK:
+        if dll.det_init(self._state, ctypes.byref(c_settings(settings))) != Status.OK:
             raise BoresightError(f"the detectors refuse these settings: {settings}")
         pointers = (ctypes.c_void_p * 4)(
             ctypes.addressof(self._state), self._gyro.ctypes.data, self._accel.ctypes.data,
             ctypes.addressof(self._decision),
         )  # fmt: skip
         self._pointers = pointers
-        self._push = partial(dll.sd_push_bound, ctypes.byref(pointers))
-        self._restart = partial(dll.sd_restart, self._state)
+        self._push = partial(dll.det_push_bound, ctypes.byref(pointers))
+        self._restart = partial(dll.det_restart, self._state)
         self.statistic = np.ctypeslib.as_array(self._decision.statistic)
 
     def push(self, gyro: Any, accel: Any) -> int:

@@ -15,10 +15,10 @@ from boresight.runtime.array import Array
 
 @dataclass(frozen=True)
 class Innovation:
-    """What one measurement said.  Rows that were masked or gated have used = False and add nothing to nis."""
+    """The innovation of one measurement.  Rows that were masked or gated have used = False and add nothing to nis."""
 
-    nu: Array  # (..., m) measured minus predicted, row after row, each given the rows before it
-    S: Array  # (..., m) its predicted variance
+    nu: Array  # (..., m) z - H x, or z - h(x) where h is not linear: row after row, each given the rows before it
+    S: Array  # (..., m) the variance of nu
     used: Array  # (..., m) bool
 
     @property
@@ -40,19 +40,7 @@ class Filter:
         self.model = model
         self.nav = {name: np.array(value, dtype=float) for name, value in nav.items()}
         self.P = np.array(P, dtype=float)
-        if self.P.ndim < 2 or self.P.shape[-1] != self.P.shape[-2]:
-            raise BoresightError(f"P has shape {self.P.shape}; it must be (..., n, n)")
-        if not np.isfinite(self.P).all():
-            raise BoresightError("P holds a value that is not finite; start from a finite covariance")
-        # Scaled to unit variances, so that radians and metres are judged alike.
-        sigma = np.sqrt(np.abs(np.diagonal(self.P, axis1=-2, axis2=-1)))
-        sigma = np.where(sigma > 0, sigma, 1.0)
-        scaled = self.P / (sigma[..., :, None] * sigma[..., None, :])
-        if np.abs(scaled - np.swapaxes(scaled, -1, -2)).max(initial=0.0) > 1e-9:
-            raise BoresightError("P is not symmetric; start from (P + P') / 2 if it should be")
-        lowest = np.linalg.eigvalsh(scaled).min(initial=0.0)
-        if lowest < -1e-9:
-            raise BoresightError(f"P has a negative eigenvalue, {lowest:.3g} of unit variances; it is no covariance")
+        check_covariance("P", self.P)
         self.x = np.zeros(self.P.shape[:-1])
 
     def call(self, name: str, **inputs: Any) -> Any:
@@ -142,3 +130,24 @@ class Filter:
 def named(result: Any, nav: dict[str, Array]) -> dict[str, Array]:
     """A function with several outputs returns them by name; one with a single output is nav's first entry."""
     return result if isinstance(result, dict) else {next(iter(nav)): result}
+
+
+def check_covariance(name: str, P: Array, n: int | None = None) -> None:
+    """Raise BoresightError unless P is (..., n, n), finite, symmetric, and without a negative eigenvalue."""
+    P = np.asarray(P, dtype=float)
+    if P.ndim < 2 or P.shape[-2:] != (n or P.shape[-1],) * 2:
+        raise BoresightError(f"{name} has shape {P.shape}; it must be (..., {n or 'n'}, {n or 'n'})")
+    if not np.isfinite(P).all():
+        raise BoresightError(f"{name} holds a value that is not finite; start from a finite covariance")
+    variance = np.diagonal(P, axis1=-2, axis2=-1)
+    if (variance < 0).any():
+        raise BoresightError(f"{name} has a negative variance, {variance.min():.3g}; a covariance has none")
+    # Scaled to unit variances, so that radians and metres are judged alike.
+    sigma = np.sqrt(np.where(variance > 0, variance, 1.0))
+    scaled = P / (sigma[..., :, None] * sigma[..., None, :])
+    skew = np.abs(scaled - np.swapaxes(scaled, -1, -2)).max(initial=0.0)
+    if skew > 1e-9:
+        raise BoresightError(f"{name} is not symmetric, by {skew:.1e} of its variances; give (P + P') / 2")
+    lowest = np.linalg.eigvalsh(scaled).min(initial=0.0)
+    if lowest < -1e-9:
+        raise BoresightError(f"{name} has a negative eigenvalue, {lowest:.1e} of unit variances; it is no covariance")

@@ -1,7 +1,8 @@
 """Inertial increments of a trajectory, by inverting the strapdown integrator, and the integrator over a trajectory.
 
-`library` is the strapdown model in the wanted frame, `load("strapdown")`; positions are in its order.  Axes: samples
-first, then runs.  `dtheta_ib_b` (rad) and `dv_b` (m/s) belong to the interval that ends at the sample behind them.
+`step` is the integrator in the wanted frame: `load("strapdown").step`, or `strapdown` of a model that carries position,
+velocity and attitude, whose bias estimates are then zero.  Positions are in its order.  Axes: samples first, then runs.
+`dtheta_ib_b` (rad) and `dv_b` (m/s) belong to the interval that ends at the sample behind them.
 """
 
 from dataclasses import dataclass
@@ -10,7 +11,7 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime.array import Array
-from boresight.runtime.library import Library
+from boresight.runtime.library import Unit
 from boresight.runtime.rotation import attitude_error, matrix_from_quaternion
 
 ROUNDS = 30  # of the inversion; each shrinks what is left by the angle turned in a step or more
@@ -36,7 +37,18 @@ def before(increments: Array, first: Array | None) -> Array:
     return np.concatenate([increments[:1] if first is None else np.asarray(first, float)[None], increments[:-1]])
 
 
-def increments(library: Library, position: Array, v_n: Array, q_b2n_wxyz: Array, dt: float) -> tuple:
+def intervals(dtheta: Array, dv: Array, last: tuple[Array, Array] | None = None) -> dict[str, Array]:
+    """The increments of T intervals as fields of the integrator.  last: those of the interval before, if known."""
+    earlier = [before(values, first) for values, first in zip((dtheta, dv), last or (None, None), strict=True)]
+    return {"dtheta_ib_b": dtheta, "dv_b": dv, "dtheta_before": earlier[0], "dv_before": earlier[1]}
+
+
+def unbiased(step: Unit) -> dict[str, Array]:
+    """The bias estimates that the integrator reads, zero."""
+    return {name: np.zeros(3) for name in ("gyro_bias", "accel_bias") if name in step.fields}
+
+
+def increments(step: Unit, position: Array, v_n: Array, q_b2n_wxyz: Array, dt: float) -> tuple:
     """What ideal sensors deliver on a trajectory: (dtheta (T, ..., 3) rad, dv (T, ..., 3) m/s, the Trajectory).
 
     position: (..., 3) at the first sample.  v_n (T+1, ..., 3), q_b2n_wxyz (T+1, ..., 4): at every sample.  The
@@ -51,9 +63,8 @@ def increments(library: Library, position: Array, v_n: Array, q_b2n_wxyz: Array,
     dtheta, dv = np.zeros(v_n[1:].shape), np.zeros(v_n[1:].shape)
     to_body = np.swapaxes(matrix_from_quaternion(q[:-1]), -1, -2)
     for _ in range(ROUNDS):
-        made = library.step(
-            position=p[:-1], v_n=v_n[:-1], q_b2n_wxyz=q[:-1],
-            dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=before(dtheta, None), dv_before=before(dv, None), dt=dt,
+        made = step(
+            position=p[:-1], v_n=v_n[:-1], q_b2n_wxyz=q[:-1], **intervals(dtheta, dv), **unbiased(step), dt=dt
         )  # fmt: skip
         # C_made = exp(-[e x]) C_wanted: the body has to turn by e more, here in its own axes
         turn = np.einsum("...ij,...j->...i", to_body, attitude_error(made["q_b2n_wxyz"], q[1:]))
@@ -65,20 +76,19 @@ def increments(library: Library, position: Array, v_n: Array, q_b2n_wxyz: Array,
         if away < ENOUGH:
             # The last bit of a longitude is 3e-9 m: the positions are those of a run, to the bit.
             start = {"position": p0, "v_n": v_n[0], "q_b2n_wxyz": q[0]}
-            return dtheta, dv, Trajectory(integrate(library, start, dtheta, dv, dt).position, v_n, q, dt)
+            return dtheta, dv, Trajectory(integrate(step, start, dtheta, dv, dt).position, v_n, q, dt)
     raise BoresightError(
         f"no increments make this trajectory: after {ROUNDS} rounds {away:.1e} rad are left; sample it more often than "
         f"every {dt} s"
     )
 
 
-def integrate(library: Library, start: dict[str, Array], dtheta: Array, dv: Array, dt: float, first=None) -> Trajectory:
+def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt: float, first=None) -> Trajectory:
     """The integrator over T intervals.  start: position, v_n, q_b2n_wxyz at the first sample, (..., 3 or 4).
 
     first: (dtheta, dv) of the interval before the first one, if it is known.  Raises BoresightError on leaving the box.
     """
     dtheta, dv = np.asarray(dtheta, float), np.asarray(dv, float)
-    earlier = [before(values, f) for values, f in zip((dtheta, dv), first or (None, None), strict=True)]
     shape = dtheta.shape[1:-1]
     out = {
         name: np.empty((len(dtheta) + 1, *shape, size))
@@ -86,25 +96,25 @@ def integrate(library: Library, start: dict[str, Array], dtheta: Array, dv: Arra
     }
     for name, values in out.items():
         values[0] = start[name]
-    fields = {"dtheta_ib_b": dtheta, "dv_b": dv, "dtheta_before": earlier[0], "dv_before": earlier[1]}
+    fields, none = intervals(dtheta, dv, first), unbiased(step)
     if shape:
         for k in range(len(dtheta)):
-            now = library.step(
-                **{name: values[k] for name, values in out.items()}, **{n: v[k] for n, v in fields.items()}, dt=dt
-            )
+            now = step(**{name: values[k] for name, values in (out | fields).items()}, **none, dt=dt)
             for name, values in out.items():
                 values[k + 1] = now[name]
         return Trajectory(**out, dt=dt)
 
-    bound = library.step.bind()
+    bound = step.bind()
     bound.inputs["dt"][:] = dt
+    for name, values in none.items():
+        bound.inputs[name][:] = values
     for k in range(len(dtheta)):
         for name, values in out.items():
             bound.inputs[name][:] = values[k]
         for name, values in fields.items():
             bound.inputs[name][:] = values[k]
         if bound():
-            library.step(**{name: values.copy() for name, values in bound.inputs.items() if name != "dt"}, dt=dt)
+            step(**{name: values.copy() for name, values in bound.inputs.items() if name != "dt"}, dt=dt)
         for name, values in out.items():
             values[k + 1] = bound.outputs[name]
     return Trajectory(**out, dt=dt)

@@ -136,7 +136,7 @@ class Bound:
 
 
 class Library:
-    """The functions of one model as attributes: `load("euler-matching").euler_H(euler_b=..., euler_r=...)`.
+    """The functions of one model as attributes: `load("euler-matching").euler_H(euler_b=..., euler_m=...)`.
 
     states: names of the error state's components.  manifest: what was generated, and the hash of each function.
     real: the NumPy type of the precision, in which the numbers go to the C and come back.

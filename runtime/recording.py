@@ -112,7 +112,7 @@ class Recording:
     """One drive, flight or walk; made by `read`, or by hand from arrays that are NED/FRD, SI and radians already.
 
     reference: what is known from elsewhere, in FRD: "gyro_bias" rad/s, "accel_bias" m/s^2 (measured = true + bias),
-    "misalignment" rad (mu, C_b2n = C_r2n exp([mu x])), "lever_arm" m (master to slave); each (3,).
+    "misalignment" rad (mu, C_b2n = C_m2n exp([mu x])), "lever_arm" m (master to slave); each (3,).
     """
 
     name: str

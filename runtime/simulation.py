@@ -4,7 +4,7 @@ Attitude is sinusoidal about a mean; the platform does not travel.  Inertial dat
 of the whole turn from one sample to the next, of the body against inertial space, in the body's axes (at either end:
 a rotation leaves its own axis alone).  They recompose the attitude to rounding, whatever the interval.
 
-Frames: n is NED, r the master's body, b the slave's body (both FRD).  C_b2n = C_r2n exp([mu x]).
+Frames: n is NED, m the master's body, b the slave's body (both FRD).  C_b2n = C_m2n exp([mu x]).
 """
 
 from dataclasses import dataclass
@@ -44,12 +44,12 @@ def earth_rate_n(latitude: float) -> Array:
     return EARTH_RATE_RAD_S * np.array([np.cos(latitude), 0.0, -np.sin(latitude)])
 
 
-def mounted(increments_r: Array, mu: Array) -> Array:
-    """The master's increments in the axes of a slave bolted to it, C_b2r = exp([mu x]): (..., 3) rad.
+def mounted(increments_m: Array, mu: Array) -> Array:
+    """The master's increments in the axes of a slave bolted to it, C_b2m = exp([mu x]): (..., 3) rad.
 
     Exact: a rigid body turns about one axis, and the slave sees the same turn in other components.
     """
-    return np.einsum("...ji,...j->...i", matrix_from_vector(mu), increments_r)
+    return np.einsum("...ji,...j->...i", matrix_from_vector(mu), increments_m)
 
 
 def generator(seed: int, run: int) -> np.random.Generator:

@@ -12,11 +12,12 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import handover, inertial, rotation, simulation
+from boresight.runtime import inertial, rotation, simulation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, MILLI_G
+from boresight.studies import handover
 
 
 @dataclass(frozen=True)
@@ -228,7 +229,7 @@ def bench(models: Models, scenario: Scenario) -> tuple[Array, Array, inertial.Tr
     turn = np.array(scenario.bench_deg) * np.sin(2 * np.pi * time / np.array(scenario.bench_period_s))
     sway = np.array(scenario.bench_m_s) * np.sin(2 * np.pi * time / np.array(scenario.bench_velocity_period_s))
     return inertial.increments(
-        models.strapdown, place(scenario), fade * sway, attitude_enu((rest + fade * turn) * DEG), dt
+        models.strapdown.step, place(scenario), fade * sway, attitude_enu((rest + fade * turn) * DEG), dt
     )
 
 
@@ -259,8 +260,8 @@ def align(models: Models, scenario: Scenario, *, runs: int, seed: int, first_run
     """Fly the bench.  Updates once a second; the slave's data of tau_hat ago stands against the master's."""
     hz, dt = scenario.strapdown_hz, 1 / scenario.strapdown_hz
     drawn = draw(scenario, seed, runs, first_run)
-    dtheta_r, dv_r, truth = bench(models, scenario)
-    C_b2r = rotation.matrix_from_vector(drawn.mu)
+    dtheta_m, dv_m, truth = bench(models, scenario)
+    C_b2m = rotation.matrix_from_vector(drawn.mu)
     to_level = models.psi.phi_from_psi(position=truth.position[0], v_n=np.zeros(3))
     metres = np.array([*models.strapdown.rates(position=truth.position[0], v_n=np.ones(3), q_b2n_wxyz=[1.0, 0, 0, 0],
                                                f_b=np.zeros(3), omega_ib_b=np.zeros(3))["position_rate"]])  # fmt: skip
@@ -296,11 +297,12 @@ def align(models: Models, scenario: Scenario, *, runs: int, seed: int, first_run
     for second in range(1, round(scenario.align_s) + 1):
         part = slice((second - 1) * hz, second * hz)
         dtheta, dv = drawn.sensors.measured(
-            np.einsum("rji,tj->tri", C_b2r, dtheta_r[part]), np.einsum("rji,tj->tri", C_b2r, dv_r[part]), dt, hz
+            np.einsum("rji,tj->tri", C_b2m, dtheta_m[part]), np.einsum("rji,tj->tri", C_b2m, dv_m[part]), dt, hz
         )
+        fields, before = inertial.intervals(dtheta, dv, before), (dtheta[-1], dv[-1])
         v, q = [loop.nav["v_n"]], [loop.nav["q_b2n_wxyz"]]
         for k in range(hz):
-            before = step(models, loop, dtheta[k], dv[k], before, dt)
+            loop.strapdown(**{name: values[k] for name, values in fields.items()}, dt=dt)
             v.append(loop.nav["v_n"])
             q.append(loop.nav["q_b2n_wxyz"])
             if (k + 1) % every == 0:
@@ -315,12 +317,12 @@ def align(models: Models, scenario: Scenario, *, runs: int, seed: int, first_run
         v_past, q_past = between(np.array(v), np.array(q), at - 5, own=True)
         v_next, q_next = between(np.array(v), np.array(q), np.minimum(at + 5, hz), own=True)
         span = (np.minimum(at + 5, hz) - (at - 5)) * dt
-        v_r, q_r = master(second, master_noise())
+        v_m, q_m = master(second, master_noise())
         seen = {
-            "v_r_n": v_r,
-            "q_r2n_wxyz": q_r,
+            "v_m_n": v_m,
+            "q_m2n_wxyz": q_m,
             "a_n": (v_next - v_past) / span[:, None],
-            "omega_nr_n": rotation.attitude_error(q_past, q_next) / span[:, None],
+            "omega_nm_n": rotation.attitude_error(q_past, q_next) / span[:, None],
         }
         now = {"v_n": loop.nav["v_n"], "q_b2n_wxyz": loop.nav["q_b2n_wxyz"]}
         loop.nav.update({"v_n": v_then, "q_b2n_wxyz": q_then})
@@ -395,15 +397,6 @@ def process_noise(scenario: Scenario) -> dict[str, Array]:
         "gyro_noise": np.full(3, np.hypot(gyro, gyro_walk(scenario))),
         "accel_noise": np.full(3, np.hypot(accel, accel_walk(scenario))),
     }
-
-
-def step(models: Models, loop: Filter, dtheta: Array, dv: Array, before: Any, dt: float) -> tuple[Array, Array]:
-    """One interval of the strapdown; returns what the next one wants to know of it."""
-    earlier = before or (dtheta, dv)
-    nav = {name: loop.nav[name] for name in ("position", "v_n", "q_b2n_wxyz")}
-    loop.nav.update(models.strapdown.step(**nav, dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=earlier[0],
-                                          dv_before=earlier[1], dt=dt))  # fmt: skip
-    return dtheta, dv
 
 
 def rest_specific_force(models: Models, position: Array, q_b2n_wxyz: Array) -> Array:

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import rotation
+from boresight.runtime import inertial, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.units import ARCMIN, DEG, MILLI_G
@@ -30,7 +30,6 @@ from boresight.studies.azimuth_alignment import (
     gyro_walk,
     load_models,
     rest_specific_force,
-    step,
 )
 
 MODES = ("inertial", "zupt", "azimuth", "reference")
@@ -115,15 +114,15 @@ def hold(
     before = None
     for second in range(1, seconds + 1):
         dtheta, dv = sensors.measured(omega_b * dt, f_b * dt, dt, hz)
-        dtheta = dtheta[:, None] - loop.nav["gyro_bias"] * dt
-        dv = dv[:, None] - loop.nav["accel_bias"] * dt
+        dtheta, dv = dtheta[:, None], dv[:, None]  # an axis of modes
+        fields, before = inertial.intervals(dtheta, dv, before), (dtheta[-1], dv[-1])
         for k in range(hz):
-            before = step(models, loop, dtheta[k], dv[k], before, dt)
-        loop.predict(f_b=dv.mean(axis=0) / dt, dt=1.0, **noise)
+            loop.strapdown(**{name: values[k] for name, values in fields.items()}, dt=dt)
+        loop.predict(f_b=dv.mean(axis=0) / dt - loop.nav["accel_bias"], dt=1.0, **noise)
         zupt = loop.update("zupt", R_zupt, rows=ZUPT[:, None, None])
         azimuth = loop.update("azimuth", R_azimuth, rows=AZIMUTH[:, None, None], q_ref_wxyz=q_ref)
         if zaru:
-            omega = dtheta.mean(axis=0) / dt
+            omega = dtheta.mean(axis=0) / dt - loop.nav["gyro_bias"]
             loop.update("zaru", noise["gyro_noise"] ** 2, rows=ZUPT[:, None, None], omega_ib_b=omega)
         loop.feedback()
         hold_vertical(loop, start)

@@ -34,7 +34,6 @@ from boresight.studies.azimuth_alignment import (
     checked,
     gyro_walk,
     load_models,
-    step,
 )
 from boresight.studies.azimuth_hold import AXES, PHI, REFERENCE_SIGMA, root_mean_square
 
@@ -90,7 +89,7 @@ def event(models: Models, scenario: Scenario, start: Aligned, name: str) -> Trut
     C = np.swapaxes(rotation.matrix_from_quaternion(q0), -1, -2)
     q = rotation.turned(np.broadcast_to(q0, (len(t), *q0.shape)), np.einsum("rij,tj->tri", C, turn))
     v_runs = np.broadcast_to(v[:, None], (len(t), len(q0), 3))
-    dtheta, dv, _ = inertial.increments(models.strapdown, start.position, v_runs, q, dt)
+    dtheta, dv, _ = inertial.increments(models.strapdown.step, start.position, v_runs, q, dt)
     if name == "upset":
         wrong = ((t[1:, :] > 0.5) & (t[1:, :] <= 0.7))[:, None]
         dtheta = dtheta + np.where(wrong, 5 * DEG * dt, 0.0) * C[:, :, 2]
@@ -212,11 +211,11 @@ def run(
         quiet = np.where(moving, 0, quiet + 1)
         rest = (quiet > WAIT_S)[None] | ~has_detector
 
-        dtheta = raw_dtheta[:, None] - loop.nav["gyro_bias"] * dt
-        dv = raw_dv[:, None] - loop.nav["accel_bias"] * dt
+        dtheta, dv = raw_dtheta[:, None], raw_dv[:, None]
+        fields, before = inertial.intervals(dtheta, dv, before), (dtheta[-1], dv[-1])
         for j in range(hz):
-            before = step(models, loop, dtheta[j], dv[j], before, dt)
-        loop.predict(f_b=dv.mean(axis=0) / dt, dt=1.0, **noise)
+            loop.strapdown(**{name: values[j] for name, values in fields.items()}, dt=dt)
+        loop.predict(f_b=dv.mean(axis=0) / dt - loop.nav["accel_bias"], dt=1.0, **noise)
 
         zupt_rows = gated(loop, "zupt", R_zupt, rest, gate)
         loop.update("zupt", R_zupt, rows=zupt_rows[..., None])

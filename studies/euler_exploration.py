@@ -125,12 +125,12 @@ def second_order(model: Any, scenario: Scenario, misalignment_deg: float) -> dic
     Returns, in arcmin, the rms over cases and rows of its mean in time and of its variation in time, and of what the
     substitution of the missing master's angles adds to them.
     """
-    euler_r = motion(scenario, 60.0, scenario.update_s)[:, None, :, None]  # (T, 1, 7, 1, 3)
+    euler_m = motion(scenario, 60.0, scenario.update_s)[:, None, :, None]  # (T, 1, 7, 1, 3)
     mu = simulation.standard_normals(0, np.arange(20), 3) * misalignment_deg * DEG
-    euler_b = model.euler_angles(q_b2n_wxyz=rotation.turned(rotation.quaternion_from_euler(euler_r), mu))
+    euler_b = model.euler_angles(q_b2n_wxyz=rotation.turned(rotation.quaternion_from_euler(euler_m), mu))
     rows = CHOSEN[:, None, None, :]
-    known = model.euler_z(euler_b=euler_b, euler_r=euler_r, mu=mu)
-    substituted = model.euler_z(euler_b=euler_b, euler_r=np.where(rows, euler_r, euler_b), mu=mu)
+    known = model.euler_z(euler_b=euler_b, euler_m=euler_m, mu=mu)
+    substituted = model.euler_z(euler_b=euler_b, euler_m=np.where(rows, euler_m, euler_b), mu=mu)
 
     def rms(z: Array) -> tuple[float, float]:
         used = np.broadcast_to(rows, z.shape[1:])

@@ -87,10 +87,10 @@ def as_printed_26(model: Any) -> Replaced:
     The slave's half of H holds only psi_b and theta_b, so that H at (phi, theta, phi) is the printed matrix.
     """
 
-    def euler_H(euler_b: Array, euler_r: Array) -> Array:
-        return model.euler_H(euler_b=np.asarray(euler_b)[..., [0, 1, 0]], euler_r=euler_r)
+    def euler_H(euler_b: Array, euler_m: Array) -> Array:
+        return model.euler_H(euler_b=np.asarray(euler_b)[..., [0, 1, 0]], euler_m=euler_m)
 
-    return Replaced(model, {"euler_H": with_fields(euler_H, "euler_b", "euler_r")})
+    return Replaced(model, {"euler_H": with_fields(euler_H, "euler_b", "euler_m")})
 
 
 @dataclass(frozen=True)
@@ -165,7 +165,7 @@ def initial_covariance(model: Any, scenario: Scenario, euler: Array) -> Array:
     master's noise, mapped to eps by the inverse of (9), keeps P0 positive definite.
     """
     C = rotation.matrix_from_quaternion(rotation.quaternion_from_euler(euler))
-    eps_D_euler = np.linalg.inv(model.euler_H(euler_b=euler, euler_r=euler)[..., :3])
+    eps_D_euler = np.linalg.inv(model.euler_H(euler_b=euler, euler_m=euler)[..., :3])
     noise = eps_D_euler @ np.swapaxes(eps_D_euler, -1, -2) * (scenario.filter_offset_arcmin * ARCMIN) ** 2
     P = np.broadcast_to(np.eye(6), (*C.shape[:-2], 6, 6)) * (scenario.misalignment_deg * DEG) ** 2
     P[..., :3, :3] += noise
@@ -197,12 +197,12 @@ def covariance(model: Any, scenario: Scenario, seconds: float, *, first_order: b
     """
     euler = motion(scenario, seconds, scenario.update_s)
     q = rotation.quaternion_from_euler(euler)
-    H = model.euler_H(euler_b=euler, euler_r=euler)
+    H = model.euler_H(euler_b=euler, euler_m=euler)
     if first_order:
         mean, part = np.array([0.0, 0.0, scenario.heading_deg]) * DEG, 1e-3
         ahead, back = ((mean + part * sign * (euler - mean)) for sign in (1, -1))
-        H_ahead, H_back = (model.euler_H(euler_b=at, euler_r=at) for at in (ahead, back))
-        H = model.euler_H(euler_b=mean, euler_r=mean) + (H_ahead - H_back) / (2 * part)
+        H_ahead, H_back = (model.euler_H(euler_b=at, euler_m=at) for at in (ahead, back))
+        H = model.euler_H(euler_b=mean, euler_m=mean) + (H_ahead - H_back) / (2 * part)
 
     # over 7 motions beside the 7 matchings, whose covariances differ
     P0 = np.tile(initial_covariance(model, scenario, euler[0]), (7, 1, 1, 1))
@@ -236,9 +236,9 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
     A run's numbers are keyed by [seed, 49 run + case], whatever runs are flown beside it.
     """
     euler = motion(scenario, seconds, scenario.strapdown_s)
-    q_r = rotation.quaternion_from_euler(euler)
+    q_m = rotation.quaternion_from_euler(euler)
     omega_in_n, axes = earth_rate(scenario), to_error_axes(scenario)
-    increments = rotation.body_increments(q_r, omega_in_n, scenario.strapdown_s)
+    increments = rotation.body_increments(q_m, omega_in_n, scenario.strapdown_s)
     every = round(scenario.update_s / scenario.strapdown_s)
     updates = len(increments) // every
 
@@ -259,7 +259,7 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
     nis: list[Array] = []
 
     def state_error(sample: int) -> Array:
-        q_b = rotation.turned(q_r[sample][:, None], mu)
+        q_b = rotation.turned(q_m[sample][:, None], mu)
         return np.concatenate([rotation.attitude_error(loop.nav["q_b2n_wxyz"], q_b), loop.nav["mu"] - mu], axis=-1)
 
     def keep(sample: int) -> Array:
@@ -272,7 +272,7 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
     def lose(sample: int) -> None:
         lost[outside(loop)] = True
         if lost.any():  # a lost run waits at rest on the truth, so that the others can go on
-            loop.nav["q_b2n_wxyz"][lost] = rotation.turned(q_r[sample][:, None], mu)[lost]
+            loop.nav["q_b2n_wxyz"][lost] = rotation.turned(q_m[sample][:, None], mu)[lost]
             loop.nav["mu"][lost], loop.x[lost], loop.P[lost] = 0.0, 0.0, P0[lost]
 
     keep(0)
@@ -283,9 +283,9 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
         loop.predict(omega_in_n=omega_in_n, gyro_noise=gyro_noise(scenario), dt=scenario.update_s)
         euler_b = loop.call("euler_angles")
         # An angle that is not matched is not known of the master: the slave's own stands in, as below (28).
-        euler_r = np.where(rows, euler[k * every][:, None] + noise[..., k, :], euler_b)
+        euler_m = np.where(rows, euler[k * every][:, None] + noise[..., k, :], euler_b)
         innovation = loop.update(
-            scenario.measurement, R, rows=rows, iterations=scenario.iterations, euler_b=euler_b, euler_r=euler_r
+            scenario.measurement, R, rows=rows, iterations=scenario.iterations, euler_b=euler_b, euler_m=euler_m
         )
         lose(k * every)
         if scenario.turn_covariance:

@@ -302,7 +302,7 @@ def navigations(start: Start, seed: int) -> list[dict[str, Any]]:
     steps, every, rng = round(start.seconds / STEP_S), round(UPDATE_S / STEP_S), generator(seed, 0)
     q = level(*np.array([[2.0], [-1.0], [-30.0]]) * DEG)[0]
     # Between samples at rest all increments are the same.
-    dtheta, dv, _ = increments(strapdown, POSITION, np.zeros((4, 3)), np.tile(q, (4, 1)), STEP_S)
+    dtheta, dv, _ = increments(strapdown.step, POSITION, np.zeros((4, 3)), np.tile(q, (4, 1)), STEP_S)
     ideal = np.concatenate([dtheta[-1], dv[-1]])
     bias = start.sigma[9:] * rng.standard_normal(6)
     noisy = ideal + bias * STEP_S + NOISE[:6] * np.sqrt(STEP_S) * rng.standard_normal((steps, 6))

@@ -98,7 +98,7 @@ def fly(
         for dt, dtheta in zip(dts, dthetas, strict=True) if every_sample else [(interval, leg.turns[k])]:
             ekf.strapdown(dtheta_ib_b=dtheta, omega_in_n=omega_in_n, dt=dt)
         euler_b = ekf.call("euler_angles")
-        innovation = ekf.update(measurement, angle_noise**2, euler_b=euler_b, euler_r=leg.euler[k + 1] + 0 * euler_b)
+        innovation = ekf.update(measurement, angle_noise**2, euler_b=euler_b, euler_m=leg.euler[k + 1] + 0 * euler_b)
         ekf.feedback()
         history["mu"].append(ekf.nav["mu"])
         history["sigma"].append(np.sqrt(np.diagonal(ekf.P, axis1=-2, axis2=-1)))
@@ -477,8 +477,8 @@ def simulate(path: str | Path, seed: int, *, duration: float = 60.0, delay: floa
     radius = 6371e3  # enough for a transport rate that is the same on both sides of the simulation
     omega = simulation.earth_rate_n(lat) + np.array([v_n[1], -v_n[0], 0]) / radius
     t = np.arange(steps + 1) * dt
-    C_r = rotation.matrix_from_euler(euler_at(t))
-    C_b = C_r @ rotation.matrix_from_vector(mu)
+    C_m = rotation.matrix_from_euler(euler_at(t))
+    C_b = C_m @ rotation.matrix_from_vector(mu)
     turn = np.swapaxes(C_b[:-1], -1, -2) @ rotation.matrix_from_vector(omega * dt) @ C_b[1:]
     dtheta = rotation.vector_from_matrix(turn) + bias * dt + gyro_noise * np.sqrt(dt) * rng.standard_normal((steps, 3))
     force = np.einsum("kji,j->ki", C_b, np.array([0, 0, -9.797]))

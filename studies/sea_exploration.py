@@ -24,7 +24,7 @@ from boresight.runtime.transfer import Message, Transfer
 from boresight.runtime.units import DEG, MIL, MILLI_G, STANDARD_GRAVITY
 from boresight.studies.figures import BLUE, ORANGE, figure
 from boresight.studies.observability import Moment, Replaced, along, shown_after, with_fields
-from boresight.studies.sea_flight import GRADES, RULES, Ideal, Scenario, constants, draw, motion_of
+from boresight.studies.sea_flight import GRADES, RULES, Scenario, constants, draw, motion_of
 from boresight.studies.sea_state import chi_square_band
 
 Progress = Callable[[str], None]
@@ -346,8 +346,7 @@ def fly(
     time = np.arange(s.seconds * s.navigation_hz + 1) * dt
     slave = hull.carried(hull.ride(motion, time), np.array(s.lever_b), mounting)
     place = np.array([s.latitude_deg * DEG, 0.0, 0.0])
-    ideal: Any = Ideal(model)
-    dtheta, dv, true = inertial.increments(ideal, place, slave.v_n, slave.q_b2n_wxyz, dt)
+    dtheta, dv, true = inertial.increments(model.strapdown, place, slave.v_n, slave.q_b2n_wxyz, dt)
     master = hull.ride(motion, time[::per_update, None, None] - drawn.delay)
     shape = np.broadcast_shapes(master.v_n.shape[1:-1], slave.v_n.shape[1:-1], np.shape(believed)[:-1])
     R, said = matching_variances(s), np.concatenate([np.ones(3, bool), np.broadcast_to(rows, 3)])

@@ -116,16 +116,6 @@ def motion_of(kind: str, scenario: Scenario, streams: Sequence[np.random.Generat
 
 
 @dataclass(frozen=True)
-class Ideal:
-    """The model's own strapdown, of sensors without a bias, as `inertial.increments` calls it."""
-
-    model: Any
-
-    def step(self, **fields: Any) -> Any:
-        return self.model.strapdown(**fields, gyro_bias=np.zeros(3), accel_bias=np.zeros(3))
-
-
-@dataclass(frozen=True)
 class Drawn:
     """The constants of each run, and its stream of random numbers for all that follows."""
 
@@ -178,8 +168,7 @@ def truth(model: Any, motion: hull.Motion, scenario: Scenario, drawn: Drawn) -> 
         q_b2m = rotation.quaternion_from_matrix(bent @ rotation.matrix_from_quaternion(mounting))
     slave = hull.carried(hull.ride(motion, time), np.array(s.lever_b), mounting, bending)
     place = np.array([s.latitude_deg * DEG, 0.0, 0.0])
-    ideal: Any = Ideal(model)
-    dtheta, dv, trajectory = inertial.increments(ideal, place, slave.v_n, slave.q_b2n_wxyz, dt)
+    dtheta, dv, trajectory = inertial.increments(model.strapdown, place, slave.v_n, slave.q_b2n_wxyz, dt)
     master = hull.ride(motion, time[::per_update, None, None] - drawn.delay)
     return Truth(dtheta=dtheta, dv=dv, slave=trajectory, master=master, q_b2m_wxyz=q_b2m)
 

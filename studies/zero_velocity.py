@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import rotation
+from boresight.runtime import inertial, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.detector import gaps
 from boresight.runtime.filter import Filter
@@ -113,21 +113,18 @@ def run(
     }
 
     every = max(1, round(UPDATE_S / dt))
-    before = {"dtheta_before": np.zeros(3), "dv_before": np.zeros(3)}
     track, speed = np.empty((len(time), 3)), np.empty(len(time))
     stops: list[dict[str, float]] = []
     f_sum, resting = np.zeros(3), False
     breaks = gaps(time)
+    fields = inertial.intervals(gyro * dt, accel * dt)
+    for before, now in (("dtheta_before", "dtheta_ib_b"), ("dv_before", "dv_b")):  # behind a gap as at the start
+        fields[before][breaks] = fields[now][breaks]
     for k in range(len(time)):
         if breaks[k]:
             bridge(loop, max(0.0, float(time[k] - time[k - 1])), metres)
-            before = {"dtheta_before": np.zeros(3), "dv_before": np.zeros(3)}
-        omega, f = gyro[k] - loop.nav["gyro_bias"], accel[k] - loop.nav["accel_bias"]
-        now = {"dtheta_ib_b": omega * dt, "dv_b": f * dt}
-        kept = {name: loop.nav[name] for name in ("position", "v_n", "q_b2n_wxyz")}
-        loop.nav.update(strapdown.step(**kept, **now, **before, dt=dt))
-        before = {"dtheta_before": now["dtheta_ib_b"], "dv_before": now["dv_b"]}
-        f_sum += f
+        loop.strapdown(**{name: values[k] for name, values in fields.items()}, dt=dt)
+        f_sum += accel[k] - loop.nav["accel_bias"]
         if (k + 1) % every == 0:
             loop.predict(f_b=f_sum / every, dt=every * dt, **noise)
             f_sum[:] = 0
@@ -218,18 +215,18 @@ def main(path: str, *, folder: str | None = None, as_json: bool = False) -> int:
 
     recording, hold, strapdown = read(path), load("azimuth-hold"), load("strapdown")
     result = run(recording, hold, strapdown)
-    inertial = run(recording, hold, strapdown, updates=False)
+    alone = run(recording, hold, strapdown, updates=False)
     written = [] if folder is None else figures(result, folder)
     if folder is not None:
         written += stationary.figures({**result["detection"], "history": result["history"]["detection"]}, folder)
     if as_json:
-        parts = {"result": result, "without_updates": inertial}
+        parts = {"result": result, "without_updates": alone}
         short = {name: {k: v for k, v in part.items() if k != "history"} for name, part in parts.items()}
         print(json.dumps({**short, "figures": [str(file) for file in written]}, indent=1))
     else:
         print(stationary.report({**result["detection"], "history": result["history"]["detection"]}))
         print()
-        print(report(result, inertial))
+        print(report(result, alone))
         for file in written:
             print(f"figure: {file}")
     return 0

@@ -15,9 +15,9 @@ PENDULUM = f"{ROOT / 'tests' / 'pendulum.py'}:PENDULUM"
 
 @pytest.fixture(scope="session")
 def compiled_once(tmp_path_factory):
-    """A cache of compiled libraries for the whole run, beside the user's own."""
-    before = os.environ.get("BORESIGHT_CACHE")
-    os.environ["BORESIGHT_CACHE"] = str(tmp_path_factory.mktemp("cache"))
+    """A cache of compiled libraries for the whole run, beside the user's own; workers side by side share it."""
+    before, base = os.environ.get("BORESIGHT_CACHE"), tmp_path_factory.getbasetemp()
+    os.environ["BORESIGHT_CACHE"] = str((base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "cache")
     yield
     if before is None:
         del os.environ["BORESIGHT_CACHE"]
@@ -88,5 +88,5 @@ def points():
         "dt": rng.uniform(0.01, 1, 40),
         "gyro_noise": rng.uniform(0, 1e-3, (40, 3)),
         "euler_b": vectors(1.0),
-        "euler_r": vectors(1.0),
+        "euler_m": vectors(1.0),
     }

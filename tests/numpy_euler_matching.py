@@ -86,19 +86,19 @@ def euler_angles(q_b2n_wxyz):
     return angles(matrix(q_b2n_wxyz))
 
 
-def euler_z(euler_b, euler_r, mu):
-    relative = np.einsum("...ij,...j->...i", rate_matrix(euler_r), mu)
-    return wrap(np.asarray(euler_b) - euler_r - relative)
+def euler_z(euler_b, euler_m, mu):
+    relative = np.einsum("...ij,...j->...i", rate_matrix(euler_m), mu)
+    return wrap(np.asarray(euler_b) - euler_m - relative)
 
 
-def euler_H(euler_b, euler_r):
+def euler_H(euler_b, euler_m):
     C_n2b = np.swapaxes(dcm(euler_b), -1, -2)
-    parts = -rate_matrix(euler_b) @ C_n2b, -rate_matrix(euler_r)
+    parts = -rate_matrix(euler_b) @ C_n2b, -rate_matrix(euler_m)
     return np.concatenate(np.broadcast_arrays(*parts), -1)
 
 
-def euler_exact_z(euler_b, euler_r, mu):
-    return wrap(angles(dcm(euler_b) @ exp(-np.asarray(mu))) - euler_r)
+def euler_exact_z(euler_b, euler_m, mu):
+    return wrap(angles(dcm(euler_b) @ exp(-np.asarray(mu))) - euler_m)
 
 
 def euler_exact_h(x, euler_b, mu):

@@ -7,7 +7,7 @@ from boresight.derive.model import Function, Measurement, Model, Output, Struct,
 swing = variable("swing", "angle rate", "rad, rad/s", "state of the pendulum", -3.0, 3.0)
 plant = variable("plant", "length damping", "m, 1/s", "its length and damping", (0.1, 0.0), (10.0, 1.0))
 dt = variable("dt", "dt", "s", "length of the step", 1e-4, 1.0)
-push = variable("push", "push", "rad/s/sqrt(s)", "root power spectral density of the air's push", 0.0, 1.0)
+push = variable("push", "push", "rad/s/sqrt(s)", "noise density of the gusts", 0.0, 1.0)
 seen = variable("seen", "seen", "m", "where the tip is seen", -10.0, 10.0)
 
 GRAVITY = Rational("9.81")

@@ -216,9 +216,12 @@ def evaluate(
             elif step.op in ("neg", "twice", "fabs"):
                 v, e = {"neg": (-x, ex), "twice": (2 * x, 2 * ex), "fabs": (abs(x), ex)}[step.op]
             elif step.op == "if_else_zero":
-                v, e = np.where(x != 0, y, 0), np.where(x != 0, ey, 0)
+                v, e = np.where(x != 0, y, 0), np.where(x != 0, ey, 0) + ex
+            elif step.op in ("not", "and", "or"):
+                v, e = TESTS[step.op](x, y).astype(float), ex + ey
             else:
-                v, e = TESTS[step.op](x, y).astype(float), zero
+                # what rounding may decide has no bound
+                v, e = TESTS[step.op](x, y).astype(float), np.where((abs(x - y) <= ex + ey) & (ex + ey > 0), np.inf, 0)
         value.append(v + zero)
         error.append(e + zero)
     # 1 + 1e-9 covers the rounding of the bounds themselves; the smallest number covers underflow.

@@ -13,7 +13,8 @@ from typing import Any
 import casadi as ca
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from boresight.codegen.functions.units import DIGITS, Unit, units
+from boresight.codegen.functions.reference import DIGITS
+from boresight.codegen.functions.units import Unit, units
 from boresight.codegen.text import stationary_detector
 from boresight.codegen.text.covariance import covariance_view, nonzeros
 from boresight.codegen.text.covariance_vectors import vectors_view

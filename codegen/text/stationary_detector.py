@@ -46,7 +46,7 @@ def description() -> dict[str, Any]:
     return {
         "name": "stationary-detector",
         "title": "windowed stationary detectors of an inertial sensor",
-        "prefix": "sd",
+        "prefix": "det",
         "max_window": MAX_WINDOW,
         "digits": DIGITS,
         "detectors": [

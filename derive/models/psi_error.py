@@ -3,7 +3,8 @@
 from boresight.derive import error_models
 from boresight.derive.earth import ENU, NED, Frame
 from boresight.derive.model import Model
-from boresight.derive.models.phi_error import error_model, error_states, per_axis
+from boresight.derive.models import variables as var
+from boresight.derive.models.phi_error import error_model
 
 
 def psi_error(frame: Frame = ENU) -> Model:
@@ -11,10 +12,10 @@ def psi_error(frame: Frame = ENU) -> Model:
     return error_model(
         "psi",
         frame,
-        error_states(
-            frame,
-            per_axis(frame, "dv_c", "dvc", "m/s", "error of the velocity, v_hat - C_n2c v", 100.0),
-            per_axis(frame, "psi", "psi", "rad", "attitude error, phi - dtheta", 0.5),
+        (
+            var.position_error(frame),
+            var.level(frame, "dv_c", "dvc", "m/s", "error of the velocity, v_hat - C_n2c v", 100.0),
+            var.psi_angle(frame),
         ),
         error_models.psi_matrix,
         ("phi_from_psi", "states of the phi model from those of this one, x_phi = T x", error_models.phi_from_psi),

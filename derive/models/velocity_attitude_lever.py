@@ -7,28 +7,26 @@ from sympy import Matrix, eye
 from boresight.derive import mechanization
 from boresight.derive.model import Model, Output
 from boresight.derive.models import velocity_attitude as va
-from boresight.derive.models.azimuth_hold import body
+from boresight.derive.models.variables import D_LEVER, D_TAU, LEVER_B, OMEGA_IB_B
 from boresight.derive.papers import kang_2025 as paper
 from boresight.derive.rotation import dcm_from_quaternion
-
-D_LEVER = body("d_lever", "d_lever", "m", "error of the lever arm, estimated - true", -va.LEVER, va.LEVER)
 
 
 def velocity_attitude_lever() -> Model:
     """velocity-attitude with the error of a constant lever arm, which velocity sees where the hull turns."""
     base = va.velocity_attitude()
-    lag_true = va.LAG_S.scalar - va.D_TAU.scalar
-    true = (*va.true_state()[:4], va.LEVER_B.vector - D_LEVER.vector)
+    lag_true = va.LAG.scalar - D_TAU.scalar
+    true = (*va.true_state()[:4], LEVER_B.vector - D_LEVER.vector)
     omega_in = mechanization.omega_in_n(va.FRAME, va.POSITION.vector, va.V_N.vector)
     C_b2n = dcm_from_quaternion(va.Q.vector)
     # (1) is linear in the lever arm
     by_lever = Matrix.hstack(
-        *(paper.lever_velocity(C_b2n, omega_in, va.OMEGA_IB.vector, eye(3).col(i)) for i in range(3))
+        *(paper.lever_velocity(C_b2n, omega_in, OMEGA_IB_B.vector, eye(3).col(i)) for i in range(3))
     )
     velocity = next(m for m in base.measurements if m.name == "velocity")
     feedback = next(f for f in base.functions if f.name == "feedback")
     assert velocity.z is not None and velocity.H is not None
-    corrected = Output("lever_b", va.LEVER_B.vector - D_LEVER.vector, "m", "lever arm, from master to slave", "body")
+    corrected = Output("lever_b", LEVER_B.vector - D_LEVER.vector, "m", "lever arm, from master to slave", "body")
     return base.extend(
         name="velocity-attitude-lever",
         c_prefix="val",

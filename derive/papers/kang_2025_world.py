@@ -8,18 +8,17 @@ numbers that judge it.
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
-from functools import lru_cache
-from math import pi
+from functools import cache, lru_cache
 from random import Random
 from typing import Any
-
-import mpmath as mp
 
 from boresight.derive import earth, ellipsoid
 from boresight.derive.ellipsoid import WORKING
 from boresight.derive.equation import Relation
+from boresight.derive.numbers import Matrix, asin, cos, digits, exact, eye, norm, pi, sin
 from boresight.derive.papers.kang_2025_print import AT_REST, ROLLING, TABLE_1, TABLE_2
 from boresight.derive.witness import (
+    DIGITS,
     attitude,
     finite_rotation,
     rotation_vector,
@@ -29,8 +28,8 @@ from boresight.derive.witness import (
 )
 
 
-@dataclass(frozen=True)
-class Base:
+@dataclass(frozen=True, eq=False)
+class Base:  # a key of the caches by itself: `draw` gives the same one for the same seed
     """What a point is made of; all else follows.  SI and rad; three components each, NED or slave body axes."""
 
     position: tuple  # longitude, latitude, height
@@ -80,10 +79,10 @@ class Conditions:
 
 ERRORS = ("velocity_error", "phi", "gyro_error", "dmu", "delay", "step")
 
-DEGREE = pi / 180
+DEGREE = math.pi / 180
 MIL = 360 / 6400 * DEGREE
 ROLL, WAVE_RATE, DELAY = 5 * DEGREE, 0.1, 0.01  # of a stated hull; Hz of Table 1; s, the longest of Table 2
-SURGE = 2 * pi * WAVE_RATE  # rad/s
+SURGE = 2 * math.pi * WAVE_RATE  # rad/s
 # Tables 1 and 2 at grade 6, and what the paper leaves open: a hull that rolls and pitches by 5 deg with the wave,
 # 5 m/s, a lever arm of 3 m an axis.
 CONDITIONS = Conditions(
@@ -113,16 +112,16 @@ WITNESS = "finite motions"
 
 
 def _degrees(*angles) -> tuple:
-    return tuple(mp.mpf(angle) * mp.pi / 180 for angle in angles)
+    return tuple(exact(float(angle) * math.pi / 180) for angle in angles)
 
 
 def _numbers(*texts) -> tuple:
-    return tuple(mp.mpf(text) for text in texts)
+    return tuple(exact(text) for text in texts)
 
 
 # The point at which an erratum's numbers are given.
 STATED = Base(
-    position=(*_degrees(127, 37), mp.mpf(10)),
+    position=(*_degrees(127, 37), exact(10)),
     v_n=_numbers(3, 4, 0),
     acceleration=_numbers("0.2", "-0.1", 1),
     jerk=_numbers(0, 0, "0.6"),
@@ -146,6 +145,7 @@ STATED_TEXT = (
 )
 
 
+@cache
 def draw(seed: int, conditions: Conditions) -> Base:
     """A point of the conditions; the same seed at another scale gives the same directions."""
     generator = Random(seed)
@@ -158,10 +158,10 @@ def draw(seed: int, conditions: Conditions) -> Base:
 # ---- Exact motion ----------------------------------------------------------------------------------------------------
 
 
-def _ned(position) -> mp.matrix:
+def _ned(position) -> Matrix:
     """Columns: north, east and down in Earth's axes."""
     east, north, up = (ellipsoid.axes(position)[:, i] for i in range(3))
-    return mp.matrix([[north[i], east[i], -up[i]] for i in range(3)])
+    return Matrix([[north[i], east[i], -up[i]] for i in range(3)])
 
 
 def _after(function: Callable, t) -> Any:
@@ -169,7 +169,7 @@ def _after(function: Callable, t) -> Any:
     return ellipsoid.rate(lambda change: function(t + change))
 
 
-def _turning(axes: Callable, t) -> mp.matrix:
+def _turning(axes: Callable, t) -> Matrix:
     """Rate at t of axes (columns) against those in which they are given, in their own components."""
     W = axes(t).T * _after(axes, t)
     return vector(W[2, 1], W[0, 2], W[1, 0])
@@ -185,56 +185,56 @@ class Motion:
         self.start, self.lever = position, lever
         level = _ned(position)
         self.path = [level * part for part in (v_n, acceleration / 2, jerk / 6)]
-        self.origin, self.inverse = ellipsoid.point(position), ellipsoid.slope(position) ** -1
+        self.origin, self.inverse = ellipsoid.point(position), ellipsoid.slope(position).inv()
         self.C_b2e, self.rate, self.turn = level * C_b2n, rate, turn
 
-    def body(self, t) -> mp.matrix:
+    def body(self, t) -> Matrix:
         """C_b2e."""
         return self.C_b2e * finite_rotation(self.rate * t + self.turn * t**2 / 2)
 
-    def slave(self, t) -> mp.matrix:
+    def slave(self, t) -> Matrix:
         first, second, third = self.path
         return self.origin + first * t + second * t**2 + third * t**3
 
-    def master(self, t) -> mp.matrix:
+    def master(self, t) -> Matrix:
         return self.slave(t) - self.body(t) * self.lever
 
-    def level(self, place: mp.matrix) -> mp.matrix:
+    def level(self, place: Matrix) -> Matrix:
         """North, east and down at a place near the start, by Newton's method with one slope."""
         position = self.start
-        while mp.norm(missing := place - ellipsoid.point(position)) > mp.mpf(10) ** -95:
+        while norm(missing := place - ellipsoid.point(position)) > 1e-95:
             position = position + self.inverse * missing
         return _ned(position)
 
-    def velocity(self, where: Callable, t) -> mp.matrix:
+    def velocity(self, where: Callable, t) -> Matrix:
         """Over the ground, in the north, east and down of that place."""
         return self.level(where(t)).T * _after(where, t)
 
-    def attitude(self, t) -> mp.matrix:
+    def attitude(self, t) -> Matrix:
         """C_b2n, n at the slave."""
         return self.level(self.slave(t)).T * self.body(t)
 
-    def lever_rate(self, t) -> mp.matrix:
+    def lever_rate(self, t) -> Matrix:
         return _after(self.attitude, t) * self.lever
 
-    def omega_in_n(self, t) -> mp.matrix:
+    def omega_in_n(self, t) -> Matrix:
         return _turning(lambda s: _inertial(s) * self.level(self.slave(s)), t)
 
-    def omega_ib_b(self, t) -> mp.matrix:
+    def omega_ib_b(self, t) -> Matrix:
         return _turning(lambda s: _inertial(s) * self.body(s), t)
 
-    def omega_nb_b(self, t) -> mp.matrix:
+    def omega_nb_b(self, t) -> Matrix:
         return _turning(self.attitude, t)
 
 
-def _inertial(t) -> mp.matrix:
+def _inertial(t) -> Matrix:
     """C_e2i."""
-    return finite_rotation([0, 0, ellipsoid.exact(earth.EARTH_RATE) * t])
+    return finite_rotation([0, 0, ellipsoid.defined(earth.EARTH_RATE) * t])
 
 
 def _motion(base: Base, erring: bool) -> Motion:
     """The true motion, or the one that the slave computes."""
-    parts = {part.name: mp.matrix(getattr(base, part.name)) for part in fields(base)}
+    parts = {part.name: Matrix(getattr(base, part.name)) for part in fields(base)}
     share = int(erring)
     return Motion(
         parts["position"],
@@ -258,16 +258,16 @@ def world(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> dict:
 
 @lru_cache(maxsize=256)
 def _world(base: Base) -> dict:
-    with mp.workdps(WORKING):
+    with digits(WORKING):
         slave, truth = _motion(base, True), _motion(base, False)
-        zero, delay, step = mp.mpf(0), base.delay[0], base.step[0]
+        zero, delay, step = exact(0), base.delay[0], base.step[0]
         C_b2m = finite_rotation(base.mounting)
-        C_M2S = (finite_rotation(-mp.matrix(base.dmu)) * C_b2m).T
+        C_M2S = (finite_rotation(-Matrix(base.dmu)) * C_b2m).T
         v_M, C_M2n = truth.velocity(truth.master, -delay), truth.attitude(-delay) * C_b2m.T
         C, v_k, v_old = slave.attitude(zero), slave.velocity(slave.slave, zero), slave.velocity(slave.slave, -delay)
         height, frequency, time = base.wave
         # A point on a wheel as high as the wave, which turns `frequency` times a second and rises at the start.
-        wheel = finite_rotation([2 * mp.pi * frequency * time, 0, 0]) * vector(0, height / 2, 0)
+        wheel = finite_rotation([2 * pi() * frequency * time, 0, 0]) * vector(0, height / 2, 0)
         return {
             "v_m": slave.velocity(slave.master, zero),
             "v_s": v_k,
@@ -291,15 +291,15 @@ def _world(base: Base) -> dict:
             "C_n2M": C_M2n.T,
             "A": skew(rotation_vector(C * C_M2S * C_M2n.T)),
             "z_DCM": rotation_vector(slave.attitude(-delay) * C_M2S * C_M2n.T),
-            "I": mp.eye(3),
+            "I": eye(3),
             "dt": step,
             "δt_d": delay,
             "t": time,
             "Seawave": wheel[2],
             "a": height,
             "f": frequency,
-            "π": mp.pi,
-            "asin": mp.asin,
+            "π": pi(),
+            "asin": asin,
             "entry": lambda M, i, j: M[int(i) - 1, int(j) - 1],
         }  # fmt: skip
 
@@ -309,7 +309,7 @@ def _world(base: Base) -> dict:
 
 def evidence(number: str) -> str:
     """What the ledger says beyond the status: sizes, and what the print does."""
-    with mp.workdps(30):
+    with digits(DIGITS):
         return "; " + _EVIDENCE[number]()
 
 
@@ -320,22 +320,22 @@ def lever_sizes() -> dict[str, float]:
     """
     sizes = dict.fromkeys(("lever arm", "print, own", "print, one", "earth rate, own", "earth rate, one"), 0.0)
     for seed in range(POINTS):
-        with mp.workdps(WORKING):
-            slave, zero = _motion(draw(seed, CONDITIONS), False), mp.mpf(0)
+        with digits(WORKING):
+            slave, zero = _motion(draw(seed, CONDITIONS), False), exact(0)
             level = slave.level(slave.slave(zero))
             masters = {
                 "own": slave.velocity(slave.master, zero),
                 "one": level.T * _after(slave.master, zero),
             }
-            spin = level.T * vector(0, 0, ellipsoid.exact(earth.EARTH_RATE))
+            spin = level.T * vector(0, 0, ellipsoid.defined(earth.EARTH_RATE))
             by_rate = {"print": slave.omega_in_n(zero), "earth rate": spin}
             C, L, v = slave.attitude(zero), slave.lever, slave.velocity(slave.slave, zero)
             for rate, omega in by_rate.items():
                 arm = skew(omega) * C * L - C * skew(slave.omega_ib_b(zero)) * L
-                sizes["lever arm"] = max(sizes["lever arm"], float(mp.norm(arm)))
+                sizes["lever arm"] = max(sizes["lever arm"], float(norm(arm)))
                 for axes, v_m in masters.items():
                     key = f"{rate}, {axes}"
-                    sizes[key] = max(sizes[key], float(mp.norm(v + arm - v_m)))
+                    sizes[key] = max(sizes[key], float(norm(v + arm - v_m)))
     return sizes
 
 
@@ -379,7 +379,7 @@ def dropped_by_3(roll: float, rate_hz: float, lever: float) -> float:
     """Largest change of the lever-arm velocity during 10 ms, m/s: a roll (rad) about an axis `lever` (m) away."""
 
     def speed(t: float) -> float:
-        return lever * roll * 2 * pi * rate_hz * math.cos(2 * pi * rate_hz * t)
+        return lever * roll * 2 * math.pi * rate_hz * math.cos(2 * math.pi * rate_hz * t)
 
     return max(abs(speed(k / 20) - speed(k / 20 - DELAY)) for k in range(200))
 
@@ -401,17 +401,17 @@ def half_of_4() -> dict[str, float]:
     symmetric part is in the latter."""
     values = world(STATED, {})
     M = values["C_S2n"] * values["C_M2S"] * values["C_n2M"]
-    X = M - mp.eye(3)
+    X = M - eye(3)
     printed = X - X.T / 2
 
-    def taken(B) -> mp.matrix:
+    def taken(B) -> Matrix:
         return vector(-B[1, 2], B[0, 2], -B[0, 1])
 
     derived, literal = taken((X - X.T) / 2), taken(printed)
     return {
         "derived": float(max(map(abs, derived))),
         "printed": float(max(map(abs, literal))),
-        "symmetric": float(max(map(abs, literal - derived * mp.mpf("1.5")))),
+        "symmetric": float(max(map(abs, literal - derived * exact("1.5")))),
     }
 
 
@@ -427,18 +427,18 @@ def _half() -> str:
 
 def delay_by_attitude(form: str, heading_deg: int) -> float:
     """The delay (s) which least squares find from (5), printed or derived, the true one 10 ms: a ship that rolls."""
-    above = below = mp.mpf(0)
-    heading = heading_deg * mp.pi / 180
+    above = below = 0
+    roll, surge, heading = exact(ROLL), exact(SURGE), exact(heading_deg * DEGREE)
 
-    def C(t) -> mp.matrix:
-        return attitude((ROLL * mp.sin(SURGE * t), mp.mpf(0), heading))
+    def C(t) -> Matrix:
+        return attitude((roll * sin(surge * t), 0, heading))
 
-    with mp.workdps(50):
+    with digits(DIGITS):
         for k in range(10):
-            t = mp.mpf(k)
-            turned = C(t) * C(t - mp.mpf(DELAY)).T
+            t = exact(k)
+            turned = C(t) * C(t - exact(DELAY)).T
             turn = vector(*(turned[i, j] - turned[j, i] for i, j in ((2, 1), (0, 2), (1, 0)))) / 2
-            rate_b = vector(ROLL * SURGE * mp.cos(SURGE * t), 0, 0)
+            rate_b = vector(roll * surge * cos(surge * t), 0, 0)
             column = -C(t) * rate_b if form == "derived" else C(t) * C(t) * rate_b
             above -= (column.T * turn)[0]
             below += (column.T * column)[0]

@@ -8,21 +8,24 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cache, lru_cache
-from math import pi
 from random import Random
 from typing import Any
 from unicodedata import normalize
 
-import mpmath as mp
 import sympy as sp
+from flint import arb
 
 from boresight.derive import earth, ellipsoid
 from boresight.derive.ellipsoid import WORKING
 from boresight.derive.equation import Relation
+from boresight.derive.numbers import Matrix, atan2, cos, digits, exact, eye, norm, pi, shown, sqrt, zeros
 from boresight.derive.papers import kim_2018 as paper
 from boresight.derive.papers.kim_2018_print import DETECTORS, quantities
 from boresight.derive.witness import (
+    DIGITS,
+    Point,
     attitude,
+    evaluate,
     finite_rotation,
     hamilton,
     quaternion,
@@ -36,8 +39,8 @@ from boresight.derive.witness import (
 SAMPLES, WINDOW_AT, WINDOW_OF, NOW = 6, 2, 3, 3  # of the detector's record: its length, a window's start and length
 
 
-@dataclass(frozen=True)
-class Base:
+@dataclass(frozen=True, eq=False)
+class Base:  # a key of the caches by itself: `draw` gives the same one for the same seed
     """What a point is made of; all else follows.  SI and rad; three components each, east north up or body axes."""
 
     position: tuple  # longitude, latitude, height
@@ -100,7 +103,7 @@ ERRORS = (
     "theta", "delay", "master_velocity_error", "master_attitude_error", "step",
 )  # fmt: skip
 
-DEGREE, HOUR, G = pi / 180, 3600.0, 9.80665
+DEGREE, HOUR, G = math.pi / 180, 3600.0, 9.80665
 MILE = 1852.0
 # Table 1, and what the paper leaves open: a bench at rest but for the rocking of the transfer alignment, where a master
 # of one nautical mile an hour has been for an hour.
@@ -134,30 +137,30 @@ CONDITIONS_TEXT = (
 
 
 def _degrees(*angles) -> tuple:
-    return tuple(mp.mpf(angle) * mp.pi / 180 for angle in angles)
+    return tuple(exact(float(angle) * math.pi / 180) for angle in angles)
 
 
 # The point at which an erratum's numbers are given.
 STATED = Base(
-    position=(*_degrees(127, 37), mp.mpf(1000)),
-    v_n=(mp.mpf(60), mp.mpf(80), mp.mpf(0)),
+    position=(*_degrees(127, 37), exact(1000)),
+    v_n=(exact(60), exact(80), exact(0)),
     euler=_degrees(2, 3, 40),
-    f_b=(mp.mpf("0.5"), mp.mpf(1), mp.mpf("9.8")),
+    f_b=(exact("0.5"), exact(1), exact("9.8")),
     omega_ib_b=_degrees(1, 2, 10),
-    position_error=(*_degrees("0.02", "0.02"), mp.mpf(100)),
-    velocity_error=(mp.mpf(1), mp.mpf(-1), mp.mpf("0.5")),
+    position_error=(*_degrees("0.02", "0.02"), exact(100)),
+    velocity_error=(exact(1), exact(-1), exact("0.5")),
     phi=_degrees("0.1", "-0.2", "0.3"),
     gyro_bias=tuple(angle / 3600 for angle in _degrees(1, -1, 1)),
-    accel_bias=tuple(mp.mpf(x) * mp.mpf("9.80665e-3") for x in (1, -1, 1)),
-    gyro_noise=(mp.mpf(0),) * 3,
-    accel_noise=(mp.mpf(0),) * 3,
+    accel_bias=tuple(exact(x) * exact("9.80665e-3") for x in (1, -1, 1)),
+    gyro_noise=(exact(0),) * 3,
+    accel_noise=(exact(0),) * 3,
     mounting=_degrees(1, 2, -1),
     theta=_degrees("0.2", "-0.1", "0.1"),
-    delay=(mp.mpf("0.05"), mp.mpf(0), mp.mpf(0)),
-    jerk=(mp.mpf(0),) * 3,
-    master_velocity_error=(mp.mpf(0),) * 3,
-    master_attitude_error=(mp.mpf(0),) * 3,
-    step=(mp.mpf("0.01"), mp.mpf(0), mp.mpf(0)),
+    delay=(exact("0.05"), exact(0), exact(0)),
+    jerk=(exact(0),) * 3,
+    master_velocity_error=(exact(0),) * 3,
+    master_attitude_error=(exact(0),) * 3,
+    step=(exact("0.01"), exact(0), exact(0)),
 )
 STATED_TEXT = (
     "latitude 37 deg, height 1 km, 100 m/s to the north-east; errors 0.02 deg in position, 100 m in height, 1, -1, "
@@ -165,6 +168,7 @@ STATED_TEXT = (
 )
 
 
+@cache
 def draw(seed: int, conditions: Conditions) -> Base:
     """A point of the conditions; the same seed at another scale gives the same directions."""
     generator = Random(seed)
@@ -183,14 +187,14 @@ class Mechanics:
     def __init__(self, position, v_n, C_b2n, f_b, omega_ib_b):
         self.C_b2n, self.v_n = C_b2n, v_n
         axes, slope = ellipsoid.axes(position), ellipsoid.slope(position)
-        self.position_rate = mp.lu_solve(slope, axes * v_n)
+        self.position_rate = slope.solve(axes * v_n)
         self.axes, self.axes_rate = axes, ellipsoid.rate(lambda t: ellipsoid.axes(position + t * self.position_rate))
         turning = axes.T * self.axes_rate
         self.omega_en_n = vector(turning[2, 1], turning[0, 2], turning[1, 0])
-        spin = vector(0, 0, ellipsoid.exact(earth.EARTH_RATE))
+        spin = vector(0, 0, ellipsoid.defined(earth.EARTH_RATE))
         self.omega_ie_n = axes.T * spin
         self.omega_in_n = self.omega_ie_n + self.omega_en_n
-        self.gravity_n = vector(0, 0, -_gravity()(position[1], position[2]))
+        self.gravity_n = vector(0, 0, -evaluate(_gravity(), Point({"lat": position[1], "height": position[2]})))
         self.f_n = C_b2n * f_b
         # Velocity over the ground in turning axes: gravity has the centrifugal part, Coriolis twice the spin.
         self.velocity_rate = (
@@ -200,16 +204,15 @@ class Mechanics:
 
 
 @cache
-def _gravity() -> Callable:
-    lat, height = sp.symbols("lat height")
-    return sp.lambdify((lat, height), earth.normal_gravity(lat, height), "mpmath")
+def _gravity() -> sp.Expr:
+    return earth.normal_gravity(*sp.symbols("lat height"))
 
 
-def _stack(*parts) -> mp.matrix:
-    return vector(*(entry for part in parts for entry in (part if isinstance(part, mp.matrix | tuple) else (part,))))
+def _stack(*parts) -> Matrix:
+    return vector(*(entry for part in parts for entry in (part if isinstance(part, Matrix | tuple) else (part,))))
 
 
-def _rotation_rate(matrix, rate) -> mp.matrix:
+def _rotation_rate(matrix, rate) -> Matrix:
     """The rate of e in exp(-[e x]) = matrix, whose rate is given."""
     return ellipsoid.rate(lambda t: -rotation_vector(matrix + t * rate))
 
@@ -218,11 +221,11 @@ def _rotation_rate(matrix, rate) -> mp.matrix:
 class Truth:
     """The true state of the slave, and what follows from it alone."""
 
-    position: mp.matrix
-    v_n: mp.matrix
-    C: mp.matrix
-    f_b: mp.matrix
-    omega: mp.matrix
+    position: Matrix
+    v_n: Matrix
+    C: Matrix
+    f_b: Matrix
+    omega: Matrix
     exact: Mechanics
 
     def hat(self, x, noise) -> Mechanics:
@@ -235,24 +238,24 @@ class Truth:
             self.omega + x[9:12, 0] + noise[0:3, 0],
         )
 
-    def phi_rates(self, x, noise=None) -> mp.matrix:
+    def phi_rates(self, x, noise=None) -> Matrix:
         """(15) rates of the states of section 2.2: against the true axes."""
-        hat, exact = self.hat(x, mp.zeros(6, 1) if noise is None else noise), self.exact
+        hat, exact = self.hat(x, zeros(6, 1) if noise is None else noise), self.exact
         turned, rate = hat.C_b2n * self.C.T, hat.C_rate * self.C.T + hat.C_b2n * exact.C_rate.T
         return _stack(
             hat.position_rate - exact.position_rate,
             hat.velocity_rate - exact.velocity_rate,
             _rotation_rate(turned, rate),
-            mp.zeros(6, 1),
+            zeros(6, 1),
         )
 
-    def psi_rates(self, x) -> mp.matrix:
+    def psi_rates(self, x) -> Matrix:
         """(6) rates of velocity and attitude error against the computed axes, where the position is known.
 
         x: velocity error and psi; perfect sensors.  The computed axes agree with the true ones now, not in a moment.
         """
-        full = _stack(mp.zeros(3, 1), x, mp.zeros(6, 1))
-        hat, exact = self.hat(full, mp.zeros(6, 1)), self.exact
+        full = _stack(zeros(3, 1), x, zeros(6, 1))
+        hat, exact = self.hat(full, zeros(6, 1)), self.exact
         C_n2c_rate = hat.axes_rate.T * exact.axes + hat.axes.T * exact.axes_rate
         turned = hat.C_b2n * self.C.T
         rate = hat.C_rate * self.C.T + hat.C_b2n * exact.C_rate.T + turned * C_n2c_rate.T
@@ -261,17 +264,18 @@ class Truth:
 
 @lru_cache(maxsize=64)
 def _truth(position, v_n, euler, f_b, omega) -> Truth:
-    parts = [mp.matrix(part) for part in (position, v_n, f_b, omega)]
+    parts = [Matrix(part) for part in (position, v_n, f_b, omega)]
     C = attitude(euler)
     return Truth(parts[0], parts[1], C, parts[2], parts[3], Mechanics(parts[0], parts[1], C, parts[2], parts[3]))
 
 
+@lru_cache(maxsize=256)
 def truth(base: Base) -> Truth:
-    with mp.workdps(WORKING):
+    with digits(WORKING):
         return _truth(base.position, base.v_n, base.euler, base.f_b, base.omega_ib_b)
 
 
-def errors(base: Base) -> mp.matrix:
+def errors(base: Base) -> Matrix:
     return _stack(base.position_error, base.velocity_error, base.phi, base.gyro_bias, base.accel_bias)
 
 
@@ -312,14 +316,14 @@ def world(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Letter
     Raises ValueError, KeyError or ZeroDivisionError where a definition does not define, when its letter is asked for.
     """
     given = {
-        **{q.symbol.name: mp.zeros(*q.shape) for q in quantities() if q.kind == "block"},
-        "I": mp.eye(3), "I_3x3": mp.eye(3), "I_15x15": mp.eye(15),
-        "N": mp.mpf(WINDOW_OF), "n": mp.mpf(WINDOW_AT), "index": mp.mpf(0),
+        **{q.symbol.name: zeros(*q.shape) for q in quantities() if q.kind == "block"},
+        "I": eye(3), "I_3x3": eye(3), "I_15x15": eye(15),
+        "N": exact(WINDOW_OF), "n": exact(WINDOW_AT), "index": exact(0),
         "Ω_n": _between(WINDOW_AT, 0, WINDOW_AT + WINDOW_OF - 1),
-        "θ̇": mp.zeros(3, 1), "Δṫ": mp.mpf(0), "ΔT": base.step[0], "Δt": base.delay[0],
-        "norm": mp.norm, "samples": _between, "vee": _vee,
+        "θ̇": zeros(3, 1), "Δṫ": exact(0), "ΔT": base.step[0], "Δt": base.delay[0],
+        "norm": norm, "samples": _between, "vee": _vee,
         "entry": lambda M, i, j: M[int(i) - 1, int(j) - 1],
-        "row": lambda *entries: mp.matrix([entries]),
+        "row": lambda *entries: Matrix([entries]),
         "Σ": lambda values: _samples(base, values),
     }  # fmt: skip
     for names, parts in (
@@ -334,7 +338,7 @@ def world(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Letter
     vectors = {"v": "v_n", "δv": "velocity_error", "φ": "phi", "θ": "theta", "Δv_MINS": "master_velocity_error",
                "x_p": "position_error", "x_v": "velocity_error", "x_φ": "phi", "x_Cb": "gyro_bias",
                "x_Ab": "accel_bias", "ν_z": "v_n", "s_a": "f_b", "s_w": "omega_ib_b"}  # fmt: skip
-    given |= {name: mp.matrix(getattr(base, part)) for name, part in vectors.items()}
+    given |= {name: Matrix(getattr(base, part)) for name, part in vectors.items()}
 
     def defined(number: str, **unknown: int) -> Callable:
         return lambda letters: _defined(base, definitions[number], tuple(unknown.items()), letters)
@@ -366,7 +370,7 @@ def world(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Letter
         (FILTER, lambda a: _filter(truth(base))),
         ("x(k-1+)|x(k-)", lambda a: _predicted(base)),
         ("x(k+)", lambda a: [_least_squares(base)]),
-        ("ν", lambda a: [_stack(base.v_n, mp.mpf(0))]),
+        ("ν", lambda a: [_stack(base.v_n, exact(0))]),
         (TRANSFER, lambda a: _transfer(base)),
         (ATTITUDES, lambda a: _attitudes(base)),
     )
@@ -393,7 +397,7 @@ def _defined(base: Base, relations: tuple[Relation, ...], unknown: tuple, letter
     return _SOLVED[key]
 
 
-def _vee(M) -> mp.matrix:
+def _vee(M) -> Matrix:
     return vector(M[2, 1] - M[1, 2], M[0, 2] - M[2, 0], M[1, 0] - M[0, 1]) / 2
 
 
@@ -402,24 +406,24 @@ def _vee(M) -> mp.matrix:
 
 @lru_cache(maxsize=256)
 def _error_rates(base: Base) -> list:
-    with mp.workdps(WORKING):
+    with digits(WORKING):
         noise = _stack(base.gyro_noise, base.accel_noise)
         phi_rates = truth(base).phi_rates(errors(base), noise)
         psi_rates = truth(base).psi_rates(errors(base)[3:9, 0])
         return [
             phi_rates,
-            truth(base).phi_rates(mp.zeros(15, 1), noise),
+            truth(base).phi_rates(zeros(15, 1), noise),
             phi_rates[3:6, 0],
             phi_rates[6:9, 0],
             psi_rates[0:3, 0],
             psi_rates[3:6, 0],
-            _stack(psi_rates, mp.zeros(4, 1)),
+            _stack(psi_rates, zeros(4, 1)),
         ]
 
 
 @lru_cache(maxsize=256)
 def _rates(base: Base) -> list:
-    with mp.workdps(WORKING):
+    with digits(WORKING):
         noise = _stack(base.gyro_noise, base.accel_noise)
         exact, hat = truth(base).exact, truth(base).hat(errors(base), noise)
         ie, en = hat.omega_ie_n - exact.omega_ie_n, hat.omega_en_n - exact.omega_en_n
@@ -430,50 +434,42 @@ def _rates(base: Base) -> list:
             exact.f_n,
             exact.velocity_rate,
             hat.gravity_n - exact.gravity_n,
-            mp.matrix(base.accel_bias) + mp.matrix(base.accel_noise),
-            mp.matrix(base.gyro_bias) + mp.matrix(base.gyro_noise),
+            Matrix(base.accel_bias) + Matrix(base.accel_noise),
+            Matrix(base.gyro_bias) + Matrix(base.gyro_noise),
         ]
 
 
 @lru_cache(maxsize=64)
 def _curvature(base: Base) -> list:
-    with mp.workdps(WORKING):
+    with digits(WORKING):
         lat = base.position[1]
 
-        def radii(change) -> mp.matrix:
+        def radii(change) -> Matrix:
             """Transverse and meridian radius: how far the ground is moved along by a change of an angle."""
             slope = ellipsoid.slope(vector(0, lat + change, 0))
-            return vector(mp.norm(slope[:, 0]) / mp.cos(lat + change), mp.norm(slope[:, 1]))
+            return vector(norm(slope[:, 0]) / cos(lat + change), norm(slope[:, 1]))
 
         return [*radii(0), *ellipsoid.rate(radii), *truth(base).exact.omega_en_n]
 
 
 @lru_cache(maxsize=64)
 def _matrices(true: Truth) -> list:
-    with mp.workdps(WORKING):
+    with digits(WORKING):
 
-        def measured(x) -> mp.matrix:
+        def measured(x) -> Matrix:
             M = finite_rotation(-x[6:9, 0])  # the computed attitude against that of the transfer alignment
             return _stack(true.v_n + x[3:6, 0], (M[0, 1] - M[1, 0]) / 2)
 
-        F_X = mp.zeros(10)
+        F_X = zeros(10)
         F_X[0:6, 0:6] = ellipsoid.jacobian(true.psi_rates, 6)
         H = ellipsoid.jacobian(measured, 15)
         return [ellipsoid.jacobian(true.phi_rates, 15), F_X, H, H[0:3, :]]
 
 
-def _sparse(F) -> list[list[tuple[int, mp.mpf]]]:
-    return [[(j, F[i, j]) for j in range(F.cols) if F[i, j] != 0] for i in range(F.rows)]
-
-
-def _times(F: list, M) -> mp.matrix:
-    return mp.matrix([[mp.fsum(f * M[j, c] for j, f in row) for c in range(M.cols)] for row in F])
-
-
-def _series(first, following: Callable, step) -> mp.matrix:
+def _series(first, following: Callable, step) -> Matrix:
     """Taylor series in time: first + step following(first) + step^2/2 following(following(first)) + ..."""
-    term, result, k = first, first.copy(), 0
-    while mp.mnorm(term, mp.inf) > mp.mpf(10) ** -40:
+    term, result, k = first, first, 0
+    while max(map(abs, term)) > 1e-40:
         k += 1
         term = following(term) * (step / k)
         result += term
@@ -481,67 +477,71 @@ def _series(first, following: Callable, step) -> mp.matrix:
 
 
 @lru_cache(maxsize=64)
-def _transition(true: Truth, step) -> mp.matrix:
-    rows = _sparse(_matrices(true)[0])
-    return _series(mp.eye(15), lambda term: _times(rows, term), step)
+def _transition(true: Truth, step) -> Matrix:
+    F = _matrices(true)[0]
+    with digits(WORKING):
+        return _series(eye(15), lambda term: F * term, step)
 
 
-PREDICTED = mp.mpf("0.5")  # s, of (13) and (14)
+PREDICTED = exact("0.5")  # s, of (13) and (14)
 
 
 @lru_cache(maxsize=256)
 def _predicted(base: Base) -> list:
-    before, rows = errors(base), _sparse(_matrices(truth(base))[0])
+    before, F = errors(base), _matrices(truth(base))[0]
 
-    def moved(x) -> mp.matrix:
-        return _series(x, lambda term: _times(rows, term), PREDICTED / 4)
+    def moved(x) -> Matrix:
+        return _series(x, lambda term: F * term, PREDICTED / 4)
 
-    return [before, moved(moved(moved(moved(before))))]
+    with digits(WORKING):
+        return [before, moved(moved(moved(moved(before))))]
 
 
 @lru_cache(maxsize=64)
 def _filter(true: Truth) -> list:
     """A covariance through one prediction, by its differential equation, and one update, in information form."""
     F, _, H, _ = _matrices(true)
-    rows, generator = _sparse(F), Random(5)
+    generator = Random(5)
 
-    def positive(size: int) -> mp.matrix:
-        S = mp.matrix([[generator.uniform(-1, 1) for _ in range(size)] for _ in range(size)])
-        return S * S.T + mp.eye(size)
+    def positive(size: int) -> Matrix:
+        S = Matrix([[generator.uniform(-1, 1) for _ in range(size)] for _ in range(size)])
+        return S * S.T + eye(size)
 
-    noise = mp.zeros(15)
-    noise[3:6, 3:6] = mp.eye(3)
-    noise[6:9, 6:9] = mp.eye(3) * 2
+    noise = zeros(15)
+    noise[3:6, 3:6] = eye(3)
+    noise[6:9, 6:9] = eye(3) * 2
 
-    def grown(P, forced: bool) -> mp.matrix:
+    def grown(P, forced: bool) -> Matrix:
         """P' = F P + P F' + noise; the noise enters the series once, with its first power of time."""
 
-        def following(term) -> mp.matrix:
-            half = _times(rows, term)
+        def following(term) -> Matrix:
+            half = F * term
             return half + half.T
 
-        result = _series(P, following, PREDICTED) if not forced else mp.zeros(15)
+        result = _series(P, following, PREDICTED) if not forced else zeros(15)
         term, k = noise * PREDICTED, 1
-        while mp.mnorm(term, mp.inf) > mp.mpf(10) ** -40:
+        while max(map(abs, term)) > 1e-40:
             result += term
             k += 1
             term = following(term) * (PREDICTED / k)
         return result
 
-    before = positive(15)
-    after, Q = grown(before, False), grown(mp.zeros(15), True)
-    R = positive(4)
-    updated = (after**-1 + H.T * R**-1 * H) ** -1
-    return [_transition(true, PREDICTED), before, Q, after, R, updated * H.T * R**-1, updated]
+    with digits(WORKING):
+        before = positive(15)
+        after, Q = grown(before, False), grown(zeros(15), True)
+        R = positive(4)
+        updated = (after.inv() + H.T * R.inv() * H).inv()
+        return [_transition(true, PREDICTED), before, Q, after, R, updated * H.T * R.inv(), updated]
 
 
 @lru_cache(maxsize=256)
-def _least_squares(base: Base) -> mp.matrix:
+def _least_squares(base: Base) -> Matrix:
     """The x which is nearest to prediction and measurement, each weighted by its covariance: normal equations."""
     _, _, H, _ = _matrices(truth(base))
     _, _, _, P, R, _, P_after = _filter(truth(base))
     measured = _stack(*(a + b for a, b in zip(base.v_n, base.velocity_error, strict=True)), base.phi[2])
-    return P_after * (mp.lu_solve(P, _predicted(base)[1]) + H.T * R**-1 * measured)
+    with digits(WORKING):
+        return P_after * (P.solve(_predicted(base)[1]) + H.T * R.inv() * measured)
 
 
 # Section 2.1: the master.
@@ -549,14 +549,14 @@ def _least_squares(base: Base) -> mp.matrix:
 
 @lru_cache(maxsize=256)
 def _transfer(base: Base) -> list:
-    with mp.workdps(WORKING):
+    with digits(WORKING):
         true = truth(base)
         C_b2r = finite_rotation(base.mounting)
         C_r2n = true.C * C_b2r.T
         omega_r = C_b2r * true.omega
-        none = mp.zeros(3, 1)
+        none = zeros(3, 1)
 
-        def delayed(delay) -> mp.matrix:
+        def delayed(delay) -> Matrix:
             return finite_rotation(true.exact.omega_in_n * delay) * C_r2n * finite_rotation(-omega_r * delay)
 
         def seen(x, master_velocity, master_attitude) -> tuple:
@@ -565,15 +565,15 @@ def _transfer(base: Base) -> list:
             C_hat_r2n = finite_rotation(-master_attitude) * delayed(delay)
             C_hat_b2r = finite_rotation(-x[6:9, 0]) * C_b2r
             C_hat_n2b = (finite_rotation(-x[3:6, 0]) * true.C).T
-            old = true.v_n - true.exact.velocity_rate * delay + mp.matrix(base.jerk) * delay**2 / 2
+            old = true.v_n - true.exact.velocity_rate * delay + Matrix(base.jerk) * delay**2 / 2
             slave, master = true.v_n + x[0:3, 0], old + master_velocity
             return C_hat_r2n, C_hat_b2r, C_hat_n2b, _vee(C_hat_r2n * C_hat_b2r * C_hat_n2b), slave, master
 
         x = _stack(base.velocity_error, base.phi, base.theta, base.delay[0])
-        noise = mp.matrix(base.master_velocity_error), mp.matrix(base.master_attitude_error)
+        noise = Matrix(base.master_velocity_error), Matrix(base.master_attitude_error)
         C_hat_r2n, C_hat_b2r, C_hat_n2b, Z_dcm, slave, master = seen(x, *noise)
 
-        def Z(x) -> mp.matrix:
+        def Z(x) -> Matrix:
             *_, attitude, slave, master = seen(x, none, none)
             return _stack(slave - master, attitude)
 
@@ -590,8 +590,8 @@ def _transfer(base: Base) -> list:
 @lru_cache(maxsize=256)
 def _attitudes(base: Base) -> list:
     C = truth(base).C
-    C_hat = finite_rotation(-mp.matrix(base.phi)) * C
-    u = vector(mp.mpf("0.3"), mp.mpf("-0.7"), mp.mpf("0.5"))
+    C_hat = finite_rotation(-Matrix(base.phi)) * C
+    u = vector(exact("0.3"), exact("-0.7"), exact("0.5"))
     computed, true = quaternion(C_hat), quaternion(C)
     true = true if (true.T * computed)[0] > 0 else -true  # q and -q are one attitude
     return [C, C_hat, C.T, skew(base.phi), *u, *(C_hat * u), *computed, computed, true, computed - true]
@@ -602,12 +602,12 @@ def _attitudes(base: Base) -> list:
 
 def _noise(base: Base, k: int) -> list:
     generator = Random(17 + k)
-    return [uniform(generator, mp.mpf("0.1")), uniform(generator, mp.mpf("0.02"))]
+    return [vector(*uniform(generator, size)) for size in ("0.1", "0.02")]
 
 
 def _outputs(base: Base, k: int) -> list:
     a, w = _noise(base, k)
-    return [mp.matrix(base.f_b) + a, mp.matrix(base.omega_ib_b) + w]
+    return [Matrix(base.f_b) + a, Matrix(base.omega_ib_b) + w]
 
 
 def _samples(base: Base, values: Mapping) -> list[dict]:
@@ -623,8 +623,8 @@ def _samples(base: Base, values: Mapping) -> list[dict]:
     return result
 
 
-def _between(lower, index, upper) -> mp.matrix:
-    return vector(*(mp.mpf(int(lower <= k <= upper)) for k in range(SAMPLES)))
+def _between(lower, index, upper) -> Matrix:
+    return vector(*(exact(int(lower <= k <= upper)) for k in range(SAMPLES)))
 
 
 @lru_cache(maxsize=64)
@@ -632,9 +632,9 @@ def _detector(base: Base) -> list:
     """Statistics of a window by its pairs: no mean is taken first."""
     a, w = zip(*(_outputs(base, k) for k in range(WINDOW_AT, WINDOW_AT + WINDOW_OF)), strict=True)
     pairs = [(i, j) for i in range(WINDOW_OF) for j in range(WINDOW_OF)]
-    spread = mp.sqrt(sum(mp.norm(a[i] - a[j]) ** 2 for i, j in pairs) / 2) / WINDOW_OF
-    mean = mp.sqrt(sum((w[i].T * w[j])[0] for i, j in pairs)) / WINDOW_OF
-    center = vector(*(mp.fsum(v[i] for v in a) / WINDOW_OF for i in range(3)))
+    spread = sqrt(sum(norm(a[i] - a[j]) ** 2 for i, j in pairs) / 2) / WINDOW_OF
+    mean = sqrt(sum((w[i].T * w[j])[0] for i, j in pairs)) / WINDOW_OF
+    center = vector(*(sum(v[i] for v in a) / WINDOW_OF for i in range(3)))
     return [spread, mean, center, 10 * spread, 10 * mean]
 
 
@@ -647,7 +647,7 @@ def evidence(number: str) -> str:
     """What the ledger says beyond the status: sizes, and runs of the print's own dynamics; "" for most equations."""
     if number not in _EVIDENCE:
         return ""
-    with mp.workdps(30):
+    with digits(DIGITS):
         return "; " + _EVIDENCE[number]()
 
 
@@ -669,15 +669,15 @@ def findings() -> tuple[str, ...]:
 
 @cache
 def _at_rest() -> Truth:
-    C = mp.eye(3)
-    position = vector(0, mp.mpf(LATITUDE) * mp.pi / 180, 0)
-    with mp.workdps(WORKING):
-        still = Mechanics(position, mp.zeros(3, 1), C, mp.zeros(3, 1), mp.zeros(3, 1))
+    C = eye(3)
+    with digits(WORKING):
+        position = vector(0, exact(LATITUDE) * pi() / 180, 0)
+        still = Mechanics(position, zeros(3, 1), C, zeros(3, 1), zeros(3, 1))
         f, omega = -still.gravity_n, still.omega_ie_n
-        return Truth(position, mp.zeros(3, 1), C, f, omega, Mechanics(position, mp.zeros(3, 1), C, f, omega))
+        return Truth(position, zeros(3, 1), C, f, omega, Mechanics(position, zeros(3, 1), C, f, omega))
 
 
-def level_dynamics(sign: int) -> mp.matrix:
+def level_dynamics(sign: int) -> Matrix:
     """F at rest without the vertical channel, 7x7: longitude, latitude, level velocities, attitude.
 
     sign: of δω_in_n in (11); +1 is right, -1 as printed.
@@ -685,11 +685,11 @@ def level_dynamics(sign: int) -> mp.matrix:
     F = _matrices(_at_rest())[0].copy()
     F[6:9, 0:6] = F[6:9, 0:6] * sign
     kept = (0, 1, 3, 4, 6, 7, 8)
-    return mp.matrix([[F[i, j] for j in kept] for i in kept])
+    return Matrix([[F[i, j] for j in kept] for i in kept])
 
 
-def _growth(sign: int) -> mp.mpf:
-    return max(mp.re(value) for value in mp.eig(level_dynamics(sign), left=False, right=False))
+def _growth(sign: int) -> arb:
+    return max(value.real for value in level_dynamics(sign).balls.eig(multiple=True))
 
 
 def _level_rate() -> str:
@@ -709,7 +709,7 @@ def delay_estimate(column: str) -> tuple[float, float]:
     A bench rocks with 1 m/s^2 at 1 Hz; column: derived (the acceleration), or printed (minus the specific force).
     """
     times = [k / 100 for k in range(100)]
-    acceleration = [math.sin(2 * pi * t) for t in times]
+    acceleration = [math.sin(2 * math.pi * t) for t in times]
 
     def fit(steady: float) -> float:
         model = acceleration if column == "derived" else [-(a + steady) for a in acceleration]
@@ -747,20 +747,20 @@ def _schuler() -> str:
     def tilt(sign: int) -> float:
         """Level velocity (m/s) an hour after a tilt of 0.1 mrad about east."""
         F = level_dynamics(sign)
-        return float(_series(mp.matrix([0, 0, 0, 0, 1e-4, 0, 0]), lambda term: F * term, 3600)[3])
+        return float(_series(Matrix([0, 0, 0, 0, 1e-4, 0, 0]), lambda term: F * term, 3600)[3])
 
     return (
-        f"at rest the level channels' eigenvalues have real parts below {mp.nstr(max(right, mp.mpf('1e-20')), 1)} 1/s "
-        f"as derived, and up to {mp.nstr(wrong, 4)} 1/s as printed: instead of an oscillation of 84 min errors grow "
+        f"at rest the level channels' eigenvalues have real parts below {shown(max(right, 1e-20), 1)} 1/s "
+        f"as derived, and up to {shown(wrong, 4)} 1/s as printed: instead of an oscillation of 84 min errors grow "
         f"e-fold in {float(1 / wrong):.0f} s; a tilt of 0.1 mrad makes a velocity of {tilt(1):.2g} m/s after an hour "
         f"as derived, {tilt(-1):.3g} m/s as printed"
     )
 
 
-def transition_error(step) -> dict[str, mp.mpf]:
+def transition_error(step) -> dict[str, arb]:
     """The largest entry of exp(F step) - I - F step by block, row from column, at rest."""
     F = _matrices(_at_rest())[0]
-    missing = _transition(_at_rest(), mp.mpf(step)) - mp.eye(15) - F * step
+    missing = _transition(_at_rest(), exact(step)) - eye(15) - F * step
     names = ("position", "velocity", "attitude", "gyro bias", "accelerometer bias")
     sizes = {}
     for i, row in enumerate(names):
@@ -774,7 +774,7 @@ def transition_error(step) -> dict[str, mp.mpf]:
 def _steps() -> str:
     parts = []
     for step, rate in (("0.01", "100 Hz"), ("1", "1 Hz")):
-        sizes = transition_error(mp.mpf(step))
+        sizes = transition_error(exact(step))
         parts.append(
             f"{rate}: "
             + ", ".join(
@@ -790,7 +790,7 @@ def _steps() -> str:
     growth = ", ".join(
         f"{math.expm1(schuler * step * 1800):.2g} at {rate}" for step, rate in ((0.01, "100 Hz"), (1, "1 Hz"))
     )
-    drift = float(transition_error(mp.mpf(1))["velocity from gyro bias"]) * DEGREE / HOUR
+    drift = float(transition_error(exact(1))["velocity from gyro bias"]) * DEGREE / HOUR
     return (
         f"dropped against the matrix exponential, largest entries of blocks, at rest: {'; '.join(parts)}; with 1 deg/h "
         f"that is {drift:.2g} m/s a step at 1 Hz; Schuler's oscillation, which must not grow, grows in an hour by "
@@ -814,22 +814,22 @@ def _held(share: float, what: str) -> str:
     )
 
 
-def feedback_readings() -> dict[str, mp.mpf]:
+def feedback_readings() -> dict[str, arb]:
     """The attitude error (rad) that is left by each way of reading (29), at the stated point."""
     letters = _attitudes(STATED)
     computed, true = letters[-3], letters[-2]
-    phi = mp.matrix(STATED.phi)
-    change = -hamilton(_stack(mp.mpf(0), phi), computed) / 2
+    phi = Matrix(STATED.phi)
+    change = -hamilton(_stack(exact(0), phi), computed) / 2
 
-    def left(q) -> mp.mpf:
-        q = q / mp.norm(q)
-        return 2 * mp.acos(min(1, abs((q.T * true)[0])))
+    def left(q) -> arb:
+        turn = hamilton(vector(true[0], *-true[1:4, 0]), q)
+        return 2 * atan2(norm(turn[1:4, 0]), abs(turn[0]))
 
     return {
         "nothing": left(computed),
         "a 0 put before φ, the product kept": left(hamilton(change, computed)),
-        "[1, -φ/2] for ΔQ": left(hamilton(_stack(mp.mpf(1), -phi / 2), computed)),
-        "[1, +φ/2] for ΔQ": left(hamilton(_stack(mp.mpf(1), phi / 2), computed)),
+        "[1, -φ/2] for ΔQ": left(hamilton(_stack(exact(1), -phi / 2), computed)),
+        "[1, +φ/2] for ΔQ": left(hamilton(_stack(exact(1), phi / 2), computed)),
         "the sum, as derived": left(computed - change),
     }
 

@@ -17,7 +17,6 @@ import numpy as np
 from boresight.runtime import hull, inertial, rotation, sea, simulation
 from boresight.runtime.library import load
 from boresight.runtime.units import DEG, HOUR, STANDARD_GRAVITY
-from boresight.studies.sea_flight import Ideal
 
 MASTER_S = 0.0999  # its clock is 0.1 % fast, so that messages and ticks slide past each other
 WIDTH = 12  # doubles of a record
@@ -66,9 +65,9 @@ def record(seed: int = 1, seconds: float = 60.0, tau: float = 0.0337) -> tuple[S
     motion = hull.in_sea(hull.Hull(), omega, elevation, phases, **ship)
     q_b2m = rotation.quaternion_from_euler(np.array([-0.4, 0.6, 2.0]) * DEG)
     slave = hull.carried(hull.ride(motion, time), s.lever_b, q_b2m)
-    ideal: Any = Ideal(load("velocity-attitude"))
+    strapdown = load("velocity-attitude").strapdown
     place = np.array([[36 * DEG, 0.1, 0.0]])  # an axis of runs, of one
-    dtheta, dv, path = inertial.increments(ideal, place, slave.v_n[:, None], slave.q_b2n_wxyz[:, None], s.dt)
+    dtheta, dv, path = inertial.increments(strapdown, place, slave.v_n[:, None], slave.q_b2n_wxyz[:, None], s.dt)
     dtheta, dv, position = dtheta[:, 0], dv[:, 0], path.position[:, 0]
 
     gyro_bias, accel_bias = s.gyro_bias_sigma * rng.standard_normal(3), s.accel_bias_sigma * rng.standard_normal(3)

@@ -1,27 +1,15 @@
 """The generated folder as an engineer takes it: warnings, self-test, CMake both ways, models in one binary."""
 
 import shutil
-import subprocess
 
 import pytest
+from building import STRICT, c_files, run, self_test
 from conftest import ROOT
 
-FLAGS = (
-    *("-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow"),
-    *("-Wmissing-prototypes", "-Werror", "-ffp-contract=off"),
-)
+from boresight.runtime import compiler
+
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 EM = ROOT / "generated" / "euler_matching"
-
-
-def run(*command, cwd=None):
-    done = subprocess.run([str(word) for word in command], cwd=cwd, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
-
-
-def sources(folder, *names):
-    return [path for name in names for path in sorted((folder / name).glob("*.c"))]
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
@@ -29,10 +17,8 @@ def sources(folder, *names):
 def test_compiles_without_a_warning_and_passes_its_self_test(compiler, model, tmp_path, pendulum_folder):
     """All committed folders are built so in both precisions by `make evidence`, whose results are judged elsewhere."""
     folder = pendulum_folder if model == "pendulum" else EM.parent / model
-    program = tmp_path / "selftest"
-    run(compiler, *FLAGS, "-I", folder / "include", *sources(folder, "src", "selftest", "batch"), "-lm", "-o", program)
-    last = run(program).splitlines()[-1]
-    assert last == f"{len(sources(folder, 'src'))} passed, 0 failed"
+    done = self_test(folder, tmp_path, *STRICT, cc=compiler)
+    assert done.stdout.splitlines()[-1] == f"{len(c_files(folder, 'src'))} passed, 0 failed", done.stdout
 
 
 def test_the_self_test_can_fail(em_copy, tmp_path):
@@ -40,16 +26,13 @@ def test_the_self_test_can_fail(em_copy, tmp_path):
     text = kernel.read_text()
     assert "mu[0] - x[3]" in text
     kernel.write_text(text.replace("mu[0] - x[3]", "mu[0] + x[3]"))
-    program = tmp_path / "selftest"
-    run("cc", "-std=c99", "-I", em_copy / "include", *sources(em_copy, "src", "selftest"), "-lm", "-o", program)
-    done = subprocess.run([program], capture_output=True, text=True, check=False)
+    done = self_test(em_copy, tmp_path, "-std=c99")
     assert done.returncode == 1
     assert "FAILED em_feedback" in done.stdout
 
 
 def test_fast_math_is_refused():
-    command = ["cc", "-std=c99", "-ffast-math", "-I", EM / "include", "-fsyntax-only", EM / "src" / "em_F.c"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    done = run("cc", "-std=c99", "-ffast-math", "-I", EM / "include", "-fsyntax-only", EM / "src" / "em_F.c")
     assert done.returncode != 0
     assert "ffast-math" in done.stderr
 
@@ -68,10 +51,10 @@ def test_cmake_takes_the_folder_both_ways(way, tmp_path):
     (project / "main.c").write_text(USER)
     prefix = tmp_path / "prefix"
     if way == "find_package":
-        run("cmake", "-S", EM, "-B", tmp_path / "em", f"-DCMAKE_INSTALL_PREFIX={prefix}")
-        run("cmake", "--build", tmp_path / "em", "--parallel", "2")
-        run("ctest", "--test-dir", tmp_path / "em", "--output-on-failure")
-        run("cmake", "--install", tmp_path / "em")
+        compiler.run(["cmake", "-S", EM, "-B", tmp_path / "em", f"-DCMAKE_INSTALL_PREFIX={prefix}"])
+        compiler.run(["cmake", "--build", tmp_path / "em", "--parallel", "2"])
+        compiler.run(["ctest", "--test-dir", tmp_path / "em", "--output-on-failure"])
+        compiler.run(["cmake", "--install", tmp_path / "em"])
         take = "find_package(euler_matching REQUIRED)"
     else:
         take = f"add_subdirectory({EM} em)"
@@ -79,6 +62,6 @@ def test_cmake_takes_the_folder_both_ways(way, tmp_path):
         f"cmake_minimum_required(VERSION 3.16)\nproject(user C)\n{take}\nadd_executable(user main.c)\n"
         "target_link_libraries(user PRIVATE boresight::euler_matching)\n"
     )
-    run("cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
-    run("cmake", "--build", project / "build")
-    run(project / "build" / "user")
+    compiler.run(["cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={prefix}"])
+    compiler.run(["cmake", "--build", project / "build"])
+    compiler.run([project / "build" / "user"])

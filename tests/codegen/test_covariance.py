@@ -1,36 +1,22 @@
 """The covariance and the filter in C: two forms and the textbook, what the self-tests see, every build."""
 
 import ctypes
-import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
+from building import STRICT, c_files, program, run, self_test
 from conftest import ROOT
 
 from boresight.codegen.text.covariance import phi_places, table
 from boresight.codegen.text.covariance_vectors import draw_case, predicted, updated
+from boresight.runtime.compiler import compile_sources
 from boresight.runtime.library import load
 
 GENERATED = ROOT / "generated"
 FILTERS = sorted(path.parent.parent.name for path in GENERATED.glob("*/src/*_filter.c"))
 AH = GENERATED / "azimuth_hold"
-FLAGS = (
-    *("-std=c99", "-O0", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow"),
-    *("-Wmissing-prototypes", "-Werror", "-ffp-contract=off"),
-)
 U = np.finfo(float).eps / 2
-
-
-def run(*command):
-    return subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
-
-
-def self_test(folder, tmp_path, *flags, compiler="cc"):
-    sources = [path for name in ("src", "selftest") for path in sorted((folder / name).glob("*.c"))]
-    built = run(compiler, *flags, "-I", folder / "include", *sources, "-lm", "-o", tmp_path / "selftest")
-    assert built.returncode == 0, built.stderr
-    return run(tmp_path / "selftest")
 
 
 # ---- every build
@@ -38,7 +24,7 @@ def self_test(folder, tmp_path, *flags, compiler="cc"):
 
 @pytest.mark.parametrize("form", [("-DBORESIGHT_UD=1",), ("-DBORESIGHT_FLOAT", "-DBORESIGHT_UD=0")])
 def test_each_form_flies_in_the_other_precision(form, tmp_path):
-    done = self_test(AH, tmp_path, *FLAGS, *form)
+    done = self_test(AH, tmp_path, *STRICT, "-O0", *form)
     assert done.returncode == 0, done.stdout[-2000:]
 
 
@@ -53,20 +39,15 @@ def test_all_models_and_the_detector_link_into_one_binary(tmp_path):
     main = tmp_path / "main.c"
     names = "".join(f'#include "{path.name}"\n' for path in headers if path.name != "boresight.h")
     main.write_text(names + "int main(void)\n{\n    return 0;\n}\n")
-    sources = [path for folder in folders for path in sorted((folder / "src").glob("*.c"))]
+    sources = [main, *(path for folder in folders for path in c_files(folder, "src"))]
     includes = [word for folder in folders for word in ("-I", folder / "include")]
-    built = run("cc", "-std=c99", "-O0", "-Wall", "-Werror", *includes, main, *sources, "-lm", "-o", tmp_path / "all")
-    assert built.returncode == 0, built.stderr[-2000:]
-    assert run(tmp_path / "all").returncode == 0
+    assert run(program(tmp_path, sources, "-std=c99", "-O0", "-Wall", "-Werror", *includes)).returncode == 0
 
 
 def test_the_filter_needs_five_functions_from_outside(tmp_path):
-    objects = []
-    for source in sorted((AH / "src").glob("*.c")):
-        objects.append(tmp_path / f"{source.stem}.o")
-        command = ("cc", "-std=c99", "-O2", "-I", AH / "include", "-c", source, "-o", objects[-1])
-        assert run(*command).returncode == 0
-    assert run("ld", "-r", *objects, "-o", tmp_path / "whole.o").returncode == 0
+    command = ["cc", "-std=c99", "-O2", "-I", AH / "include"]
+    objects = compile_sources(command, dict.fromkeys(c_files(AH, "src"), ()), tmp_path)
+    assert run("ld", "-r", *objects.values(), "-o", tmp_path / "whole.o").returncode == 0
     listed = run("nm", "-u", tmp_path / "whole.o").stdout.split()
     allowed = {"U", "sqrt", "sin", "cos", "sincos", "atan2", "fabs", "memset", "memcpy", "__stack_chk_fail",
                "_GLOBAL_OFFSET_TABLE_"}  # fmt: skip

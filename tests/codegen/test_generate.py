@@ -87,7 +87,7 @@ def test_an_edited_sign_changes_that_function_alone_and_moves_the_filter(checkou
     estimates = []
     for model in (library, load(folder)):
         loop = Filter(model, {"q_b2n_wxyz": [1.0, 0, 0, 0], "mu": np.zeros(3)}, 1e-3 * np.eye(6))
-        loop.update("euler", np.full(3, 1e-6), euler_b=np.array([0.1, 0.05, 0.0]), euler_r=np.array([0.09, 0.06, 0.01]))
+        loop.update("euler", np.full(3, 1e-6), euler_b=np.array([0.1, 0.05, 0.0]), euler_m=np.array([0.09, 0.06, 0.01]))
         estimates.append(loop.x)
     assert np.abs(estimates[0] - estimates[1]).max() > 1e-3
 

@@ -14,6 +14,10 @@ from boresight.derive.models.euler_matching import euler_matching
 from boresight.runtime.library import load
 
 
+def named(name):
+    return variable(name, "wind", "m/s", "wind", 0.0, 1.0)
+
+
 @pytest.mark.parametrize(
     ("change", "said"),
     [
@@ -27,6 +31,21 @@ from boresight.runtime.library import load
         ({"structs": (*PENDULUM.structs, Struct("energy", "named as a function", ()))}, "'energy' is used twice"),
         ({"states": ()}, "without states"),
         ({"measurements": (Measurement("tip", ("a",), "m", "both", h=Matrix([1]), H=eye(2)),)}, "either h or H"),
+        (
+            {"measurements": (Measurement("tip", ("a",), "m", "none", h=Matrix([dt.scalar])),)},
+            "tip depends on no state",
+        ),
+        ({"measurements": (Measurement("tip", ("a",), "m", "none", H=zeros(1, 2)),)}, "tip depends on no state"),
+        ({"G": zeros(2, 1)}, "noise push has no effect"),
+        ({"noise": Matrix([0])}, "noise 0 has no effect"),
+        ({"G": zeros(2, 0), "noise": zeros(0, 1)}, "at least one noise"),
+        ({"c_prefix": "bs"}, "c_prefix 'bs'"),
+        ({"structs": (*PENDULUM.structs, Struct("register", "a keyword", ()))}, "'register' has a meaning in C"),
+        ({"structs": (*PENDULUM.structs, Struct("filter", "a type of ours", ()))}, "'filter' has a meaning in C"),
+        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("x"),)))}, "field name 'x' has a meaning in C"),
+        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("t12"),)))}, "field name 't12' has a meaning in C"),
+        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("sin"),)))}, "field name 'sin' has a meaning in C"),
+        ({"structs": (*PENDULUM.structs, Struct("tip_z", "named as a function", ()))}, "'tip_z' is used twice"),
     ],
 )
 def test_what_does_not_fit_together_is_named(change, said):
@@ -60,8 +79,8 @@ def test_extend_adds_states_behind_the_old_ones(tmp_path, library, points):
                     "from test_model import with_gyro_bias as MODEL\n")  # fmt: skip
     generate(f"{file}:MODEL", tmp_path / "out")
     grown = load(tmp_path / "out")
-    H = grown.euler_H(euler_b=points["euler_b"], euler_r=points["euler_r"])
-    np.testing.assert_array_equal(H[..., :6], library.euler_H(euler_b=points["euler_b"], euler_r=points["euler_r"]))
+    H = grown.euler_H(euler_b=points["euler_b"], euler_m=points["euler_m"])
+    np.testing.assert_array_equal(H[..., :6], library.euler_H(euler_b=points["euler_b"], euler_m=points["euler_m"]))
     np.testing.assert_array_equal(H[..., 6:], 0)
     F = grown.F(q_b2n_wxyz=[1.0, 0, 0, 0], omega_in_n=[1e-5, 0, 0])
     np.testing.assert_array_equal(F[:3, 6:], -np.eye(3))

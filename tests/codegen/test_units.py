@@ -2,10 +2,10 @@
 
 import json
 import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
+from building import STRICT, c_files, program, run, self_test
 from conftest import ROOT
 
 from boresight import BoresightError
@@ -14,20 +14,8 @@ from boresight.runtime import detector
 from boresight.runtime.library import load
 from boresight.runtime.manifest import built_in
 
-FLAGS = (
-    *("-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow"),
-    *("-Wmissing-prototypes", "-Werror", "-ffp-contract=off"),
-)
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 DETECTOR = ROOT / "generated" / "stationary_detector"
-
-
-def sources(folder, *names):
-    return [str(path) for name in names for path in sorted((folder / name).glob("*.c"))]
-
-
-def run(*command):
-    return subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
 
 
 @pytest.fixture
@@ -35,19 +23,10 @@ def copy(tmp_path):
     return Path(shutil.copytree(DETECTOR, tmp_path / "stationary_detector"))
 
 
-def self_test(folder, tmp_path, *flags, compiler="cc"):
-    program = tmp_path / "selftest"
-    built = run(
-        compiler, *flags, "-I", folder / "include", *sources(folder, "src", "selftest", "batch"), "-lm", "-o", program
-    )
-    assert built.returncode == 0, built.stderr
-    return run(program)
-
-
 @pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("more", [(), ("-DSD_MAX_WINDOW=32",), ("-fsanitize=undefined", "-fno-sanitize-recover")])
+@pytest.mark.parametrize("more", [(), ("-DDET_MAX_WINDOW=32",), ("-fsanitize=undefined", "-fno-sanitize-recover")])
 def test_compiles_without_a_warning_and_passes_its_self_test(compiler, more, tmp_path):
-    done = self_test(DETECTOR, tmp_path, *FLAGS, *more, compiler=compiler)
+    done = self_test(DETECTOR, tmp_path, *STRICT, *more, cc=compiler)
     assert (done.returncode, done.stdout) == (0, "1 passed, 0 failed\n"), done.stdout + done.stderr
 
 
@@ -55,7 +34,7 @@ def test_compiles_without_a_warning_and_passes_its_self_test(compiler, more, tmp
 def test_single_precision_holds_no_double(compiler, tmp_path):
     out = tmp_path / "single.o"
     source = DETECTOR / "src" / "stationary_detector.c"
-    done = run(compiler, *FLAGS, "-DBORESIGHT_FLOAT", "-I", DETECTOR / "include", "-c", source, "-o", out)
+    done = run(compiler, *STRICT, "-DBORESIGHT_FLOAT", "-I", DETECTOR / "include", "-c", source, "-o", out)
     assert done.returncode == 0, done.stderr
 
 
@@ -72,7 +51,7 @@ def test_single_precision_holds_no_double(compiler, tmp_path):
         ("(gyro_norm * gyro_norm)", "BS_REAL(0.0)"),
         ("statistic[i] < settings->threshold[i]", "statistic[i] > settings->threshold[i]"),
         ("detector->count < settings->window", "detector->count < 1"),
-        ("(detector->next + 1) < detector->settings.window", "(detector->next + 1) < SD_MAX_WINDOW"),
+        ("(detector->next + 1) < detector->settings.window", "(detector->next + 1) < DET_MAX_WINDOW"),
         ("(of_gyro == BS_NOT_FINITE) || (of_accel == BS_NOT_FINITE)", "of_accel == BS_NOT_FINITE"),
         ("detector->count = 0;\n    detector->next = 0;\n    return", "detector->next = 0;\n    return"),
         ("settings->window < 2", "settings->window < 1"),
@@ -93,16 +72,14 @@ def test_a_model_and_the_detector_link_into_one_binary(tmp_path):
     main, em = tmp_path / "main.c", ROOT / "generated" / "euler_matching"
     main.write_text(
         '#include "euler_matching.h"\n#include "stationary_detector.h"\n'
-        "static sd_detector detector;\n"
+        "static det_detector detector;\n"
         "int main(void)\n{\n    em_step step = {{0}, {1e-5, 0, 0}, 1.0};\n    bs_real F[36];\n"
-        "    const sd_settings settings = {2, 9.81, 0.01, 0.001, {0}};\n"
-        "    return (em_F(&step, F) == BS_OK && sd_init(&detector, &settings) == BS_OK) ? 0 : 1;\n}\n"
+        "    const det_settings settings = {2, 9.81, 0.01, 0.001, {0}};\n"
+        "    return (em_F(&step, F) == BS_OK && det_init(&detector, &settings) == BS_OK) ? 0 : 1;\n}\n"
     )
     includes = ["-I", em / "include", "-I", DETECTOR / "include"]
-    files = [main, *sources(em, "src"), *sources(DETECTOR, "src")]
-    built = run("cc", "-std=c99", *includes, *files, "-lm", "-o", tmp_path / "a")
-    assert built.returncode == 0, built.stderr
-    assert run(tmp_path / "a").returncode == 0
+    both = program(tmp_path, [main, *c_files(em, "src"), *c_files(DETECTOR, "src")], "-std=c99", *includes)
+    assert run(both).returncode == 0
 
 
 def test_the_committed_files_are_those_of_the_templates():

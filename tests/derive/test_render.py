@@ -2,17 +2,15 @@
 
 import re
 import shutil
-import xml.dom.minidom
-from pathlib import Path
 
 import pytest
 
 from boresight import BoresightError
+from boresight.derive.latex import latex_name
 from boresight.derive.ledger import ledger
-from boresight.derive.render import errata_table, latex_name, pdf, pdf_from_latex, render
+from boresight.derive.render import pdf_from_latex, render
 
 PAPER = "song-lee-2001"
-DOCUMENT = Path(__file__).resolve().parents[2] / "docs" / "derivations" / f"{PAPER}.md"
 needs_pdflatex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
 
 
@@ -31,6 +29,11 @@ def test_all_equations_are_shown_with_the_counts_and_what_stands_beside_them():
     assert "Table 1: 13, 12, 21, 3 cells" in text
 
 
+def test_html_stands_alone():
+    page = render(PAPER, None, "html")
+    assert "src=" not in page and "href=" not in page
+
+
 def test_latex_carries_the_print_verbatim_and_no_letter_outside_ascii():
     document = render(PAPER, None, "latex")
     assert document.isascii()
@@ -40,7 +43,7 @@ def test_latex_carries_the_print_verbatim_and_no_letter_outside_ascii():
 
 @needs_pdflatex
 def test_latex_of_every_equation_compiles():
-    assert pdf(PAPER).startswith(b"%PDF")
+    assert pdf_from_latex(render(PAPER, None, "latex")).startswith(b"%PDF")
 
 
 @needs_pdflatex
@@ -53,16 +56,6 @@ def test_without_pdflatex_one_line_says_what_to_install(monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda name: None)
     with pytest.raises(BoresightError, match="pdflatex is not installed: install"):
         pdf_from_latex("")
-
-
-def test_html_stands_alone_and_its_formulas_are_well_formed():
-    page = render(PAPER, None, "html")
-    assert "src=" not in page and "href=" not in page
-    formulas = re.findall(r"<math.*?</math>", page, re.DOTALL)
-    assert len(formulas) > 80
-    for formula in formulas:
-        xml.dom.minidom.parseString(formula.replace("&InvisibleTimes;", ""))
-    assert len(re.findall(r'<section id="eq-\d+">', page)) == 28
 
 
 @pytest.mark.parametrize(
@@ -94,7 +87,3 @@ def test_latex_of_a_name(name, latex):
 def test_ledger_holds_the_latex_of_print_and_derivation():
     nine = next(entry for entry in ledger(PAPER) if entry.number == "9")
     assert nine.derived.count(r"\psi") == 7 and nine.printed.count(r"\psi") == 1
-
-
-def test_the_errata_table_of_the_documentation_is_fresh():
-    assert errata_table(PAPER) in DOCUMENT.read_text(encoding="utf-8")

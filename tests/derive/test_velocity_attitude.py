@@ -8,13 +8,17 @@ import casadi as ca
 import mpmath as mp
 import numpy as np
 import pytest
+from flint import arb
 from mechanics import F_N, POSITION, V_N, differentiable, numbers, states
-from sympy import Matrix, lambdify, symbols
+from sympy import Matrix, symbols
 
+from boresight.codegen.functions.reference import evaluator, precise
 from boresight.derive import mechanization
 from boresight.derive import rotation as rot
 from boresight.derive.earth import NED
+from boresight.derive.model import symbols_in
 from boresight.derive.models import velocity_attitude as va
+from boresight.derive.numbers import middle
 from boresight.runtime.library import load
 
 MODEL = va.velocity_attitude()
@@ -98,6 +102,22 @@ def euler_of(C):
     return [mp.atan2(C[2, 1], C[2, 2]), -mp.asin(C[2, 0]), mp.atan2(C[1, 0], C[0, 0])]
 
 
+def evaluated(expression):
+    """The matrix as a function of mp numbers by symbol, in 50 digits."""
+    free = sorted(symbols_in(expression), key=str)
+    compiled, (rows, columns) = evaluator(free, [expression]), expression.shape
+
+    def at(known):
+        with precise():
+            (entries,) = compiled([arb(known[s]) for s in free])
+            return mp.matrix([[middle(entries.get((i, j), 0)) for j in range(columns)] for i in range(rows)])
+
+    return at
+
+
+LEVEL_RATE = evaluated(mechanization.omega_in_n(NED, va.POSITION.vector, va.V_N.vector))
+
+
 def situation(seed, lag=0.0, level="estimated"):
     """x -> the inputs of a measurement, mp numbers by symbol, whose estimates are wrong by x (16).
 
@@ -109,36 +129,25 @@ def situation(seed, lag=0.0, level="estimated"):
     position = [mp.mpf(float(value)) for value in (rng.uniform(-1.2, 1.2), rng.uniform(-3, 3), rng.uniform(-10, 100))]
     v, omega, lever = column(rng.uniform(-9, 9, 3)), column(rng.uniform(-0.4, 0.4, 3)), column(rng.uniform(-8, 8, 3))
     a = column(rng.uniform(-3, 3, 3))
-    omega_in = lambdify(
-        [va.POSITION.symbols, va.V_N.symbols],
-        mechanization.omega_in_n(NED, va.POSITION.vector, va.V_N.vector),
-        "mpmath",
-    )
 
     def at(x):
         phi, dv, dbg, dmu, d_tau = (mp.matrix([x[i] for i in range(16)[BLOCK[n]]]) for n in
                                     ("phi", "dv", "dbg", "dmu", "d_tau"))  # fmt: skip
         v_hat = v + dv
-        level_rate = omega_in(position, list(v_hat if level == "estimated" else v))
+        v_level = v_hat if level == "estimated" else v
+        level_rate = LEVEL_RATE(dict(zip([*va.POSITION.symbols, *va.V_N.symbols], [*position, *v_level], strict=True)))
         # a body that turns against the level: the lever arm's end moves by omega_nb x lever
         omega_nb = omega - C.T * level_rate
         v_m, C_m2n = v - C * cross(omega_nb, lever), C * mount.T
         v_m, C_m2n = v_m - a * mp.mpf(lag), turn(-(C * omega_nb) * mp.mpf(lag)) * C_m2n
         fields = {
             va.POSITION: position, va.V_N: v_hat, va.Q: quaternion_of(turn(-phi) * C),
-            va.Q_MOUNT: quaternion_of(turn(-dmu) * mount), va.OMEGA_IB: omega - dbg, va.LEVER_B: lever, va.A_N: a,
-            va.LAG_S: [mp.mpf(lag) + d_tau[0]], va.V_M: v_m, va.Q_M: quaternion_of(C_m2n), va.EULER_M: euler_of(C_m2n),
+            va.Q_MOUNT: quaternion_of(turn(-dmu) * mount), va.OMEGA_IB_B: omega - dbg, va.LEVER_B: lever, va.A_N: a,
+            va.LAG: [mp.mpf(lag) + d_tau[0]], va.V_M: v_m, va.Q_M: quaternion_of(C_m2n), va.EULER_M: euler_of(C_m2n),
         }  # fmt: skip
         return {s: value for field, values in fields.items() for s, value in zip(field.symbols, values, strict=True)}
 
     return at
-
-
-def evaluated(expression):
-    """The matrix as a function of numbers by symbol, in 50 digits."""
-    free = sorted(expression.free_symbols, key=str)
-    compiled = lambdify([free], expression, modules="mpmath", cse=True)
-    return lambda known: mp.matrix(compiled([known[s] for s in free]))
 
 
 def state(values):

@@ -12,7 +12,6 @@ from boresight.runtime import hull, inertial, rotation, simulation, transfer
 from boresight.runtime.library import load
 from boresight.runtime.transfer import Message, Rules, Transfer
 from boresight.studies.sea_exploration import pitched
-from boresight.studies.sea_flight import Ideal
 
 OPTIONS = Path(__file__).parent.parent.parent / "examples" / "velocity_attitude_options.py"
 DEG = np.pi / 180
@@ -32,9 +31,13 @@ def lever(compiled_once):
 
 def generated(name, tmp_path_factory):
     from boresight.codegen.generate import generate
+    from boresight.codegen.text import vectors
 
     folder = tmp_path_factory.mktemp("options") / name
-    generate(f"{OPTIONS}:{name}", folder)
+    with pytest.MonkeyPatch.context() as patch:  # their self-tests are not run
+        patch.setattr(vectors, "VECTORS", 8)
+        patch.setattr(vectors, "CORNERS", 4)
+        generate(f"{OPTIONS}:{name}", folder)
     return load(folder)
 
 
@@ -207,7 +210,7 @@ def closed_loop(library, motion, extra, *, lever, seconds, update_hz, bending=No
     mounting = rotation.quaternion_from_matrix(rotation.matrix_from_vector(wrong))
     slave = hull.carried(hull.ride(motion, time), lever, mounting, bending)
     plain = load("velocity-attitude")
-    dtheta, dv, true = inertial.increments(Ideal(plain), POSITION, slave.v_n, slave.q_b2n_wxyz, dt)
+    dtheta, dv, true = inertial.increments(plain.strapdown, POSITION, slave.v_n, slave.q_b2n_wxyz, dt)
     if gains is not None:
         dtheta, dv = dtheta * (1 + gains[:, :3]), dv * (1 + gains[:, 3:])
     master = hull.ride(motion, time[::every, None] - delay)

@@ -28,8 +28,8 @@ def fly(model, steps=30, **update):
         dtheta = witness.log(np.swapaxes(C0, -1, -2) @ turn @ C1)
         loop.strapdown(dtheta_ib_b=dtheta, omega_in_n=omega, dt=1.0)
         loop.predict(omega_in_n=omega, gyro_noise=np.full(3, 1e-5), dt=1.0)
-        euler_r = platform(k + 1.0) + 3e-4 * rng.standard_normal(3)
-        loop.update(update.get("name", "euler"), np.full(3, 9e-8), euler_b=loop.call("euler_angles"), euler_r=euler_r,
+        euler_m = platform(k + 1.0) + 3e-4 * rng.standard_normal(3)
+        loop.update(update.get("name", "euler"), np.full(3, 9e-8), euler_b=loop.call("euler_angles"), euler_m=euler_m,
                     **{key: value for key, value in update.items() if key != "name"})  # fmt: skip
         loop.feedback()
     return loop, mu
@@ -68,7 +68,7 @@ def test_row_after_row_equals_the_matrix_form(library):
     P0 = A @ A.T * 1e-3
     loop = Filter(library, {"q_b2n_wxyz": [1, 0, 0, 0], "mu": [0.01, 0.02, 0.03]}, (P0 + P0.T) / 2)
     loop.x = rng.standard_normal(6) * 1e-3
-    euler = {"euler_b": np.array([0.1, 0.2, 0.3]), "euler_r": np.array([0.11, 0.18, 0.29])}
+    euler = {"euler_b": np.array([0.1, 0.2, 0.3]), "euler_m": np.array([0.11, 0.18, 0.29])}
     R = np.array([1e-4, 2e-4, 3e-4])
     x, P, nis = reference(loop.P, library.euler_H(**euler), R, library.euler_z(**euler, mu=loop.nav["mu"]), loop.x)
     innovation = loop.update("euler", R, **euler)
@@ -79,7 +79,7 @@ def test_row_after_row_equals_the_matrix_form(library):
 
 
 def test_a_masked_row_is_a_row_that_was_never_there(library):
-    euler = {"euler_b": np.array([0.1, 0.2, 0.3]), "euler_r": np.array([0.11, 0.18, 0.29])}
+    euler = {"euler_b": np.array([0.1, 0.2, 0.3]), "euler_m": np.array([0.11, 0.18, 0.29])}
     R = np.full(3, 1e-4)
     P0 = np.diag(np.arange(1.0, 7.0)) * 1e-3
     loop = Filter(library, {"q_b2n_wxyz": [1, 0, 0, 0], "mu": np.zeros(3)}, P0)
@@ -97,7 +97,7 @@ def test_a_gate_leaves_out_what_lies_beyond(library):
     nav = {"q_b2n_wxyz": [1, 0, 0, 0], "mu": np.zeros(3)}
     loop = Filter(library, nav, 1e-6 * np.eye(6))
     innovation = loop.update(
-        "euler", np.full(3, 1e-6), gate=5.0, euler_b=np.array([0.5, 1e-4, 0.0]), euler_r=np.zeros(3)
+        "euler", np.full(3, 1e-6), gate=5.0, euler_b=np.array([0.5, 1e-4, 0.0]), euler_m=np.zeros(3)
     )
     assert innovation.used.tolist() == [False, True, True]
     assert np.abs(loop.x).max() < 1e-3
@@ -106,7 +106,7 @@ def test_a_gate_leaves_out_what_lies_beyond(library):
 def test_angles_wrap(library):
     loop = Filter(library, {"q_b2n_wxyz": [0, 0, 0, 1], "mu": np.zeros(3)}, 1e-6 * np.eye(6))
     innovation = loop.update(
-        "euler", np.full(3, 1e-6), euler_b=np.array([0, 0, 3.1415]), euler_r=np.array([0, 0, -3.1415])
+        "euler", np.full(3, 1e-6), euler_b=np.array([0, 0, 3.1415]), euler_m=np.array([0, 0, -3.1415])
     )
     np.testing.assert_allclose(innovation.nu[2], 2 * 3.1415 - 2 * np.pi, atol=1e-12)
 
@@ -119,10 +119,10 @@ def test_joseph_form_keeps_p_positive_over_a_long_run(library):
 @pytest.mark.parametrize(
     ("act", "said"),
     [
-        (lambda f: f.update("euler", np.zeros(3), euler_b=np.zeros(3), euler_r=np.zeros(3)), "above zero"),
-        (lambda f: f.update("euler", np.full(3, np.nan), euler_b=np.zeros(3), euler_r=np.zeros(3)), "finite"),
-        (lambda f: f.update("euler", np.ones(3), iterations=0, euler_b=np.zeros(3), euler_r=np.zeros(3)), "at least 1"),
-        (lambda f: f.update("euler", np.ones(3), euler_b=np.zeros(3)), "euler_z needs euler_r"),
+        (lambda f: f.update("euler", np.zeros(3), euler_b=np.zeros(3), euler_m=np.zeros(3)), "above zero"),
+        (lambda f: f.update("euler", np.full(3, np.nan), euler_b=np.zeros(3), euler_m=np.zeros(3)), "finite"),
+        (lambda f: f.update("euler", np.ones(3), iterations=0, euler_b=np.zeros(3), euler_m=np.zeros(3)), "at least 1"),
+        (lambda f: f.update("euler", np.ones(3), euler_b=np.zeros(3)), "euler_z needs euler_m"),
         (lambda f: f.update("eular", np.ones(3)), "no function 'eular_z'"),
         (lambda f: f.predict(dt=1.0, omega_in_n=np.zeros(3)), "Q needs gyro_noise"),
         (lambda f: Filter(f.model, f.nav, np.ones((6, 5))), r"shape \(6, 5\)"),

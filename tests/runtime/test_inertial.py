@@ -29,7 +29,7 @@ def flown(library, rate_hz):
     position, v_n, q = known["position"](t), known["v_n"](t), wxyz(known["C_b2n"](t))
     dtheta, dv = integrals(SECONDS, rate_hz)
     start = {"position": position[0], "v_n": v_n[0], "q_b2n_wxyz": q[0]}
-    made = integrate(library, start, dtheta[1:], dv[1:], 1 / rate_hz, first=(dtheta[0], dv[0]))
+    made = integrate(library.step, start, dtheta[1:], dv[1:], 1 / rate_hz, first=(dtheta[0], dv[0]))
     return np.array([
         np.abs((made.position - position) * METRES).max(),
         np.abs(made.v_n - v_n).max(),
@@ -59,7 +59,7 @@ def test_strapdown_stays_on_the_flight_of_pyins(strapdown):
     dtheta = imu[["gyro_x", "gyro_y", "gyro_z"]].to_numpy() @ NED2ENU
     dv = imu[["accel_x", "accel_y", "accel_z"]].to_numpy() @ NED2ENU
     start = {"position": position[0], "v_n": v_n[0], "q_b2n_wxyz": q[0]}
-    made = integrate(strapdown, start, dtheta[1:], dv[1:], 0.01)
+    made = integrate(strapdown.step, start, dtheta[1:], dv[1:], 0.01)
     assert np.abs((made.position - position) * METRES).max() < 0.5e-3
     assert np.degrees(np.abs(attitude_error(made.q_b2n_wxyz, q)).max()) < 2e-5
 
@@ -78,8 +78,8 @@ def motions(seconds, rate_hz):
 def test_the_inverse_reproduces_its_trajectory(strapdown):
     """And the integrator with the inverse's increments keeps the velocities and attitudes that were asked for."""
     position, v_n, q = motions(SECONDS, 100)
-    dtheta, dv, wanted = increments(strapdown, position, v_n, q, 0.01)
-    made = integrate(strapdown, wanted.nav(0), dtheta, dv, 0.01)
+    dtheta, dv, wanted = increments(strapdown.step, position, v_n, q, 0.01)
+    made = integrate(strapdown.step, wanted.nav(0), dtheta, dv, 0.01)
     np.testing.assert_array_equal(wanted.v_n, v_n)
     np.testing.assert_array_equal(wanted.q_b2n_wxyz, q)
     assert np.abs((made.position - wanted.position) * METRES).max() < 1e-9
@@ -91,7 +91,9 @@ def test_the_inverse_reproduces_its_trajectory(strapdown):
 def test_the_inverse_finds_the_increments_of_the_analytic_flight(strapdown):
     """To what the integrator errs by in one step."""
     known, t = flight(), np.arange(10 * 100 + 1) / 100
-    dtheta, dv, made = increments(strapdown, known["position"](0.0), known["v_n"](t), wxyz(known["C_b2n"](t)), 0.01)
+    dtheta, dv, made = increments(
+        strapdown.step, known["position"](0.0), known["v_n"](t), wxyz(known["C_b2n"](t)), 0.01
+    )
     exact = integrals(10, 100)
     assert np.abs(dtheta - exact[0][1:])[1:].max() < 1e-9
     assert np.abs(dv - exact[1][1:])[1:].max() < 1e-7
@@ -100,7 +102,7 @@ def test_the_inverse_finds_the_increments_of_the_analytic_flight(strapdown):
 
 def test_at_rest_the_sensors_see_the_earth_and_gravity(strapdown):
     position, v_n, q = np.array([2.2, 0.6, 50.0]), np.zeros((11, 3)), np.tile([1.0, 0, 0, 0], (11, 1))
-    dtheta, dv, _ = increments(strapdown, position, v_n, q, 0.01)
+    dtheta, dv, _ = increments(strapdown.step, position, v_n, q, 0.01)
     seen = strapdown.earth(position=position, v_n=np.zeros(3))
     np.testing.assert_allclose(dtheta / 0.01, np.broadcast_to(seen["omega_ie_n"], (10, 3)), atol=1e-13)
     np.testing.assert_allclose(dv / 0.01, np.broadcast_to(-seen["gravity_n"], (10, 3)), atol=1e-9)
@@ -108,10 +110,10 @@ def test_at_rest_the_sensors_see_the_earth_and_gravity(strapdown):
 
 def test_one_run_and_many_are_the_same(strapdown):
     position, v_n, q = motions(2, 100)
-    dtheta, dv, wanted = increments(strapdown, position, v_n, q, 0.01)
-    many = integrate(strapdown, wanted.nav(0), dtheta, dv, 0.01)
+    dtheta, dv, wanted = increments(strapdown.step, position, v_n, q, 0.01)
+    many = integrate(strapdown.step, wanted.nav(0), dtheta, dv, 0.01)
     start = {name: value[1] for name, value in wanted.nav(0).items()}
-    one = integrate(strapdown, start, dtheta[:, 1], dv[:, 1], 0.01)
+    one = integrate(strapdown.step, start, dtheta[:, 1], dv[:, 1], 0.01)
     np.testing.assert_array_equal(one.position, many.position[:, 1])
     np.testing.assert_array_equal(one.q_b2n_wxyz, many.q_b2n_wxyz[:, 1])
 
@@ -139,13 +141,13 @@ def test_a_jump_that_no_sensor_could_follow_is_refused(strapdown):
     v_n = v_n.copy()
     v_n[50:] -= 150.0
     with pytest.raises(BoresightError, match="dv_b"):
-        increments(strapdown, position, v_n, q, 0.01)
+        increments(strapdown.step, position, v_n, q, 0.01)
 
 
 def test_leaving_the_box_names_the_field(strapdown):
     start = {"position": [0.0, 1.4835, 0.0], "v_n": [0.0, 900.0, 0.0], "q_b2n_wxyz": [1.0, 0, 0, 0]}
     with pytest.raises(BoresightError, match=r"position\[1\]"):
-        integrate(strapdown, start, np.zeros((100, 3)), np.tile([0, 0, 9.8], (100, 1)), 1.0)
+        integrate(strapdown.step, start, np.zeros((100, 3)), np.tile([0, 0, 9.8], (100, 1)), 1.0)
 
 
 def errors_of(made, true):
@@ -169,7 +171,7 @@ def test_the_generated_error_models_foretell_how_two_strapdown_runs_part(strapdo
     """What they do not foretell is of second order: half the first error leaves a quarter, for phi and for psi."""
     phi, psi = load("phi-error"), load("psi-error")
     position, v_n, q = (part[..., 0, :] for part in motions(100, 20))
-    dtheta, dv, true = increments(strapdown, position, v_n, q, 0.05)
+    dtheta, dv, true = increments(strapdown.step, position, v_n, q, 0.05)
     x = np.array([2e-5, -3e-5, 200.0, 0.5, -0.3, 0.1, 2e-3, -1e-3, 4e-3])
     start, end = true.nav(0), true.nav(-1)
     there = phi.psi_from_phi(position=start["position"], v_n=start["v_n"])
@@ -182,7 +184,7 @@ def test_the_generated_error_models_foretell_how_two_strapdown_runs_part(strapdo
         wrong["q_b2n_wxyz"] = (turn * Rotation.from_quat(start["q_b2n_wxyz"], scalar_first=True)).as_quat(
             scalar_first=True
         )
-        parted = errors_of(integrate(strapdown, wrong, dtheta, dv, 0.05), true)[-1]
+        parted = errors_of(integrate(strapdown.step, wrong, dtheta, dv, 0.05), true)[-1]
         by_phi = predicted(phi, true, dtheta, dv, s * x)
         by_psi = back @ predicted(psi, true, dtheta, dv, there @ (s * x))
         left.append([(parted - guess) * scale / s for guess in (by_phi, by_psi)])

@@ -90,8 +90,8 @@ def test_navigation_errors_grow_as_in_the_phi_model_and_biases_enter_with_their_
 
 def test_velocity_and_dcm_residuals_see_every_error_to_first_order(align):
     rng = np.random.default_rng(4)
-    C_r, mu = matrix(attitudes(rng)), rng.uniform(-0.2, 0.2, (RUNS, 3))
-    C_b = C_r @ exp(mu)
+    C_m, mu = matrix(attitudes(rng)), rng.uniform(-0.2, 0.2, (RUNS, 3))
+    C_b = C_m @ exp(mu)
     omega, a, v = rng.uniform(-0.5, 0.5, (RUNS, 3)), rng.uniform(-3, 3, (RUNS, 3)), rng.uniform(-30, 30, (RUNS, 3))
     x = rng.standard_normal((RUNS, 10))
 
@@ -100,12 +100,12 @@ def test_velocity_and_dcm_residuals_see_every_error_to_first_order(align):
         # the slave is compared at tau_hat ago, which is dtau before the instant of the master's data
         C_then, v_then = exp(-omega * dtau) @ C_b, v - a * dtau
         q_hat = turned(C_then, psi)
-        z = align.dcm_z(q_b2n_wxyz=q_hat, q_r2n_wxyz=quaternion(C_r), mu=mu + dmu)
-        zv = align.velocity_z(v_n=v_then + dv, v_r_n=v)
+        z = align.dcm_z(q_b2n_wxyz=q_hat, q_m2n_wxyz=quaternion(C_m), mu=mu + dmu)
+        zv = align.velocity_z(v_n=v_then + dv, v_m_n=v)
         Hv = align.velocity_H(a_n=a)
         np.testing.assert_allclose(zv, size * np.einsum("kij,kj->ki", Hv, x), atol=1e-12)
         exact = align.dcm_exact_H(
-            x=np.zeros(10), q_b2n_wxyz=quaternion(C_b), q_r2n_wxyz=quaternion(C_r), mu=mu, omega_nr_n=omega
+            x=np.zeros(10), q_b2n_wxyz=quaternion(C_b), q_m2n_wxyz=quaternion(C_m), mu=mu, omega_nm_n=omega
         )
         return np.abs(z - size * np.einsum("kij,kj->ki", exact, x)).max()
 
@@ -115,8 +115,8 @@ def test_velocity_and_dcm_residuals_see_every_error_to_first_order(align):
 def test_the_linear_dcm_matrix_is_the_exact_one_without_misalignment(align):
     rng = np.random.default_rng(5)
     q, omega = attitudes(rng), rng.uniform(-0.5, 0.5, (RUNS, 3))
-    H = align.dcm_H(q_r2n_wxyz=q, omega_nr_n=omega)
-    exact = align.dcm_exact_H(x=np.zeros(10), q_b2n_wxyz=q, q_r2n_wxyz=q, mu=np.zeros(3), omega_nr_n=omega)
+    H = align.dcm_H(q_m2n_wxyz=q, omega_nm_n=omega)
+    exact = align.dcm_exact_H(x=np.zeros(10), q_b2n_wxyz=q, q_m2n_wxyz=q, mu=np.zeros(3), omega_nm_n=omega)
     np.testing.assert_allclose(H, exact, atol=1e-14)
 
 

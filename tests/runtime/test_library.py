@@ -76,10 +76,10 @@ def test_in_float_the_ends_of_the_box_are_those_of_double_rounded(library):
     high, yaw = (library.field["euler_b"]["high"][i] for i in (1, 2))
     assert float(np.float32(yaw)) > yaw  # so that yaw, rounded, would be refused in double
     with pytest.raises(BoresightError):
-        library.euler_H(euler_b=[0, high, np.float32(yaw)], euler_r=np.zeros(3))
-    assert np.isfinite(single.euler_H(euler_b=[0, high, np.float32(yaw)], euler_r=[0, -high, -yaw])).all()
+        library.euler_H(euler_b=[0, high, np.float32(yaw)], euler_m=np.zeros(3))
+    assert np.isfinite(single.euler_H(euler_b=[0, high, np.float32(yaw)], euler_m=[0, -high, -yaw])).all()
     with pytest.raises(BoresightError, match=r"euler_b\[1\] is 1\.39\d* rad; it must lie within"):
-        single.euler_H(euler_b=[0, 1.001 * high, 0], euler_r=np.zeros(3))
+        single.euler_H(euler_b=[0, 1.001 * high, 0], euler_m=np.zeros(3))
 
 
 def test_what_is_only_there_in_double_is_refused_in_float():
@@ -124,7 +124,7 @@ def test_runs_broadcast(library, points):
 def test_a_bound_call_gives_the_same(library, points):
     bound = library.euler_H.bind()
     bound.inputs["euler_b"][:] = points["euler_b"][3]
-    bound.inputs["euler_r"][:] = points["euler_r"][3]
+    bound.inputs["euler_m"][:] = points["euler_m"][3]
     assert bound() == Status.OK
     assert bound.outputs["H"].tobytes() == call(library, "euler_H", points)[3].tobytes()
     bound.inputs["euler_b"][1] = 1.5
@@ -135,7 +135,7 @@ def test_a_bound_call_gives_the_same(library, points):
 
 def test_the_ends_of_the_box_are_inside(library):
     pitch = np.radians(80)
-    assert np.isfinite(library.euler_H(euler_b=[0, pitch, np.pi], euler_r=[0, -pitch, -np.pi])).all()
+    assert np.isfinite(library.euler_H(euler_b=[0, pitch, np.pi], euler_m=[0, -pitch, -np.pi])).all()
 
 
 @pytest.mark.parametrize(
@@ -143,13 +143,13 @@ def test_the_ends_of_the_box_are_inside(library):
     [
         ("euler_b", [0, np.radians(80.001), 0], r"euler_b\[1\] is 1\.3962\d* rad; it must lie within"),
         ("euler_b", [0, np.nan, 0], r"euler_b\[1\] is nan; give a finite number"),
-        ("euler_r", [np.inf, 0, 0], r"euler_r\[0\] is inf"),
-        ("euler_r", [0, 0], r"euler_r has shape \(2,\); its last axis must be 3 long"),
-        ("euler_r", np.zeros((7, 3)), "do not go together"),
+        ("euler_m", [np.inf, 0, 0], r"euler_m\[0\] is inf"),
+        ("euler_m", [0, 0], r"euler_m has shape \(2,\); its last axis must be 3 long"),
+        ("euler_m", np.zeros((7, 3)), "do not go together"),
     ],
 )
 def test_bad_input_is_one_line_that_says_where(library, field, value, said):
-    fields = {"euler_b": np.zeros((4, 3)), "euler_r": np.zeros((4, 3))}
+    fields = {"euler_b": np.zeros((4, 3)), "euler_m": np.zeros((4, 3))}
     fields[field] = np.array(value)
     if np.ndim(value) == 1:
         fields = {name: np.zeros(3) if name != field else fields[field] for name in fields}
@@ -162,7 +162,7 @@ def test_the_run_with_the_bad_input_is_named(library):
     euler_b = np.zeros((4, 3))
     euler_b[2, 1] = np.nan
     with pytest.raises(BoresightError, match=r"euler_b\[1\] of run 2 is nan"):
-        library.euler_H(euler_b=euler_b, euler_r=np.zeros(3))
+        library.euler_H(euler_b=euler_b, euler_m=np.zeros(3))
 
 
 def test_a_pitch_past_80_degrees_has_no_euler_angles(library):
@@ -179,7 +179,7 @@ def test_a_quaternion_must_have_unit_norm(library):
 def test_wrong_names_list_the_right_ones(library):
     with pytest.raises(BoresightError, match="it has F, Phi"):
         _ = library.euler_G
-    with pytest.raises(BoresightError, match="takes euler_b, euler_r"):
+    with pytest.raises(BoresightError, match="takes euler_b, euler_m"):
         library.euler_H(euler_b=np.zeros(3))
     with pytest.raises(BoresightError, match=r"built in are .*euler-matching"):
         load("eular")

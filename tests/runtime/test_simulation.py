@@ -44,10 +44,10 @@ def test_a_body_at_rest_senses_the_earth():
 
 def test_a_slave_flies_to_the_attitude_of_its_mounting():
     mu, dt = np.array([0.3, -0.2, 0.1]), 0.1
-    q_r = rotation.quaternion_from_euler(MOTION.euler(np.arange(51) * dt))
-    q_b = rotation.turned(q_r, mu)
+    q_m = rotation.quaternion_from_euler(MOTION.euler(np.arange(51) * dt))
+    q_b = rotation.turned(q_m, mu)
     flown = q_b[0]
-    for increment in simulation.mounted(rotation.body_increments(q_r, OMEGA, dt), mu):
+    for increment in simulation.mounted(rotation.body_increments(q_m, OMEGA, dt), mu):
         flown = witness.strapdown(flown, increment, OMEGA, np.array(dt))
     assert np.abs(rotation.attitude_error(flown, q_b[-1])).max() < 1e-12
 

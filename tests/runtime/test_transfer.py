@@ -1,7 +1,6 @@
 """The transfer-alignment loop on a ship whose motion is analytic: truth, both ways with a delay, and NEES."""
 
 from dataclasses import dataclass, replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -53,9 +52,8 @@ def sail(motion, seconds, rate_hz=RATE_HZ, lever_b=LEVER_B):
     model = load("velocity-attitude")
     time = np.arange(round(seconds * rate_hz) + 1) / rate_hz
     slave = hull.carried(hull.ride(motion, time), lever_b, MOUNTING)
-    none = {"gyro_bias": np.zeros(3), "accel_bias": np.zeros(3)}
-    library = SimpleNamespace(step=lambda **fields: model.strapdown(**fields, **none))
-    dtheta, dv, track = inertial.increments(library, PLACE, slave.v_n[:, None], slave.q_b2n_wxyz[:, None], 1 / rate_hz)
+    v_n, q_b2n_wxyz = slave.v_n[:, None], slave.q_b2n_wxyz[:, None]
+    dtheta, dv, track = inertial.increments(model.strapdown, PLACE, v_n, q_b2n_wxyz, 1 / rate_hz)
     return Ship(motion, model, dtheta[:, 0], dv[:, 0], track)
 
 

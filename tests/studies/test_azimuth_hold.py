@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 
 from boresight import BoresightError
-from boresight.runtime import handover, rotation
+from boresight.runtime import rotation
 from boresight.runtime.units import ARCMIN
 from boresight.studies import azimuth_alignment as alignment
 from boresight.studies import azimuth_exploration as exploration
 from boresight.studies import azimuth_hold as study
+from boresight.studies import handover
 from boresight.studies.azimuth_figures import azimuth_figures
 
 DECLARED = alignment.Scenario()

@@ -39,10 +39,10 @@ def test_the_papers_table_has_the_papers_counts():
 
 
 def test_the_slaves_first_error_is_the_misalignment():
-    # With mu_hat = 0 and C_hat = C_r2n: eps = C dmu with the sign reversed, exactly, however large.
+    # With mu_hat = 0 and C_hat = C_m2n: eps = C dmu with the sign reversed, exactly, however large.
     mu, euler = np.array([0.3, -0.2, 0.4]), np.array([0.2, -0.3, 1.0])
-    q_r = rotation.quaternion_from_euler(euler)
-    eps = rotation.attitude_error(q_r, rotation.turned(q_r, mu))
+    q_m = rotation.quaternion_from_euler(euler)
+    eps = rotation.attitude_error(q_m, rotation.turned(q_m, mu))
     assert np.allclose(eps, -witness.dcm(euler) @ (0 - mu), rtol=0, atol=1e-14)
 
 
@@ -94,9 +94,9 @@ def test_the_loop_over_the_C_is_the_loop_over_numpy(model):
 def test_an_angle_that_is_not_matched_is_not_known_of_the_master(model):
     seen = []
 
-    def euler_z(euler_b, euler_r, mu):
-        seen.append(np.broadcast_to(euler_r == euler_b, (7, 7, 1, 3)))
-        return model.euler_z(euler_b=euler_b, euler_r=euler_r, mu=mu)
+    def euler_z(euler_b, euler_m, mu):
+        seen.append(np.broadcast_to(euler_m == euler_b, (7, 7, 1, 3)))
+        return model.euler_z(euler_b=euler_b, euler_m=euler_m, mu=mu)
 
     spied = study.Replaced(model, {"euler_z": study.with_fields(euler_z, *model.euler_z.fields)})
     study.fly(spied, DECLARED, 3.0, runs=1, seed=0)
@@ -132,7 +132,7 @@ def test_the_printed_26_to_28_break_the_filter(model):
         [np.sin(roll), -np.cos(roll), 0],
         [-np.tan(pitch) * np.cos(roll), -np.tan(pitch) * np.sin(roll), -1],
     ]
-    H = study.as_printed_26(model).euler_H(euler_b=euler, euler_r=euler)
+    H = study.as_printed_26(model).euler_H(euler_b=euler, euler_m=euler)
     assert np.allclose(H[:, :3], printed, rtol=0, atol=1e-14)
     assert linear_agree(model, "as-printed-26-28") < 135
 

@@ -39,7 +39,7 @@ def test_ideal_increments_make_the_slave_that_rides_on_the_hull(model, kind):
     motion = motion_of(kind, s, drawn.streams)
     true = truth(model, motion, s, drawn)
     first = {name: getattr(true.slave, name)[0] for name in ("position", "v_n", "q_b2n_wxyz")}
-    made = inertial.integrate(sea_flight.Ideal(model), first, true.dtheta, true.dv, 1 / s.navigation_hz)
+    made = inertial.integrate(model.strapdown, first, true.dtheta, true.dv, 1 / s.navigation_hz)
     time = np.arange(s.seconds * s.navigation_hz + 1) / s.navigation_hz
     mounting = rotation.quaternion_from_euler([0, 0, 2 * DEG])
     wanted = hull.carried(hull.ride(motion, time), np.array(s.lever_b), mounting)

@@ -2,7 +2,6 @@
 
 import json
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -39,9 +38,7 @@ def simulate(seed, seconds=14.0, lever_b=LEVER_B):
     time = np.arange(round(seconds / dt) + 1) * dt
     mounting = rotation.turned(np.array([1.0, 0, 0, 0]), MU)
     slave = hull.carried(hull.ride(motion, time), lever_b, mounting)
-    none = {"gyro_bias": np.zeros(3), "accel_bias": np.zeros(3)}
-    library = SimpleNamespace(step=lambda **fields: model.strapdown(**fields, **none))
-    dtheta, dv, track = inertial.increments(library, place, slave.v_n[:, None], slave.q_b2n_wxyz[:, None], dt)
+    dtheta, dv, track = inertial.increments(model.strapdown, place, slave.v_n[:, None], slave.q_b2n_wxyz[:, None], dt)
     white = rng.standard_normal((2, len(dtheta), 3)) * np.sqrt(dt)
     imu = Inertial(
         "increments", "end", time[1:], dtheta[:, 0] + BIAS_G * dt + NOISE["gyro"] * white[0],

@@ -13,6 +13,7 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime.array import Array
+from boresight.runtime.filter import check_covariance
 
 CONSIDERED = 12  # dbg dba dv_m psi_m
 
@@ -72,28 +73,6 @@ def hand_over(
     T[..., :9, :9] = phi_from_psi
     out = T @ out @ np.swapaxes(T, -1, -2)
     return (out + np.swapaxes(out, -1, -2)) / 2
-
-
-def check_covariance(name: str, P: Array, size: int) -> None:
-    """Raise BoresightError unless P is (..., size, size), finite, symmetric, and without a negative eigenvalue."""
-    P = np.asarray(P, float)
-    if P.shape[-2:] != (size, size):
-        raise BoresightError(f"{name} has shape {P.shape}; it must be (..., {size}, {size})")
-    if not np.isfinite(P).all():
-        raise BoresightError(f"{name} holds a value that is not finite; start from a finite covariance")
-    diagonal = np.einsum("...ii->...i", P)
-    if (diagonal < 0).any():
-        raise BoresightError(f"{name} has a negative variance, {diagonal.min():.3g}; a covariance has none")
-    scale = np.sqrt(np.where(diagonal > 0, diagonal, 1.0))  # of states in different units: correlations are compared
-    unit = P / (scale[..., :, None] * scale[..., None, :])
-    skew = np.abs(unit - np.swapaxes(unit, -1, -2)).max()
-    if skew > 1e-9:
-        raise BoresightError(f"{name} is not symmetric, by {skew:.1e} of its variances; give (P + P') / 2")
-    lowest = np.linalg.eigvalsh((unit + np.swapaxes(unit, -1, -2)) / 2).min()
-    if lowest < -1e-9:
-        raise BoresightError(
-            f"{name} has a negative eigenvalue ({lowest:.1e} with variances of 1); it is no covariance"
-        )
 
 
 @dataclass(frozen=True)

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from boresight import BoresightError
-from boresight.runtime import handover
+from boresight.runtime.filter import check_covariance
 from boresight.runtime.library import load
+from boresight.studies import handover
 
 PLACE, MOVING = np.array([2.2, 0.63, 60.0]), np.array([3.0, -2.0, 0.5])
 
@@ -53,7 +54,7 @@ def test_phi_is_psi_and_the_turn_of_the_level():
 def test_the_hand_over_leaves_a_covariance_and_the_inflation_is_of_the_filters_part_alone():
     P, S, P_c, P_p, T = parts(seed=4)
     once, four = (handover.hand_over(P, S, P_c, P_p, T, inflation=k) for k in (1.0, 4.0))
-    handover.check_covariance("P", once, 15)
+    check_covariance("P", once, 15)
     assert np.allclose((four - once)[3:9, 3:9], 3 * (T[3:, 3:] @ P[:6, :6] @ T[3:, 3:].T))
     assert np.array_equal((four - once)[9:], np.zeros((6, 15)))
 

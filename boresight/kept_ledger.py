@@ -1,0 +1,54 @@
+"""Ledgers as the command line prints them: computed once, and kept in the cache folder until a source changes.
+
+Only the command line reads what is kept.  Tests and evidence call `compute`, or boresight.derive.ledger itself.
+"""
+
+import hashlib
+import json
+import os
+import sys
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from boresight.runtime.manifest import cache_folder
+
+DERIVE = Path(__file__).parent / "derive"
+
+
+def compute(paper: str) -> dict[str, Any]:
+    """`entries`, the rows of `boresight equations PAPER --json`, and `findings`, the sentences beside them."""
+    from boresight.derive.ledger import findings, ledger
+
+    return {"entries": [entry.to_dict() for entry in ledger(paper)], "findings": list(findings(paper))}
+
+
+def ledger(paper: str) -> dict[str, Any]:
+    """As `compute` gives it, from the cache folder if nothing that reaches it has changed."""
+    path, now = cache_folder() / "ledger" / f"{paper}.json", key()
+    try:
+        kept = json.loads(path.read_text(encoding="utf-8"))
+        if kept["key"] == now:
+            return {name: kept[name] for name in ("entries", "findings")}
+    except (OSError, ValueError, LookupError, TypeError):
+        pass  # nothing is kept, or it is damaged
+    made = compute(paper)
+    part = path.with_suffix(f".{os.getpid()}")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        part.write_text(json.dumps({"key": now} | made, ensure_ascii=False), encoding="utf-8")
+        part.replace(path)
+    except OSError:
+        pass  # a folder that cannot be written costs time, no result
+    return made
+
+
+def key(derive: Path = DERIVE) -> str:
+    """A hash of all that reaches a ledger: every source of derive, this file, the libraries and Python."""
+    digest = hashlib.sha256(repr(sys.version_info[:2]).encode())
+    for name in ("sympy", "mpmath", "python-flint"):
+        digest.update(f"{name} {version(name)}\n".encode())
+    for path in (Path(__file__), *sorted(derive.rglob("*.py"))):
+        content = path.read_bytes()
+        digest.update(f"{path.name} {len(content)}\n".encode() + content)
+    return digest.hexdigest()

@@ -1,0 +1,123 @@
+"""Values of an instruction list that algebra makes zero, one or one another: each is kept once.
+
+Jacobians, products of rotations and symmetric matrices hold them: sin^2 + cos^2, a product less itself, the mirrored
+half of a covariance.  Printed, they would be operations for nothing and sums of pure rounding.
+
+The list is evaluated once, exactly, at a point drawn at random from the numbers modulo a prime of 255 bits.  Values
+that agree there are the same expression in the inputs, in sines and cosines (with sin^2 + cos^2 = 1), in roots (with
+their squares) and in choices and atan2, each of which counts as a free number: two that differ would agree by chance
+once in 10^70.  So they agree at every point, and what is printed stays the function that the model states, also where
+the norm of a quaternion is not one.
+"""
+
+import hashlib
+from typing import Any
+
+import casadi as ca
+
+from boresight.codegen.functions.tape import BUILD, FREE, Tape, tape
+
+PRIME = 2**255 - 19
+TERMS = 256  # beyond so many products of roots in one multiplication its result counts as a free number
+
+# A number: for each set of roots, as bits, the factor of their product; none for zero.  Two are one number only if they
+# are so for either sign of every root, so that sqrt(x^2) is neither x nor -x.
+Number = tuple[tuple[int, int], ...]
+ONE: Number = ((0, 1),)
+
+
+def numbers(program: Tape) -> list[Number]:
+    """The value of each step at the random point."""
+    radicands: list[Number] = []
+
+    def number(factors: dict[int, int]) -> Number:
+        return tuple(sorted((roots, factor % PRIME) for roots, factor in factors.items() if factor % PRIME))
+
+    def free(*words: Any) -> Number:
+        return number({0: int.from_bytes(hashlib.sha256(repr(words).encode()).digest(), "big")})
+
+    def plus(a: Number, b: Number, sign: int = 1) -> Number:
+        total = dict(a)
+        for roots, factor in b:
+            total[roots] = total.get(roots, 0) + sign * factor
+        return number(total)
+
+    def times(a: Number, b: Number) -> Number:
+        if len(a) * len(b) > TERMS:
+            return free("mul", *sorted((a, b)))
+        total: dict[int, int] = {}
+        for left, u in a:
+            for right, v in b:
+                part: Number = ((left ^ right, u * v),)
+                for k, radicand in enumerate(radicands):
+                    part = times(part, radicand) if left & right & 1 << k else part
+                for roots, factor in part:
+                    total[roots] = total.get(roots, 0) + factor
+        return number(total)
+
+    def inverse(a: Number) -> Number:
+        highest = max((roots for roots, _ in a), default=0)
+        if not highest:
+            return number({0: pow(a[0][1], -1, PRIME)}) if a else free("inv", a)
+        root = 1 << highest.bit_length() - 1
+        conjugate = number({roots: -factor if roots & root else factor for roots, factor in a})
+        rational = times(a, conjugate)
+        if not rational or max(rational)[0] >= root:
+            return free("inv", a)
+        return times(conjugate, inverse(rational))
+
+    def value(op: str, a: Number, b: Number) -> Number:
+        if op in ("add", "sub"):
+            return plus(a, b, 1 if op == "add" else -1)
+        if op in ("mul", "sq"):
+            return times(a, b)
+        if op in ("div", "inv"):
+            return times(a, inverse(b)) if op == "div" else inverse(a)
+        if op in ("neg", "twice"):
+            return plus((), a, -1) if op == "neg" else plus(a, a)
+        if op == "sqrt":
+            if a not in radicands:
+                radicands.append(a)
+            return ((1 << radicands.index(a), 1),)
+        size = min(a, plus((), a, -1))  # of a and -a, which share a cosine
+        if op in ("sin", "cos"):
+            t = free("half angle", size)
+            square = times(t, t)
+            over = plus(ONE, square, -1) if op == "cos" else plus((), plus(t, t), 1 if size == a else -1)
+            return times(over, inverse(plus(ONE, square)))
+        if op == "if_else_zero" and b in (ONE, plus((), ONE, -1)):
+            return times(a, b)  # of a truth value, which is 0 or 1
+        return free(op, size) if op == "fabs" else free(op, a, b)
+
+    values: list[Number] = []
+    for step in program.steps:
+        if step.op == "const":
+            over, under = step.constant.as_integer_ratio()
+            values.append(number({0: over * pow(under, -1, PRIME)}))
+        elif step.op == "input":
+            values.append(free("input", step.source))
+        else:
+            a, b = (values[i] for i in (step.args + step.args)[:2])
+            values.append(value(step.op, a, b))
+    return values
+
+
+def identified(inputs: list[Any], outputs: list[Any]) -> list[Any]:
+    """The SX outputs with every value built once: as a constant or an input where it is one, otherwise as the first of
+    those that agree, or as minus it.  Without the entries that are zero."""
+    source = tape(ca.Function("f", inputs, outputs, {"cse": True}))
+    listed = list(zip(source.steps, numbers(source), strict=True))
+    known: dict[Number, Any] = {(): ca.SX(0), ONE: ca.SX(1)}
+    for step, number in listed:
+        if step.op in FREE:
+            which, component = step.source
+            known.setdefault(number, ca.SX(step.constant) if step.op == "const" else inputs[which].nz[component])
+    for step, number in listed:
+        if number not in known:
+            opposite = known.get(tuple((roots, PRIME - factor) for roots, factor in number))
+            operands = (known[listed[i][1]] for i in step.args)
+            known[number] = BUILD[step.op](*operands) if opposite is None else -opposite
+    built = [ca.SX(output.sparsity(), output.nz[:]) for output in outputs]
+    for output, k, position in source.results:
+        built[output].nz[k] = known[listed[position][1]]
+    return [ca.sparsify(matrix) for matrix in built]

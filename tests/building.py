@@ -1,0 +1,29 @@
+"""Programs built from generated C, as an engineer builds them."""
+
+import subprocess
+
+from boresight.evidence.targets import WARNINGS
+from boresight.runtime import compiler
+
+STRICT = (*WARNINGS, "-O1")
+
+
+def run(*command, cwd=None):
+    """The process when it has ended; who asks judges its status."""
+    return subprocess.run([str(word) for word in command], cwd=cwd, capture_output=True, text=True, check=False)
+
+
+def c_files(folder, *names):
+    return [path for name in names for path in sorted((folder / name).glob("*.c"))]
+
+
+def program(out, sources, *flags, cc="cc"):
+    """The sources, compiled below `out` and linked; raises BoresightError with the first error."""
+    objects = compiler.compile_sources([cc, *flags], dict.fromkeys(sources, ()), out)
+    compiler.run([cc, *flags, *objects.values(), "-lm", "-o", out / "program"])
+    return out / "program"
+
+
+def self_test(folder, out, *flags, cc="cc"):
+    """The folder's self-test, built with its batch forms and run; who asks judges its status."""
+    return run(program(out, c_files(folder, "src", "selftest", "batch"), *flags, "-I", folder / "include", cc=cc))

@@ -1,0 +1,98 @@
+"""The command line prints a kept ledger; no test and no proof believes one."""
+
+import json
+import shutil
+from dataclasses import asdict
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from boresight import kept_ledger
+from boresight.cli import app
+from boresight.derive.ledger import findings, ledger
+from boresight.derive.papers import PAPERS
+
+PAPER = "kang-2025"
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path))
+    return tmp_path / "ledger"
+
+
+@pytest.fixture
+def calls(monkeypatch):
+    """The papers that were computed, not read."""
+    compute, seen = kept_ledger.compute, []
+    monkeypatch.setattr(kept_ledger, "compute", lambda paper: seen.append(paper) or compute(paper))
+    return seen
+
+
+def computed(paper):
+    return {"entries": [asdict(entry) for entry in ledger(paper)], "findings": list(findings(paper))}
+
+
+def forge(folder):
+    """Make an erratum exact in what is kept."""
+    path = folder / f"{PAPER}.json"
+    kept = json.loads(path.read_text())
+    kept["entries"][5]["status"] = "exact"
+    path.write_text(json.dumps(kept))
+
+
+@pytest.mark.parametrize("paper", PAPERS)
+def test_a_kept_ledger_is_the_computed_one(paper, folder, calls):
+    assert kept_ledger.ledger(paper) == kept_ledger.ledger(paper) == computed(paper)
+    assert calls == [paper]
+
+
+def test_a_forged_ledger_is_printed_and_seen_by_the_comparison(folder, calls):
+    kept_ledger.ledger(PAPER)
+    forge(folder)
+    printed = json.loads(CliRunner().invoke(app, ["equations", PAPER, "--json"]).stdout)
+    assert printed[5]["status"] == "exact" and computed(PAPER)["entries"][5]["status"] == "erratum"
+    assert kept_ledger.ledger(PAPER) != computed(PAPER)
+    assert calls == [PAPER]
+
+
+def test_a_change_of_a_source_or_a_library_ends_what_is_kept(folder, calls, tmp_path, monkeypatch):
+    kept_ledger.ledger(PAPER)
+    forge(folder)
+    versions = kept_ledger.version
+    monkeypatch.setattr(kept_ledger, "version", lambda name: "0" if name == "sympy" else versions(name))
+    assert kept_ledger.ledger(PAPER) == computed(PAPER)
+    assert calls == [PAPER, PAPER]
+    copy = Path(shutil.copytree(kept_ledger.DERIVE, tmp_path / "derive"))
+    assert kept_ledger.key(copy) == kept_ledger.key()
+    for changed in ("ledger.py", "papers/kang_2025_world.py"):
+        before = kept_ledger.key(copy)
+        (copy / changed).write_text((copy / changed).read_text().replace("return", "return  ", 1))
+        assert kept_ledger.key(copy) != before
+
+
+@pytest.mark.parametrize("damage", ["", "{", "[]", '{"key": "0"}'])
+def test_a_damaged_ledger_is_computed_anew(damage, folder, calls):
+    folder.mkdir()
+    (folder / f"{PAPER}.json").write_text(damage)
+    assert kept_ledger.ledger(PAPER) == kept_ledger.ledger(PAPER) == computed(PAPER)
+    assert calls == [PAPER] and [path.name for path in folder.iterdir()] == [f"{PAPER}.json"]
+
+
+def test_where_nothing_can_be_kept_the_ledger_is_printed_all_the_same(tmp_path, monkeypatch):
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "file"))
+    assert kept_ledger.ledger(PAPER) == computed(PAPER)
+
+
+def test_no_proof_reads_a_kept_ledger():
+    """Only the command line does, and this test."""
+    root = Path(__file__).parent.parent
+    layers = ("derive", "codegen", "runtime", "studies", "evidence", "tests")
+    readers = {path.name for layer in layers for path in (root / layer).rglob("*.py") if reads(path)}
+    assert readers == {Path(__file__).name}
+
+
+def reads(path):
+    return "kept_ledger" in path.read_text()
