@@ -240,7 +240,11 @@ def verify(
         task = bar.add_task("")
         for target in targets:
             where = folder or (default_folder(target) if ":" in target else None)
-            checks += v.verify(target, where, progress=lambda text: bar.update(task, description=text))
+            checks += v.verify(
+                target,
+                where,
+                progress=lambda done, total, text: bar.update(task, description=f"{done} of {total}, {text}"),
+            )
     good = all(check.ok for check in checks)
     if as_json:
         print_json(v.to_json(checks))
@@ -480,7 +484,8 @@ def replay(
     --check: norms, gaps, rates and suspicious units; exit 1 if something is wrong.
     """
     from boresight.runtime.library import load
-    from boresight.runtime.recording import quantity, read
+    from boresight.runtime.recording import read
+    from boresight.runtime.units import quantity
     from boresight.studies import replay as matched
     from boresight.studies import transfer_replay, zero_velocity
 

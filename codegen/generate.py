@@ -10,19 +10,19 @@ import importlib.util
 import json
 import os
 import sys
-import sysconfig
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from boresight import BoresightError
-from boresight.runtime.manifest import GENERATED, cache_folder
+from boresight.codegen.stamp import made_from
 
 VERSIONED = ("casadi", "sympy")  # what the bytes of the output depend on, beside Boresight itself
 PACKAGE = Path(__file__).parent.parent
 COMPONENTS = ("stationary-detector",)  # C that comes from no model
 MODELS = PACKAGE / "derive" / "models"
+CHECKOUT = Path(__file__).resolve().parent.parent  # the links of a checkout lead there; of a wheel it is the package
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class Report:
     folder: Path
     changes: tuple[Change, ...]
     written: tuple[str, ...]  # files that were, or would be, written or removed
-    up_to_date: bool  # known from hashes alone
+    up_to_date: bool  # known from the manifest alone
     comparable: bool = True  # with check: the versions of SymPy and CasADi are those of the committed files
 
 
@@ -67,17 +67,27 @@ def target_names() -> list[str]:
     return sorted([*model_names(), *COMPONENTS])
 
 
+def source_of(target: str) -> Path | None:
+    """The file of a model; None of a component."""
+    if ":" in target:
+        file = target.rsplit(":", 1)[0]
+        if not Path(file).is_file():
+            raise BoresightError(f"{file} is not found; give FILE.py:NAME with the path of a Python file")
+        return Path(file).resolve()
+    return None if target in COMPONENTS else MODELS / f"{target.replace('-', '_')}.py"
+
+
 def versions() -> dict[str, str]:
     return {name: importlib.metadata.version(name) for name in VERSIONED}
 
 
 def default_folder(target: str) -> Path:
-    """generated/ of the checkout for a built-in model, ./generated/NAME for a user's own."""
+    """generated/ of the checkout for a built-in model, from any folder; ./generated/NAME for a user's own."""
     if ":" in target:
         return Path("generated") / target.rsplit(":", 1)[1].lower().replace("-", "_")
-    if not os.access(PACKAGE / "pyproject.toml", os.F_OK):
-        return Path("generated") / target.replace("-", "_")  # an installed package is never written to
-    return GENERATED / target.replace("-", "_")
+    installed = not (CHECKOUT / "pyproject.toml").is_file()  # a package that is never written to
+    home = Path() if installed or Path.cwd() == CHECKOUT else CHECKOUT
+    return home / "generated" / target.replace("-", "_")
 
 
 def load_model(target: str) -> Any:
@@ -93,9 +103,8 @@ def load_model(target: str) -> Any:
         value = getattr(importlib.import_module(f"boresight.derive.models.{name}"), name)
     else:
         file, name = target.rsplit(":", 1)
-        path = Path(file).resolve()
-        if not path.is_file():
-            raise BoresightError(f"{file} is not found; give FILE.py:NAME with the path of a Python file")
+        path = source_of(target)
+        assert path is not None
         sys.path.insert(0, str(path.parent))
         try:
             spec = importlib.util.spec_from_file_location(path.stem, path)
@@ -126,40 +135,6 @@ def load_model(target: str) -> Any:
 
 def digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
-
-
-def stamp_path(target: str, folder: Path) -> Path:
-    key = hashlib.sha256(f"{target}\0{folder.resolve()}".encode()).hexdigest()
-    return cache_folder() / f"generated-{key[:32]}.json"
-
-
-def sources() -> dict[str, str]:
-    """Every file that the loaded code came from, outside Python and its packages, and the templates; with hashes."""
-    outside = tuple(os.path.realpath(sysconfig.get_path(name)) + os.sep for name in ("stdlib", "platstdlib", "purelib"))
-    files = {Path(PACKAGE / "boresight" / "__init__.py").resolve()}
-    for name, module in list(sys.modules.items()):
-        path = getattr(module, "__file__", None)
-        if path is None or name.startswith(("boresight.cli", "boresight.runtime", "__main__", "pytest", "_pytest")):
-            continue
-        real = Path(path).resolve()
-        if real.suffix == ".py" and (name.startswith("boresight") or not str(real).startswith(outside)):
-            files.add(real)
-    files |= {path.resolve() for path in (Path(__file__).parent / "templates").rglob("*.j2")}
-    return {str(path): digest(path) for path in sorted(files) if path.is_file()}
-
-
-def read_stamp(target: str, folder: Path) -> dict[str, Any]:
-    try:
-        return dict(json.loads(stamp_path(target, folder).read_text()))
-    except (OSError, ValueError):
-        return {}
-
-
-def unchanged(known: dict[str, str]) -> bool:
-    try:
-        return bool(known) and all(digest(Path(path)) == value for path, value in known.items())
-    except OSError:
-        return False
 
 
 def edited(folder: Path, manifest: dict[str, Any]) -> list[str]:
@@ -199,25 +174,19 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
             f"{folder / by_hand[0]} was edited since it was generated; put the change into the model, delete the file, "
             "and generate again"
         )
-    stamp = read_stamp(target, folder)
-    complete = all((folder / path).is_file() for path in before.get("files", {}))
-    same_tools = stamp.get("versions") == versions()
-    if (
-        not check
-        and complete
-        and same_tools
-        and before
-        and stamp.get("manifest") == digest(folder / "manifest.json")
-        and unchanged(stamp.get("sources", {}))
-    ):
+    stamp = {"made_from": made_from(source_of(target)), "versions": versions()}
+    complete = before and all((folder / path).is_file() for path in before["files"])
+    if not check and complete and all(before.get(key) == value for key, value in stamp.items()):
         return Report(before["model"], folder, (), (), up_to_date=True)
     if check and before and before.get("versions") != versions():
         return Report(before["model"], folder, (), (), up_to_date=False, comparable=False)
     if check and not before:
         raise BoresightError(f"{folder} holds no generated model; run 'boresight generate {target}'")
 
-    document, files = make(target, folder, stamp if same_tools and not check else {})
-    files["manifest.json"] = manifest_text(document, files)
+    document, files = make(target, folder, not check and same_generator(before, stamp))
+    hashes = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
+    document |= {"files": hashes, **stamp}
+    files["manifest.json"] = json.dumps(document, indent=1, sort_keys=True) + "\n"
     counted = "operations" if target not in COMPONENTS else "lines"
     old_units, new_units = before.get("units", {}), document["units"]
     changes = tuple(
@@ -229,7 +198,6 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
     differing = [path for path, text in files.items() if not same(folder / path, text)]
     if not check:
         write(folder, {path: files[path] for path in differing}, stale)
-        save_stamp(target, folder, document["model"])
     return Report(document["model"], folder, changes, tuple(sorted(differing + stale)), up_to_date=False)
 
 
@@ -240,49 +208,26 @@ def same(path: Path, text: str) -> bool:
         return False
 
 
-def make(target: str, folder: Path, stamp: dict[str, Any]) -> tuple[dict[str, Any], dict[str, str]]:
-    """What the manifest says of the target, and all other files.
-
-    Golden vectors cost most of the time.  Those in the folder are kept where the C that they test did not change, if
-    the generator itself is the one that made them.
-    """
-    from boresight.codegen.functions.units import units
-    from boresight.codegen.text import files as text
-    from boresight.codegen.text.filter import has_filter
-    from boresight.codegen.text.manifest import described
-    from boresight.codegen.text.names import file_stem
-
-    if target in COMPONENTS:
-        return text.detector_files()
-    model = load_model(target)
-    made = units(model)
-    generator = str(Path(__file__).parent.resolve())
-    may_keep = unchanged(
-        {path: value for path, value in stamp.get("sources", {}).items() if path.startswith(generator)}
+def same_generator(before: dict[str, Any], stamp: dict[str, Any]) -> bool:
+    """Whether what lies in the folder was made by this generator, though perhaps of another model."""
+    return bool(
+        before.get("versions") == stamp["versions"]
+        and before.get("made_from", {}).get("generator") == stamp["made_from"]["generator"]
     )
 
-    def kept(test: str, tested: dict[str, str]) -> bool:
-        unmoved = all(same(folder / path, content) for path, content in tested.items())
-        return may_keep and unmoved and (folder / test).is_file()
 
-    shared = text.model_files(model, made)
-    files: dict[str, str] = {}
-    for unit in made:
-        printed = text.unit_files(model, unit)
-        test = f"selftest/test_{file_stem(model, unit.name)}.c"
-        files |= printed
-        files[test] = (folder / test).read_text() if kept(test, printed) else text.unit_test(model, unit)
-    files |= shared
-    if has_filter(model):
-        source, test = f"src/{model.c_prefix}_covariance.c", f"selftest/test_{model.c_prefix}_covariance.c"
-        keep = kept(test, {source: shared[source]})
-        files[test] = (folder / test).read_text() if keep else text.covariance_test(model, made)
-    return described(model, made), files
+def make(target: str, folder: Path, keep: bool) -> tuple[dict[str, Any], dict[str, str]]:
+    """What the manifest says of the target, and all other files.
 
+    keep: golden vectors, which cost most of the time, are taken from the folder where the C that they test is the same.
+    """
+    from boresight.codegen.text.files import detector_files, folder_files
 
-def manifest_text(document: dict[str, Any], files: dict[str, str]) -> str:
-    hashes = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
-    return json.dumps(document | {"files": hashes, "versions": versions()}, indent=1, sort_keys=True) + "\n"
+    def kept(test: str, tested: dict[str, str]) -> str | None:
+        unmoved = keep and all(same(folder / path, text) for path, text in tested.items())
+        return (folder / test).read_text() if unmoved and (folder / test).is_file() else None
+
+    return detector_files() if target in COMPONENTS else folder_files(load_model(target), kept)
 
 
 def write(folder: Path, files: dict[str, str], stale: list[str]) -> None:
@@ -299,21 +244,3 @@ def write(folder: Path, files: dict[str, str], stale: list[str]) -> None:
             (folder / path).unlink()
     except OSError as error:
         raise BoresightError(f"cannot write to {folder} ({error.strerror}); choose another folder with -o") from None
-
-
-def save_stamp(target: str, folder: Path, model: str) -> None:
-    """Remember what was generated from what.  Without it the next run only takes longer."""
-    content = {
-        "model": model,
-        "versions": versions(),
-        "sources": sources(),
-        "manifest": digest(folder / "manifest.json"),
-    }
-    path = stamp_path(target, folder)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        aside = path.with_suffix(f".{os.getpid()}")
-        aside.write_text(json.dumps(content))
-        os.replace(aside, path)
-    except OSError:
-        return

@@ -8,31 +8,41 @@ difference falls linearly.
 
 import multiprocessing
 import os
-from collections.abc import Callable, Iterator
+import signal
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
 from dataclasses import asdict, dataclass
+from math import inf, isfinite
+from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Any
 
-import mpmath as mp
 import numpy as np
+from flint import arb
 
+from boresight import BoresightError
+from boresight.codegen.functions.reference import Entries, precise
 from boresight.codegen.functions.samples import answered, generator, sample
 from boresight.codegen.functions.tape import evaluate
-from boresight.codegen.functions.units import DIGITS, Unit, UnitMaker, units
+from boresight.codegen.functions.units import Unit, UnitMaker, units
 from boresight.codegen.generate import load_model
-from boresight.codegen.text.vectors import exact
 from boresight.derive.model import Measurement, Model
 from boresight.runtime.library import Library, load
 
 POINTS, CORNERS = 1000, 64
-REFERENCE = 1e-30  # what the 50 digits are good for where they were differentiated numerically
+WIDEST = 1e-45  # of the largest number of a matrix: a reference that knows less proves nothing
 LIMIT = 1e-12  # of a linear H and the Jacobian of the exact measurement, where nothing is neglected
+
+ZERO = arb(0)
+
+Progress = Callable[[int, int, str], None]  # functions done, of all, and which one is
 
 
 @dataclass(frozen=True)
 class UnitCheck:
     """largest_error: of any output, against 50 digits.  looseness: how many times the bound was larger than the error,
-    where it came closest; below 1 the bound is broken."""
+    where it came closest; below 1 the bound is broken.  width: the largest radius of what the 50 digits are known to,
+    over the largest number of its matrix."""
 
     model: str
     unit: str
@@ -42,10 +52,11 @@ class UnitCheck:
     largest_error: float
     looseness: float
     zeros_are_zero: bool
+    width: float
 
     @property
     def ok(self) -> bool:
-        return self.same_bits and self.looseness >= 1 and self.zeros_are_zero
+        return self.same_bits and self.looseness >= 1 and self.zeros_are_zero and self.width <= WIDEST
 
 
 @dataclass(frozen=True)
@@ -66,99 +77,194 @@ class FirstOrderCheck:
 
 
 def verify(
-    target: str, folder: str | Path | None = None, points: int = POINTS, progress: Callable[[str], None] | None = None
+    target: str, folder: str | Path | None = None, points: int = POINTS, progress: Progress | None = None
 ) -> list[UnitCheck | FirstOrderCheck]:
     """Every check of one model: a built-in name, or FILE.py:NAME with the folder that was generated from it."""
-    model = load_model(target)
-    flight, casadi = (load(folder or target, backend) for backend in ("flight", "casadi"))
-    made = units(model)
+    return verify_all([(target, folder)], points, progress)
 
-    def check(index: int) -> UnitCheck:
-        return check_unit(model, made[index], flight, casadi, points)
 
+def verify_all(
+    targets: Sequence[tuple[str, str | Path | None]], points: int = POINTS, progress: Progress | None = None
+) -> list[UnitCheck | FirstOrderCheck]:
+    """Every check of the models, each with its folder (None: that of a built-in model).
+
+    The points of a model are shared out to as many processes as there are processors; meanwhile this one prepares the
+    next model.
+    """
+    libraries = [[load(folder or target, backend) for backend in ("flight", "casadi")] for target, folder in targets]
+    total, done = sum(len(flight.units) for flight, _ in libraries), 0
     checks: list[UnitCheck | FirstOrderCheck] = []
-    for unit, done in zip(made, side_by_side(check, len(made)), strict=True):
-        if progress:
-            progress(f"{model.name}: {unit.name}")
-        checks.append(done)
-    checks += [check_first_order(model, m, made, flight) for m in model.measurements if m.first_order is not None]
+
+    def collect(underway: "Underway") -> None:
+        nonlocal done
+        for case in underway.finished():
+            done += 1
+            if progress:
+                progress(done, total, f"{underway.model.name}: {case.unit.name}")
+        checks.extend(case.verdict(underway.model) for case in underway.cases)
+        checks.extend(underway.laws)
+
+    with ExitStack() as stack:
+        before: Underway | None = None
+        for (target, _), (flight, casadi) in zip(targets, libraries, strict=True):
+            model = load_model(target)
+            made = units(model)
+            cases = [prepare(model, unit, flight, casadi, points) for unit in made]
+            if before:
+                collect(before)
+            before = Underway(model, cases, stack)
+            before.laws = [check_first_order(model, m, made, flight) for m in model.measurements if m.first_order]
+        if before:
+            collect(before)
     return checks
 
 
-_task: Callable[[int], Any] | None = None  # what the forked processes below run
+@dataclass(frozen=True)
+class Part:
+    """What some of the points of a unit say; the fields are those of UnitCheck."""
+
+    largest_error: float = 0.0
+    looseness: float = inf
+    zeros_are_zero: bool = True
+    width: float = 0.0
+
+    def __add__(self, other: "Part") -> "Part":
+        return Part(
+            max(self.largest_error, other.largest_error),
+            min(self.looseness, other.looseness),
+            self.zeros_are_zero and other.zeros_are_zero,
+            max(self.width, other.width),
+        )
 
 
-def _run_task(index: int) -> Any:
-    assert _task is not None
-    return _task(index)
+@dataclass
+class Case:
+    """A unit at its points.  inputs: (points, size) each; got, bounds: (points, non-zeros) each, of our C."""
+
+    unit: Unit
+    inputs: list[np.ndarray]
+    got: list[np.ndarray]
+    bounds: list[np.ndarray]
+    same_bits: bool
+    part: Part = Part()
+
+    @property
+    def count(self) -> int:
+        return len(self.inputs[0]) if self.inputs else 1
+
+    def verdict(self, model: Model) -> UnitCheck:
+        outputs = sum(len(r.nonzeros) for r in self.unit.results)
+        return UnitCheck(model.name, self.unit.name, self.count, outputs, self.same_bits, **asdict(self.part))
 
 
-def side_by_side(task: Callable[[int], Any], count: int) -> Iterator[Any]:
-    """task(0), task(1), ... in order, computed by as many processes as there are processors.
+class Underway:
+    """The cases of one model, shared out to processes: each takes every n-th point of each case.
 
-    They are forked, because what a task needs (CasADi's functions, a loaded library) cannot be sent to a process.
+    They are forked, because what they need (CasADi's functions, a loaded library) cannot be sent to a process, and with
+    pipes alone, because a pool would start threads, beside which the next model could not fork.
     """
-    global _task
-    _task = task
-    with multiprocessing.get_context("fork").Pool(min(count, os.cpu_count() or 1)) as pool:
-        yield from pool.imap(_run_task, range(count))
+
+    def __init__(self, model: Model, cases: list[Case], stack: ExitStack):
+        self.model, self.cases = model, cases
+        self.laws: list[FirstOrderCheck] = []
+        self.shares = os.cpu_count() or 1
+        self.processes: dict[Connection, Any] = {}
+        context = multiprocessing.get_context("fork")
+        for share in range(self.shares):
+            receiver, sender = context.Pipe(duplex=False)
+            process = context.Process(target=self.answer, args=(share, sender), daemon=True)
+            process.start()
+            sender.close()
+            stack.callback(process.kill)
+            self.processes[receiver] = process
+
+    def answer(self, share: int, sender: Connection) -> None:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C ends the parent, which ends this one
+        for index, case in enumerate(self.cases):
+            sender.send((index, check_points(case, share, self.shares)))
+
+    def finished(self) -> Iterator[Case]:
+        """Each case as the last process has answered for it."""
+        missing = [self.shares] * len(self.cases)
+        while self.processes:
+            for receiver in wait(list(self.processes)):
+                assert isinstance(receiver, Connection)
+                try:
+                    index, part = receiver.recv()
+                except EOFError:
+                    self.processes.pop(receiver).join()
+                    continue
+                case = self.cases[index]
+                case.part += part
+                missing[index] -= 1
+                if not missing[index]:
+                    yield case
+        if any(missing):
+            raise BoresightError(f"{self.model.name}: a process of verify ended before its points were checked")
 
 
-def check_unit(model: Model, unit: Unit, flight: Library, casadi: Library, points: int) -> UnitCheck:
+def prepare(model: Model, unit: Unit, flight: Library, casadi: Library, points: int) -> Case:
     inputs = answered(unit, CORNERS, points + CORNERS, generator("verify", model.name, unit.name))
     fields = {a.name: values if a.size > 1 else values[:, 0] for a, values in zip(unit.args, inputs, strict=True)}
     ours, theirs = (as_dict(unit, getattr(library, unit.name)(**fields)) for library in (flight, casadi))
     same = all(ours[r.name].tobytes() == theirs[r.name].tobytes() for r in unit.results)
-
-    _, bounds = evaluate(unit.tape, inputs)
-    bound = {(output, nz): bounds[i] for i, (output, nz, _) in enumerate(unit.tape.results)}
     count = len(inputs[0]) if inputs else 1
-    largest, looseness = 0.0, np.inf
-    turn = 2 * mp.pi
-    for k in range(count):
-        for o, values in enumerate(exact(unit, inputs, k)):
-            result = unit.results[o]
-            for nz, value in enumerate(values):
-                got = ours[result.name].reshape(count, *result.shape)[(k, *result.nonzeros[nz])]
-                with mp.workdps(DIGITS):
-                    difference = mp.mpf(float(got)) - value
+    got = [
+        ours[r.name].reshape(count, -1)[:, [row * r.shape[1] + column for row, column in r.nonzeros]]
+        for r in unit.results
+    ]
+    bounds = [np.empty_like(values) for values in got]
+    for (output, nz, _), bound in zip(unit.tape.results, evaluate(unit.tape, inputs)[1], strict=True):
+        bounds[output][:, nz] = bound
+    case = Case(unit, inputs, got, bounds, same)
+    unit.reference(point(case, 0))  # compiled here, once for all processes
+    return case
+
+
+def point(case: Case, k: int) -> dict[str, list[float]]:
+    return {a.name: values[k].tolist() for a, values in zip(case.unit.args, case.inputs, strict=True)}
+
+
+def check_points(case: Case, first: int, step: int) -> Part:
+    """Every step-th point from `first` on.  Elements that the kernel does not write must vanish in the reference too;
+    an error inside the reference's own radius is none."""
+    largest, looseness, zeros, width = 0.0, inf, True, 0.0
+    places = [dict.fromkeys(result.nonzeros) for result in case.unit.results]
+    with precise():
+        turn = 2 * arb.pi()
+        for k in range(first, case.count, step):
+            found = case.unit.reference(point(case, k))
+            for result, printed, entries, got, bounds in zip(
+                case.unit.results, places, found, case.got, case.bounds, strict=True
+            ):
+                width = max(width, relative_width(entries))
+                zeros = zeros and all(value.contains(0) for place, value in entries.items() if place not in printed)
+                for place, value, bound in zip(printed, got[k].tolist(), bounds[k].tolist(), strict=True):
+                    if not isfinite(value):
+                        looseness = 0.0
+                        continue
+                    off = entries.get(place, ZERO) - value
+                    if not off.is_finite():
+                        continue  # as wide as can be
                     if result.angle:
-                        difference -= turn * mp.nint(difference / turn)
-                    error = float(abs(difference))
-                largest = max(largest, error)
-                if not np.isfinite(got):
-                    looseness = 0.0
-                elif error > REFERENCE * max(1.0, abs(float(got))):
-                    looseness = min(looseness, bound[o, nz][k] / error)
-    return UnitCheck(
-        model.name,
-        unit.name,
-        count,
-        sum(len(r.nonzeros) for r in unit.results),
-        same,
-        largest,
-        float(looseness),
-        zeros_are_zero(unit, inputs),
-    )
+                        off -= turn * round(float(off / turn))
+                    error = float(abs(off))
+                    largest = max(largest, error)
+                    if not off.contains(0):
+                        looseness = min(looseness, bound / error)
+    return Part(largest, looseness, zeros, width)
+
+
+def relative_width(entries: Entries) -> float:
+    """The largest radius over the largest number of a matrix; infinite where one is no number."""
+    if not all(value.is_finite() for value in entries.values()):
+        return inf
+    radius = max((value.rad() for value in entries.values()), default=ZERO)
+    return float(radius / max(abs(value.mid()) for value in entries.values())) if radius > 0 else 0.0
 
 
 def as_dict(unit: Unit, result: Any) -> dict[str, np.ndarray]:
     return result if isinstance(result, dict) else {unit.results[0].name: result}
-
-
-def zeros_are_zero(unit: Unit, inputs: list[np.ndarray]) -> bool:
-    """Elements that the kernel does not write vanish in the reference too, to 30 digits of its largest element."""
-    count = len(inputs[0]) if inputs else 1
-    for k in range(0, count, max(1, count // 20)):
-        matrices = unit.reference({a.name: [mp.mpf(float(v)) for v in inputs[i][k]] for i, a in enumerate(unit.args)})
-        for matrix, result in zip(matrices, unit.results, strict=True):
-            printed = set(result.nonzeros)
-            scale = max([abs(v) for v in matrix] + [mp.mpf(1)])
-            for row in range(result.shape[0]):
-                for column in range(result.shape[1]):
-                    if (row, column) not in printed and abs(matrix[row, column]) > scale * mp.mpf(10) ** -20:
-                        return False
-    return True
 
 
 def check_first_order(model: Model, m: Measurement, made: list[Unit], library: Library) -> FirstOrderCheck:
@@ -172,7 +278,7 @@ def check_first_order(model: Model, m: Measurement, made: list[Unit], library: L
     unit = next(u for u in made if u.name == f"{m.name}_H")
     full = next((u for u in made if u.name == f"{law.of}_H"), None)
     count = 200 if full else 20
-    exact_H = maker.differentiate(m.h) if m.h is not None else None
+    exact_H = maker.numeric(m.h, jacobian=True) if m.h is not None else None
     read = {a.name: a for a in ((*unit.args, *full.args) if full else maker.variables)}
     rng = generator("first order", model.name, m.name)
     drawn = sample(tuple(read.values()), 0, count, rng)
@@ -186,8 +292,13 @@ def check_first_order(model: Model, m: Measurement, made: list[Unit], library: L
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
     tied = [(name, maker.numeric(expression)) for name, expression in law.tied]
 
-    def point(k: int) -> dict[str, list[Any]]:
-        return {key: [mp.mpf(float(v)) for v in value[k]] for key, value in values.items()}
+    def exact(reference: Callable[..., list[Entries]], shape: tuple[int, int]) -> np.ndarray:
+        """(count, *shape) in double."""
+        out = np.zeros((count, *shape))
+        for k in range(count):
+            for place, value in reference({key: v[k].tolist() for key, v in values.items()})[0].items():
+                out[k][place] = float(value)
+        return out
 
     def compiled(u: Unit) -> np.ndarray:
         fields = {a.name: values[a.name] if a.size > 1 else values[a.name][:, 0] for a in u.args}
@@ -198,12 +309,12 @@ def check_first_order(model: Model, m: Measurement, made: list[Unit], library: L
         if law.small:
             values[law.small] = scale * directions
         for name, expression in tied:
-            values[name] = np.array([[float(v) for v in expression(point(k))[0]] for k in range(count)])
+            values[name] = exact(expression, (read[name].size, 1))[..., 0]
         if full:
             whole = compiled(full)
         else:
             assert exact_H is not None
-            whole = np.array([exact_H(point(k))[0].tolist() for k in range(count)], dtype=float)
+            whole = exact(exact_H, (len(m.rows), model.n))
         away = np.abs(compiled(unit) - whole).max(axis=(1, 2))
         return float(away.max()), float((away / np.abs(whole).max(axis=(1, 2), initial=1.0)).max())
 
@@ -217,6 +328,4 @@ def check_first_order(model: Model, m: Measurement, made: list[Unit], library: L
 
 def to_json(checks: list[UnitCheck | FirstOrderCheck]) -> list[dict[str, Any]]:
     """One object a check, with its fields and `ok`; looseness is null where the C is exact."""
-    return [
-        {key: value if value != np.inf else None for key, value in asdict(c).items()} | {"ok": c.ok} for c in checks
-    ]
+    return [{key: value if value != inf else None for key, value in asdict(c).items()} | {"ok": c.ok} for c in checks]

@@ -1,4 +1,4 @@
-"""A printed unit called at many points at once, through the batch form that the generated folder brings along."""
+"""A printed unit called at many points of its box at once, whatever its folder's C was compiled for."""
 
 import ctypes
 from pathlib import Path
@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 
 from boresight.evidence.sources import Folder, Source
-from boresight.evidence.targets import GCC, PRECISIONS, compile_units, run
+from boresight.evidence.targets import GCC, PRECISIONS, compile_units
+from boresight.runtime.compiler import run
+from boresight.runtime.library import Library, Unit
 
-Points = dict[str, np.ndarray]  # struct -> (points, numbers), its fields one after another
+Points = dict[str, np.ndarray]  # field -> (points, size)
 
 
 def shared_library(folder: Folder, precision: str, out: Path, objects: dict[str, Path] | None = None) -> Path:
@@ -22,51 +24,34 @@ def shared_library(folder: Folder, precision: str, out: Path, objects: dict[str,
     return image
 
 
-class Caller:
-    """One printed unit of an opened library."""
-
-    def __init__(self, library: ctypes.CDLL, unit: Source, precision: str):
-        assert unit.described is not None
-        self.unit, self.described = unit, unit.described
-        self.real = np.float32 if precision == "float" else np.float64
-        self.function = getattr(library, self.described["c_name"] + "_batch")
-        self.function.restype = ctypes.c_size_t
-        self.structs: list[str] = self.described["structs"]
-        self.results = self.described["results"]
-
-    def __call__(self, points: Points, paint: float = np.nan) -> tuple[list[np.ndarray], np.ndarray]:
-        """Each result, (points, rows * columns), full of `paint` where nothing was written; and the status of each."""
-        count = len(next(iter(points.values()))) if points else 1
-        given = [np.ascontiguousarray(points[name], dtype=self.real) for name in self.structs]
-        outputs = [np.full((count, int(np.prod(r["shape"]))), paint, dtype=self.real) for r in self.results]
-        status = np.full(count, 255, dtype=np.uint8)
-        arguments: list[Any] = [ctypes.c_size_t(count)]
-        for array in given:
-            # a stride is counted in structs; the state is an array of numbers, and its stride in those
-            stride = array.shape[1] if self.structs[len(arguments) // 2] == "x" else 1
-            arguments += [array.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(stride)]
-        arguments += [array.ctypes.data_as(ctypes.c_void_p) for array in (*outputs, status)]
-        self.function(*arguments)
-        return outputs, status
+def callable_units(folder: Folder, image: Path, precision: str) -> dict[str, Unit]:
+    """The printed units of a shared library of this folder, by the name of their source."""
+    library = Library(folder.manifest, ctypes.CDLL(str(image)), precision)
+    return {unit.described["file"]: unit for unit in library.units.values()}
 
 
-def layout(unit: Source) -> list[tuple[str, int, dict[str, Any]]]:
-    """(struct, where it begins there, the manifest's field) of every field of the structs that are read."""
+def call(unit: Unit, points: Points, paint: float = np.nan) -> tuple[list[np.ndarray], np.ndarray]:
+    """Each result, (points, rows * columns), full of `paint` where nothing was written; and the status of each."""
+    count = len(next(iter(points.values()))) if points else 1
+    outputs = unit.outputs(count)
+    for output in outputs:
+        output.fill(paint)
+    _, status = unit.evaluate(points, (count,), outputs)
+    return outputs, status
+
+
+def layout(unit: Source) -> list[tuple[str, dict[str, Any]]]:
+    """(struct, the manifest's field) of every field of the structs that are read, one after another."""
     assert unit.described is not None
-    found = []
-    for struct in unit.described["structs"]:
-        start = 0
-        for field in unit.folder.manifest["structs"][struct]:
-            found.append((struct, start, field))
-            start += field["size"]
-    return found
+    return [
+        (struct, field) for struct in unit.described["structs"] for field in unit.folder.manifest["structs"][struct]
+    ]
 
 
 def points_of(unit: Source, count: int, corners: int, rng: np.random.Generator) -> Points:
     """Points of the box, the first of them its corners; a field with a norm is scaled to within its range."""
-    assert unit.described is not None
-    parts: dict[str, list[np.ndarray]] = {}
-    for struct, _, field in layout(unit):
+    points: Points = {}
+    for _, field in layout(unit):
         low, high = np.array(field["low"]), np.array(field["high"])
         share = np.vstack([rng.integers(0, 2, (corners, len(low))), rng.random((count - corners, len(low)))])
         values = low * (1 - share) + high * share
@@ -75,5 +60,5 @@ def points_of(unit: Source, count: int, corners: int, rng: np.random.Generator) 
             length = np.linalg.norm(values, axis=1, keepdims=True)
             wanted = least + (most - least) * rng.uniform(0.05, 0.95, (count, 1))
             values = np.clip(np.divide(values, length, out=values, where=length > 0) * wanted, low, high)
-        parts.setdefault(struct, []).append(values)
-    return {struct: np.hstack(values) for struct, values in parts.items()}
+        points[field["name"]] = values
+    return points

@@ -19,9 +19,9 @@ from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.units import Unit, units
 from boresight.codegen.generate import load_model
 from boresight.evidence.calls import layout, points_of
-from boresight.evidence.rounding import fields
 from boresight.evidence.sources import Folder, Source
-from boresight.evidence.targets import HARNESS, run
+from boresight.evidence.targets import HARNESS
+from boresight.runtime.compiler import run
 
 MISSING = "" if shutil.which("frama-c") else "frama-c is not installed"
 OPTIONS = (
@@ -67,14 +67,14 @@ def of_unit(unit: Source, made: Unit, out: Path) -> dict[str, Any]:
 
 def norms(unit: Source, made: Unit) -> dict[str, list[float]]:
     """Operands of square roots that are squared norms of what a guard has checked: name in C -> bounds."""
-    ranges = [field["norm"] for _, _, field in layout(unit) if field["norm"]]
+    ranges = [field["norm"] for _, field in layout(unit) if field["norm"]]
     found: dict[str, list[float]] = {}
     if not ranges:
         return found
     # the fourth power: of a product of two quaternions that were both checked
     low, high = min(n[0] for n in ranges) ** 4 * (1 - SLACK), max(n[1] for n in ranges) ** 4 * (1 + SLACK)
     points = points_of(unit, POINTS, 1000, generator("norms", unit.name))
-    inputs = fields(unit, made, points)
+    inputs = [points[arg.name] for arg in made.args]
     for step in made.tape.steps:
         if step.op == "sqrt":
             (values,), _ = evaluate(replace(made.tape, results=((0, 0, step.args[0]),)), inputs)
@@ -88,7 +88,7 @@ def driver(unit: Source, assumed: dict[str, list[float]]) -> str:
     assert unit.described is not None
     structs: dict[str, list[str]] = {name: [] for name in unit.described["structs"]}
     prefix = unit.folder.manifest["c_prefix"]
-    for struct, _, field in layout(unit):
+    for struct, field in layout(unit):
         place = struct if struct == "x" else f"{struct}.{field['name']}"
         for i, (low, high) in enumerate(zip(field["low"], field["high"], strict=True)):
             element = place if field["size"] == 1 and struct != "x" else f"{place}[{i}]"

@@ -1,4 +1,5 @@
-"""The shipped golden vectors on this machine and on emulated Cortex-M4F and M7: verdicts, bits, instructions, stack.
+"""The shipped golden vectors on this machine, by gcc and clang, and on emulated Cortex-M4F and M7: verdicts, bits,
+instructions, stack.  A warning of any of the three compilers is an error.
 
 The same objects are linked a second time with sines of the same few operations everywhere: then no library function
 stands between two machines, and their bits must agree for every unit.
@@ -11,6 +12,7 @@ from typing import Any
 from boresight.evidence.machine import Cost, Machine
 from boresight.evidence.sources import Folder
 from boresight.evidence.targets import (
+    CLANG,
     CORES,
     GCC,
     PRECISIONS,
@@ -58,6 +60,9 @@ def golden(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
         host = build(folder, GCC, precision, out)
         here, here_same = run_on_host(host, host.image), run_on_host(host, host.same)
         note(found, f"x86-64 {precision}", here, here, here_same, here_same)
+        other = build(folder, CLANG, precision, out)
+        there, there_same = run_on_host(other, other.image), run_on_host(other, other.same)
+        note(found, f"{CLANG.name} {precision}", there, here, there_same, here_same)
         for core in CORES:
             made = build(folder, core, precision, out)
             name = f"{core.name} {precision}"
@@ -74,6 +79,21 @@ def golden(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
                 for stem, words in doubles(made).items():
                     found[stem]["doubles"] += [f"{name}: {word}" for word in words]
     return found
+
+
+def faults(unit: str, of: dict[str, Any]) -> list[str]:
+    """What may not be, in words, of what `golden` found of one unit."""
+    wrong = [f"{unit}: {word}" for word in of["doubles"]]
+    wrong += [f"{unit} has no self-test"] * (not of["builds"])
+    for where, was in of["builds"].items():
+        soft = where == "cortex-m4f double"
+        if was["failures"]:
+            wrong.append(f"{unit} on {where}: {was['failures']} failures of its self-test")
+        if not (was["same_bits"] or soft) or was["same_ulps"] > (SOFT_ULPS if soft else 0):
+            wrong.append(f"{unit} on {where}: other bits than here with the same sines")
+        if was["ulps"] > allowed_ulps(where, of["libm"]) or not (was["bits"] or of["libm"] or soft):
+            wrong.append(f"{unit} on {where}: {was['ulps']} ulps from here")
+    return wrong
 
 
 def vectors(test: Path) -> int | None:

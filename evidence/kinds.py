@@ -20,7 +20,7 @@ from boresight.evidence.mutants import mutants
 from boresight.evidence.riscv import riscv
 from boresight.evidence.rounding import rounding
 from boresight.evidence.sources import Folder
-from boresight.evidence.targets import GCC, M4F, RV32
+from boresight.evidence.targets import CLANG, GCC, M4F, RV32
 from boresight.evidence.trace import trace
 
 UNITS = dict[str, dict[str, Any]]
@@ -38,8 +38,8 @@ class Kind:
 
 KINDS = (
     Kind("trace", trace, "", lambda: ""),
-    Kind("guards", guards, GCC.missing, lambda: ""),
-    Kind("golden", golden, M4F.missing, lambda: M4F.version),
+    Kind("guards", guards, GCC.missing, lambda: GCC.version),
+    Kind("golden", golden, M4F.missing or CLANG.missing, lambda: f"{M4F.version}; {GCC.version}; {CLANG.version}"),
     Kind("mutants", mutants, GCC.missing, lambda: ""),
     Kind("rounding", rounding, GCC.missing, lambda: ""),
     Kind("misra", misra, MISRA_MISSING, misra_version),

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from boresight.evidence.sources import Folder
-from boresight.evidence.targets import run
+from boresight.runtime.compiler import run
 
 MISSING = "" if shutil.which("cppcheck") else "cppcheck is not installed"
 FINDING = re.compile(r"^misra-c2012-(\S+) (\S+)$")

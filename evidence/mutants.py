@@ -1,11 +1,11 @@
 """Mutants of the C text of a unit, run through its shipped self-test.
 
-The preprocessed unit is parsed, and each real operation or comparison swapped, each sign flipped, each constant off by
-1e-3 becomes a choice that one global number makes: one executable holds all of them, and forks for each.  What the
-self-test lets pass is compared with the unit itself at 1e4 points of its box and beside the box's edges: a mutant with
-equal bits throughout is equivalent, and counted apart.  A filter's check of what it is started with repeats the boxes
-of the model: there a component's bound a thousandth further out is equivalent if the range of the norm ends at the
-bound, for then the norm refuses with the same status.
+The preprocessed unit is parsed, and each real operation or comparison swapped, each sign flipped, each constant off
+by 1e-3, in loops each statement dropped, becomes a choice that one global number makes: one executable holds all of
+them, and forks for each. What the self-test lets pass is compared with the unit itself at 1e4 points of its box and
+beside the box's edges: a mutant with equal bits throughout is equivalent, and counted apart. A filter's check of what
+it is started with repeats the boxes of the model: there a component's bound a thousandth further out is equivalent if
+the range of the norm ends at the bound, for then the norm refuses with the same status.
 """
 
 import ctypes
@@ -19,9 +19,11 @@ from pycparser import c_ast, c_generator, c_parser
 
 from boresight import BoresightError
 from boresight.codegen.functions.samples import generator
-from boresight.evidence.calls import Caller, Points, layout, points_of, shared_library
+from boresight.evidence.calls import Points, call, callable_units, layout, points_of, shared_library
 from boresight.evidence.sources import Folder, Source
-from boresight.evidence.targets import GCC, HARNESS, compile_units, run, side_by_side
+from boresight.evidence.targets import GCC, HARNESS, compile_units
+from boresight.runtime.compiler import compile_sources, run
+from boresight.runtime.library import Unit
 
 MOST = 2000  # mutants of a unit
 POINTS, CORNERS = 10_000, 2_000  # at which a survivor is compared
@@ -110,6 +112,7 @@ class Mutator(c_generator.CGenerator):
         super().__init__()
         self.unit, self.types, self.chosen = unit, types, chosen
         self.candidates: list[str] = []
+        self.statements: set[int] = set()
         self.inside = False
 
     def choice(self, node: Any, what: str, otherwise: str, mutant: str) -> str:
@@ -127,6 +130,18 @@ class Mutator(c_generator.CGenerator):
         self.inside = here.name != "boresight.h" or n.decl.name in self.types.called
         text = str(super().visit_FuncDef(n))
         self.inside = False
+        return text
+
+    def visit_Compound(self, n: Any) -> str:
+        if self.unit.described is None:  # in a printed list every statement's value is named again
+            alone = (c_ast.Assignment, c_ast.FuncCall)
+            self.statements |= {id(item) for item in n.block_items or () if isinstance(item, alone)}
+        return str(super().visit_Compound(n))
+
+    def visit(self, node: Any) -> str:
+        text = str(super().visit(node))
+        if self.inside and id(node) in self.statements:
+            return self.choice(node, "statement dropped", f"(void)({text})", "(void)0")
         return text
 
     def visit_Decl(self, n: Any, no_type: bool = False) -> str:
@@ -204,20 +219,11 @@ def mutated(unit: Source, most: int) -> tuple[str, list[str]]:
 def mutants(folder: Folder, out: Path, most: int = MOST) -> dict[str, dict[str, Any]]:
     """By unit: mutants tried, killed by the shipped self-test, equivalent, and the others by name."""
     objects = compile_units(folder, GCC, "double", out)
-    common = [
-        "gcc",
-        "-std=c99",
-        "-O1",
-        "-w",
-        "-ffunction-sections",
-        "-I",
-        folder.include,
-        "-I",
-        folder.path / "selftest",
-    ]
-    tests = {path: out / f"{path.stem}.o" for path in folder.files("selftest/*.c")}
-    side_by_side([[*common, "-c", path, "-o", made] for path, made in tests.items()])
-    run(["objcopy", "--redefine-sym=main=shipped_main", out / "selftest.o"])
+    common = ["gcc", "-std=c99", "-O1", "-w", "-ffunction-sections", "-I", folder.include]
+    tests = compile_sources(
+        [*common, "-I", folder.path / "selftest"], dict.fromkeys(folder.files("selftest/*.c"), ()), out
+    )
+    run(["objcopy", "--redefine-sym=main=shipped_main", tests["selftest"]])
     return {
         unit.name: of_unit(unit, objects, list(tests.values()), out, most)
         for unit in folder.units
@@ -260,16 +266,15 @@ def equivalent(unit: Source, objects: dict[str, Path], survivors: list[int], out
     run(["gcc", "-fPIC", "-c", extra, "-o", out / "number.o"])
     image = shared_library(unit.folder, "double", out, objects | {"number": out / "number.o"})
     image = image.rename(out / f"equivalent-{unit.name}.so")  # a library is loaded once by its name
-    library = ctypes.CDLL(str(image))
-    number = ctypes.c_int.in_dll(library, "evidence_mutant")
-    caller = Caller(library, unit, "double")
+    compiled = callable_units(unit.folder, image, "double")[unit.name]
+    number = ctypes.c_int.in_dll(compiled.library.dll, "evidence_mutant")
     rng = generator("equivalence", unit.name)
     points = [points_of(unit, POINTS, CORNERS, rng), edges(unit, rng)]
     number.value = -1
-    expected = [bits(caller, at) for at in points]
+    expected = [bits(compiled, at) for at in points]
     for mutant in survivors:
         number.value = mutant
-        if all(bits(caller, at) == was for at, was in zip(points, expected, strict=True)):
+        if all(bits(compiled, at) == was for at, was in zip(points, expected, strict=True)):
             yield mutant
 
 
@@ -280,8 +285,8 @@ def implied_by_norms(unit: Source) -> set[str]:
     return {f"{end!r} * {1 + OFF}" for end in ends}
 
 
-def bits(caller: Caller, points: Points) -> list[bytes]:
-    outputs, status = caller(points)
+def bits(compiled: Unit, points: Points) -> list[bytes]:
+    outputs, status = call(compiled, points)
     return [array.tobytes() for array in (*outputs, status)]
 
 
@@ -289,16 +294,15 @@ def edges(unit: Source, rng: np.random.Generator) -> Points:
     """Points with one number, or one norm, half of OFF inside and outside an end of its range."""
     base = points_of(unit, 1, 0, rng)
     rows: list[Points] = []
-    for struct, start, field in layout(unit):
-        part = slice(start, start + field["size"])
+    for _, field in layout(unit):
         for share in (1 - OFF / 2, 1 + OFF / 2):
             for ends in (field["low"], field["high"]):
                 for i, end in enumerate(ends):
                     point = {name: value.copy() for name, value in base.items()}
-                    point[struct][0, start + i] = end * share
+                    point[field["name"]][0, i] = end * share
                     rows.append(point)
             for norm in field["norm"] or ():
                 point = {name: value.copy() for name, value in base.items()}
-                point[struct][:, part] *= norm * share / np.linalg.norm(point[struct][:, part])
+                point[field["name"]] *= norm * share / np.linalg.norm(point[field["name"]])
                 rows.append(point)
     return {name: np.vstack([row[name] for row in rows]) for name in base}

@@ -4,7 +4,6 @@ The bound is a running one: at each point it follows every rounding of the print
 float runs at 1e5 random points of the box and at corners; no error may exceed the bound at its point.
 """
 
-import ctypes
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +13,9 @@ from boresight.codegen.functions.samples import generator
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.units import Unit, units
 from boresight.codegen.generate import load_model
-from boresight.evidence.calls import Caller, Points, layout, points_of, shared_library
+from boresight.evidence.calls import call, callable_units, points_of, shared_library
 from boresight.evidence.sources import Folder, Source
+from boresight.runtime.library import Unit as CompiledUnit
 
 RUNS, CORNERS, CHUNK = 100_000, 2_000, 4_000
 LIBM_ULPS = 1.0  # what sinf, cosf and atan2f of this machine's library may err by
@@ -27,15 +27,15 @@ def rounding(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
         return {}
     model = load_model(folder.manifest["model"])
     made = {unit.name: unit for unit in units(model)}
-    library = ctypes.CDLL(str(shared_library(folder, "float", out)))
+    compiled = callable_units(folder, shared_library(folder, "float", out), "float")
     return {
-        source.name: of_unit(source, made[source.described["name"]], Caller(library, source, "float"))
+        source.name: of_unit(source, made[source.described["name"]], compiled[source.name])
         for source in folder.units
         if source.described is not None
     }
 
 
-def of_unit(source: Source, unit: Unit, caller: Caller) -> dict[str, Any]:
+def of_unit(source: Source, unit: Unit, compiled: CompiledUnit) -> dict[str, Any]:
     """`outputs`: result, row, column, and over all runs its largest size, largest bound and largest error.
 
     `loose`: the median of bound over error, of the outputs that err at all.  `relative`: the largest bound, as a part
@@ -49,8 +49,8 @@ def of_unit(source: Source, unit: Unit, caller: Caller) -> dict[str, Any]:
         points = points_of(source, CHUNK, CORNERS if drawn == 0 else 0, rng) if unit.args else {}
         points = {name: values.astype(np.float32).astype(float) for name, values in points.items()}
         drawn += CHUNK
-        outputs, status = caller(points)
-        inputs = fields(source, unit, points)
+        outputs, status = call(compiled, points)
+        inputs = [points[arg.name] for arg in unit.args]
         values, floats = evaluate(unit.tape, inputs, LIBM_ULPS, np.float32)
         _, doubles = evaluate(unit.tape, inputs, LIBM_ULPS)
         keep = (status == 0) & np.isfinite(np.array(floats)).all(axis=0)
@@ -87,13 +87,3 @@ def of_unit(source: Source, unit: Unit, caller: Caller) -> dict[str, Any]:
 def rounded(value: float) -> float:
     """Three digits are enough to print."""
     return float(f"{float(value):.3g}")
-
-
-def fields(source: Source, unit: Unit, points: Points) -> list[np.ndarray]:
-    """The points as the instruction list takes them: one array an argument."""
-    where = {field["name"]: (struct, start, field["size"]) for struct, start, field in layout(source)}
-    taken = []
-    for arg in unit.args:
-        struct, start, size = where[arg.name]
-        taken.append(points[struct][:, start : start + size])
-    return taken

@@ -5,12 +5,8 @@ error; the self-test's comparison is wrapped so that every number it sees can be
 """
 
 import ctypes
-import functools
 import re
 import shutil
-import subprocess
-from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -19,6 +15,8 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.evidence.sources import Folder
+from boresight.runtime import compiler
+from boresight.runtime.compiler import PRECISIONS, compile_sources, run
 
 HARNESS = Path(__file__).parent / "harness"
 WARNINGS = (
@@ -26,9 +24,7 @@ WARNINGS = (
     *("-Wmissing-prototypes", "-Werror", "-ffp-contract=off"),
 )
 OPTIMISED = ("-O2", "-ffunction-sections", "-fdata-sections")
-PRECISIONS: dict[str, tuple[str, ...]] = {"float": ("-DBORESIGHT_FLOAT",), "double": ()}
 RENAMED = ("selftest_compare", "main")  # of the shipped selftest.c, to shipped_compare and shipped_main
-JOBS = 2
 ROOM, GROUPS = 400_000, 20_000  # numbers and comparisons that the recorder keeps of one test
 
 
@@ -56,10 +52,10 @@ class Target:
         """One of the binary utilities, such as objcopy."""
         return self.compiler.replace("gcc", name) if self.emulated else name
 
-    @functools.cached_property
+    @property
     def version(self) -> str:
-        """First line of what the compiler says of itself."""
-        return run([self.compiler, "--version"]).splitlines()[0]
+        """First line of the compiler's --version."""
+        return compiler.version(self.compiler).splitlines()[0]
 
 
 GCC = Target("x86-64", "gcc", ("-fPIC",))
@@ -82,7 +78,7 @@ RV32 = Target(
     ("-march=rv32imafdc", "-mabi=ilp32d", "--specs=picolibc.specs"),
     link=("-nostartfiles", *(f"-Wl,--defsym=__{word}" for word in MEMORY)),
 )
-HOSTS, CORES = (GCC, CLANG), (M4F, M7)
+CORES = (M4F, M7)
 
 
 @dataclass(frozen=True)
@@ -102,28 +98,11 @@ class Build:
         return np.float32 if self.precision == "float" else np.float64
 
 
-def run(command: Iterable[object], **more: object) -> str:
-    """Standard output of a command.  Raises BoresightError with its first words of complaint."""
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, **more)  # type: ignore[call-overload]
-    if done.returncode != 0:
-        words = [str(word) for word in command]
-        raise BoresightError(f"{' '.join(words[:3])} ... failed: {(done.stderr or done.stdout).strip()[:2000]}")
-    return str(done.stdout)
-
-
-def side_by_side(commands: list[list[object]]) -> None:
-    with ThreadPoolExecutor(JOBS) as pool:
-        for _ in pool.map(run, commands):
-            pass
-
-
 def compile_units(folder: Folder, target: Target, precision: str, out: Path, *flags: str) -> dict[str, Path]:
     """Every unit's object, by the unit's name; a warning is an error."""
     out.mkdir(parents=True, exist_ok=True)
-    objects = {unit.name: out / f"{unit.name}.o" for unit in folder.units}
     common = [target.compiler, *WARNINGS, *target.flags, *PRECISIONS[precision], *(flags or OPTIMISED)]
-    side_by_side([[*common, "-I", folder.include, "-c", unit.path, "-o", objects[unit.name]] for unit in folder.units])
-    return objects
+    return compile_sources([*common, "-I", folder.include], {unit.path: () for unit in folder.units}, out)
 
 
 def build(folder: Folder, target: Target, precision: str, out: Path) -> Build:
@@ -132,18 +111,13 @@ def build(folder: Folder, target: Target, precision: str, out: Path) -> Build:
     objects = compile_units(folder, target, precision, out)
     common = [target.compiler, *WARNINGS, *target.flags, *PRECISIONS[precision], "-O0", "-I", folder.include]
     common += ["-I", folder.path / "selftest", f"-DEVIDENCE_ROOM={ROOM}", f"-DEVIDENCE_GROUPS={GROUPS}"]
-    tests = folder.files("selftest/*.c")
-    jobs = [[*common, "-c", path, "-o", out / f"{path.stem}.o"] for path in tests]
-    jobs += [
-        [*common, "-fno-builtin", "-c", HARNESS / f"{name}.c", "-o", out / f"{name}.o"]
-        for name in ("recorder", "quiet", "same_sines")
-    ]
-    side_by_side(jobs)
+    harness = {HARNESS / f"{name}.c": ("-fno-builtin",) for name in ("recorder", "quiet", "same_sines")}
+    made = compile_sources(common, {**dict.fromkeys(folder.files("selftest/*.c"), ()), **harness}, out)
+    same_sines = made.pop("same_sines")
     renamed = [f"--redefine-sym={name}=shipped_{name.removeprefix('selftest_')}" for name in RENAMED]
-    run([target.tool("objcopy"), *renamed, out / "selftest.o"])
-    linked = [*objects.values(), *(out / f"{path.stem}.o" for path in tests), out / "recorder.o", out / "quiet.o"]
-    images = []
-    for name, more in (("image", []), ("same", [out / "same_sines.o"])):
+    run([target.tool("objcopy"), *renamed, made["selftest"]])
+    linked, images = [*objects.values(), *made.values()], []
+    for name, more in (("image", []), ("same", [same_sines])):
         images.append(out / f"{name}.{'elf' if target.emulated else 'so'}")
         if target.emulated:
             kept = [f"-Wl,-u,{unit.test_function}" for unit in folder.units if unit.test.is_file()]

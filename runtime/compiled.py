@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime.filter import Array, Filter, Innovation
+from boresight.runtime.array import Array
+from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.library import Library
-
-NOT_POSITIVE = 5  # BS_NOT_POSITIVE
+from boresight.runtime.status import Status
 
 
 class CompiledFilter(Filter):
@@ -29,6 +29,8 @@ class CompiledFilter(Filter):
             raise BoresightError(
                 f"{getattr(model, 'name', model)!s} has no filter in C; give a library of a model that has measurements"
             )
+        if model.precision != "double":
+            raise BoresightError(f"{model.name} is compiled in {model.precision}; CompiledFilter carries P in double")
         super().__init__(model, nav, P)
         self.described = described
         n = len(model.states)
@@ -156,7 +158,7 @@ class CompiledFilter(Filter):
 
     def _explain(self, function: str, given: dict[str, Array], runs: tuple[int, ...], status: Array) -> None:
         where = tuple(int(i) for i in np.argwhere(status != 0)[0])
-        if status[where] == NOT_POSITIVE:
+        if status[where] == Status.NOT_POSITIVE:
             at = f" of run {where[0] if len(where) == 1 else where}" if where else ""
             raise BoresightError(
                 f"{function}: an innovation or its variance{at} is no number; P has left what a double holds, so start "

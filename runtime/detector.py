@@ -15,15 +15,15 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime.library import build, open_library
+from boresight.runtime.array import Array
+from boresight.runtime.compiler import open_library
+from boresight.runtime.library import build
 from boresight.runtime.manifest import folder_of, read_manifest
-
-Array = np.ndarray
+from boresight.runtime.status import Status
+from boresight.runtime.units import STANDARD_GRAVITY
 
 DETECTORS = ("gyro_mean", "gyro_std", "accel_mean", "accel_std", "likelihood_ratio")
-OK, NULL_POINTER, NOT_FINITE, OUT_OF_RANGE, NOT_READY = range(5)  # bs_status
 MAX_WINDOW = 256  # room in the C state, in samples
-GRAVITY = 9.80665
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Settings:
     sigma_accel: float
     sigma_gyro: float
     threshold: Mapping[str, float]
-    gravity: float = GRAVITY
+    gravity: float = STANDARD_GRAVITY
 
     def __post_init__(self) -> None:
         check_noise(self.window, self.sigma_accel, self.sigma_gyro)
@@ -54,7 +54,7 @@ def settings(
     sigma_gyro: float,
     false_alarm_rate: float,
     *,
-    gravity: float = GRAVITY,
+    gravity: float = STANDARD_GRAVITY,
     rest_rate: float = 0.0,
     gravity_error: float = 0.0,
 ) -> Settings:
@@ -203,7 +203,7 @@ def library() -> ctypes.PyDLL:
     described = manifest["component"]
     if [d["name"] for d in described["detectors"]] != list(DETECTORS) or described["max_window"] != MAX_WINDOW:
         raise BoresightError(f"{folder} holds other detectors than this version of Boresight binds; generate it again")
-    dll = open_library(*build(folder, manifest, "flight"))
+    dll = open_library(*build(folder, manifest))
     dll.sd_sizeof_detector.restype = ctypes.c_size_t
     return dll
 
@@ -217,9 +217,9 @@ def c_settings(settings: Settings) -> CSettings:
 class Decisions:
     """What each detector said at the end of each window, over whole recordings.
 
-    statistic: (..., K, 5), NaN where there is no full window.  rest: (..., K, 5) bool, False there.  status: (..., K),
-    the C's: OK, NOT_READY before a window is full, NOT_FINITE or OUT_OF_RANGE for a sample that was refused, and then
-    the window begins anew.  Columns are DETECTORS, or by name: `decisions.rest_by("gyro_mean", "accel_std")`.
+    statistic: (..., K, 5), NaN where there is no full window.  rest: (..., K, 5) bool, False there.  status: (..., K)
+    of `Status`: OK, NOT_READY before a window is full, NOT_FINITE or OUT_OF_RANGE for a sample that was refused, and
+    then the window begins anew.  Columns are DETECTORS, or by name: `decisions.rest_by("gyro_mean", "accel_std")`.
     """
 
     statistic: Array
@@ -274,7 +274,7 @@ def evaluate(
         pointer(statistic), pointer(bits), pointer(status),
     )  # fmt: skip
     if refused:
-        raise BoresightError(f"the detectors refuse these settings (status {refused}): {settings}")
+        raise BoresightError(f"the detectors refuse these settings (BS_{Status(refused).name}): {settings}")
     return Decisions(statistic, (bits[..., None] >> np.arange(len(DETECTORS)) & 1).astype(bool), status)
 
 
@@ -289,9 +289,9 @@ def gaps(time: Any) -> Array:
 class Detector:
     """The detectors in a loop of one's own: write a sample, `push`, read `statistic` and `rest`.
 
-    push(gyro, accel) returns the C status: OK, NOT_READY (taken; too few samples so far), or NOT_FINITE, OUT_OF_RANGE
-    (refused; nothing changed: call `restart` unless a window may leave out a sample).  With any but OK, statistic and
-    rest are those of the last decision.
+    push(gyro, accel) returns the number of a `Status`: OK, NOT_READY (taken; too few samples so far), or NOT_FINITE,
+    OUT_OF_RANGE (refused; nothing changed: call `restart` unless a window may leave out a sample).  With any but OK,
+    statistic and rest are those of the last decision.
     """
 
     def __init__(self, settings: Settings):
@@ -299,7 +299,7 @@ class Detector:
         self._state = ctypes.create_string_buffer(dll.sd_sizeof_detector())
         self._decision = CDecision()
         self._gyro, self._accel = np.zeros(3), np.zeros(3)
-        if dll.sd_init(self._state, ctypes.byref(c_settings(settings))) != OK:
+        if dll.sd_init(self._state, ctypes.byref(c_settings(settings))) != Status.OK:
             raise BoresightError(f"the detectors refuse these settings: {settings}")
         pointers = (ctypes.c_void_p * 4)(
             ctypes.addressof(self._state), self._gyro.ctypes.data, self._accel.ctypes.data,

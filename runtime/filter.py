@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-
-Array = np.ndarray
+from boresight.runtime.array import Array
 
 
 @dataclass(frozen=True)

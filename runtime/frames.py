@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-
-Array = np.ndarray
+from boresight.runtime.array import Array
 
 BODY = {"F": (0, 1.0), "B": (0, -1.0), "R": (1, 1.0), "L": (1, -1.0), "D": (2, 1.0), "U": (2, -1.0)}
 NAVIGATION = {"N": (0, 1.0), "S": (0, -1.0), "E": (1, 1.0), "W": (1, -1.0), "D": (2, 1.0), "U": (2, -1.0)}

@@ -12,8 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from boresight import BoresightError
-
-Array = np.ndarray
+from boresight.runtime.array import Array
 
 CONSIDERED = 12  # dbg dba dv_m psi_m
 

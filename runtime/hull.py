@@ -16,8 +16,7 @@ from typing import Any
 import numpy as np
 
 from boresight.runtime import rotation, sea
-
-Array = np.ndarray
+from boresight.runtime.array import Array
 
 FREEDOMS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 

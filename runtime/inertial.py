@@ -9,10 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from boresight import BoresightError
+from boresight.runtime.array import Array
 from boresight.runtime.library import Library
 from boresight.runtime.rotation import attitude_error, matrix_from_quaternion
-
-Array = np.ndarray
 
 ROUNDS = 30  # of the inversion; each shrinks what is left by the angle turned in a step or more
 ENOUGH = 1e-14  # rad, and the same part of the velocity increments (m/s): rounding

@@ -6,13 +6,7 @@ refuses a library that is not that of the files on disk.
 
 import ctypes
 import functools
-import hashlib
 import json
-import os
-import shlex
-import shutil
-import subprocess
-import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
@@ -20,94 +14,27 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime.manifest import built_in, cache_folder, folder_of, read_manifest
+from boresight.runtime.compiler import PRECISIONS, open_library, shared_library
+from boresight.runtime.manifest import built_in, folder_of, read_manifest
+from boresight.runtime.status import Status
 
-FLAGS = ("-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror")
 BACKENDS = ("flight", "casadi")
-STATUS = {1: "a null pointer", 2: "not finite", 3: "outside its box"}
 
 
-def compiler() -> list[str]:
-    """The C compiler as a command: CC, or cc, or gcc."""
-    command = shlex.split(os.environ.get("CC", "")) or ["cc" if shutil.which("cc") else "gcc"]
-    if shutil.which(command[0]) is None:
-        raise BoresightError(f"no C compiler: {command[0]!r} is not found; install gcc or clang, or set CC")
-    return command
-
-
-@functools.cache
-def compiler_version(command: tuple[str, ...]) -> str:
-    return subprocess.run([*command, "--version"], capture_output=True, text=True, check=False).stdout
-
-
-def build(folder: Path, manifest: dict[str, Any], backend: str) -> tuple[Path, str]:
-    """Path of the compiled library, made if the cache has none, and the hash that it must carry."""
-    command = compiler()
-    key = hashlib.sha256()
-    for part in (json.dumps(manifest["files"], sort_keys=True), " ".join(FLAGS), " ".join(command), backend):
-        key.update(part.encode() + b"\0")
-    key.update(compiler_version(tuple(command)).encode())
-    digest = key.hexdigest()
-    target = cache_folder() / f"{folder.name}-{backend}-{digest[:32]}.so"
-    if not target.exists():
-        compile_library(folder, manifest, backend, command, digest, target)
-    return target, digest
-
-
-def compile_library(
-    folder: Path, manifest: dict[str, Any], backend: str, command: list[str], digest: str, target: Path
-) -> None:
-    """Compile aside, then move into place: no other process ever sees half a library."""
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        work = tempfile.TemporaryDirectory(dir=target.parent)
-    except OSError as error:
-        raise BoresightError(
-            f"cannot write to {target.parent} ({error.strerror}); set BORESIGHT_CACHE to a folder that you can write to"
-        ) from None
-    with work as name:
-        include, objects = ["-I", str(folder / "include")], []
-        stamp = Path(name) / "stamp.c"
-        stamp.write_text(
-            f'const char *boresight_build(void);\nconst char *boresight_build(void) {{ return "{digest}"; }}\n'
-        )
-        jobs: list[tuple[Path, list[str]]] = [(stamp, [])]
-        jobs += [(folder / path, []) for path in manifest["files"] if path.startswith("batch/")]
-        for stem in (unit["file"] for unit in manifest["units"].values()):
-            # CasADi's kernel has the include guard of ours: seen first, it is the one that the wrapper calls
-            instead = ["-include", str(folder / "casadi" / f"{stem}_kernel.h")] if backend == "casadi" else []
-            jobs.append((folder / "src" / f"{stem}.c", instead))
-            if backend == "casadi":
-                jobs.append((folder / "casadi" / f"{stem}_casadi.c", ["-Wno-unused-parameter"]))
-        jobs += [(folder / "src" / f"{stem}.c", []) for stem in (manifest.get("filter") or {}).get("sources", [])]
-        for source, extra in jobs:
-            out = Path(name) / f"{source.stem}.o"
-            run_compiler([*command, *FLAGS, *include, *extra, "-c", str(source), "-o", str(out)])
-            objects.append(str(out))
-        aside = Path(name) / "library.so"
-        run_compiler([*command, "-shared", *objects, "-lm", "-o", str(aside)])
-        os.replace(aside, target)
-
-
-def run_compiler(command: list[str]) -> None:
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        first = next((line for line in done.stderr.splitlines() if "error" in line), done.stderr.strip()[:200])
-        raise BoresightError(f"the C compiler failed: {first}")
-
-
-def open_library(path: Path, digest: str) -> ctypes.PyDLL:
-    """The library that `build` made, if it carries its hash."""
-    try:
-        # PyDLL keeps the interpreter's lock: a call is shorter than letting go of it and taking it again.
-        dll = ctypes.PyDLL(str(path))
-        dll.boresight_build.restype = ctypes.c_char_p
-        carried = dll.boresight_build().decode()
-    except (OSError, AttributeError) as error:
-        raise BoresightError(f"{path} is no library of Boresight ({error}); delete it and load again") from None
-    if carried != digest:
-        raise BoresightError(f"{path} was compiled from other sources than those on disk; delete it and load again")
-    return dll
+def build(
+    folder: Path, manifest: dict[str, Any], backend: str = "flight", precision: str = "double"
+) -> tuple[Path, str]:
+    """The compiled library of a generated folder, as `compiler.shared_library`."""
+    sources: dict[Path, list[object]] = {folder / path: [] for path in manifest["files"] if path.startswith("batch/")}
+    for stem in (unit["file"] for unit in manifest["units"].values()):
+        # CasADi's kernel has the include guard of ours: seen first, it is the one that the wrapper calls
+        instead = ["-include", folder / "casadi" / f"{stem}_kernel.h"] if backend == "casadi" else []
+        sources[folder / "src" / f"{stem}.c"] = instead
+        if backend == "casadi":
+            sources[folder / "casadi" / f"{stem}_casadi.c"] = ["-Wno-unused-parameter"]
+    sources |= {folder / "src" / f"{stem}.c": [] for stem in (manifest.get("filter") or {}).get("sources", [])}
+    name, contents = f"{folder.name}-{backend}-{precision}", json.dumps(manifest["files"], sort_keys=True)
+    return shared_library(name, contents, sources, folder / "include", PRECISIONS[precision])
 
 
 class Unit:
@@ -124,7 +51,7 @@ class Unit:
         self.described = described
         self.fields: tuple[str, ...] = tuple(described["fields"])
         self.structs: tuple[str, ...] = tuple(described["structs"])
-        self._library = library
+        self.library = library
         dll = library.dll
         self._one = getattr(dll, described["c_name"] + "_bound")
         self._one.restype = ctypes.c_int
@@ -132,31 +59,45 @@ class Unit:
         self._many.restype = ctypes.c_size_t
 
     def __call__(self, **fields: Any) -> Any:
-        library = self._library
+        library = self.library
         if set(fields) != set(self.fields):
             raise BoresightError(
                 f"{self.name} takes {', '.join(self.fields)}; it was given {', '.join(fields) or 'nothing'}"
             )
         given, runs = library.arrange(self.name, fields)
-        n = int(np.prod(runs, dtype=int))
-
-        arguments: list[Any] = [ctypes.c_size_t(n)]
-        kept = library.pack(self.structs, given, runs)
-        for packed, stride in kept:
-            arguments += [ctypes.c_void_p(packed.ctypes.data), ctypes.c_size_t(stride)]
-        results = {r["name"]: np.empty((n, r["shape"][0] * r["shape"][1])) for r in self.described["results"]}
-        status = np.empty(n, dtype=np.uint8)
-        arguments += [ctypes.c_void_p(out.ctypes.data) for out in (*results.values(), status)]
-        if self._many(*arguments):
+        outputs = self.outputs(int(np.prod(runs, dtype=int)))
+        failed, status = self.evaluate(given, runs, outputs)
+        if failed:
             library.explain(self.name, given, runs, status.reshape(runs))
         shaped = {}
-        for r in self.described["results"]:
+        for r, output in zip(self.described["results"], outputs, strict=True):
             rows, columns = r["shape"]
             shape = (*runs, rows) if r["vector"] else (*runs, rows, columns)
             if shape == (*runs, 1) and r["name"] in library.field:
                 shape = runs  # a scalar that goes out as it came in
-            shaped[r["name"]] = results[r["name"]].reshape(shape)
+            shaped[r["name"]] = output.reshape(shape)
         return shaped if len(shaped) > 1 else next(iter(shaped.values()))
+
+    def outputs(self, n: int) -> list[np.ndarray]:
+        """Room for the outputs of n runs, each (n, rows * columns)."""
+        real = self.library.real
+        return [np.empty((n, r["shape"][0] * r["shape"][1]), real) for r in self.described["results"]]
+
+    def evaluate(
+        self, given: dict[str, np.ndarray], runs: tuple[int, ...], outputs: list[np.ndarray]
+    ) -> tuple[int, np.ndarray]:
+        """Write `outputs` as the C does, and return how many runs it refused and the status of each, (n,).
+
+        given, runs: of `Library.arrange`.  A run that is refused leaves its outputs as they were; nothing is raised.
+        """
+        n = len(outputs[0])
+        status = np.empty(n, dtype=np.uint8)
+        arguments: list[Any] = [ctypes.c_size_t(n)]
+        kept = self.library.pack(self.structs, given, runs)
+        for packed, stride in kept:
+            arguments += [ctypes.c_void_p(packed.ctypes.data), ctypes.c_size_t(stride)]
+        arguments += [ctypes.c_void_p(out.ctypes.data) for out in (*outputs, status)]
+        return self._many(*arguments), status
 
     def bind(self) -> "Bound":
         """The function for one run, bound to its own arrays: for loops where a microsecond counts."""
@@ -169,13 +110,13 @@ class Unit:
 class Bound:
     """A function with its pointers taken once.  Write `inputs`, call, read `outputs`.
 
-    inputs: field -> (size,) view.  outputs: name -> (rows,) or (rows, columns).  The call returns the C status, which
-    the caller must look at: 0 is success, and with any other the outputs are as they were.
+    inputs: field -> (size,) view.  outputs: name -> (rows,) or (rows, columns).  The call returns the number of a
+    `Status`, which the caller must look at: 0 is OK, and with any other the outputs are as they were.
     """
 
     def __init__(self, unit: Unit):
-        library = unit._library
-        self._arrays = {struct: np.zeros(library.width[struct]) for struct in unit.structs}
+        library = unit.library
+        self._arrays = {struct: np.zeros(library.width[struct], library.real) for struct in unit.structs}
         self.inputs = {
             name: self._arrays[struct][part]
             for struct in unit.structs
@@ -183,7 +124,8 @@ class Bound:
             if name in unit.fields
         }
         self.outputs = {
-            r["name"]: np.zeros(r["shape"][0] if r["vector"] else tuple(r["shape"])) for r in unit.described["results"]
+            r["name"]: np.zeros(r["shape"][0] if r["vector"] else tuple(r["shape"]), library.real)
+            for r in unit.described["results"]
         }
         addresses = [a.ctypes.data for a in (*self._arrays.values(), *self.outputs.values())]
         self._pointers = (ctypes.c_void_p * len(addresses))(*addresses)
@@ -197,13 +139,14 @@ class Library:
     """The functions of one model as attributes: `load("euler-matching").euler_H(euler_b=..., euler_r=...)`.
 
     states: names of the error state's components.  manifest: what was generated, and the hash of each function.
+    real: the NumPy type of the precision, in which the numbers go to the C and come back.
     """
 
-    def __init__(self, manifest: dict[str, Any], path: Path, digest: str, backend: str):
-        self.manifest, self.path, self.backend = manifest, path, backend
+    def __init__(self, manifest: dict[str, Any], dll: ctypes.CDLL, precision: str = "double"):
+        self.manifest, self.dll, self.precision = manifest, dll, precision
+        self.real: type[np.floating] = np.float32 if precision == "float" else np.float64
         self.name: str = manifest["model"]
         self.states: tuple[str, ...] = tuple(manifest["states"])
-        self.dll = open_library(path, digest)
         self.field: dict[str, dict[str, Any]] = {}
         self.layout: dict[str, dict[str, slice]] = {}
         self.width: dict[str, int] = {}
@@ -240,7 +183,7 @@ class Library:
         for struct in structs:
             used = [(name, part) for name, part in self.layout[struct].items() if name in given]
             shared = all(given[name].ndim == 1 for name, _ in used)
-            array = np.zeros((() if shared else runs) + (self.width[struct],))
+            array = np.zeros((() if shared else runs) + (self.width[struct],), self.real)
             for name, part in used:
                 array[..., part] = given[name]
             # x is a plain array, whose stride counts numbers; a struct's counts structs
@@ -258,7 +201,7 @@ class Library:
                 label = f"{name}[{i}]" if len(value) > 1 else name
                 if not np.isfinite(v):
                     raise BoresightError(f"{function}: {label}{at} is {v}; give a finite number")
-                if not box["low"][i] <= v <= box["high"][i]:
+                if not self.real(box["low"][i]) <= self.real(v) <= self.real(box["high"][i]):
                     unit = box["unit"] if "," not in box["unit"] else ""  # a vector of several units names none
                     raise BoresightError(
                         f"{function}: {label}{at} is {v:.6g} {unit}".rstrip()
@@ -269,9 +212,7 @@ class Library:
                     f"{function}: {name}{at} has the norm {np.linalg.norm(value):.6g}; it must lie within "
                     f"{box['norm'][0]:.6g} to {box['norm'][1]:.6g}"
                 )
-        raise BoresightError(
-            f"{function}: an input{at} was refused ({STATUS.get(int(status[where]), 'unknown status')})"
-        )
+        raise BoresightError(f"{function}: an input{at} was refused: BS_{Status(int(status[where])).name}")
 
     def __getattr__(self, name: str) -> Unit:
         units = self.__dict__.get("units", {})
@@ -285,17 +226,20 @@ class Library:
         return [*super().__dir__(), *self.units]
 
 
-def load(model: str | Path, backend: str = "flight") -> Library:
+def load(model: str | Path, backend: str = "flight", precision: str = "double") -> Library:
     """The compiled functions of a model: a built-in name, or a folder that `boresight generate` wrote.
 
     backend: "flight" for our C, "casadi" for CasADi's own; both have the same functions and give the same bits.
+    precision: "double" or "float"; CasADi's C knows double alone.
     Raises BoresightError on an unknown model, an edited file, a missing compiler, or a library that is out of date.
     """
-    if backend not in BACKENDS:
-        raise BoresightError(f"no backend {backend!r}; there are {', '.join(BACKENDS)}")
+    for what, given, known in (("backend", backend, BACKENDS), ("precision", precision, tuple(PRECISIONS))):
+        if given not in known:
+            raise BoresightError(f"no {what} {given!r}; there are {', '.join(known)}")
+    if backend == "casadi" and precision == "float":
+        raise BoresightError("CasADi's C computes in double; take the backend 'flight' for float")
     folder = folder_of(model)
     manifest = read_manifest(folder)
     if "component" in manifest:
         raise BoresightError(f"{manifest['model']} comes from no model; models are {', '.join(built_in())}")
-    path, digest = build(folder, manifest, backend)
-    return Library(manifest, path, digest, backend)
+    return Library(manifest, open_library(*build(folder, manifest, backend, precision)), precision)

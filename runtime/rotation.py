@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-Array = np.ndarray
+from boresight.runtime.array import Array
 
 
 def matrix_from_euler(euler: Any) -> Array:

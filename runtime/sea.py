@@ -8,16 +8,15 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.runtime.array import Array
+from boresight.runtime.units import STANDARD_GRAVITY
 
-Array = np.ndarray
-
-GRAVITY = 9.80665
 LOWEST, HIGHEST = 0.5, 10.0  # of the peak frequency: 2e-9 of the elevation's variance lies below, 1e-4 above
 
 
 def wave_number(omega: Any) -> Array:
     """rad/m of deep water."""
-    return np.asarray(omega, float) ** 2 / GRAVITY
+    return np.asarray(omega, float) ** 2 / STANDARD_GRAVITY
 
 
 def fully_developed_peak(height_m: Any) -> Array:
@@ -25,7 +24,7 @@ def fully_developed_peak(height_m: Any) -> Array:
 
     Its energy ends as 0.0081 g^2 / omega^5 whatever the wind, so that the height alone tells the period.
     """
-    return np.sqrt(4 * np.sqrt(0.0081 / 5) * GRAVITY / np.asarray(height_m, float))
+    return np.sqrt(4 * np.sqrt(0.0081 / 5) * STANDARD_GRAVITY / np.asarray(height_m, float))
 
 
 def density(omega: Any, height_m: Any, peak_rad_s: Any, gamma: float = 1.0) -> Array:

@@ -11,9 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from boresight.runtime.array import Array
 from boresight.runtime.rotation import matrix_from_vector
-
-Array = np.ndarray
 
 EARTH_RATE_RAD_S = 7.292115e-5  # WGS-84
 

@@ -19,9 +19,8 @@ from scipy.special import chdtri
 
 from boresight import BoresightError
 from boresight.runtime import rotation
+from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation
-
-Array = np.ndarray
 
 PHI, DV, TAU = slice(0, 3), slice(3, 6), 15  # of the error state
 LARGEST = 0.45  # rad in one correction; the model's own range ends at 0.5

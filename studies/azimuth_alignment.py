@@ -13,16 +13,10 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import handover, inertial, rotation, simulation
+from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
-
-Array = np.ndarray
-
-DEG = np.pi / 180
-ARCMIN = DEG / 60
-HOUR = 3600.0
-MILLI_G = 9.80665e-3
-FOOT = 0.3048
+from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, MILLI_G
 
 
 @dataclass(frozen=True)

@@ -10,10 +10,8 @@ import numpy as np
 
 from boresight.runtime import rotation
 from boresight.runtime.filter import Filter
+from boresight.runtime.units import ARCMIN, DEG, MILLI_G
 from boresight.studies.azimuth_alignment import (
-    ARCMIN,
-    DEG,
-    MILLI_G,
     Models,
     Scenario,
     accel_walk,
@@ -27,8 +25,6 @@ from boresight.studies.azimuth_alignment import (
     rest_specific_force,
 )
 from boresight.studies.azimuth_hold import MODES, PHI, hold, root_mean_square
-
-Array = np.ndarray
 
 STARTS_ARCMIN = (0.1, 0.5, 1.0, 3.5, 10.0, 30.0)
 AT_S = (0, 10, 100, 1000, 3600)

@@ -16,11 +16,10 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import rotation
+from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
+from boresight.runtime.units import ARCMIN, DEG, MILLI_G
 from boresight.studies.azimuth_alignment import (
-    ARCMIN,
-    DEG,
-    MILLI_G,
     Aligned,
     Models,
     Scenario,
@@ -33,8 +32,6 @@ from boresight.studies.azimuth_alignment import (
     rest_specific_force,
     step,
 )
-
-Array = np.ndarray
 
 MODES = ("inertial", "zupt", "azimuth", "reference")
 AXES = ("east", "north", "up")

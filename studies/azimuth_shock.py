@@ -21,11 +21,11 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import detector, inertial, rotation
+from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
+from boresight.runtime.status import Status
+from boresight.runtime.units import ARCMIN, DEG, MILLI_G
 from boresight.studies.azimuth_alignment import (
-    ARCMIN,
-    DEG,
-    MILLI_G,
     Aligned,
     Models,
     Scenario,
@@ -37,8 +37,6 @@ from boresight.studies.azimuth_alignment import (
     step,
 )
 from boresight.studies.azimuth_hold import AXES, PHI, REFERENCE_SIGMA, root_mean_square
-
-Array = np.ndarray
 
 EVENTS = {
     "none": "nothing happens",
@@ -209,7 +207,7 @@ def run(
         said = detector.evaluate(settings, np.concatenate([past[0], gyro], -2), np.concatenate([past[1], accel], -2),
                                  dll=dll)  # fmt: skip
         tail = (gyro[..., -(WINDOW - 1) :, :], accel[..., -(WINDOW - 1) :, :])
-        full = said.status == detector.OK
+        full = said.status == Status.OK
         moving = (full & ~said.rest_by(*SAYS_MOTION)).any(-1)
         quiet = np.where(moving, 0, quiet + 1)
         rest = (quiet > WAIT_S)[None] | ~has_detector

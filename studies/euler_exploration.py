@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 
 from boresight.runtime import rotation, simulation
+from boresight.runtime.array import Array
+from boresight.runtime.units import ARCMIN, DEG
 from boresight.studies.euler_table import (
-    ARCMIN,
     CHOSEN,
-    DEG,
     NAMES,
     PAPER,
     SWITCHES,
@@ -29,7 +29,6 @@ from boresight.studies.euler_table import (
     switched,
 )
 
-Array = np.ndarray
 Progress = Callable[[str], None]
 
 # Departures in what the paper does not say, one line of the report each.

@@ -13,10 +13,10 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import rotation, simulation
+from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
+from boresight.runtime.units import ARCMIN, DEG
 from boresight.studies.observability import Moment, Replaced, along, with_fields
-
-Array = np.ndarray
 
 ANGLES = ("roll", "pitch", "yaw")
 ERRORS = ("eps_n", "eps_e", "eps_d")
@@ -38,9 +38,6 @@ PAPER = np.array(
         )
     ]
 )
-
-DEG = np.pi / 180
-ARCMIN = DEG / 60
 
 
 @dataclass(frozen=True)

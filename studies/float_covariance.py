@@ -6,11 +6,8 @@ second by zero velocity and by the azimuth.  docs/float.md says what came out.
 """
 
 import ctypes
-import hashlib
 import itertools
 import json
-import os
-import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
@@ -21,21 +18,21 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import rotation
+from boresight.runtime.array import Array
+from boresight.runtime.compiler import PRECISIONS, open_library, shared_library
 from boresight.runtime.inertial import increments
-from boresight.runtime.library import FLAGS, compiler, compiler_version, load, run_compiler
-from boresight.runtime.manifest import cache_folder, folder_of, read_manifest
+from boresight.runtime.library import load
+from boresight.runtime.manifest import folder_of, read_manifest
 from boresight.runtime.simulation import generator
+from boresight.runtime.units import DEG, DEG_H, FOOT, MILLI_G, STANDARD_GRAVITY
 from boresight.studies.figures import BLUE, GREY, ORANGE, figure
 
-Array = np.ndarray
-
-DEG, DEG_H, MG = np.pi / 180, np.pi / 180 / 3600, 9.80665e-3
 STEP_S, UPDATE_S = 0.01, 1.0
 POSITION = np.array([0.2, 45 * DEG, 100.0])  # lon lat height
 RADIUS_M = 6.38e6  # turns a distance at the start into radians
 # Root densities of gyros, accelerometers and their biases' walks: 0.125 deg/sqrt(h), 0.065 ft/s/sqrt(h), 1 % of
 # 1 deg/h and of 1 mg in an hour.
-NOISE = np.repeat([0.125 * DEG / 60, 0.065 * 0.3048 / 60, 0.01 * DEG_H / 60, 0.01 * MG / 60], 3)
+NOISE = np.repeat([0.125 * DEG / 60, 0.065 * FOOT / 60, 0.01 * DEG_H / 60, 0.01 * MILLI_G / 60], 3)
 
 # The first two are shipped, and the others are written out in the driver over full matrices: the Joseph form multiplied
 # out, (I - K H) P with P made symmetric, and (I - K H) P.
@@ -65,7 +62,7 @@ class Start:
         return np.array(
             [east, self.position_m / RADIUS_M, self.position_m, *[self.velocity_m_s] * 3]
             + [self.tilt_deg * DEG] * 2 + [self.azimuth_deg * DEG]
-            + [self.gyro_bias_deg_h * DEG_H] * 3 + [self.accel_bias_mg * MG] * 3
+            + [self.gyro_bias_deg_h * DEG_H] * 3 + [self.accel_bias_mg * MILLI_G] * 3
         )  # fmt: skip
 
     @property
@@ -96,28 +93,15 @@ CORNERS = tuple(
 
 
 @cache
-def driver(precision: str) -> ctypes.CDLL:
+def driver(precision: str) -> ctypes.PyDLL:
     """The time loops with the generated C, compiled in "double" or "float" into the cache of libraries."""
-    folder, source = folder_of("azimuth-hold"), Path(__file__).with_suffix(".c")
+    folder, loops = folder_of("azimuth-hold"), Path(__file__).with_suffix(".c")
     manifest = read_manifest(folder)
-    command = [*compiler(), *FLAGS, *(["-DBORESIGHT_FLOAT"] if precision == "float" else [])]
-    key = hashlib.sha256(source.read_bytes())
-    for part in (json.dumps(manifest["files"], sort_keys=True), *command, compiler_version(tuple(compiler()))):
-        key.update(part.encode() + b"\0")
-    target = cache_folder() / f"float-covariance-{precision}-{key.hexdigest()[:32]}.so"
-    if not target.exists():
-        stems = [unit["file"] for unit in manifest["units"].values()] + manifest["filter"]["sources"]
-        try:
-            target.parent.mkdir(parents=True, exist_ok=True)
-            work = tempfile.TemporaryDirectory(dir=target.parent)
-        except OSError as error:
-            raise BoresightError(f"cannot write to {target.parent} ({error.strerror}); set BORESIGHT_CACHE") from None
-        with work as name:
-            aside = Path(name) / "library.so"
-            sources = [str(source), *(str(folder / "src" / f"{stem}.c") for stem in stems)]
-            run_compiler([*command, "-I", str(folder / "include"), "-shared", *sources, "-lm", "-o", str(aside)])
-            os.replace(aside, target)
-    return ctypes.CDLL(str(target))
+    stems = [unit["file"] for unit in manifest["units"].values()] + manifest["filter"]["sources"]
+    sources = dict.fromkeys([loops, *(folder / "src" / f"{stem}.c" for stem in stems)], ())
+    contents = loops.read_text() + json.dumps(manifest["files"], sort_keys=True)
+    name = f"float-covariance-{precision}"
+    return open_library(*shared_library(name, contents, sources, folder / "include", PRECISIONS[precision]))
 
 
 def pointer(array: Array | None) -> Any:
@@ -154,7 +138,7 @@ def motion(kind: str, seconds: float, dt: float) -> Array:
         q = level(3 * DEG * np.sin(2 * np.pi * time / 90), 2.3 * DEG * np.sin(2 * np.pi * time / 130), yaw)
         v_n[:, :2] = speed * np.stack([-np.sin(yaw), np.cos(yaw)], axis=1)
         a_n[:, :2] = -speed * rate * np.stack([np.cos(yaw), np.sin(yaw)], axis=1)
-    up = np.array([0.0, 0.0, 9.80665])
+    up = np.array([0.0, 0.0, STANDARD_GRAVITY])
     f_b = np.einsum("tji,tj->ti", rotation.matrix_from_quaternion(q), a_n + up)
     return np.hstack([np.broadcast_to(POSITION, v_n.shape), v_n, q, f_b])
 

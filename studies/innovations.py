@@ -6,8 +6,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-
-Array = np.ndarray
+from boresight.runtime.array import Array
 
 
 def consistency(w: Array) -> dict[str, Any]:

@@ -9,9 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
-
-Array = np.ndarray
 
 
 @dataclass(frozen=True)

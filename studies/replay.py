@@ -13,15 +13,13 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import frames, rotation, simulation
+from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.recording import Recording, best_delay, check, read, shifted, thinned
+from boresight.runtime.units import ARCMIN, DEG, DEG_H
 from boresight.studies.innovations import consistency, minus_log_likelihood, most_likely
 
-Array = np.ndarray
-
-ARCMIN = np.pi / 180 / 60
-DEG_H = np.pi / 180 / 3600
-DEG_SQRT_H = np.pi / 180 / 60  # rad/sqrt(s) of 1 deg/sqrt(h)
+DEG_SQRT_H = DEG / 60  # rad/sqrt(s) of 1 deg/sqrt(h)
 AXES = ("roll", "pitch", "yaw")
 MEASUREMENTS = ("euler_exact", "euler")
 MU_PRIOR = np.radians(1.0)  # rad, one sigma of each misalignment before the first update

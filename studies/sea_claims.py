@@ -8,8 +8,9 @@ import numpy as np
 
 from boresight.runtime import hull
 from boresight.runtime.library import load
+from boresight.runtime.units import DEG, MIL
 from boresight.studies import sea_delay
-from boresight.studies.sea_flight import DEG, FILTERS, HEIGHT_M, MIL, Scenario, draw, fly, motion_of
+from boresight.studies.sea_flight import FILTERS, HEIGHT_M, Scenario, draw, fly, motion_of
 from boresight.studies.sea_state import claims, table
 
 MIDDLE_M = (0.05, 0.3, 0.875, 1.875, 3.25, 5.0)  # of the heights in the WMO's code 3700

@@ -10,9 +10,9 @@ from typing import Any, Literal
 import numpy as np
 
 from boresight.runtime import hull, sea
-from boresight.studies.sea_flight import DEG, FILTERS, GRADES, HEIGHT_M, MIL, Scenario, fly
-
-Array = np.ndarray
+from boresight.runtime.array import Array
+from boresight.runtime.units import DEG, MIL
+from boresight.studies.sea_flight import FILTERS, GRADES, HEIGHT_M, Scenario, fly
 
 # What is varied, one at a time, about the first of each.
 VARIED: dict[str, tuple[float, ...]] = {

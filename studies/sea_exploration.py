@@ -17,15 +17,16 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import hull, inertial, rotation, sea, simulation, transfer
+from boresight.runtime import hull, inertial, rotation, simulation, transfer
+from boresight.runtime.array import Array
 from boresight.runtime.library import load
 from boresight.runtime.transfer import Message, Transfer
+from boresight.runtime.units import DEG, MIL, MILLI_G, STANDARD_GRAVITY
 from boresight.studies.figures import BLUE, ORANGE, figure
 from boresight.studies.observability import Moment, Replaced, along, shown_after, with_fields
-from boresight.studies.sea_flight import DEG, GRADES, MIL, RULES, Ideal, Scenario, constants, draw, motion_of
+from boresight.studies.sea_flight import GRADES, RULES, Ideal, Scenario, constants, draw, motion_of
 from boresight.studies.sea_state import chi_square_band
 
-Array = np.ndarray
 Progress = Callable[[str], None]
 
 DECLARED = Scenario()
@@ -181,7 +182,7 @@ def begin(
         mounting_sigma=np.stack([level, level, heading], axis=-1),
         velocity_sigma=np.full(3, velocity_sigma or s.start_velocity_m_s),
         gyro_bias_sigma=np.full(3, s.gyro_bias_deg_h * DEG / 3600),
-        accel_bias_sigma=np.full(3, s.accel_bias_mg * 9.80665e-3),
+        accel_bias_sigma=np.full(3, s.accel_bias_mg * MILLI_G),
     )
     P[..., :3, :3] += np.eye(3) * (s.start_angle_deg * DEG) ** 2
     return nav, P
@@ -201,7 +202,7 @@ def covariances(model: Any, master: hull.Pose, scenario: Scenario) -> Array:
     def to_b(vector_n: Array) -> Array:
         return np.einsum("...ij,...j->...i", C_n2b, vector_n)
 
-    f_b = to_b(slave.a_n - np.array([0.0, 0.0, sea.GRAVITY]))
+    f_b = to_b(slave.a_n - np.array([0.0, 0.0, STANDARD_GRAVITY]))
     omega_ib_b = slave.omega_nb_b + to_b(simulation.earth_rate_n(s.latitude_deg * DEG))
     position = np.array([s.latitude_deg * DEG, 0.0, 0.0])
     given = constants(s)

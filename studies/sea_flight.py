@@ -15,14 +15,9 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import hull, inertial, rotation, sea, simulation, transfer
+from boresight.runtime.array import Array
 from boresight.runtime.transfer import Message, Rules, Transfer
-
-Array = np.ndarray
-
-DEG = np.pi / 180
-MIL = 360 / 6400 * DEG
-HOUR = 3600.0
-MILLI_G = 9.80665e-3
+from boresight.runtime.units import DEG, HOUR, MILLI_G
 
 GRADES = (1, 2, 3, 4, 5, 6)
 HEIGHT_M = (0.01, 0.1, 0.5, 1.25, 2.5, 4.0)  # the paper's Table 1: the lower ends of the WMO's code 3700

@@ -14,10 +14,9 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime.library import load
+from boresight.runtime.units import MIL
 from boresight.studies import sea_bench, sea_delay
-from boresight.studies.sea_flight import FILTERS, GRADES, MIL, MOTIONS, Flight, Scenario, checked, draw, fly, motion_of
-
-Array = np.ndarray
+from boresight.studies.sea_flight import FILTERS, GRADES, MOTIONS, Flight, Scenario, checked, draw, fly, motion_of
 
 LIMIT_MIL = 2.0  # the paper's
 SETTLED_S = 10  # NIS counts from here on: at first the filter makes use of a start that is better than it was told

@@ -11,9 +11,9 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import detector as d
+from boresight.runtime.array import Array
 from boresight.runtime.recording import Inertial, Recording
-
-Array = np.ndarray
+from boresight.runtime.status import Status
 
 KIM = "kim-2018"  # the paper's decision: accel_std and gyro_mean both say rest
 NAMES = (*d.DETECTORS, KIM)
@@ -92,7 +92,7 @@ def run(
     masks = {name: decisions.rest_by(name) for name in d.DETECTORS}
     masks[KIM] = halves.rest_by("accel_std", "gyro_mean")
 
-    decided = decisions.status == d.OK
+    decided = decisions.status == Status.OK
     if not decided.any():
         raise BoresightError(f"no {window} samples in a row are free of gaps and bad values; take a shorter window")
     resting = decided & (imu.time >= rest[0]) & (imu.time < rest[1])
@@ -117,7 +117,7 @@ def run(
         "false_alarm_rate": false_alarm_rate,
         "undecided": int((~decided).sum()),
         "gaps_s": imu.time[restart].tolist(),
-        "refused_s": imu.time[np.isin(decisions.status, (d.NOT_FINITE, d.OUT_OF_RANGE))].tolist(),
+        "refused_s": imu.time[np.isin(decisions.status, (Status.NOT_FINITE, Status.OUT_OF_RANGE))].tolist(),
         "noise": found,
         "detectors": detectors,
         "history": {

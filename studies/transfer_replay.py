@@ -15,11 +15,11 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import rotation
-from boresight.runtime.recording import UNITS, G, Recording, thinned
+from boresight.runtime.array import Array
+from boresight.runtime.recording import Recording, thinned
 from boresight.runtime.transfer import PHI, Message, Rules, Transfer, first
+from boresight.runtime.units import MILLI_G, UNITS
 from boresight.studies.innovations import consistency, minus_log_likelihood, most_likely
-
-Array = np.ndarray
 
 ROWS = ("velocity north", "velocity east", "velocity down", "attitude north", "attitude east", "attitude down")
 MATCHING = ("velocity", "dcm")
@@ -36,7 +36,7 @@ COVARIANCE_S = 0.1  # at most, between two steps of it
 class Noise:
     """One noise that a datasheet may give: kind and unit, its parts, and where a search for it begins and ends."""
 
-    kind: str  # of recording.UNITS
+    kind: str  # of runtime.units.UNITS
     unit: str
     parts: tuple[str, ...]
     first: float  # SI and rad
@@ -72,7 +72,7 @@ class Group:
 GROUPS = (
     Group("misalignment", "misalignment", "dmu_x", "arcmin", UNITS["angle"]["arcmin"], ("roll", "pitch", "yaw")),
     Group("gyro bias", "gyro_bias", "dbg_x", "deg/h", UNITS["angular rate"]["deg/h"]),
-    Group("accelerometer bias", "accel_bias", "dba_x", "mg", G / 1000),
+    Group("accelerometer bias", "accel_bias", "dba_x", "mg", MILLI_G),
     Group("delay", "delay", "d_tau", "ms", 1e-3, ("",)),
     Group("lever arm", "lever", "d_lever_x", "cm", 0.01),
 )

@@ -1,6 +1,7 @@
 """The arrows between the layers, and what start-up may load."""
 
 import ast
+import re
 import subprocess
 import sys
 
@@ -50,6 +51,23 @@ def test_codegen_takes_from_runtime_only_the_library_the_manifest_and_the_filter
         for name in imported(path):
             if name.startswith("boresight.runtime."):
                 assert name.split(".")[2] in ("library", "manifest", "filter"), f"{path} imports {name}"
+
+
+@pytest.mark.parametrize(
+    ("written", "home"),
+    [
+        (r"\b9\.80665", "runtime/units.py"),
+        (r"\bpi / 180\b", "runtime/units.py"),
+        (r"360 / 6400", "runtime/units.py"),
+        (r"^Array = ", "runtime/array.py"),
+        (r"\bNOT_POSITIVE = ", "runtime/status.py"),
+    ],
+)
+def test_what_all_layers_share_is_written_once(written, home):
+    """derive keeps its exact constants: a float would spoil them."""
+    layers = [path for name in ("codegen", "runtime", "studies", "evidence", "examples") for path in files(name)]
+    found = [str(path.relative_to(ROOT)) for path in layers if re.search(written, path.read_text(), re.M)]
+    assert found == [home]
 
 
 def test_nobody_imports_the_folders_by_their_plain_names():

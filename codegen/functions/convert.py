@@ -1,10 +1,13 @@
 """SymPy expressions to CasADi expressions: common subexpressions first, then a walk over the tree."""
 
-from collections.abc import Mapping
+import functools
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
 import casadi as ca
 import sympy as sp
+from sympy.core import sorting
 
 from boresight import BoresightError
 
@@ -15,7 +18,8 @@ def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> li
     Raises BoresightError on a function that flight C does not have; only sqrt, sin, cos, atan2 and fabs come from
     outside, and a power must be whole or half.
     """
-    replacements, reduced = sp.cse([sp.Matrix(matrix) for matrix in matrices], order="canonical")
+    with nodes_counted_once():
+        replacements, reduced = sp.cse([sp.Matrix(matrix) for matrix in matrices], order="canonical")
     known: dict[Any, Any] = dict(symbols)
 
     def walk(expression: Any) -> Any:
@@ -114,3 +118,15 @@ def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> li
             out[row, column] = walk(value)
         result.append(out)
     return result
+
+
+@contextmanager
+def nodes_counted_once() -> Iterator[None]:
+    """SymPy orders by the number of nodes, and counts a part that stands at many places at each of them: most of the
+    time of nested rotations."""
+    count = sorting._node_count
+    sorting._node_count = functools.cache(count)
+    try:
+        yield
+    finally:
+        sorting._node_count = count

@@ -1,22 +1,21 @@
 """The printed units of a model: for each, CasADi's function and a reference in 50 digits that shares nothing with it
 but the SymPy expressions themselves."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import casadi as ca
-import mpmath as mp
 import sympy as sp
+from flint import arb
 
 from boresight.codegen.functions.convert import to_casadi
-from boresight.codegen.functions.reference import evaluator
+from boresight.codegen.functions.reference import Entries, evaluator, precise
 from boresight.codegen.functions.tape import Tape, share_reciprocals, tape
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
 
-Values = dict[str, list[Any]]  # field name -> components as mpf
-DIGITS = 50
+Values = Mapping[str, Sequence[Any]]  # field name -> components, floats or balls
 
 
 @dataclass(frozen=True)
@@ -41,7 +40,7 @@ class Unit:
     results: tuple[Result, ...]
     equations: tuple[str, ...]
     function: Any  # casadi.Function: the single source of both prints
-    reference: Callable[[Values], list[Any]]  # -> one mp.matrix a result, to DIGITS digits
+    reference: Callable[[Values], list[Entries]]  # the non-zeros of each result, as balls
 
     @cached_property
     def tape(self) -> Tape:
@@ -56,8 +55,11 @@ def described(name: str, unit: str, meaning: str, **rest: Any) -> Result:
 Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
 
 
-def sparse(matrix: Any) -> Rows:
-    return [{j: value for j, value in enumerate(row) if value} for row in matrix.tolist()]
+def by_rows(entries: Entries, count: int) -> Rows:
+    rows: Rows = [{} for _ in range(count)]
+    for (i, j), value in entries.items():
+        rows[i][j] = value
+    return rows
 
 
 def times(a: Rows, b: Rows) -> Rows:
@@ -72,16 +74,20 @@ def times(a: Rows, b: Rows) -> Rows:
 
 
 def transposed(a: Rows, columns: int) -> Rows:
-    return [{i: row[j] for i, row in enumerate(a) if j in row} for j in range(columns)]
+    turned: Rows = [{} for _ in range(columns)]
+    for i, row in enumerate(a):
+        for j, value in row.items():
+            turned[j][i] = value
+    return turned
 
 
-def weighted(n: int, *terms: tuple[Any, Rows]) -> Any:
-    """The sum of weight times matrix as an mp.matrix, n x n."""
-    total = mp.zeros(n)
+def weighted(*terms: tuple[Any, Rows]) -> Entries:
+    """The sum of weight times matrix."""
+    total: Entries = {}
     for weight, rows in terms:
         for i, row in enumerate(rows):
             for j, value in row.items():
-                total[i, j] += weight * value
+                total[i, j] = total[i, j] + weight * value if (i, j) in total else weight * value
     return total
 
 
@@ -110,23 +116,21 @@ class UnitMaker:
     def convert(self, *matrices: sp.Matrix) -> list[Any]:
         return to_casadi(list(matrices), self.symbols)
 
-    def numeric(self, *matrices: sp.Matrix) -> Callable[[Values], list[Any]]:
-        """The matrices as functions of 50-digit numbers, straight from SymPy."""
+    def numeric(self, *matrices: sp.Matrix, jacobian: bool = False) -> Callable[[Values], list[Entries]]:
+        """The matrices, or the Jacobians of columns by the error state, in 50 digits, straight from SymPy."""
         symbols = [s for v in self.variables for s in v.symbols]
         used = symbols_in(*matrices)
         order = [s for s in symbols if s in used]
         where = {s: (v.name, i) for v in self.variables for i, s in enumerate(v.symbols)}
         # A derivative may not depend on what its function reads; any value in the box will then do.
-        anywhere = {
-            v.name: [mp.mpf(lo / 4 + hi * 3 / 4) for lo, hi in zip(v.low, v.high, strict=True)] for v in self.variables
-        }
+        anywhere = {v.name: [lo / 4 + hi * 3 / 4 for lo, hi in zip(v.low, v.high, strict=True)] for v in self.variables}
+        by = self.variables[0].symbols if jacobian else ()
         compiled: list[Any] = []  # made on first use: a unit that did not change never needs it
 
-        def evaluate(values: Values) -> list[Any]:
+        def evaluate(values: Values) -> list[Entries]:
             if not compiled:
-                compiled.append(evaluator(order, matrices))
-            given = [values.get(name, anywhere[name])[i] for name, i in (where[s] for s in order)]
-            return list(compiled[0](given, max(mp.mp.dps, DIGITS)))
+                compiled.append(evaluator(order, matrices, by))
+            return list(compiled[0]([values.get(name, anywhere[name])[i] for name, i in (where[s] for s in order)]))
 
         return evaluate
 
@@ -135,7 +139,7 @@ class UnitMaker:
         name: str,
         meaning: str,
         results: list[tuple[Any, Result]],
-        reference: Callable[[Values], list[Any]],
+        reference: Callable[[Values], list[Entries]],
         equations: tuple[str, ...],
     ) -> Unit:
         """results: each SX matrix with its description, whose shape and non-zeros are filled in here."""
@@ -203,7 +207,7 @@ class UnitMaker:
         else:
             (f,) = self.convert(model.f)
             F = ca.jacobian(f, self.vectors["x"])
-            F_exact = self.differentiate(model.f)
+            F_exact = self.numeric(model.f, jacobian=True)
         G, noise = self.convert(model.G, model.noise)
         G_exact, dt = self.numeric(model.G, model.noise), self.symbols[model.dt]
         where = next(v.name for v in model.inputs if model.dt in v.symbols)
@@ -214,38 +218,36 @@ class UnitMaker:
         FFS = F @ FS
         Q = spread * dt + (FS + FS.T) * (dt * dt / 2) + (FFS + FFS.T + 2 * FS @ F.T) * (dt * dt * dt / 6)
 
-        identity = sparse(mp.eye(n))
+        identity: Rows = [{i: arb(1)} for i in range(n)]
 
-        def density(values: Values) -> list[Any]:
-            with mp.workdps(DIGITS):
-                g, root = G_exact(values)
-                return [g * mp.diag([w * w for w in root]) * g.T]
+        def spread_exact(values: Values) -> Rows:
+            g, root = G_exact(values)
+            rows = by_rows(g, n)
+            noisy = [{j: value * root[j, 0] ** 2 for j, value in row.items() if (j, 0) in root} for row in rows]
+            return times(noisy, transposed(rows, model.noise.rows))
 
-        def Phi_exact(values: Values) -> list[Any]:
-            with mp.workdps(DIGITS):
-                f, h = sparse(F_exact(values)[0]), values[where][0]
-                return [weighted(n, (1, identity), (h, f), (h * h / 2, times(f, f)))]
+        def density(values: Values) -> list[Entries]:
+            with precise():
+                return [weighted((1, spread_exact(values)))]
 
-        def Q_exact(values: Values) -> list[Any]:
+        def Phi_exact(values: Values) -> list[Entries]:
+            with precise():
+                f, h = by_rows(F_exact(values)[0], n), arb(values[where][0])
+                return [weighted((1, identity), (h, f), (h * h / 2, times(f, f)))]
+
+        def Q_exact(values: Values) -> list[Entries]:
             """The integral of Phi(s) S Phi(s)' over the step, Phi to second order, cut after the third power of dt."""
-            with mp.workdps(DIGITS):
-                g, root = G_exact(values)
-                f, h, g = sparse(F_exact(values)[0]), values[where][0], sparse(g)
-                noisy = [{j: value * root[j] ** 2 for j, value in row.items()} for row in g]
-                s = times(noisy, transposed(g, len(root)))
-                # Phi(s) = 1 + F s + F F s^2 / 2: each pair of its terms around S, with the power of its integral.
-                powers = [(1, identity), (1, f), (mp.mpf(1) / 2, times(f, f))]
-                left = [(weight, times(power, s)) for weight, power in powers]
-                return [
-                    weighted(
-                        n,
-                        *(
-                            (u * v * h ** (i + j + 1) / (i + j + 1), times(a, transposed(b, n)))
-                            for i, (u, a) in enumerate(left)
-                            for j, (v, b) in enumerate(powers[: 3 - i])
-                        ),
-                    )
-                ]
+            with precise():
+                f, h, s = by_rows(F_exact(values)[0], n), arb(values[where][0]), spread_exact(values)
+                # Phi(s) = 1 + F s + F F s^2 / 2: each pair of its terms around S, with the power of its integral;
+                # the pair (j, i) is (i, j) transposed, as S is symmetric.
+                powers: list[tuple[Any, Rows]] = [(arb(1), identity), (arb(1), f), (arb(1) / 2, times(f, f))]
+                terms = []
+                for i, j in ((0, 0), (0, 1), (0, 2), (1, 1)):
+                    (u, left), (v, right) = powers[i], powers[j]
+                    weight, term = u * v * h ** (i + j + 1) / (i + j + 1), times(times(left, s), transposed(right, n))
+                    terms += [(weight, term)] if i == j else [(weight, term), (weight, transposed(term, n))]
+                return [weighted(*terms)]
 
         return [
             self.unit(
@@ -278,31 +280,6 @@ class UnitMaker:
             ),
         ]
 
-    def differentiate(self, matrix: sp.Matrix) -> Callable[[Values], list[Any]]:
-        """The Jacobian of a column by the error state, by central differences in 110 digits: 60 survive, and what is
-        smaller than that is zero."""
-        state, function = self.variables[0], self.numeric(matrix)
-        used = symbols_in(matrix)
-        seen = [i for i, symbol in enumerate(state.symbols) if symbol in used]
-        anywhere = [mp.mpf(lo / 4 + hi * 3 / 4) for lo, hi in zip(state.low, state.high, strict=True)]
-
-        def jacobian(values: Values) -> list[Any]:
-            with mp.workdps(110):
-                step, least = mp.mpf(10) ** -35, mp.mpf(10) ** -60
-                result = mp.zeros(matrix.rows, self.model.n)
-                for i in seen:
-                    sides = []
-                    for sign in (1, -1):
-                        x = list(values.get("x", anywhere))
-                        x[i] = x[i] + sign * step
-                        sides.append(function({**values, "x": x})[0])
-                    slope = (sides[0] - sides[1]) / (2 * step)
-                    for row in range(matrix.rows):
-                        result[row, i] = slope[row] if abs(slope[row]) > least else 0
-                return [result]
-
-        return jacobian
-
     def measurement(self, m: Measurement) -> list[Unit]:
         made = []
         rows = ", ".join(m.rows)
@@ -329,7 +306,7 @@ class UnitMaker:
             value, reference = self.convert(m.H)[0], self.numeric(m.H)
         else:
             value = ca.jacobian(self.convert(m.h)[0], self.vectors["x"])
-            reference = self.differentiate(m.h)
+            reference = self.numeric(m.h, jacobian=True)
         meaning = f"{m.meaning}: measurement matrix, d(residual) / d(x); rows {rows}"
         made.append(
             self.unit(

@@ -5,6 +5,7 @@ in C and of the unit's files.
 """
 
 import hashlib
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -12,12 +13,14 @@ from typing import Any
 import casadi as ca
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from boresight.codegen.functions.units import DIGITS, Unit
+from boresight.codegen.functions.reference import DIGITS
+from boresight.codegen.functions.units import Unit, units
 from boresight.codegen.text import stationary_detector
 from boresight.codegen.text.covariance import covariance_view, nonzeros
 from boresight.codegen.text.covariance_vectors import vectors_view
 from boresight.codegen.text.filter import filter_view, has_filter, test_view
-from boresight.codegen.text.names import snake
+from boresight.codegen.text.manifest import described
+from boresight.codegen.text.names import file_stem, snake
 from boresight.codegen.text.vectors import LIBM_ULPS, vectors
 from boresight.codegen.text.views import model_view, view
 from boresight.derive.model import Model
@@ -46,6 +49,26 @@ def rendered(paths: tuple[str, ...], words: dict[str, str], **views: Any) -> dic
             out = out.replace(word, name)
         files[out] = environment().get_template(f"{path}.j2").render(**views)
     return files
+
+
+def folder_files(
+    model: Model, kept: Callable[[str, dict[str, str]], str | None]
+) -> tuple[dict[str, Any], dict[str, str]]:
+    """What the manifest says of the model, and all files of its folder.
+
+    kept: the path and the files under test of a self-test -> its text, if it need not be made again.
+    """
+    made = units(model)
+    files: dict[str, str] = {}
+    for unit in made:
+        printed = unit_files(model, unit)
+        test = f"selftest/test_{file_stem(model, unit.name)}.c"
+        files |= printed | {test: kept(test, printed) or unit_test(model, unit)}
+    files |= model_files(model, made)
+    if has_filter(model):
+        source, test = f"src/{model.c_prefix}_covariance.c", f"selftest/test_{model.c_prefix}_covariance.c"
+        files[test] = kept(test, {source: files[source]}) or covariance_test(model, made)
+    return described(model, made), files
 
 
 def unit_files(model: Model, unit: Unit) -> dict[str, str]:
@@ -99,10 +122,10 @@ def casadi_c(unit: Unit) -> str:
 
 def detector_files() -> tuple[dict[str, Any], dict[str, str]]:
     """What the manifest says of the stationary detectors, which come from no model, and their files."""
-    described = stationary_detector.description()
-    name = described["name"]
+    component = stationary_detector.description()
+    name = component["name"]
     stem = snake(name)
-    m = described | {"snake": stem, "units": [{"file": stem, "c_name": stem}], "parts": []}
+    m = component | {"snake": stem, "units": [{"file": stem, "c_name": stem}], "parts": []}
     paths = (
         *SELFTEST,
         *(f"include/{stem}.h", f"src/{stem}.c", f"batch/{stem}_batch.c", f"selftest/test_{stem}.c"),
@@ -112,9 +135,9 @@ def detector_files() -> tuple[dict[str, Any], dict[str, str]]:
     lines, digest = len(source.splitlines()), hashlib.sha256(source.encode()).hexdigest()
     document = {
         "model": name,  # what a folder is called, whether of a model or not
-        "component": described["manifest"],
-        "title": described["title"],
-        "c_prefix": described["prefix"],
+        "component": component["manifest"],
+        "title": component["title"],
+        "c_prefix": component["prefix"],
         "units": {stem: {"c_name": stem, "file": stem, "lines": lines, "hash": digest}},
     }
     return document, files

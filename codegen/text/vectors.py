@@ -2,8 +2,8 @@
 
 from typing import Any
 
-import mpmath as mp
 import numpy as np
+from flint import arb
 
 from boresight.codegen.functions.mutants import telling
 from boresight.codegen.functions.samples import BEYOND, answered, edges, ends, generator
@@ -18,10 +18,12 @@ DIFFERENTIATED = 1e-45  # what is left of 80 digits where the reference was diff
 
 
 def exact(unit: Unit, points: list[np.ndarray], k: int) -> list[list[Any]]:
-    """The non-zeros of each result at point k, from the reference, as mpf."""
-    values = {a.name: [mp.mpf(float(v)) for v in points[i][k]] for i, a in enumerate(unit.args)}
-    matrices = unit.reference(values)
-    return [[matrix[place] for place in result.nonzeros] for matrix, result in zip(matrices, unit.results, strict=True)]
+    """The non-zeros of each result at point k, from the reference, as balls."""
+    found = unit.reference({a.name: points[i][k].tolist() for i, a in enumerate(unit.args)})
+    return [
+        [entries.get(place, arb(0)) for place in result.nonzeros]
+        for entries, result in zip(found, unit.results, strict=True)
+    ]
 
 
 def chosen(model: Model, unit: Unit) -> tuple[list[np.ndarray], list[np.ndarray]]:

@@ -13,8 +13,8 @@ from boresight import BoresightError
 from boresight.runtime import rotation, transfer
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
+from boresight.runtime.units import DEG, MIL
 
-DEG, MIL = np.pi / 180, 2 * np.pi / 6400
 PAST, HALF, EVERY, GATE, ASTRAY = 64, 4, 8, 6.0, 5  # of flight.h
 LINE = "{:4d} {:12.7f} {:10.6f} {:10.6f} {:10.6f} {:10.6f} {:9.5f} {:9.5f}"
 

@@ -16,9 +16,9 @@ import numpy as np
 
 from boresight.runtime import hull, inertial, rotation, sea, simulation
 from boresight.runtime.library import load
+from boresight.runtime.units import DEG, HOUR, STANDARD_GRAVITY
 from boresight.studies.sea_flight import Ideal
 
-DEG, HOUR = np.pi / 180, 3600.0
 MASTER_S = 0.0999  # its clock is 0.1 % fast, so that messages and ticks slide past each other
 WIDTH = 12  # doubles of a record
 SLAVE, MASTER = 0.0, 1.0  # the first of them
@@ -38,7 +38,7 @@ class Setup:
     start_angle_sigma: float = 0.5 * DEG
     start_velocity_sigma: float = 0.7
     gyro_bias_sigma: float = 20 * DEG / HOUR
-    accel_bias_sigma: float = 2e-3 * 9.80665
+    accel_bias_sigma: float = 2e-3 * STANDARD_GRAVITY
     tau_sigma: float = 0.03
 
     def doubles(self) -> np.ndarray:

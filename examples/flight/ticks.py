@@ -17,7 +17,8 @@ from make_recording import MASTER, Setup, read
 
 from boresight.evidence.machine import Machine
 from boresight.evidence.sources import Folder
-from boresight.evidence.targets import M4F, M7, OPTIMISED, WARNINGS, Build, Target, run
+from boresight.evidence.targets import M4F, M7, OPTIMISED, WARNINGS, Build, Target
+from boresight.runtime.compiler import run
 
 HERE = Path(__file__).parent
 CALLED = ("tick_begin", "tick_slave", "tick_master", "tick_report")

@@ -13,6 +13,7 @@ from conftest import PENDULUM, ROOT
 
 from boresight import BoresightError
 from boresight.codegen.generate import generate, load_model
+from boresight.codegen.stamp import made_from
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 
@@ -41,6 +42,18 @@ def test_the_committed_files_are_those_of_the_models():
     report = generate("euler-matching", check=True)
     assert report.comparable, "made with other versions; install with -c constraints.txt"
     assert report.written == ()
+
+
+@pytest.mark.parametrize("place", ["the checkout", "a folder of it", "another folder"])
+def test_the_generated_folder_of_the_checkout_is_found_from_any_folder(place, tmp_path):
+    folder = {"the checkout": ROOT, "a folder of it": ROOT / "docs", "another folder": tmp_path}[place]
+    command = [sys.executable, "-m", "boresight.cli", "generate", "--check", "stationary-detector"]
+    env = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    shown = "generated" if folder == ROOT else ROOT / "generated"
+    assert done.stdout == f"stationary-detector in {shown}/stationary_detector: nothing changed\n"
+    assert not (folder / "generated").exists() or folder == ROOT
 
 
 def test_an_edited_sign_changes_that_function_alone_and_moves_the_filter(checkout, library):
@@ -87,18 +100,47 @@ def test_a_comment_in_a_model_changes_no_file(checkout):
     source = copy / "derive" / "models" / "euler_matching.py"
     source.write_text("# a remark\n" + source.read_text())
     before = contents(copy / "generated")
-    assert "nothing changed" in run("generate").stdout
+    assert "nothing changed" in run("generate", "euler-matching").stdout
     assert contents(copy / "generated") == before
 
 
-def test_nothing_changed_is_known_from_hashes_alone(checkout):
-    _, run = checkout
-    assert run("generate").returncode == 0
-    code = "import sys; from boresight.codegen.generate import generate; r = generate('euler-matching'); " \
-        "assert r.up_to_date; assert not {'sympy', 'casadi', 'numpy'} & set(sys.modules), 'imported'"  # fmt: skip
+def test_what_is_committed_is_known_to_be_up_to_date_without_being_made(checkout):
     copy, _ = checkout
-    env = {**os.environ, "BORESIGHT_CACHE": str(copy.parent / "cache")}
-    subprocess.run([sys.executable, "-c", code], cwd=copy, env=env, check=True)
+    code = "import sys; from boresight.codegen.generate import generate, target_names; " \
+        "assert all(generate(name).up_to_date for name in target_names()); " \
+        "assert not {'sympy', 'casadi', 'numpy'} & set(sys.modules), 'imported'"  # fmt: skip
+    subprocess.run([sys.executable, "-c", code], cwd=copy, check=True)
+
+
+def test_a_forged_stamp_deceives_generate_but_no_check(checkout):
+    copy, run = checkout
+    source = copy / "derive" / "papers" / "song_lee_2001.py"
+    text = source.read_text()
+    source.write_text(text.replace("-euler_D_beta(phi_r, theta_r)", "euler_D_beta(phi_r, theta_r)"))
+    path = copy / "generated" / "euler_matching" / "manifest.json"
+    manifest = json.loads(path.read_text())
+    model = copy / "derive" / "models" / "euler_matching.py"
+    code = f"import json; from pathlib import Path; from boresight.codegen.stamp import made_from; " \
+        f"print(json.dumps(made_from(Path({str(model)!r}))))"  # fmt: skip
+    forged = subprocess.run([sys.executable, "-c", code], cwd=copy, check=True, capture_output=True, text=True).stdout
+    assert json.loads(forged) != manifest["made_from"]
+    path.write_text(json.dumps(manifest | {"made_from": json.loads(forged)}, indent=1, sort_keys=True) + "\n")
+    assert "nothing changed" in run("generate", "euler-matching").stdout
+    checked = run("generate", "--check", "euler-matching")
+    assert checked.returncode == 1
+    assert "euler_H" in checked.stdout
+
+
+def test_a_stamp_is_moved_by_what_a_model_imports_and_by_no_place(tmp_path):
+    hashes = []
+    for folder, gravity in (("a", "9.81"), ("b", "9.81"), ("b", "1.62")):
+        (tmp_path / folder).mkdir(exist_ok=True)
+        (tmp_path / folder / "constants.py").write_text(f"GRAVITY = {gravity}  # m/s^2, {folder}\n")
+        (tmp_path / folder / "mine.py").write_text("def model():\n    from constants import GRAVITY\n")
+        hashes.append(made_from(tmp_path / folder / "mine.py"))
+    assert hashes[0] == hashes[1]
+    assert hashes[1]["model"] != hashes[2]["model"]
+    assert hashes[1]["generator"] == hashes[2]["generator"]
 
 
 def test_a_file_edited_by_hand_is_neither_overwritten_nor_flown(em_copy):

@@ -2,12 +2,31 @@
 
 import hashlib
 import json
+import os
 import re
+import signal
+import subprocess
+import sys
 
 import pytest
+import sympy as sp
 
 from boresight import BoresightError
-from boresight.codegen.verify import FirstOrderCheck, UnitCheck, verify
+from boresight.codegen.functions import reference
+from boresight.codegen.functions.units import units
+from boresight.codegen.generate import load_model
+from boresight.codegen.verify import (
+    WIDEST,
+    FirstOrderCheck,
+    Part,
+    UnitCheck,
+    check_points,
+    prepare,
+    relative_width,
+    verify,
+    verify_all,
+)
+from boresight.runtime.library import load
 
 
 def spoil(folder, path, old, new):
@@ -74,3 +93,65 @@ def test_verify_flies_what_is_on_disk(em_copy):
     (em_copy / "src" / "em_F.c").write_text("")
     with pytest.raises(BoresightError, match="edited"):
         verify("euler-matching", em_copy, 10)
+
+
+def test_a_reference_of_thirty_digits_is_found(monkeypatch):
+    monkeypatch.setattr(reference, "GUARD", 30 - reference.DIGITS)
+    found = {check.unit: check for check in verify("euler-matching", points=100) if not check.ok}
+    assert found["strapdown"].width > WIDEST
+    # but not in the C, which is as good as before
+    assert all(check.same_bits and check.looseness >= 1 for check in found.values())
+
+
+@pytest.mark.parametrize(
+    "expression, at",
+    [
+        ("10**50 * (sin(x)**2 + cos(x)**2 - 1) + 1", 0.3),  # the digits cancel
+        ("x / x**2 - 1 / x", 0.0),  # no number
+    ],
+)
+def test_a_reference_that_is_not_known_is_wide(expression, at):
+    x = sp.Symbol("x", real=True)
+    matrix = sp.Matrix([sp.sympify(expression, {"x": x}, evaluate=False)])
+    (entries,) = reference.evaluator([x], [matrix])([at])
+    assert relative_width(entries) > WIDEST
+
+
+def test_shares_of_the_points_are_the_whole():
+    model, flight, casadi = load_model("euler-matching"), load("euler-matching"), load("euler-matching", "casadi")
+    unit = next(unit for unit in units(model) if unit.name == "euler_H")
+    case = prepare(model, unit, flight, casadi, 50)
+    whole = check_points(case, 0, 1)
+    assert whole.largest_error > 0
+    assert sum((check_points(case, share, 3) for share in range(3)), Part()) == whole
+
+
+def test_the_progress_counts_the_functions_of_all_models():
+    seen = []
+    targets = [("strapdown", None), ("euler-matching", None)]
+    checks = verify_all(targets, 10, lambda done, total, text: seen.append((done, total)))
+    count = sum(isinstance(check, UnitCheck) for check in checks)
+    assert seen == [(k, count) for k in range(1, count + 1)]
+    assert [check.model for check in checks] == sorted((check.model for check in checks), reverse=True)
+
+
+INTERRUPTED = """
+from boresight.codegen.verify import verify
+try:
+    verify("euler-matching", points=5000, progress=lambda *_: print("begun", flush=True))
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+
+
+def test_an_interrupted_verify_leaves_no_process_and_no_line():
+    command = [sys.executable, "-c", INTERRUPTED]
+    with subprocess.Popen(command, stdout=-1, stderr=-1, text=True, start_new_session=True) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "begun\n"
+        os.killpg(process.pid, signal.SIGINT)  # as a terminal does
+        out, err = process.communicate(timeout=60)
+    assert out.splitlines()[-1] == "interrupted"
+    assert err == ""
+    with pytest.raises(ProcessLookupError):
+        os.killpg(process.pid, 0)

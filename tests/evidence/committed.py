@@ -1,9 +1,15 @@
 """The generated folders, and what is committed of each."""
 
+import os
+
+import pytest
+
 from boresight.evidence import results
+from boresight.evidence.kinds import KINDS
 from boresight.evidence.sources import Folder, folders
 
 NAMES = [folder.name for folder in folders()]
+LIVE = "strapdown"  # the folder whose compilers and emulators run in these tests; of the others the results are judged
 
 
 def folder_of(name):
@@ -15,6 +21,16 @@ def committed(name, kind):
     of = results.read(folder_of(name)).get(kind)
     assert of, f"no {kind} is committed of {name}: run 'make evidence'"
     return of["units"]
+
+
+def comparable(name, kind):
+    """What is committed, if the tools here are those that made it; CI may not do without."""
+    (tools,) = (k.tools() for k in KINDS if k.name == kind)
+    found, made_with = committed(name, kind), results.read(folder_of(name))[kind]["tools"]
+    if made_with != tools:
+        words = f"{kind} of {name} is committed for {made_with}, here is {tools}: not comparable, run 'make evidence'"
+        pytest.fail(words) if os.environ.get("CI") else pytest.skip(words)
+    return found
 
 
 def spoilt(copy, path, old, new):

@@ -7,6 +7,7 @@ import pytest
 
 from boresight import BoresightError
 from boresight.runtime import detector as d
+from boresight.runtime.status import Status
 
 SA, SW = 2e-3, 8e-4
 WINDOWS = 100_000
@@ -47,8 +48,8 @@ def test_the_c_computes_the_definitions(window):
     gyro, accel = moving(900, window)
     settings = d.settings(window, SA, SW, 1e-3, gravity=9.81)
     decisions = d.evaluate(settings, gyro, accel)
-    assert (decisions.status[: window - 1] == d.NOT_READY).all()
-    assert (decisions.status[window - 1 :] == d.OK).all()
+    assert (decisions.status[: window - 1] == Status.NOT_READY).all()
+    assert (decisions.status[window - 1 :] == Status.OK).all()
     assert np.isnan(decisions.statistic[: window - 1]).all()
     assert not decisions.rest[: window - 1].any()
     expected = [definitions(gyro[k - window : k], accel[k - window : k], settings) for k in range(window, 901)]
@@ -96,11 +97,11 @@ def test_one_sample_at_a_time_gives_the_bits_of_the_whole_recording():
     for k in range(200):
         status = loop.push(gyro[k], accel[k])
         assert status == whole.status[k]
-        if status == d.OK:
+        if status == Status.OK:
             assert loop.statistic.tobytes() == whole.statistic[k].tobytes()
             assert list(loop.rest.values()) == list(whole.rest[k])
     loop.restart()
-    assert loop.push(gyro[0], accel[0]) == d.NOT_READY
+    assert loop.push(gyro[0], accel[0]) == Status.NOT_READY
 
 
 def test_runs_and_thinned_decisions_are_those_of_each_run_alone():
@@ -198,9 +199,9 @@ def test_a_bad_sample_is_reported_and_no_window_reaches_across(value, signal):
     recording = at_rest((60,), 6)
     recording[signal][25, 1] = value
     decisions = d.evaluate(d.settings(10, SA, SW, 1e-3), *recording)
-    assert decisions.status[25] == (d.OUT_OF_RANGE if value == 1e9 else d.NOT_FINITE)
-    assert (decisions.status[26:35] == d.NOT_READY).all()
-    assert (decisions.status[[*range(9, 25), *range(35, 60)]] == d.OK).all()
+    assert decisions.status[25] == (Status.OUT_OF_RANGE if value == 1e9 else Status.NOT_FINITE)
+    assert (decisions.status[26:35] == Status.NOT_READY).all()
+    assert (decisions.status[[*range(9, 25), *range(35, 60)]] == Status.OK).all()
     assert np.isnan(decisions.statistic[25:35]).all() and not decisions.rest[25:35].any()
     assert np.isfinite(decisions.statistic[35:]).all()
 
@@ -211,10 +212,10 @@ def test_a_refused_sample_changes_nothing_in_the_loop():
     for k in range(10):
         assert spoilt.push(gyro[k], accel[k]) == clean.push(gyro[k], accel[k])
         before = spoilt.statistic.copy(), spoilt.rest
-        assert spoilt.push([0, np.nan, 0], accel[k]) == d.NOT_FINITE
-        assert spoilt.push(gyro[k], [0, 0, 1e9]) == d.OUT_OF_RANGE
+        assert spoilt.push([0, np.nan, 0], accel[k]) == Status.NOT_FINITE
+        assert spoilt.push(gyro[k], [0, 0, 1e9]) == Status.OUT_OF_RANGE
         assert (spoilt.statistic.tobytes(), spoilt.rest) == (before[0].tobytes(), before[1])
-    assert spoilt.push(gyro[10], accel[10]) == clean.push(gyro[10], accel[10]) == d.OK
+    assert spoilt.push(gyro[10], accel[10]) == clean.push(gyro[10], accel[10]) == Status.OK
     assert spoilt.statistic.tobytes() == clean.statistic.tobytes()
 
 
@@ -225,7 +226,7 @@ def test_a_gap_or_a_repeated_time_begins_a_new_window():
     found = d.gaps(time)
     assert np.flatnonzero(found).tolist() == [30, 45, 46]
     decisions = d.evaluate(d.settings(10, SA, SW, 1e-3), *at_rest((60,), 6), restart=found)
-    assert np.flatnonzero(decisions.status == d.OK).tolist() == [*range(9, 30), *range(39, 45), *range(55, 60)]
+    assert np.flatnonzero(decisions.status == Status.OK).tolist() == [*range(9, 30), *range(39, 45), *range(55, 60)]
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """The compiled library from Python: both backends the same bits, NumPy the same to rounding, and every refusal."""
 
 import os
+import re
 import shutil
 
 import numpy as np
@@ -9,8 +10,11 @@ import pytest
 from conftest import ROOT
 
 from boresight import BoresightError
+from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.compiler import shared_library
 from boresight.runtime.library import build, load
 from boresight.runtime.manifest import folder_of, read_manifest
+from boresight.runtime.status import Status
 
 WITNESS = numpy_euler_matching.model()
 
@@ -46,6 +50,64 @@ def test_both_backends_give_the_same_bits(library, points):
             assert ours[key].tobytes() == theirs[key].tobytes(), (name, key)
 
 
+@pytest.mark.parametrize("name", sorted(vars(WITNESS)))
+def test_in_float_it_computes_the_same_to_float_rounding(library, points, name):
+    single = load("euler-matching", precision="float")
+    ours, theirs, double = (call(model, name, points) for model in (single, WITNESS, library))
+    ours, theirs, double = (
+        r if isinstance(r, dict) else {"q_b2n_wxyz" if name == "strapdown" else name: r} for r in (ours, theirs, double)
+    )
+    for key, value in ours.items():
+        assert value.dtype == np.float32
+        a, b = (same_rotation(r[key]) if key == "q_b2n_wxyz" else r[key] for r in (ours, theirs))
+        np.testing.assert_allclose(a, b, rtol=0, atol=3e-6 * np.abs(b).max())
+        assert name == "omega_in_n" or (value != double[key]).any(), "this was double"
+    bound = getattr(single, name).bind()
+    for field, array in bound.inputs.items():
+        array[:] = points[field][3]
+    assert bound() == Status.OK
+    for key, value in bound.outputs.items():
+        whole = ours[key if key in ours else next(iter(ours))]
+        assert value.tobytes() == whole[3].tobytes()
+
+
+def test_in_float_the_ends_of_the_box_are_those_of_double_rounded(library):
+    single = load("euler-matching", precision="float")
+    high, yaw = (library.field["euler_b"]["high"][i] for i in (1, 2))
+    assert float(np.float32(yaw)) > yaw  # so that yaw, rounded, would be refused in double
+    with pytest.raises(BoresightError):
+        library.euler_H(euler_b=[0, high, np.float32(yaw)], euler_r=np.zeros(3))
+    assert np.isfinite(single.euler_H(euler_b=[0, high, np.float32(yaw)], euler_r=[0, -high, -yaw])).all()
+    with pytest.raises(BoresightError, match=r"euler_b\[1\] is 1\.39\d* rad; it must lie within"):
+        single.euler_H(euler_b=[0, 1.001 * high, 0], euler_r=np.zeros(3))
+
+
+def test_what_is_only_there_in_double_is_refused_in_float():
+    with pytest.raises(BoresightError, match="computes in double"):
+        load("euler-matching", "casadi", "float")
+    with pytest.raises(BoresightError, match="no precision 'half'; there are float, double"):
+        load("euler-matching", precision="half")
+    with pytest.raises(BoresightError, match="carries P in double"):
+        CompiledFilter(load("euler-matching", precision="float"), {}, np.eye(6))
+
+
+def test_the_status_is_that_of_the_header():
+    text = (ROOT / "generated" / "euler_matching" / "include" / "boresight.h").read_text()
+    in_c = {name: int(number) for name, number in re.findall(r"\bBS_(\w+) = (\d+)", text)}
+    assert in_c == {status.name: status.value for status in Status}
+    listed = re.findall(r"^\| `BS_(\w+)` \((\d+)\) \|", (ROOT / "docs" / "conventions.md").read_text(), re.M)
+    assert {name: int(number) for name, number in listed} == in_c
+
+
+def test_a_compile_error_is_one_line_that_names_the_first(tmp_path):
+    wrong, right = tmp_path / "wrong.c", tmp_path / "right.c"
+    right.write_text("int right(void);\nint right(void) { return 1; }\n")
+    wrong.write_text("int wrong(void);\n\nint wrong(void) { return first; }\nint other(void) { return second; }\n")
+    with pytest.raises(BoresightError, match=r"failed: .*wrong\.c:3:\d+: error: .*first") as caught:
+        shared_library("test", "", {right: (), wrong: ()}, tmp_path)
+    assert "\n" not in str(caught.value)
+
+
 def test_one_run_is_one_of_many(library, points):
     many = call(library, "strapdown", points)
     for k in (0, 17, 39):
@@ -63,11 +125,11 @@ def test_a_bound_call_gives_the_same(library, points):
     bound = library.euler_H.bind()
     bound.inputs["euler_b"][:] = points["euler_b"][3]
     bound.inputs["euler_r"][:] = points["euler_r"][3]
-    assert bound() == 0
+    assert bound() == Status.OK
     assert bound.outputs["H"].tobytes() == call(library, "euler_H", points)[3].tobytes()
     bound.inputs["euler_b"][1] = 1.5
     before = bound.outputs["H"].copy()
-    assert bound() == 3
+    assert bound() == Status.OUT_OF_RANGE
     assert (bound.outputs["H"] == before).all()
 
 

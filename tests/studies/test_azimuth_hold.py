@@ -8,6 +8,7 @@ import pytest
 
 from boresight import BoresightError
 from boresight.runtime import handover, rotation
+from boresight.runtime.units import ARCMIN
 from boresight.studies import azimuth_alignment as alignment
 from boresight.studies import azimuth_exploration as exploration
 from boresight.studies import azimuth_hold as study
@@ -72,22 +73,22 @@ def test_the_alignment_without_process_noise_for_the_biases_is_never_believed(mo
 
 def test_pure_inertial_drifts_in_all_three_axes(flown):
     _, held = flown
-    rms = study.root_mean_square(held.phi[:, INERTIAL], 1) / alignment.ARCMIN
+    rms = study.root_mean_square(held.phi[:, INERTIAL], 1) / ARCMIN
     assert (rms[-1] > [6 * rms[0, 0], 6 * rms[0, 1], 3 * rms[0, 2]]).all()
     assert (held.sigma[-1, INERTIAL] > 4 * held.sigma[0, INERTIAL]).all()
 
 
 def test_zero_velocity_holds_the_level_and_not_the_azimuth(flown):
     _, held = flown
-    rms = study.root_mean_square(held.phi[:, ZUPT], 1) / alignment.ARCMIN
+    rms = study.root_mean_square(held.phi[:, ZUPT], 1) / ARCMIN
     assert (rms[-1, :2] < 1.2).all() and rms[-1, 2] > 4 * rms[0, 2]
-    assert rms[-1, 2] == pytest.approx(study.root_mean_square(held.phi[-1, INERTIAL, :, 2]) / alignment.ARCMIN, rel=0.2)
+    assert rms[-1, 2] == pytest.approx(study.root_mean_square(held.phi[-1, INERTIAL, :, 2]) / ARCMIN, rel=0.2)
 
 
 def test_with_the_azimuth_all_three_hold_and_all_three_covariances_converge(flown):
     _, held = flown
     for mode in (AZIMUTH, REFERENCE):
-        rms = study.root_mean_square(held.phi[:, mode], 1) / alignment.ARCMIN
+        rms = study.root_mean_square(held.phi[:, mode], 1) / ARCMIN
         assert (rms[-1] < [1.2, 1.2, 1.3 * rms[0, 2]]).all()
         late = held.sigma[[-1, -200], mode].mean(axis=1)
         assert np.allclose(late[0], late[1], rtol=0.02)
@@ -129,8 +130,8 @@ def test_the_level_of_zero_velocity_stands_on_what_is_left_of_the_accelerometer_
     start, held = flown
     beside = held.phi[-1, ..., :2] - study.remaining_floor(models, start, held)
     for mode in (ZUPT, AZIMUTH, REFERENCE):
-        assert study.root_mean_square(beside[mode].ravel()) < 0.4 * alignment.ARCMIN
-    assert study.root_mean_square(beside[INERTIAL].ravel()) > 3 * alignment.ARCMIN
+        assert study.root_mean_square(beside[mode].ravel()) < 0.4 * ARCMIN
+    assert study.root_mean_square(beside[INERTIAL].ravel()) > 3 * ARCMIN
 
 
 def test_modes_fly_the_same_noise_and_a_run_is_its_own(models):
@@ -201,8 +202,6 @@ def test_zero_rate_holds_an_azimuth_that_nothing_else_holds_and_adds_nothing_to_
     plain, zaru = (
         study.hold(models, SHORT, alignment.align(models, SHORT, runs=8, seed=0), 200, zaru=on) for on in (False, True)
     )
-    moved = [
-        np.abs(held.phi[-1, ..., 2] - held.phi[0, ..., 2]).mean(axis=-1) / alignment.ARCMIN for held in (plain, zaru)
-    ]
+    moved = [np.abs(held.phi[-1, ..., 2] - held.phi[0, ..., 2]).mean(axis=-1) / ARCMIN for held in (plain, zaru)]
     assert moved[0][ZUPT] > 2 and moved[1][ZUPT] < 1
     assert np.allclose(plain.sigma[-1, REFERENCE], zaru.sigma[-1, REFERENCE], rtol=0.01)

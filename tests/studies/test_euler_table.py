@@ -9,6 +9,7 @@ import pytest
 from boresight import BoresightError
 from boresight.runtime import rotation, simulation
 from boresight.runtime.library import load
+from boresight.runtime.units import ARCMIN, DEG
 from boresight.studies import euler_exploration as exploration
 from boresight.studies import euler_table as study
 from boresight.studies import figures
@@ -51,7 +52,7 @@ def test_P0_is_the_covariance_of_the_simulated_start(model):
     euler = study.motion(scenario, 0.0, 1.0)[0, 6]
     P0 = study.initial_covariance(model, scenario, euler)
     draws = simulation.standard_normals(3, np.arange(4000), 6)
-    mu, noise = draws[:, :3] * scenario.misalignment_deg * study.DEG, draws[:, 3:] * study.ARCMIN
+    mu, noise = draws[:, :3] * scenario.misalignment_deg * DEG, draws[:, 3:] * ARCMIN
     q_hat = rotation.quaternion_from_euler(euler + noise)
     q_b = rotation.turned(rotation.quaternion_from_euler(euler), mu)
     state = np.concatenate([rotation.attitude_error(q_hat, q_b), -mu], axis=-1)
@@ -209,7 +210,7 @@ def test_the_dropped_second_order_grows_with_the_square_of_the_misalignment(mode
     small, large = (exploration.second_order(model, DECLARED, size) for size in (0.1, 0.2))
     assert large["constant_arcmin"] / small["constant_arcmin"] == pytest.approx(4, rel=0.02)
     # At rest and level, exp([mu x]) has the roll mu_x + mu_y mu_z / 2, and so on: half a product of two sigmas.
-    half_product = (0.1 * study.DEG) ** 2 / 2 / study.ARCMIN
+    half_product = (0.1 * DEG) ** 2 / 2 / ARCMIN
     assert small["constant_arcmin"] == pytest.approx(half_product, rel=0.25)
 
 

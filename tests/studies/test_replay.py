@@ -11,6 +11,7 @@ from real_recordings import real_recording
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.recording import best_delay, read
+from boresight.runtime.units import ARCMIN
 from boresight.studies import replay
 
 FOG_MEMS = "fog_mems_transfer.npz"
@@ -59,7 +60,7 @@ def test_simulated_innovations_are_consistent_and_white(simulated_result):
 
 def test_true_noises_give_consistent_nis_without_any_choice(simulated, library):
     """Nothing is fitted here, so that NIS is free to be wrong."""
-    gyro, angle = np.full(3, 0.2 * replay.DEG_SQRT_H), np.full(3, 0.2 * replay.ARCMIN)
+    gyro, angle = np.full(3, 0.2 * replay.DEG_SQRT_H), np.full(3, 0.2 * ARCMIN)
     honest = replay.run(simulated, library, gyro_noise=gyro, angle_noise=angle)
     assert honest["noise"]["passes"] == 0
     assert honest["nis"]["consistent"]
@@ -69,7 +70,7 @@ def test_true_noises_give_consistent_nis_without_any_choice(simulated, library):
 def test_exact_residual_keeps_its_sigma_where_the_papers_does_not(tmp_path, library):
     """Roll is hardly seen in this motion, and the second-order error of Song-Lee (18) is enough to push it off."""
     recording = read(replay.simulate(tmp_path / "drive", seed=2))
-    noises = {"gyro_noise": np.full(3, 0.2 * replay.DEG_SQRT_H), "angle_noise": np.full(3, 0.2 * replay.ARCMIN)}
+    noises = {"gyro_noise": np.full(3, 0.2 * replay.DEG_SQRT_H), "angle_noise": np.full(3, 0.2 * ARCMIN)}
     exact = replay.run(recording, library, measurement="euler_exact", **noises)["misalignment"]["difference_sigmas"]
     paper = replay.run(recording, library, measurement="euler", **noises)["misalignment"]["difference_sigmas"]
     assert np.abs(exact).max() < 1.5
@@ -107,7 +108,7 @@ def test_one_turn_an_interval_is_every_sample_and_numpy_flies_as_the_compiled_mo
 def test_initial_covariance_ties_attitude_error_to_misalignment(simulated, library):
     """Before anything is learnt, eps = -C dmu: their sum is known as well as the master's angles, each alone is not."""
     leg = replay.prepare(replace(simulated, master=simulated.master.cut(slice(0, 3))), library, np.zeros(3))
-    angle = np.full(3, 1 * replay.ARCMIN)
+    angle = np.full(3, 1 * ARCMIN)
     track = replay.fly(leg, library, np.full(3, 1e-6), angle, "euler")
     C = rotation.matrix_from_euler(leg.euler[-1])
     both = np.hstack([C.T, np.eye(3)])
@@ -156,7 +157,7 @@ def test_fog_mems_without_bias_calibration_fails_loudly(fog_mems, fog_mems_resul
         library,
         gyro_bias=np.zeros(3),
         gyro_noise=np.array(noise["gyro_deg_sqrt_h"]) * replay.DEG_SQRT_H,
-        angle_noise=np.array(noise["angle_arcmin"]) * replay.ARCMIN,
+        angle_noise=np.array(noise["angle_arcmin"]) * ARCMIN,
     )
     assert not bare["nis"]["consistent"]
     assert bare["nis"]["mean"] > 20

@@ -7,6 +7,7 @@ import pytest
 
 from boresight.runtime import hull, rotation, simulation
 from boresight.runtime.library import load
+from boresight.runtime.units import MIL
 from boresight.studies import sea_exploration as study
 from boresight.studies.observability import Moment, along, shown_after
 
@@ -127,7 +128,7 @@ def test_closed_loops_have_the_errors_that_the_covariance_along_the_truth_forete
         flight = study.fly(model, motion, scenario, mounting=mounting, believed=level, heading_sigma=2 * DEG, runs=runs,
                            seed=0)  # fmt: skip
         foretold = study.covariances(wide, study.swinging(study.sampled(60.0, scenario), **{name: size}), scenario)
-        foretold_mil = foretold[-1, 0, study.HEADING] / study.MIL
+        foretold_mil = foretold[-1, 0, study.HEADING] / MIL
         rms = np.sqrt(np.mean(flight.heading_mil[-1] ** 2))
         assert 0.75 < rms / foretold_mil < 1.3, (name, rms, foretold_mil)  # forty runs: 11 %, and the level error
         if name == "roll":

@@ -10,8 +10,9 @@ from boresight import BoresightError
 from boresight.derive import delay_error
 from boresight.runtime import hull, inertial, rotation, simulation
 from boresight.runtime.library import load
+from boresight.runtime.units import DEG, MIL
 from boresight.studies import sea_bench, sea_claims, sea_delay, sea_figures, sea_flight, sea_state
-from boresight.studies.sea_flight import DEG, FILTERS, MIL, Scenario, draw, fly, motion_of, truth
+from boresight.studies.sea_flight import FILTERS, Scenario, draw, fly, motion_of, truth
 
 WITH, WITHOUT = (FILTERS.index(name) for name in ("with", "without"))
 SHORT = Scenario(height_m=(1.25, 4.0), seconds=20)

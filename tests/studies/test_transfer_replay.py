@@ -11,7 +11,9 @@ from real_recordings import real_recording
 from boresight import BoresightError
 from boresight.runtime import hull, inertial, rotation
 from boresight.runtime.library import load
-from boresight.runtime.recording import G, Inertial, Master, Recording, quantity, read
+from boresight.runtime.recording import Inertial, Master, Recording, read
+from boresight.runtime.units import STANDARD_GRAVITY as G
+from boresight.runtime.units import quantity
 from boresight.studies import transfer_replay as tr
 
 DEG = np.pi / 180

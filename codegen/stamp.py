@@ -1,0 +1,85 @@
+"""What a generated folder is made from, as two hashes that stand in its manifest.
+
+They are of syntax trees, so that a comment moves neither, and are found without importing what they are of.
+"""
+
+import ast
+import hashlib
+from functools import cache
+from pathlib import Path
+
+from boresight import BoresightError
+
+PACKAGE = Path(__file__).resolve().parent.parent  # of the layers: the checkout, or boresight/ where it is installed
+GENERATOR = tuple(PACKAGE / "codegen" / name for name in ("functions", "text", "templates"))
+
+
+def made_from(model: Path | None) -> dict[str, str]:
+    """Hashes of the generator and of the model's file, each with all that it imports; a component has no model."""
+    generator = {path for folder in GENERATOR for path in folder.rglob("*") if path.suffix in (".py", ".j2")}
+    files = {"generator": reached(generator, PACKAGE)}
+    if model is not None:
+        files["model"] = reached({model.resolve()}, model.resolve().parent)
+    return {name: hashed(paths) for name, paths in files.items()}
+
+
+def reached(start: set[Path], beside: Path) -> set[Path]:
+    """The files, and those that they import from Boresight or from the folder `beside`, at any depth."""
+    found, waiting = set(start), list(start)
+    while waiting:
+        path = waiting.pop()
+        new = {file for name in imported(path) for file in located(name, beside)} - found
+        found |= new
+        waiting += new
+    return found
+
+
+def imported(path: Path) -> tuple[str, ...]:
+    """Dotted names of all that a Python file may import: `from a import b` names a and a.b."""
+    return parsed(path.read_bytes(), path.name)[0] if path.suffix == ".py" else ()
+
+
+def located(name: str, beside: Path) -> tuple[Path, ...]:
+    """The file of a module and those of the packages that it lies in; none for other people's."""
+    parts = name.split(".")
+    base = PACKAGE if parts[0] == "boresight" else beside
+    places = [base.joinpath(*parts[parts[0] == "boresight" : k + 1]) for k in range(len(parts))]
+    files = [file for place in places for file in (place.with_suffix(".py"), place / "__init__.py")]
+    return tuple(file.resolve() for file in files if file.is_file())
+
+
+def content_hash(path: Path) -> str:
+    """Of a Python file's syntax tree, the same on every supported Python; of any other file its bytes'."""
+    content = path.read_bytes()
+    return parsed(content, path.name)[1] if path.suffix == ".py" else hashlib.sha256(content).hexdigest()
+
+
+@cache
+def parsed(content: bytes, name: str) -> tuple[tuple[str, ...], str]:
+    """What the code may import, and the hash of its tree."""
+    try:
+        tree = ast.parse(content)
+    except SyntaxError as error:
+        raise BoresightError(f"{name}, line {error.lineno}: {error.msg}") from None
+    names: list[str] = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names += [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            names += [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
+    return tuple(dict.fromkeys(names)), hashlib.sha256(repr(plain(tree)).encode()).hexdigest()
+
+
+def plain(node: object) -> object:
+    """A tree as tuples, without what is empty: versions of Python differ in the fields that they add."""
+    if isinstance(node, ast.AST):
+        fields = ((name, plain(value)) for name, value in ast.iter_fields(node))
+        return (type(node).__name__, *((name, value) for name, value in fields if value not in (None, ())))
+    if isinstance(node, list):
+        return tuple(plain(item) for item in node)
+    return repr(node) if node is not None else None
+
+
+def hashed(paths: set[Path]) -> str:
+    """Of the files' contents in an order that does not depend on where they lie."""
+    return hashlib.sha256("\n".join(sorted(f"{path.name} {content_hash(path)}" for path in paths)).encode()).hexdigest()

@@ -1,0 +1,104 @@
+"""The C compiler of this machine, and a cache of the shared libraries that it made."""
+
+import ctypes
+import functools
+import hashlib
+import os
+import shlex
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from boresight import BoresightError
+from boresight.runtime.manifest import cache_folder
+
+FLAGS = ("-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror")
+PRECISIONS: dict[str, tuple[str, ...]] = {"float": ("-DBORESIGHT_FLOAT",), "double": ()}
+
+
+def compiler() -> list[str]:
+    """The C compiler as a command: CC, or cc, or gcc."""
+    command = shlex.split(os.environ.get("CC", "")) or ["cc" if shutil.which("cc") else "gcc"]
+    if shutil.which(command[0]) is None:
+        raise BoresightError(f"no C compiler: {command[0]!r} is not found; install gcc or clang, or set CC")
+    return command
+
+
+@functools.cache
+def version(*command: str) -> str:
+    return run([*command, "--version"])
+
+
+def run(command: Iterable[object], cwd: Path | None = None) -> str:
+    """Standard output of a command.  Raises BoresightError with the first error that it reports."""
+    words = [str(word) for word in command]
+    done = subprocess.run(words, cwd=cwd, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        report = (done.stderr or done.stdout).strip()
+        first = next((line for line in report.splitlines() if "error:" in line), report[:200])
+        raise BoresightError(f"{words[0]} failed: {first}")
+    return done.stdout
+
+
+def compile_sources(command: Sequence[object], sources: Mapping[Path, Sequence[object]], out: Path) -> dict[str, Path]:
+    """The object of each source by its stem, in the folder `out`; as many at a time as there are processors.
+
+    command: compiler and flags.  sources: C file -> further flags for it alone.
+    """
+    objects = {source.stem: out / f"{source.stem}.o" for source in sources}
+    jobs = [[*command, *flags, "-c", source, "-o", objects[source.stem]] for source, flags in sources.items()]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(run, jobs))
+    return objects
+
+
+def shared_library(
+    name: str, contents: str, sources: Mapping[Path, Sequence[object]], include: Path, flags: Sequence[str] = ()
+) -> tuple[Path, str]:
+    """Path of the library in the cache, compiled first if it is not there, and the hash that it carries.
+
+    contents: a text that differs if any source or header differs, such as their hashes.  sources: see
+    `compile_sources`; a set of flags of their own needs a name of its own.  include: folder of the headers.
+    flags: of all sources, beside FLAGS.
+    """
+    command = compiler()
+    key = hashlib.sha256()
+    for part in (name, contents, *FLAGS, *flags, *command, version(*command)):
+        key.update(part.encode() + b"\0")
+    digest = key.hexdigest()
+    target = cache_folder() / f"{name}-{digest[:32]}.so"
+    if target.exists():
+        return target, digest
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        aside = tempfile.TemporaryDirectory(dir=target.parent)
+    except OSError as error:
+        raise BoresightError(
+            f"cannot write to {target.parent} ({error.strerror}); set BORESIGHT_CACHE to a folder that you can write to"
+        ) from None
+    with aside as folder:  # then into place: no other process ever sees half a library
+        stamp, library = Path(folder) / "stamp.c", Path(folder) / "library.so"
+        stamp.write_text(
+            f'const char *boresight_build(void);\nconst char *boresight_build(void) {{ return "{digest}"; }}\n'
+        )
+        objects = compile_sources([*command, *FLAGS, *flags, "-I", include], {stamp: (), **sources}, Path(folder))
+        run([*command, "-shared", *objects.values(), "-lm", "-o", library])
+        os.replace(library, target)
+    return target, digest
+
+
+def open_library(path: Path, digest: str) -> ctypes.PyDLL:
+    """The library that `shared_library` made, if it carries its hash."""
+    try:
+        # PyDLL keeps the interpreter's lock: a call is shorter than letting go of it and taking it again.
+        dll = ctypes.PyDLL(str(path))
+        dll.boresight_build.restype = ctypes.c_char_p
+        carried = dll.boresight_build().decode()
+    except (OSError, AttributeError) as error:
+        raise BoresightError(f"{path} is no library of Boresight ({error}); delete it and load again") from None
+    if carried != digest:
+        raise BoresightError(f"{path} was compiled from other sources than those on disk; delete it and load again")
+    return dll
