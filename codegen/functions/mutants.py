@@ -23,7 +23,7 @@ SPELT: dict[str, Callable[..., Any]] = {  # operations that C spells with anothe
 SCALED = ("twice", "inv")
 TRUTHS = ("lt", "le", "eq", "ne", "not", "and", "or")
 LEAST = 8  # vectors of a unit
-NUMBERS = 4096  # of an array: mutants are run side by side
+NUMBERS, MEMORY = 2**11, 2**24  # of one step of the mutants that are run side by side, and of all steps
 
 Mutant = tuple[int, Callable[..., Any]]  # position of a step, and what is computed there instead from its operands
 
@@ -66,7 +66,7 @@ def told(
     """
     plain = computed(program, points)
     found = np.zeros((len(tried), len(plain[0])), dtype=bool)
-    rows = max(1, NUMBERS // found.shape[1])
+    rows = max(1, min(NUMBERS, MEMORY // len(plain)) // found.shape[1])
     for start in range(0, len(tried), rows):
         part = tried[start : start + rows]
         here: dict[int, list[int]] = {}

@@ -84,7 +84,7 @@ def answered(
         result = unit.results[output]
         if result.low:
             keep &= (value - bound >= result.low[nz]) & (value + bound <= result.high[nz])
-    mixed = np.concatenate([np.arange(start, 2 * count, STRIDE) for start in range(STRIDE)])
+    mixed = np.concatenate([np.arange(start, 0, -STRIDE) for start in range(2 * count, 2 * count - STRIDE, -1)]) - 1
     chosen = mixed[keep[mixed]][:count]
     if len(chosen) < count:
         raise BoresightError(
@@ -123,27 +123,29 @@ def ends(unit: Unit, points: list[np.ndarray]) -> list[np.ndarray]:
 
     Of an argument with a norm the other components are zero, and the ends are those of the norm, with either sign.
     """
-    found = []
-    for which, arg in enumerate(unit.args):
-        at = [(i, end) for i in range(arg.size) for end in norm_ends(arg) or (arg.low[i], arg.high[i])]
-        good = np.zeros((len(at), len(points[0])), dtype=bool)
-        for some in (slice(0, FEW), slice(FEW, None)):
-            rows = [
-                row
-                for row, (i, end) in enumerate(at)
-                if arg.low[i] <= end <= arg.high[i] and not good[row].any() and good[row, some].size
-            ]
-            if not rows:
-                continue
-            moved = [np.tile(part[some], (len(rows), 1)) for part in points]
-            if arg.norm:
-                moved[which][:] = 0.0
-            for block, row in zip(np.split(moved[which], len(rows)), rows, strict=True):
-                i, end = at[row]
-                block[:, i] = end
-            good[rows, some] = (within(unit, moved) == 1).reshape(len(rows), -1)
-        found.append(good)
-    return found
+    at = [
+        [(which, i, end) for i in range(arg.size) for end in norm_ends(arg) or (arg.low[i], arg.high[i])]
+        for which, arg in enumerate(unit.args)
+    ]
+    flat = [end for ends_of_one in at for end in ends_of_one]
+    good = np.zeros((len(flat), len(points[0])), dtype=bool)
+    for some in (slice(0, FEW), slice(FEW, None)):
+        rows = [
+            row
+            for row, (which, i, end) in enumerate(flat)
+            if unit.args[which].low[i] <= end <= unit.args[which].high[i] and not good[row].any()
+        ]
+        if not rows:
+            break
+        count = good[0, some].size
+        moved = [np.tile(part[some], (len(rows), 1)) for part in points]
+        for k, row in enumerate(rows):
+            which, i, end = flat[row]
+            if unit.args[which].norm:
+                moved[which][k * count : (k + 1) * count] = 0.0
+            moved[which][k * count : (k + 1) * count, i] = end
+        good[rows, some] = (within(unit, moved) == 1).reshape(len(rows), count)
+    return np.split(good, np.cumsum([len(ends_of_one) for ends_of_one in at])[:-1])
 
 
 def edges(unit: Unit, beyond: float, rng: np.random.Generator) -> tuple[list[np.ndarray], list[int]]:

@@ -19,6 +19,7 @@ from math import ldexp, sqrt
 from typing import Any
 
 import numpy as np
+from flint import fmpz_mat
 
 from boresight.codegen.text.names import rows_of, three_digits
 
@@ -107,17 +108,10 @@ def total(terms: Iterable[float]) -> float:
 
 
 def semidefinite(matrix: Any) -> bool:
-    """Of a symmetric matrix of integers, by elimination without fractions; a pivot of zero has zeros beside it."""
-    rest, before = matrix, 1
-    while len(rest):
-        pivot = rest[0, 0]
-        if pivot < 0 or (pivot == 0 and rest[0].any()):
-            return False
-        if pivot:
-            rest, before = (pivot * rest[1:, 1:] - np.outer(rest[1:, 0], rest[0, 1:])) // before, pivot
-        else:
-            rest = rest[1:, 1:]
-    return True
+    """Of a symmetric matrix of integers, exactly: no root of the characteristic polynomial, all of which are real, is
+    negative if its coefficients change their signs in turn."""
+    coefficients = fmpz_mat(matrix.tolist()).charpoly().coeffs()
+    return all(c * (-1) ** (len(matrix) - k) >= 0 for k, c in enumerate(coefficients))
 
 
 def predicted(case: Case) -> tuple[list[float], list[float], list[float], list[float], bool]:
