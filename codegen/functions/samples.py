@@ -12,8 +12,7 @@ from boresight.codegen.functions.units import Unit
 from boresight.derive.model import Variable
 
 PAIRS = 200  # of points between which the edge of a result's box is looked for
-STRIDE = 16  # of points that follow another: a few of them are of all kinds
-FEW = 8  # of those points, at which the ends of boxes are tried before the others
+FEW = 8  # points at which the ends of boxes are tried before the others
 BEYOND = 5e-4  # how far outside its box the self-test puts a number, as a part of the bound
 
 
@@ -24,12 +23,12 @@ def generator(*words: str) -> np.random.Generator:
 
 
 def sample(
-    args: tuple[Variable, ...], corners: int, count: int, rng: np.random.Generator, small: int = 0
+    args: tuple[Variable, ...], corners: int, count: int, rng: np.random.Generator, *, small: bool = False
 ) -> list[np.ndarray]:
     """`count` points, at most `corners` of them corners of the box; (count, size) for each argument.
 
-    All corners are taken if there are no more than asked for.  In the last `small` every other number, by chance, is
-    2^-12 of itself, or as near to that as its box allows.  A variable with a norm is scaled to one inside its range.
+    All corners are taken if there are no more than asked for.  small: half of the numbers, by chance, are 2^-12 of
+    themselves, or as near to that as the box allows.  A variable with a norm is scaled to one inside its range.
     """
     size = sum(arg.size for arg in args)
     if 2**size <= corners:
@@ -46,7 +45,7 @@ def sample(
         # Written so that 0 and 1 give the ends of the box exactly.
         values = low * (1 - part) + high * part
         if small:
-            values[-small:] = np.ldexp(values[-small:], -12 * rng.integers(0, 2, (small, arg.size)))
+            values = np.ldexp(values, -12 * rng.integers(0, 2, values.shape))
         if arg.norm is not None:
             least, most = arg.norm
             values = values / norm(values) * (least + (most - least) * (0.05 + 0.9 * part[:, :1]))
@@ -66,17 +65,16 @@ def single(args: tuple[Variable, ...], points: list[np.ndarray]) -> list[np.ndar
 
 
 def answered(
-    unit: Unit, corners: int, count: int, rng: np.random.Generator, *, small: int = 0, in_float: bool = False
+    unit: Unit, corners: int, count: int, rng: np.random.Generator, *, small: bool = False, in_float: bool = False
 ) -> list[np.ndarray]:
     """`count` points (none for a function without arguments) at which the unit answers; in_float: in either precision.
-    Of twice as many, corners and small ones as `sample` has them, they are drawn in an order that mixes all kinds.
 
     There its results lie in their own boxes and rounding errors are bounded.  Near a singularity, such as a pitch of
     90 deg, the bound is infinite and proves nothing.
     """
     if not unit.args:
         return []  # a constant: one point without coordinates
-    points = sample(unit.args, 2 * corners, 2 * count, rng, 2 * small)
+    points = sample(unit.args, 2 * corners, 2 * count, rng, small=small)
     points = single(unit.args, points) if in_float else points
     values, bounds = evaluate(unit.tape, points, real=np.float32 if in_float else np.float64)
     keep = np.isfinite(np.array(bounds)).all(axis=0)
@@ -84,8 +82,7 @@ def answered(
         result = unit.results[output]
         if result.low:
             keep &= (value - bound >= result.low[nz]) & (value + bound <= result.high[nz])
-    mixed = np.concatenate([np.arange(start, 0, -STRIDE) for start in range(2 * count, 2 * count - STRIDE, -1)]) - 1
-    chosen = mixed[keep[mixed]][:count]
+    chosen = np.flatnonzero(keep)[:count]
     if len(chosen) < count:
         raise BoresightError(
             f"{unit.name}: only {len(chosen)} of {2 * count} points of its box have an answer; narrow the box"

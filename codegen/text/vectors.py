@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from boresight.codegen.functions.mutants import telling
+from boresight.codegen.functions.mutants import LEAST, telling
 from boresight.codegen.functions.samples import BEYOND, answered, edges, ends, generator
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.units import Unit
@@ -13,7 +13,7 @@ from boresight.codegen.text.names import rows_of, three_digits
 from boresight.derive.model import Model
 
 LIBM_ULPS = 4  # what the self-test grants the sine, cosine and arctangent of a target's library
-CANDIDATES, CORNERS, SMALL = 64, 16, 24  # points that the vectors are chosen from
+CORNERS, PLAIN, SMALL = 8, 40, 24  # points that the vectors are chosen from
 DIFFERENTIATED = 1e-45  # what is left of 80 digits where the reference was differentiated numerically and is zero
 
 
@@ -30,15 +30,18 @@ def chosen(model: Model, unit: Unit) -> tuple[list[np.ndarray], list[np.ndarray]
     """Points that together tell the unit from its mutants and serve the ends of its arguments' boxes, and which end
     each serves; without a norm and a box of the result any point will do, and nothing is listed."""
     rng = generator(model.name, unit.name)
-    points = answered(unit, CORNERS, CANDIDATES, rng, small=SMALL, in_float=True)
-    if not points:
+    plain = answered(unit, CORNERS, PLAIN, rng, in_float=True)
+    if not plain:
         return [], []
+    small = answered(unit, 0, SMALL, rng, small=True, in_float=True)
+    mixed = np.arange(PLAIN + SMALL)[::-1].reshape(LEAST, -1).T.ravel()  # the first are small, random and corners
+    points = [np.vstack(both)[mixed] for both in zip(plain, small, strict=True)]
     values, bounds = evaluate(unit.tape, points, LIBM_ULPS)
     granted = [2 * bound + abs(value) * 2.0**-52 + DIFFERENTIATED for value, bound in zip(values, bounds, strict=True)]
     turning = [unit.results[output].angle for output, _, _ in unit.tape.results]
     choosy = any(result.low for result in unit.results) or any(a.norm for a in unit.args)
     at_ends = ends(unit, points) if choosy else []
-    needs = np.vstack([np.zeros((0, CANDIDATES), dtype=bool), *at_ends])
+    needs = np.vstack([np.zeros((0, len(mixed)), dtype=bool), *at_ends])
     kept = telling(unit.tape, points, granted, turning, needs)
     return [part[kept] for part in points], [rows[:, kept] for rows in at_ends]
 
