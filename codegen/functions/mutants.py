@@ -77,7 +77,8 @@ def told(
             args = program.steps[k].args
             if k not in here and not any(arg in other for arg in args):
                 continue
-            value = COMPUTE[program.steps[k].op](*(other.get(arg, plain[arg]) for arg in args))
+            # a truth value is a number, as in C
+            value = COMPUTE[program.steps[k].op](*(other.get(arg, plain[arg]) for arg in args)) + 0.0
             if k in here:
                 value = np.array(np.broadcast_to(value, (len(part), found.shape[1])), dtype=float)
                 for row in here[k]:
