@@ -73,7 +73,7 @@ def models(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """The built-in models; with a name, its states, inputs, measurements and functions."""
+    """The built-in models; with a name, its states and functions."""
     from boresight.runtime.manifest import folder_of, read_manifest
 
     names = [one_of(name, model_names(), "model")] if name else model_names()
@@ -101,7 +101,7 @@ def equations(
     number: Annotated[str | None, typer.Argument(metavar="NUMBER", help="Of one equation, for its evidence.")] = None,
     as_json: AsJson = False,
 ) -> None:
-    """The ledger: the computed status of each printed equation, and every erratum with numbers."""
+    """The computed status of each printed equation, with evidence."""
     from boresight import report, terminal
     from boresight.kept_ledger import ledger
 
@@ -145,7 +145,7 @@ def show(
     ] = "text",
     out: Annotated[Path | None, typer.Option("-o", "--out", help="File to write; needed for pdf.")] = None,
 ) -> None:
-    """The derivation of a paper's equations, or of those that a model stands on, step by step."""
+    """The derivation of a paper's or a model's equations, by steps."""
     from boresight import terminal
     from boresight.derive import render as r
 
@@ -209,7 +209,7 @@ def generate(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; exit 1 if anything would change.")] = False,
     out: Annotated[Path | None, typer.Option("-o", "--out", help="Folder, if there is one model.")] = None,
 ) -> None:
-    """Make the generated C agree with its models, and say which functions changed.
+    """Make the generated C agree with its models; name what changed.
 
     Exit status with --check: 0 no difference, 1 a difference, 3 other versions of SymPy or CasADi than those that the
     committed files were made with, so that nothing can be said.
@@ -256,7 +256,7 @@ def verify(
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Prove the compiled C: bit for bit against CasADi's C, and within rounding of 50-digit arithmetic."""
+    """Prove the C: CasADi's bits, within rounding of 50 digits."""
     from boresight import report, terminal
     from boresight.codegen import generate as g
     from boresight.codegen import verify as v
@@ -290,7 +290,10 @@ def export(
     ] = "double",
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
 ) -> None:
-    """Write a folder of C that needs nothing of Python: filter, self-test, example, Makefile, CMake package."""
+    """Write a folder of C that needs nothing of Python.
+
+    It holds the filter, its self-test, an example, a Makefile and a CMake package.
+    """
     from boresight.codegen.export import export as export_model
 
     written = export_model(target, out, precision, folder)
@@ -335,7 +338,10 @@ def study(
     out: Out = None,
     as_json: AsJson = False,
 ) -> None:
-    """Run an experiment of a paper; euler-table exits 1 where it disagrees with the paper."""
+    """Run an experiment of a paper.
+
+    euler-table exits 1 where it disagrees with the paper.
+    """
     from boresight import terminal
 
     one_of(name, STUDIES, "study")
@@ -515,12 +521,13 @@ def replay(
     out: Out = None,
     as_json: AsJson = False,
 ) -> None:
-    """Fly a filter on a recording; exit 1 if its NIS is not consistent.
+    """Fly a filter on a recording.
 
-    With a master that has a velocity: transfer alignment by velocity and attitude, which estimates mounting, biases and
-    delay; without one, by Euler angles.  The noises that are not given are chosen by likelihood.  The options from
-    gyro-noise on belong to velocity-attitude.  Without a master: stationary detection and zero-velocity updates.  With
-    --check: norms, gaps, rates and suspicious units; exit 1 if something is wrong.
+    Exits 1 if the NIS is not consistent.  With a master that has a velocity: transfer alignment by velocity and
+    attitude, which estimates mounting, biases and delay; without one, by Euler angles.  The noises that are not given
+    are chosen by likelihood.  The options from gyro-noise on belong to velocity-attitude.  Without a master: stationary
+    detection and zero-velocity updates.  With --check: norms, gaps, rates and suspicious units; exits 1 if something is
+    wrong.
     """
     from boresight.runtime.library import load
     from boresight.runtime.recording import read

@@ -48,6 +48,7 @@ def test_help_names_every_command(run):
     assert status == 0
     for command in ("models", "equations", "show", "generate", "verify", "study", "replay", "export"):
         assert command in out
+    assert "..." not in out.split("Commands:")[1] and not fits(out, 80)
 
 
 @pytest.mark.parametrize("columns", [80, 100])

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from boresight import kept_ledger
 from boresight.cli import app
-from boresight.derive.ledger import findings, ledger
+from boresight.derive.ledger import conditions, findings, ledger
 from boresight.derive.papers import PAPERS
 
 PAPER = "kang-2025"
@@ -31,7 +31,8 @@ def calls(monkeypatch):
 
 
 def computed(paper):
-    return {"entries": [asdict(entry) for entry in ledger(paper)], "findings": list(findings(paper))}
+    entries = [asdict(entry) for entry in ledger(paper)]
+    return {"entries": entries, "findings": list(findings(paper)), "conditions": list(conditions(paper))}
 
 
 def forge(folder):
