@@ -154,7 +154,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         "parts": [
             part_view(f"{c_name}_kernel_{i}", part, c_name, args, results) for i, part in enumerate(functions, 1)
         ],
-        "shared": ", ".join(shared),
+        "shared": shared,
         "casadi": {
             "arg": max(1, unit.function.sz_arg()),
             "res": max(1, unit.function.sz_res()),
