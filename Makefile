@@ -15,7 +15,7 @@ run: announce $(VENV)/.installed
 
 announce:
 	@test -e $(VENV)/.installed || echo "make: installs 1 GB of packages into $(VENV) first, once"
-	@echo "make run: takes about half a minute; figures go to out/euler-table"
+	@echo "make run: takes about 25 s of processor time; figures go to out/euler-table"
 
 test: run $(VENV)/.tested check
 	$(MAKE) generated
@@ -39,6 +39,7 @@ bench: $(VENV)/.installed
 	$(BIN)/python -m benchmarks.covariance
 	$(BIN)/python -m benchmarks.detector
 	$(BIN)/python -m benchmarks.hold
+	$(BIN)/python -m benchmarks.growth
 
 tools:
 	@command -v $(PYTHON) >/dev/null || { echo "make: $(PYTHON) is missing; install python3 (3.11 or newer)"; exit 1; }

@@ -11,9 +11,8 @@ import pytest
 from conftest import PENDULUM, ROOT
 
 from boresight import cli, report, terminal
-from boresight.derive.ledger import conditions
+from boresight.derive.ledger import conditions, ledger
 from boresight.derive.papers import PAPERS
-from boresight.kept_ledger import ledger
 from boresight.runtime.manifest import built_in, folder_of, read_manifest
 
 SILENT = {
@@ -82,7 +81,7 @@ def test_a_model_shows_each_state_input_and_function_by_its_whole_name_with_unit
 def test_equations_are_a_table_of_whole_sentences(run, columns, paper):
     _, out, _ = run("equations", paper, columns=columns)
     assert not fits(out, columns)
-    for entry in ledger(paper)["entries"]:
+    for entry in (entry.to_dict() for entry in ledger(paper)):
         said = report.sentence(entry, conditions(paper)[0])
         assert re.fullmatch(r"[A-Z].*[^ .]\.", said), said
         assert "Origin" not in said
@@ -107,8 +106,7 @@ def test_equations_of_all_papers_fit_on_one_screen(run):
     assert not fits(out, 80) and len(out.splitlines()) < 20
     for paper in PAPERS:
         assert paper in out
-        for entry in ledger(paper)["entries"]:
-            assert entry["status"] != "erratum" or f"({entry['number']})" in out
+        assert all(f"({entry.number})" in out for entry in ledger(paper) if entry.status == "erratum")
 
 
 def test_verify_names_every_function_whole(run):
@@ -123,7 +121,9 @@ def test_no_name_of_a_function_or_model_is_too_long_for_the_table_of_verify(caps
 
     manifests = [read_manifest(folder_of(name)) for name in built_in()]
     checks = [
-        UnitCheck(m["model"], unit, 1064, 256, False, 1e-300, 123456.7, True) for m in manifests for unit in m["units"]
+        UnitCheck(m["model"], unit, 1064, 256, False, 1e-300, 123456.7, 1e-300, True)
+        for m in manifests
+        for unit in m["units"]
     ]
     monkeypatch.setenv("COLUMNS", "80")
     terminal.page(*report.verified(checks))

@@ -16,7 +16,7 @@ from boresight.codegen.functions.convert import to_casadi
 from boresight.codegen.functions.identities import identified
 from boresight.codegen.functions.tape import tape
 from boresight.evidence.sources import Folder, folders
-from boresight.evidence.trace import kernel
+from boresight.evidence.trace import OUTPUT, STATEMENT, statements
 
 x, y, z = SYMBOLS = sp.symbols("x y z", real=True)
 GUARDED = sp.sqrt(x**2 + sp.Rational(1, 10**30))
@@ -111,14 +111,16 @@ def printed(folder: Folder):
     """Of each unit: its name, and of each statement the name that it defines and its text."""
     for unit in folder.units:
         if unit.described is not None:
-            lines = [line.text for line in kernel(unit).statements]
-            yield unit.name, [re.fullmatch(r"const bs_real (\w+) = (.*);", line).groups() for line in lines]
+            lines = statements(unit.path.with_name(f"{unit.name}_kernel.h"))
+            found = [made.groups() for made in map(STATEMENT.match, lines) if made]
+            assert len(found) == unit.operations
+            yield unit.name, [(name, text.replace("shared->", "")) for name, text in found]
 
 
-def evaluated(statements, points):
+def evaluated(listed, points):
     """The value of each statement, and of each name in it, at every point."""
     programs = []
-    for name, text in statements:
+    for name, text in listed:
         text = re.sub(r"BS_REAL\(([^)]*)\)", r"BS_REAL('\1')", text)
         programs.append((name, compile(text, name, "eval")))
     columns = []
@@ -145,11 +147,11 @@ def sixty_digits():
     ctx.dps = before
 
 
-def constant_or_equal(statements, columns):
+def constant_or_equal(listed, columns):
     """Statements that are 0, 1 or -1 at every point, or what an earlier one is, as (name, what it is)."""
     buckets = defaultdict(list)
     buckets["1"], buckets["-1"] = ([(str(one), [arb(one)] * len(columns))] for one in (1, -1))
-    for name, _ in statements:
+    for name, _ in listed:
         value = [column[name] for column in columns]
         if all(abs(v) < EXACT for v in value):
             yield name, "0"
@@ -164,10 +166,10 @@ def constant_or_equal(statements, columns):
 def test_no_statement_is_identically_zero_one_or_another(folder):
     rng = np.random.default_rng(1)
     few, many = ([drawn(folder, None, rng) for _ in range(count)] for count in (2, 60))
-    for unit, statements in printed(folder):
-        found = set(constant_or_equal(statements, evaluated(statements, few)))
+    for unit, listed in printed(folder):
+        found = set(constant_or_equal(listed, evaluated(listed, few)))
         if found:  # a choice, or an angle that is wrapped, may change nothing at a few points
-            found &= set(constant_or_equal(statements, evaluated(statements, many)))
+            found &= set(constant_or_equal(listed, evaluated(listed, many)))
         assert not found, (unit, found)
 
 
@@ -177,9 +179,9 @@ def test_on_the_unit_sphere_only_norms_are_one_and_no_sum_is_rounding(folder):
     rng, size = np.random.default_rng(2), 0.999
     few, many = ([drawn(folder, 1.0, rng) for _ in range(count)] for count in (2, 60))
     inside = drawn(folder, size, rng)
-    for unit, statements in printed(folder):
-        columns, ones = evaluated(statements, few), []
-        for name, text in statements:
+    for unit, listed in printed(folder):
+        columns, ones = evaluated(listed, few), []
+        for name, text in listed:
             terms = re.fullmatch(r"(\w+(?:\[\d+\])?) [+-] (\w+(?:\[\d+\])?)", text)
             if terms:
                 largest = [max(abs(eval(term, column)) for term in terms.groups()) for column in columns]
@@ -188,7 +190,7 @@ def test_on_the_unit_sphere_only_norms_are_one_and_no_sum_is_rounding(folder):
             if same([column[name] for column in columns], [arb(1)] * len(columns)):
                 ones.append(name)
         if ones:
-            (off,), columns = evaluated(statements, [inside]), evaluated(statements, many)
+            (off,), columns = evaluated(listed, [inside]), evaluated(listed, many)
             for name in ones:
                 if same([column[name] for column in columns], [arb(1)] * len(columns)):
                     # a norm that a result is divided by: off the sphere it is a power of the declared one
@@ -201,8 +203,7 @@ def test_what_noise_adds_is_printed_as_one_triangle_and_its_copy(folder):
     """So Q and Qc are symmetric to the bit at every input."""
     for unit in folder.units:
         if unit.described is not None and unit.described["name"] in ("Q", "Qc"):
-            body = unit.path.with_name(f"{unit.name}_kernel.h").read_text()
-            written = re.findall(r"_nz\[\d+\] = (\S+); /\* (\d+), (\w+) \*/", body)
-            states = folder.manifest["states"]
-            entries = {(int(row), states.index(column)): value for value, row, column in written}
+            lines = statements(unit.path.with_name(f"{unit.name}_kernel.h"))
+            written = [made.groups() for made in map(OUTPUT.match, lines) if made]
+            entries = {tuple(place.split(", ")): value for _, _, value, place in written}
             assert entries and all(entries[column, row] == value for (row, column), value in entries.items())

@@ -31,13 +31,9 @@ def lever(compiled_once):
 
 def generated(name, tmp_path_factory):
     from boresight.codegen.generate import generate
-    from boresight.codegen.text import vectors
 
     folder = tmp_path_factory.mktemp("options") / name
-    with pytest.MonkeyPatch.context() as patch:  # their self-tests are not run
-        patch.setattr(vectors, "VECTORS", 8)
-        patch.setattr(vectors, "CORNERS", 4)
-        generate(f"{OPTIONS}:{name}", folder)
+    generate(f"{OPTIONS}:{name}", folder)
     return load(folder)
 
 
