@@ -202,7 +202,7 @@ def test_what_noise_adds_is_printed_as_one_triangle_and_its_copy(folder):
     for unit in folder.units:
         if unit.described is not None and unit.described["name"] in ("Q", "Qc"):
             body = unit.path.with_name(f"{unit.name}_kernel.h").read_text()
-            written = re.findall(r"_nz\[\d+\] = (\S+); /\* (\d+), (\w+) \*/", body)
+            written = re.findall(r"_nz\[\d+\] = (\S+); /\* (\w+), (\w+) \*/", body)
             states = folder.manifest["states"]
-            entries = {(int(row), states.index(column)): value for value, row, column in written}
+            entries = {(states.index(row), states.index(column)): value for value, row, column in written}
             assert entries and all(entries[column, row] == value for (row, column), value in entries.items())
