@@ -1,20 +1,30 @@
-# run: make the environment, derive, generate, compile, verify, and fly the paper's Table 1.
-# test: the same, then every test and the checks of style and types.
+# run: make the environment, derive, generate, compile, verify one model, and fly the paper's Table 1 with it.
+# test: the same, then every model verified, every test, and the checks of style and types.
 VENV := .venv
 BIN := $(VENV)/bin
 PYTHON ?= python3
+EXTRAS ?= all
 
-.PHONY: run test check evidence docs bench clean tools
+.PHONY: run test generated check evidence bench clean tools announce
 
-run: $(VENV)/.installed
+run: announce $(VENV)/.installed
 	$(BIN)/boresight generate
 	$(BIN)/boresight equations
-	$(BIN)/boresight verify
+	$(BIN)/boresight verify euler-matching
 	$(BIN)/boresight study euler-table -o out/euler-table
 
+announce:
+	@test -e $(VENV)/.installed || echo "make: installs 1 GB of packages into $(VENV) first, once"
+	@echo "make run: takes about half a minute; figures go to out/euler-table"
+
 test: run $(VENV)/.tested check
-	$(BIN)/boresight generate --check
+	$(MAKE) generated
+	$(BIN)/boresight verify
 	$(BIN)/python -m pytest -n auto tests
+
+# What is generated, held against what is committed; with VENV and PYTHON of another version too.
+generated: $(VENV)/.installed
+	$(BIN)/boresight generate --check
 
 check: $(VENV)/.tested
 	$(BIN)/ruff check .
@@ -27,6 +37,8 @@ evidence: $(VENV)/.tested
 bench: $(VENV)/.installed
 	$(BIN)/python -m benchmarks.call
 	$(BIN)/python -m benchmarks.covariance
+	$(BIN)/python -m benchmarks.detector
+	$(BIN)/python -m benchmarks.hold
 
 tools:
 	@command -v $(PYTHON) >/dev/null || { echo "make: $(PYTHON) is missing; install python3 (3.11 or newer)"; exit 1; }
@@ -35,9 +47,9 @@ tools:
 	@command -v $${CC:-cc} >/dev/null || { echo "make: no C compiler; install gcc, or set CC"; exit 1; }
 
 $(VENV)/.installed: pyproject.toml constraints.txt | tools
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e .
-	touch $@
+	@$(PYTHON) -m venv $(VENV)
+	@$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[$(EXTRAS)]'
+	@touch $@
 
 $(VENV)/.tested: $(VENV)/.installed
 	$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[test]'

@@ -11,8 +11,25 @@ The conventions, said once; every generated artefact prints them, docs/conventio
 - Matrices are row-major.
 """
 
+from importlib.util import find_spec
+
 __version__ = "0.1.0"
+
+# The modules that each extra of the installation brings.
+EXTRAS = {
+    "derive": ("sympy", "mpmath", "flint", "casadi", "jinja2"),
+    "replay": ("pydantic", "pandas", "matplotlib"),
+    "parquet": ("pandas", "pyarrow"),
+    "cli": ("typer", "rich"),
+}
 
 
 class BoresightError(Exception):
     """One line for the user: what is wrong, where, and what to do about it."""
+
+
+def need(extra: str) -> None:
+    """Raise a BoresightError that says what to install, unless all modules of the extra are there."""
+    missing = [name for name in EXTRAS[extra] if find_spec(name) is None]
+    if missing:
+        raise BoresightError(f"{', '.join(missing)} not found; run pip install 'boresight[{extra}]'")

@@ -3,27 +3,48 @@
 import json
 import sys
 from collections.abc import Callable
-from math import isfinite
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
-import typer
+from boresight import BoresightError, __version__, need
 
-from boresight import BoresightError, __version__
+try:
+    import typer
+except ModuleNotFoundError:
+    sys.exit("boresight: the command line needs more packages; install them with pip install 'boresight[cli]'")
 
-if TYPE_CHECKING:
-    from rich.console import Console
+app = typer.Typer(no_args_is_help=True, rich_markup_mode=None, pretty_exceptions_enable=False)
 
-app = typer.Typer(no_args_is_help=True, add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False)
 
+def model_names() -> list[str]:
+    from boresight.runtime.manifest import built_in
+
+    return built_in()
+
+
+def paper_names() -> list[str]:
+    from boresight.derive.papers import PAPERS
+
+    return list(PAPERS)
+
+
+def completed(*sources: Callable[[], list[str]]) -> Callable[[str], list[str]]:
+    """What the shell offers for a word that was begun."""
+    return lambda incomplete: [name for source in sources for name in source() if name.startswith(incomplete)]
+
+
+STUDIES = ["azimuth-hold", "euler-table", "float-covariance", "sea-state"]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document and nothing else.")]
 Out = Annotated[Path | None, typer.Option("-o", "--out", help="Folder for results.")]
-
-
-def console() -> "Console":
-    from rich.console import Console
-
-    return Console(highlight=False)
+Targets = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="MODEL | FILE.py:NAME",
+        help="All built-in models if left out.",
+        show_default=False,
+        autocompletion=completed(model_names),
+    ),
+]
 
 
 def print_json(document: Any) -> None:
@@ -45,11 +66,18 @@ def root(version: Annotated[bool, typer.Option("--version", help="Print the vers
 
 
 @app.command()
-def models(as_json: AsJson = False) -> None:
-    """The built-in models: states, measurements, and what is generated for each."""
-    from boresight.runtime.manifest import built_in, folder_of, read_manifest
+def models(
+    name: Annotated[
+        str | None,
+        typer.Argument(metavar="MODEL", help="All if left out.", autocompletion=completed(model_names)),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """The built-in models; with a name, its states and functions."""
+    from boresight.runtime.manifest import folder_of, read_manifest
 
-    manifests = [read_manifest(folder_of(name)) for name in built_in()]
+    names = [one_of(name, model_names(), "model")] if name else model_names()
+    manifests = [read_manifest(folder_of(name)) for name in names]
     if as_json:
         print_json(
             [
@@ -59,68 +87,69 @@ def models(as_json: AsJson = False) -> None:
             ]
         )
         return
-    from rich.table import Table
+    from boresight import report, terminal
 
-    for m in manifests:
-        print(f"{m['model']}: {m['title']}")
-        print(f"  frame {m['frame']}; C prefix {m['c_prefix']}_; states {' '.join(m['states'])}")
-        for name, measurement in m["measurements"].items():
-            print(f"  measurement {name} ({', '.join(measurement['rows'])}): {measurement['meaning']}")
-        table = Table("C function", "operations", "inputs", "outputs", box=None)
-        for unit in m["units"].values():
-            outputs = [f"{r['name']} {'x'.join(map(str, r['shape']))}" for r in unit["results"]]
-            table.add_row(unit["c_name"], str(unit["operations"]), ", ".join(unit["fields"]), ", ".join(outputs))
-        console().print(table)
+    terminal.page(*(report.model(manifests[0]) if name else report.models(manifests)))
 
 
 @app.command()
 def equations(
-    paper: Annotated[str | None, typer.Argument(help="A paper; all if left out.")] = None, as_json: AsJson = False
+    paper: Annotated[
+        str | None,
+        typer.Argument(metavar="PAPER", help="All if left out.", autocompletion=completed(paper_names)),
+    ] = None,
+    number: Annotated[str | None, typer.Argument(metavar="NUMBER", help="Of one equation, for its evidence.")] = None,
+    as_json: AsJson = False,
 ) -> None:
-    """The ledger: each printed equation, its computed status, and every erratum with numbers."""
-    import textwrap
-    from collections import Counter
-
-    from boresight.derive.papers import PAPERS
+    """The computed status of each printed equation, with evidence."""
+    from boresight import report, terminal
     from boresight.kept_ledger import ledger
 
-    papers = [one_of(paper, list(PAPERS), "paper")] if paper else list(PAPERS)
-    ledgers = {name: ledger(name) for name in papers}
+    papers = [one_of(paper, paper_names(), "paper")] if paper else paper_names()
+    with terminal.progress() as progress:
+        ledgers = {name: ledger(name, progress) for name in papers}
+    rows = {name: kept["entries"] for name, kept in ledgers.items()}
+    if number is not None:
+        own = rows[papers[0]]
+        number = one_of(number.strip("()"), [entry["number"] for entry in own], "equation")
+        rows[papers[0]] = [entry for entry in own if entry["number"] == number]
     if as_json:
-        print_json([entry for name in papers for entry in ledgers[name]["entries"]])
-        return
-    for name in papers:
-        own = ledgers[name]["entries"]
-        print(name)
-        for entry in own:
-            head = f"{'(' + entry['number'] + ')':>6}  {entry['status']:<12}"
-            if entry["status"] != "erratum":
-                print(textwrap.fill(head + entry["evidence"].split("; ")[-1], 110, subsequent_indent=" " * 20))
-                continue
-            print(f"{head}{entry['kind']}, {entry['origin']}")
-            for text in (entry["note"], entry["evidence"]):
-                print(textwrap.fill(text, 110, initial_indent=" " * 10, subsequent_indent=" " * 10))
-        for finding in ledgers[name]["findings"]:
-            print(textwrap.fill(finding, 110, subsequent_indent="  "))
-        counts = Counter(entry["status"] for entry in own)
-        print(f"{name}: " + ", ".join(f"{count} {status}" for status, count in sorted(counts.items())) + "\n")
+        print_json([entry for entries in rows.values() for entry in entries])
+    elif paper is None:
+        terminal.page(*report.equations(rows))
+    elif number is None:
+        kept = ledgers[paper]
+        terminal.page(*report.paper(paper, rows[paper], kept["conditions"], kept["findings"]))
+    else:
+        terminal.page(*report.equation(rows[paper][0], ledgers[paper]["conditions"]))
 
 
 @app.command()
 def show(
     name: Annotated[
-        str, typer.Argument(metavar="MODEL|PAPER", help="A model, a paper, or delay-error: what an unknown delay does.")
+        str,
+        typer.Argument(
+            metavar="MODEL|PAPER",
+            help="A model, a paper, or delay-error: what an unknown delay does.",
+            autocompletion=completed(model_names, paper_names, lambda: ["delay-error"]),
+        ),
     ],
     equation: Annotated[str | None, typer.Argument(help="Number of an equation; all if left out.")] = None,
-    form: Annotated[str, typer.Option("--format", help="text, latex, html or pdf.")] = "text",
+    form: Annotated[
+        str,
+        typer.Option(
+            "--format",
+            help="text, latex, html or pdf.",
+            autocompletion=completed(lambda: ["text", "latex", "html", "pdf"]),
+        ),
+    ] = "text",
     out: Annotated[Path | None, typer.Option("-o", "--out", help="File to write; needed for pdf.")] = None,
 ) -> None:
-    """The derivation of a paper's equations, or of those that a model stands on, step by step."""
-    from boresight.codegen.generate import model_names
+    """The derivation of a paper's or a model's equations, by steps."""
+    from boresight import terminal
     from boresight.derive import render as r
-    from boresight.derive.papers import PAPERS
 
-    one_of(name, [*PAPERS, *model_names(), "delay-error"], "paper or model")
+    one_of(name, [*paper_names(), *model_names(), "delay-error"], "paper or model")
     one_of(form, [*r.FORMATS, "pdf"], "format")
     if form == "pdf" and out is None:
         raise BoresightError("a pdf needs a file to go to; add -o FILE.pdf")
@@ -128,11 +157,13 @@ def show(
     if name == "delay-error":
         text = delay_error(equation, kind)
     else:
-        text = r.render(name, equation, kind) if name in PAPERS else model_equations(name, equation, kind)
-    if out is None:
-        sys.stdout.write(text)
-    else:
+        text = r.render(name, equation, kind) if name in paper_names() else model_equations(name, equation, kind)
+    if out is not None:
         write(out, r.pdf_from_latex(text) if form == "pdf" else text.encode())
+    elif form == "text":
+        terminal.page_text(text)
+    else:
+        sys.stdout.write(text)
 
 
 def delay_error(number: str | None, form: str) -> str:
@@ -174,124 +205,110 @@ def write(path: Path, content: bytes) -> None:
 
 @app.command()
 def generate(
-    targets: Annotated[
-        list[str] | None, typer.Argument(metavar="[MODEL | FILE.py:NAME]...", show_default=False)
-    ] = None,
+    targets: Targets = None,
     check: Annotated[bool, typer.Option("--check", help="Write nothing; exit 1 if anything would change.")] = False,
     out: Annotated[Path | None, typer.Option("-o", "--out", help="Folder, if there is one model.")] = None,
 ) -> None:
-    """Make the generated C agree with its models, and say which functions changed.
+    """Make the generated C agree with its models; name what changed.
 
     Exit status with --check: 0 no difference, 1 a difference, 3 other versions of SymPy or CasADi than those that the
     committed files were made with, so that nothing can be said.
     """
+    from boresight import terminal
     from boresight.codegen import generate as g
 
+    if not targets and not check and not g.is_checkout():
+        raise BoresightError(
+            "the built-in models come generated; name one to write it to ./generated, or your own as FILE.py:NAME"
+        )
     targets = targets or g.target_names()
     if out is not None and len(targets) > 1:
         raise BoresightError("-o names one folder; give one model with it")
-    status = 0
-    for target in targets:
-        report = g.generate(target, out, check)
-        label = f"{report.model} in {report.folder}"
-        if not report.comparable:
-            made = ", ".join(f"{k} {v}" for k, v in g.old_manifest(report.folder)["versions"].items())
-            here = ", ".join(f"{k} {v}" for k, v in g.versions().items())
-            print(f"{label}: not comparable; made with {made}, here are {here}")
-            status = max(status, 3)
-            continue
-        if report.up_to_date or not report.written:
-            print(f"{label}: nothing changed")
-            continue
-        for change in report.changes:
-            print(f"  {change}")
-        verb = "would change" if check else "written"
-        print(f"{label}: {len(report.changes)} functions differ, {len(report.written)} files {verb}")
-        if check:
-            for path in report.written:
-                print(f"  {path}")
-            status = max(status, 1)
+    status, unchanged, lines = 0, 0, []
+    with terminal.progress() as progress:
+        for done, target in enumerate(targets):
+            progress(done, len(targets), target)
+            report = g.generate(target, out, check)
+            label = f"{report.model} in {report.folder}"
+            if not report.comparable:
+                made = ", ".join(f"{k} {v}" for k, v in g.old_manifest(report.folder)["versions"].items())
+                here = ", ".join(f"{k} {v}" for k, v in g.versions().items())
+                lines.append(f"{label}: not comparable; made with {made}, here are {here}")
+                status = max(status, 3)
+            elif report.up_to_date or not report.written:
+                unchanged += 1
+            else:
+                verb = "would change" if check else "written"
+                lines += [f"  {change}" for change in report.changes]
+                lines.append(f"{label}: {len(report.changes)} functions differ, {len(report.written)} files {verb}")
+                if check:
+                    lines += [f"  {path}" for path in report.written]
+                    status = max(status, 1)
+    if unchanged:
+        lines.append(f"{label}: nothing changed" if len(targets) == 1 else f"nothing changed in {unchanged} models")
+    print("\n".join(lines))
     raise typer.Exit(status)
 
 
 @app.command()
 def verify(
-    targets: Annotated[
-        list[str] | None, typer.Argument(metavar="[MODEL | FILE.py:NAME]...", show_default=False)
-    ] = None,
+    targets: Targets = None,
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Prove the compiled C: bit for bit against CasADi's C, and within rounding of 50-digit arithmetic."""
-    from rich.progress import Progress, SpinnerColumn, TextColumn
-    from rich.table import Table
-
+    """Prove the C: CasADi's bits, within rounding of 50 digits."""
+    from boresight import report, terminal
+    from boresight.codegen import generate as g
     from boresight.codegen import verify as v
-    from boresight.codegen.generate import default_folder, model_names
 
-    targets = targets or model_names()
+    targets = targets or g.model_names()
     if folder is not None and len(targets) > 1:
         raise BoresightError("--generated names one folder; give one model with it")
-    checks = []
-    from rich.console import Console
-
-    with Progress(
-        SpinnerColumn(), TextColumn("{task.description}"), transient=True, console=Console(stderr=True)
-    ) as bar:
-        task = bar.add_task("")
-        for target in targets:
-            where = folder or (default_folder(target) if ":" in target else None)
-            checks += v.verify(
-                target,
-                where,
-                progress=lambda done, total, text: bar.update(task, description=f"{done} of {total}, {text}"),
-            )
-    good = all(check.ok for check in checks)
+    folders = {target: folder or (g.default_folder(target) if ":" in target else None) for target in targets}
+    with terminal.progress() as progress:
+        checks = v.verify_all(list(folders.items()), progress=progress)
     if as_json:
         print_json(v.to_json(checks))
-        raise typer.Exit(0 if good else 1)
-    table = Table(
-        "model", "function", "points", "outputs", "bits as CasADi", "largest error", "bound / error", "", box=None
-    )
-    for check in checks:
-        if isinstance(check, v.UnitCheck):
-            loose = f"{check.looseness:.1f}" if isfinite(check.looseness) else "exact"
-            table.add_row(
-                check.model, check.unit, str(check.points), str(check.outputs), "yes" if check.same_bits else "NO",
-                f"{check.largest_error:.1e}", loose, "ok" if check.ok else "FAILED",
-            )  # fmt: skip
-    console().print(table)
-    for check in checks:
-        if isinstance(check, v.FirstOrderCheck):
-            beyond = (
-                f" where nothing is neglected, then by {check.coefficient:.3f} a unit of what is; halved, the "
-                f"difference is {check.ratio:.4f} of it"
-                if check.coefficient is not None
-                else ""
-            )
-            print(
-                f"{check.model} {check.unit}: differs from the exact Jacobian by {check.limit:.1e}{beyond}: "
-                f"{'ok' if check.ok else 'FAILED'}"
-            )
-    print(f"verify: {sum(c.ok for c in checks)} passed, {sum(not c.ok for c in checks)} failed")
-    raise typer.Exit(0 if good else 1)
+    else:
+        terminal.page(*report.verified(checks))
+    raise typer.Exit(0 if all(check.ok for check in checks) else 1)
 
 
 @app.command()
 def export(
-    target: Annotated[str, typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False)],
+    target: Annotated[
+        str,
+        typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
+    ],
     out: Annotated[Path, typer.Option("-o", "--out", help="The new folder.", show_default=False)],
-    precision: Annotated[str, typer.Option(help="double, or float with the covariance as UD factors.")] = "double",
+    precision: Annotated[
+        str,
+        typer.Option(
+            help="double, or float with the covariance as UD factors.",
+            autocompletion=completed(lambda: ["double", "float"]),
+        ),
+    ] = "double",
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
 ) -> None:
-    """Write a folder of C that needs nothing of Python: filter, self-test, example, Makefile, CMake package."""
-    from boresight.codegen.export import export as write
+    """Write a folder of C that needs nothing of Python.
 
-    written = write(target, out, precision, folder)
+    It holds the filter, its self-test, an example, a Makefile and a CMake package.
+    """
+    from boresight.codegen.export import export as export_model
+
+    written = export_model(target, out, precision, folder)
     print(f"{len(written)} files in {out}; try 'make -C {out} test example'")
 
 
-STUDIES = ["azimuth-hold", "euler-table", "float-covariance", "sea-state"]
+# What a study takes beside --seed, -o and --json; behind "--explore", what its exploration takes.
+TAKES = {
+    "azimuth-hold": {"--runs", "--seconds"},
+    "euler-table": {"--runs", "--seconds", "--switch", "--explore"},
+    "euler-table --explore": {"--runs", "--explore"},
+    "float-covariance": set(),
+    "sea-state": {"--runs", "--seconds", "--explore"},
+    "sea-state --explore": {"--runs", "--explore"},
+}
 
 
 @app.command()
@@ -300,10 +317,13 @@ def study(
         str,
         typer.Argument(
             help="euler-table: Table 1 of Song and Lee; azimuth-hold: the experiment of Kim; sea-state: that of Kang; "
-            "float-covariance: what single precision does to a covariance."
+            "float-covariance: what single precision does to a covariance.",
+            autocompletion=completed(lambda: STUDIES),
         ),
     ],
-    runs: Annotated[int, typer.Option(help="Monte Carlo runs of each case.")] = 20,
+    runs: Annotated[
+        int | None, typer.Option(help="Monte Carlo runs of each case, 20 if left out; not of float-covariance.")
+    ] = None,
     seed: Annotated[int, typer.Option(help="Of the random numbers; a run's depend on seed and run alone.")] = 0,
     seconds: Annotated[
         float | None,
@@ -318,32 +338,35 @@ def study(
     out: Out = None,
     as_json: AsJson = False,
 ) -> None:
-    """Run an experiment of a paper; euler-table exits 1 where it disagrees with the paper."""
+    """Run an experiment of a paper.
+
+    euler-table exits 1 where it disagrees with the paper.
+    """
+    from boresight import terminal
+
     one_of(name, STUDIES, "study")
-    if switch and name != "euler-table":
-        raise BoresightError(f"--switch belongs to euler-table; {name} has none")
-    if explore and name not in ("euler-table", "sea-state"):
-        raise BoresightError(f"--explore belongs to euler-table and sea-state; {name} has none")
-    from rich.console import Console
-
-    with Console(stderr=True).status("") as status:
-
-        def progress(line: str) -> None:
-            status.update(line)
-
-        fly = {
-            "azimuth-hold": azimuth_hold,
-            "euler-table": euler_table,
-            "float-covariance": float_covariance,
-            "sea-state": sea_state,
-        }[name]
+    given = {"--runs": runs is not None, "--seconds": seconds is not None, "--switch": switch, "--explore": explore}
+    asked = f"{name} --explore" if explore and "--explore" in TAKES[name] else name
+    for option in (option for option, value in given.items() if value and option not in TAKES[asked]):
+        raise BoresightError(f"study {asked} takes no {option}; leave it out")
+    fly = {
+        "azimuth-hold": azimuth_hold,
+        "euler-table": euler_table,
+        "float-covariance": float_covariance,
+        "sea-state": sea_state,
+    }[name]
+    if out is not None:
+        need("replay")  # for the figures; said before the flight and not after it
+        make(out)
+    with terminal.working() as progress:
+        runs = 20 if runs is None else runs
         result, text, written, good = fly(runs, seed, seconds, tuple(switch or ()), explore, out, progress)
     if as_json:
         print_json(result)
     else:
-        for path in written:
-            print(f"wrote {path}")
-        print(text)
+        if written:
+            print(f"{len(written)} figures in {out}")
+        terminal.page_text(text + "\n")
     raise typer.Exit(0 if good else 1)
 
 
@@ -366,7 +389,7 @@ def euler_table(
     library = load("euler-matching")
     if explore:
         result = euler_exploration.explore(library, runs=runs, seed=seed, progress=progress)
-        written = [] if out is None else figures.euler_exploration(result, make(out))
+        written = [] if out is None else figures.euler_exploration(result, out)
         return result, euler_exploration.report(result), written, result["finished"]
     result = table.run(
         library,
@@ -376,7 +399,7 @@ def euler_table(
         switches=switches,
         progress=progress,
     )
-    written = [] if out is None else figures.euler_figures(result, make(out))
+    written = [] if out is None else figures.euler_figures(result, out)
     good = all(result[kind]["agree"] == result["cells"] for kind in ("linear", "monte_carlo"))
     return result, table.report(result), written, good
 
@@ -400,7 +423,7 @@ def azimuth_hold(
         histories=out is not None,
         progress=progress,
     )
-    written = [] if out is None else azimuth_figures.azimuth_figures(result, make(out))
+    written = [] if out is None else azimuth_figures.azimuth_figures(result, out)
     return result, hold.report(result), written, True
 
 
@@ -419,7 +442,7 @@ def float_covariance(
     from boresight.studies import float_covariance as single
 
     result = single.run(seed=seed, progress=progress)
-    written = [] if out is None else single.float_figures(result, make(out))
+    written = [] if out is None else single.float_figures(result, out)
     worst = result["worst"]["100 Hz"]
     return result, single.report(result), written, worst["dies_s"] is None and worst["deviation"] < 0.005
 
@@ -440,21 +463,42 @@ def sea_state(
     if explore:
         shown = sea_exploration.explore(runs=runs, seed=seed, progress=progress)
         varied = sea_claims.explore(runs=runs, seed=seed, progress=progress)
-        written = [] if out is None else sea_exploration.exploration_figures(shown, make(out))
+        written = [] if out is None else sea_exploration.exploration_figures(shown, out)
         report = f"{sea_exploration.report(shown)}\n{sea_claims.report(varied)}"
         return {"exploration": shown, "claims": varied}, report, written, True
     scenario = Scenario() if seconds is None else Scenario(seconds=round(seconds))
     result = sea.run(runs=runs, seed=seed, scenario=scenario, histories=out is not None, progress=progress)
-    written = [] if out is None else sea_figures.sea_figures(result, make(out))
+    written = [] if out is None else sea_figures.sea_figures(result, out)
     return result, sea.report(result), written, True
+
+
+def print_template(wanted: bool) -> None:
+    if wanted:
+        from boresight.runtime import recording
+
+        sys.stdout.write((Path(recording.__file__).parent / "recordings" / "template.toml").read_text())
+        raise typer.Exit
 
 
 @app.command()
 def replay(
     recording: Annotated[str, typer.Argument(help="A recording, or the TOML file that describes one.")],
+    template: Annotated[
+        bool,
+        typer.Option(
+            "--template",
+            help="Print a description of a recording, to be filled in, and end.",
+            callback=print_template,
+            is_eager=True,
+        ),
+    ] = False,
     model: Annotated[
         str | None,
-        typer.Option("--model", help=f"{', '.join(REPLAYED[:3])} with a master, azimuth-hold without one."),
+        typer.Option(
+            "--model",
+            help=f"{', '.join(REPLAYED[:3])} with a master, azimuth-hold without one.",
+            autocompletion=completed(lambda: REPLAYED),
+        ),
     ] = None,
     check: Annotated[bool, typer.Option("--check", help="Look at the recording and fly nothing.")] = False,
     delay_ms: Annotated[
@@ -477,12 +521,13 @@ def replay(
     out: Out = None,
     as_json: AsJson = False,
 ) -> None:
-    """Fly a filter on a recording; exit 1 if its NIS is not consistent.
+    """Fly a filter on a recording.
 
-    With a master that has a velocity: transfer alignment by velocity and attitude, which estimates mounting, biases and
-    delay; without one, by Euler angles.  The noises that are not given are chosen by likelihood.  The options from
-    gyro-noise on belong to velocity-attitude.  Without a master: stationary detection and zero-velocity updates.  With
-    --check: norms, gaps, rates and suspicious units; exit 1 if something is wrong.
+    Exits 1 if the NIS is not consistent.  With a master that has a velocity: transfer alignment by velocity and
+    attitude, which estimates mounting, biases and delay; without one, by Euler angles.  The noises that are not given
+    are chosen by likelihood.  The options from gyro-noise on belong to velocity-attitude.  Without a master: stationary
+    detection and zero-velocity updates.  With --check: norms, gaps, rates and suspicious units; exits 1 if something is
+    wrong.
     """
     from boresight.runtime.library import load
     from boresight.runtime.recording import read
@@ -521,13 +566,13 @@ def replay(
             recording, folder=folder, as_json=as_json, delay=delay_ms * 1e-3, rate_hz=rate_hz, measurement=measurement
         )
         raise typer.Exit(status)
-    from rich.console import Console
+    from boresight import terminal
 
-    with Console(stderr=True).status("") as line:
+    with terminal.working() as progress:
         result = transfer_replay.run(
             data, load(name), noise=noise, prior={key: float(value[0]) for key, value in prior.items()},
             lever_b=None if lever_arm is None else quantity(lever_arm, "length", 3), delay=delay_ms * 1e-3,
-            rate_hz=rate_hz, progress=line.update,
+            rate_hz=rate_hz, progress=progress,
         )  # fmt: skip
     raise typer.Exit(transfer_replay.finish(result, folder=folder, as_json=as_json))
 
@@ -540,10 +585,10 @@ def make(folder: Path) -> Path:
     return folder
 
 
-def main() -> None:
+def main(words: list[str] | None = None) -> None:
     """The entry point: a BoresightError becomes one line on standard error and exit status 1."""
     try:
-        app()
+        app(words, prog_name="boresight")
     except BoresightError as error:
         print(f"boresight: {error}", file=sys.stderr)
         sys.exit(1)

@@ -7,32 +7,36 @@ import hashlib
 import json
 import os
 import sys
+from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from boresight.runtime.manifest import cache_folder
 
+Progress = Callable[[int, int, str], None]  # how many are done, of all, and the last one
 DERIVE = Path(__file__).parent / "derive"
 
 
-def compute(paper: str) -> dict[str, Any]:
-    """`entries`, the rows of `boresight equations PAPER --json`, and `findings`, the sentences beside them."""
-    from boresight.derive.ledger import findings, ledger
+def compute(paper: str, progress: Progress = lambda done, total, text: None) -> dict[str, Any]:
+    """`entries`, the rows of `boresight equations PAPER --json`, `findings`, the sentences beside them, and
+    `conditions`: what the sizes hold for, and the point at which errata are computed."""
+    from boresight.derive.ledger import conditions, findings, ledger
 
-    return {"entries": [entry.to_dict() for entry in ledger(paper)], "findings": list(findings(paper))}
+    entries = [entry.to_dict() for entry in ledger(paper, progress)]
+    return {"entries": entries, "findings": list(findings(paper)), "conditions": list(conditions(paper))}
 
 
-def ledger(paper: str) -> dict[str, Any]:
+def ledger(paper: str, progress: Progress = lambda done, total, text: None) -> dict[str, Any]:
     """As `compute` gives it, from the cache folder if nothing that reaches it has changed."""
     path, now = cache_folder() / "ledger" / f"{paper}.json", key()
     try:
         kept = json.loads(path.read_text(encoding="utf-8"))
         if kept["key"] == now:
-            return {name: kept[name] for name in ("entries", "findings")}
+            return {name: kept[name] for name in ("entries", "findings", "conditions")}
     except (OSError, ValueError, LookupError, TypeError):
         pass  # nothing is kept, or it is damaged
-    made = compute(paper)
+    made = compute(paper, progress)
     part = path.with_suffix(f".{os.getpid()}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)

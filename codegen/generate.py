@@ -83,12 +83,15 @@ def versions() -> dict[str, str]:
 
 
 def default_folder(target: str) -> Path:
-    """generated/ of the checkout for a built-in model, from any folder; ./generated/NAME for a user's own."""
-    if ":" in target:
-        return Path("generated") / target.rsplit(":", 1)[1].lower().replace("-", "_")
-    installed = not (CHECKOUT / "pyproject.toml").is_file()  # a package that is never written to
-    home = Path() if installed or Path.cwd() == CHECKOUT else CHECKOUT
-    return home / "generated" / target.replace("-", "_")
+    """generated/ of the checkout for a built-in model, from any folder; ./generated/ for a user's own."""
+    name = load_model(target).name if ":" in target else target
+    home = CHECKOUT if is_checkout() and ":" not in target and Path.cwd() != CHECKOUT else Path()
+    return home / "generated" / name.replace("-", "_")
+
+
+def is_checkout() -> bool:
+    """Whether the package lies in the repository, where the generated files belong to it; else it was installed."""
+    return (CHECKOUT / "pyproject.toml").is_file()
 
 
 def load_model(target: str) -> Any:

@@ -12,7 +12,7 @@ import signal
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import asdict, dataclass
-from math import inf, isfinite
+from math import inf
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Any
@@ -228,39 +228,36 @@ def point(case: Case, k: int) -> dict[str, list[float]]:
 def check_points(case: Case, first: int, step: int) -> Part:
     """Every step-th point from `first` on.  Elements that the kernel does not write must vanish in the reference too;
     an error inside the reference's own radius is none."""
-    largest, looseness, zeros, width = 0.0, inf, True, 0.0
-    places = [dict.fromkeys(result.nonzeros) for result in case.unit.results]
+    part = Part()
+    printed = [dict.fromkeys(result.nonzeros) for result in case.unit.results]
+    got, bounds = [all_of[first::step] for all_of in case.got], [all_of[first::step] for all_of in case.bounds]
+    errors = [np.zeros_like(bound) for bound in bounds]
     with precise():
         turn = 2 * arb.pi()
-        for k in range(first, case.count, step):
-            found = case.unit.reference(point(case, k))
-            for result, printed, entries, got, bounds in zip(
-                case.unit.results, places, found, case.got, case.bounds, strict=True
-            ):
-                width = max(width, relative_width(entries))
-                zeros = zeros and all(value.contains(0) for place, value in entries.items() if place not in printed)
-                for place, value, bound in zip(printed, got[k].tolist(), bounds[k].tolist(), strict=True):
-                    if not isfinite(value):
-                        looseness = 0.0
-                        continue
-                    off = entries.get(place, ZERO) - value
-                    if not off.is_finite():
-                        continue  # as wide as can be
-                    if result.angle:
-                        off -= turn * round(float(off / turn))
-                    error = float(abs(off))
-                    largest = max(largest, error)
-                    if not off.contains(0):
-                        looseness = min(looseness, bound / error)
-    return Part(largest, looseness, zeros, width)
+        for row, k in enumerate(range(first, case.count, step)):
+            for o, entries in enumerate(case.unit.reference(point(case, k))):
+                off = [entries.get(at, ZERO) - v for at, v in zip(printed[o], got[o][row].tolist(), strict=True)]
+                if case.unit.results[o].angle:
+                    off = [d - turn * round(float(d / turn)) if d.is_finite() else d for d in off]
+                errors[o][row] = [float(d.abs_lower()) for d in off]
+                zeros = all(entries[at].contains(ZERO) for at in entries.keys() - printed[o].keys())
+                part += Part(zeros_are_zero=zeros, width=relative_width(entries))
+    for values, bound, error in zip(got, bounds, errors, strict=True):
+        loose = np.divide(bound, error, where=error > 0, out=np.full_like(bound, inf))
+        loose[~np.isfinite(values)] = 0.0
+        known = error[np.isfinite(error)]
+        part += Part(float(known.max(initial=0.0)), float(loose.min(initial=inf)))
+    return part
 
 
 def relative_width(entries: Entries) -> float:
     """The largest radius over the largest number of a matrix; infinite where one is no number."""
-    if not all(value.is_finite() for value in entries.values()):
+    values = entries.values()
+    if not all(map(arb.is_finite, values)):
         return inf
-    radius = max((value.rad() for value in entries.values()), default=ZERO)
-    return float(radius / max(abs(value.mid()) for value in entries.values())) if radius > 0 else 0.0
+    radius = max(map(float, map(arb.rad, values)), default=0.0)
+    largest = max(map(abs, map(float, values)), default=0.0)
+    return radius and (radius / largest if largest else inf)
 
 
 def as_dict(unit: Unit, result: Any) -> dict[str, np.ndarray]:

@@ -2,3 +2,7 @@
 
 Nothing here writes files, but for `render.pdf_from_latex`, which runs pdflatex in a folder that it removes again.
 """
+
+from boresight import need
+
+need("derive")

@@ -8,7 +8,7 @@
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 from functools import cache
 from importlib import import_module
@@ -80,12 +80,16 @@ def equations(paper: str) -> tuple[Equation, ...]:
     return paper_module(paper).equations()
 
 
-def ledger(paper: str) -> list[Entry]:
-    """The ledger of a paper, one entry for each numbered equation.
+def ledger(paper: str, progress: Callable[[int, int, str], None] = lambda done, total, text: None) -> list[Entry]:
+    """The ledger of a paper, one entry for each numbered equation; `progress` is called after each.
 
     Raises BoresightError on an unknown name, and when the witness refutes a derived form: then the derivation is wrong.
     """
-    return [entry_of(equation) for equation in equations(paper)]
+    entries = []
+    for equation in (printed := equations(paper)):
+        entries.append(entry_of(equation))
+        progress(len(entries), len(printed), f"{paper} ({equation.number})")
+    return entries
 
 
 def findings(paper: str) -> tuple[str, ...]:
@@ -93,6 +97,13 @@ def findings(paper: str) -> tuple[str, ...]:
     paper_module(paper)
     with digits(DIGITS):
         return import_module(PAPERS[paper] + "_world").findings()
+
+
+def conditions(paper: str) -> tuple[str, str]:
+    """What the sizes of its first-order equations hold for, and the point at which its errata are computed."""
+    paper_module(paper)
+    world = import_module(PAPERS[paper] + "_world")
+    return world.CONDITIONS_TEXT, world.STATED_TEXT
 
 
 # ---- Status --------------------------------------------------------------------------------------------------------

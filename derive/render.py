@@ -20,7 +20,6 @@ from boresight.derive.equation import Derivation, Equation, Quantity, Relation, 
 from boresight.derive.latex import latex_name, latex_relation
 from boresight.derive.ledger import Entry, entry_of, equations, findings
 
-WIDTH = 110
 FORMATS = ("text", "latex", "html")
 
 
@@ -112,8 +111,13 @@ def _text_steps(derivation: Derivation) -> list[str]:
     return parts
 
 
+def _width() -> int:
+    """Columns of the terminal, or of COLUMNS; 80 in a pipe."""
+    return shutil.get_terminal_size((80, 24)).columns
+
+
 def _wrapped(text: str, indent: int) -> str:
-    return fill(text, WIDTH, subsequent_indent=" " * indent, break_long_words=False)
+    return fill(text, _width(), subsequent_indent=" " * indent, break_long_words=False)
 
 
 def _pretty_relations(relations: Iterable[Relation]) -> str:
@@ -145,7 +149,7 @@ def _pretty(relation: Relation) -> str:
         piece = printer._print(term)
         piece = piece if not sign else prettyForm(*stringPict.next(prettyForm(f" {sign} "), piece))
         joined = piece if line is None else prettyForm(*stringPict.next(line, piece))
-        if line is not None and joined.width() > WIDTH - 6:
+        if line is not None and joined.width() > _width() - 6:
             lines.append(line)
             joined = piece
         line = joined

@@ -19,8 +19,8 @@ from boresight.runtime.status import Status
 class CompiledFilter(Filter):
     """Predict, update by a named measurement, feed back.  model: a library of `boresight.runtime.library.load`.
 
-    nav, P and x are as in `Filter`, and may be assigned between calls.  A measurement that has no `NAME_z` takes its z,
-    (..., m), as a keyword.
+    nav, P and x are as in `Filter`, and may be assigned between calls.  A measurement that has no `NAME_z` takes z, the
+    measured value (..., m), as a keyword.
     """
 
     def __init__(self, model: Library, nav: dict[str, Array], P: Array):

@@ -80,7 +80,7 @@ def load(path: Path) -> Description:
     try:
         return Description.model_validate(tomllib.loads(path.read_text(encoding="utf-8")))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise BoresightError(f"{path}: not TOML: {error}; see examples/recording.toml") from None
+        raise BoresightError(f"{path}: not TOML: {error}; compare with 'boresight replay --template'") from None
     except OSError as error:
         raise BoresightError(f"{path}: cannot be read: {error.strerror}") from None
     except ValidationError as error:
@@ -88,4 +88,4 @@ def load(path: Path) -> Description:
         key = ".".join(str(part) for part in first["loc"] if part not in ("str", "list[str]"))
         what = {"missing": "is missing", "extra_forbidden": "is not a key that a description has"}
         says = what.get(first["type"], f"is {first['input']!r}: {first['msg'].lower()}")
-        raise BoresightError(f"{path}: {key} {says}; see examples/recording.toml") from None
+        raise BoresightError(f"{path}: {key} {says}; compare with 'boresight replay --template'") from None

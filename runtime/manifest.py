@@ -6,6 +6,8 @@ import os
 from pathlib import Path
 from typing import Any
 
+from platformdirs import user_cache_path
+
 from boresight import BoresightError
 
 GENERATED = Path(__file__).parent.parent / "generated"
@@ -61,5 +63,4 @@ def read_manifest(folder: Path) -> dict[str, Any]:
 def cache_folder() -> Path:
     """Where compiled libraries are kept: BORESIGHT_CACHE, or the user's cache folder."""
     given = os.environ.get("BORESIGHT_CACHE")
-    base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-    return Path(given) if given else base / "boresight"
+    return Path(given) if given else user_cache_path("boresight", appauthor=False)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from boresight import BoresightError
+from boresight import BoresightError, need
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.units import DEG, HOUR, UNITS
@@ -135,12 +135,13 @@ class Finding:
 
 
 def find(path: str | Path) -> Path:
-    """The file at PATH, or of that name under BORESIGHT_DATA (default ../shared/data); raises BoresightError."""
-    folder = Path(os.environ.get("BORESIGHT_DATA") or "../shared/data")
-    for candidate in (Path(path), folder / path):
+    """The file at PATH, or of that name under the folder BORESIGHT_DATA; raises BoresightError."""
+    folder = os.environ.get("BORESIGHT_DATA")
+    for candidate in (Path(path), *([Path(folder) / path] if folder else [])):
         if candidate.is_file():
             return candidate
-    raise BoresightError(f"{path}: no such file, here or under {folder}; give a path, or set BORESIGHT_DATA")
+    where = f"here or under {folder}" if folder else "here"
+    raise BoresightError(f"{path}: no such file {where}; give its path, or set BORESIGHT_DATA to its folder")
 
 
 def read(path: str | Path, *, strict: bool = True) -> Recording:
@@ -150,6 +151,7 @@ def read(path: str | Path, *, strict: bool = True) -> Recording:
     knows all its arrays.  strict: refuse what `check` calls an error.
     Raises BoresightError naming the file, the column and what to do.
     """
+    need("replay")
     from boresight.runtime import description
 
     found = find(path)
@@ -196,10 +198,12 @@ def _built_in(path: Path, keys: set[str]) -> "Description":
 
     for candidate in sorted((Path(__file__).parent / "recordings").glob("*.toml")):
         said = description.load(candidate)
-        if set(said.recognised_by) == keys:
+        if keys and set(said.recognised_by) == keys:
             return said
     toml = path.with_suffix(".toml").name
-    raise BoresightError(f"{path}: its columns are not described; write {toml} beside it, as examples/recording.toml")
+    raise BoresightError(
+        f"{path}: its columns are not described; write {toml} beside it, as 'boresight replay --template' shows"
+    )
 
 
 def _table(path: Path, delimiter: str, header: bool) -> dict[str, Array]:
@@ -215,12 +219,14 @@ def _table(path: Path, delimiter: str, header: bool) -> dict[str, Array]:
             data = loadmat(path, squeeze_me=True)
             return {name: np.asarray(value) for name, value in data.items() if not name.startswith("__")}
         if kind in (".csv", ".txt", ".dat"):
+            need("replay")
             import pandas
 
             first = 0 if header else None
             frame = pandas.read_csv(path, sep=delimiter, header=first, comment="#", skipinitialspace=True)
             return {str(name).strip(): frame[name].to_numpy() for name in frame.columns}
         if kind == ".parquet":
+            need("parquet")
             import pandas
 
             frame = pandas.read_parquet(path).reset_index()

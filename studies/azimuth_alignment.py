@@ -1,7 +1,7 @@
 """Ten-state transfer alignment on a moving bench, up to the start of the hold: velocity and DCM matching of Kim (2018).
 
 The slave, a tactical-grade unit with the errors of Kim's Table 1, is bolted to a bench beside a master of about one
-nautical mile an hour.  The bench sways and turns, the master's data arrives late, and what the filter does not
+nautical mile per hour.  The bench sways and turns, the master's data arrives late, and what the filter does not
 estimate (the slave's biases, the master's own errors) is carried beside it, so that the hold begins with a covariance
 that is true.  ENU, body axes right-front-up.  Axes of arrays: runs, then components.
 """
@@ -47,7 +47,7 @@ class Scenario:
     bench_period_s: tuple[float, float, float] = (7.0, 5.0, 11.0)
     bench_m_s: tuple[float, float, float] = (0.6, 0.6, 0.1)  # east, north, up
     bench_velocity_period_s: tuple[float, float, float] = (6.0, 8.0, 4.0)
-    # The master, of about a nautical mile an hour: gyros of 0.01 deg/h, which find north to 0.8 mrad, and 50 ug.
+    # The master, of about a nautical mile per hour: gyros of 0.01 deg/h, which find north to 0.8 mrad, and 50 ug.
     master_velocity_m_s: float = 0.3
     master_level_urad: float = 50.0
     master_azimuth_urad: float = 820.0

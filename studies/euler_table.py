@@ -414,46 +414,36 @@ def run(
 
 
 def report(result: dict[str, Any]) -> str:
-    """The paper's table, (a) and (b) side by side, what disagrees, and a one-line verdict at the end."""
-    threshold = result["threshold"]
-    tables = [np.array(result["paper"])]
-    tables += [np.array(result[part]["ratio"]) < threshold for part in ("linear", "monte_carlo")]
-    short = [name.replace("roll", "r").replace("pitch", "p").replace("yaw", "y").replace(", ", "") for name in NAMES]
-    head = " ".join(f"{name:3}" for name in short)
-    titles = ("paper", "(a) linear covariance", "(b) Monte Carlo")
+    """The paper's table, the cells of (a) and (b) that disagree with it, and a one-line verdict at the end."""
+    threshold, paper = result["threshold"], np.array(result["paper"])
     lines = [
-        "Table 1 of Song and Lee (2001): O where eps_n, eps_e, eps_d can be estimated, x where not",
-        "",
-        " " * 18 + "   ".join(f"{title:27}" for title in titles).rstrip(),
-        "match, motion".ljust(18) + "   ".join([head] * 3).rstrip(),
+        "Table 1 of Song and Lee (2001): O where eps_n, eps_e, eps_d can be estimated,",
+        "x where not.  A row is named by the angles matched, a column by those that move.",
     ]
-    for i, name in enumerate(NAMES):
-        cells = [" ".join("".join("xO"[int(k)] for k in case) for case in table[i]) for table in tables]
-        lines.append(f"{name:18}" + "   ".join(cells))
+    short = [name.replace("roll", "r").replace("pitch", "p").replace("yaw", "y").replace(", ", "") for name in NAMES]
+    lines.append("  " + " " * 18 + " ".join(f"{name:4}" for name in short).rstrip())
+    for name, row in zip(NAMES, paper, strict=True):
+        lines.append(f"  {name:18}" + "  ".join("".join("xO"[int(k)] for k in case) for case in row))
     lines.append("")
-    for title, part in zip(titles[1:], ("linear", "monte_carlo"), strict=True):
-        got = result[part]
+    how = f"{result['runs']} runs of {result['seconds']:g} s, seed {result['seed']}"
+    titles = [("(a) linear covariance", "linear"), (f"(b) Monte Carlo, {how}", "monte_carlo")]
+    for title, part in titles:
+        got, margin = result[part], result[part]["margin"]
+        lines.append(f"{title}: {got['agree']} of {result['cells']} cells are as in the paper.")
         lines.append(
-            f"{title}: estimated errors fall to {got['largest_estimated']:.3f} of the start or below, "
-            f"the others stay at {got['smallest_not_estimated']:.3f} or above"
+            f"    The largest estimated ratio to the start is {got['largest_estimated']:.3f}, "
+            f"the smallest other {got['smallest_not_estimated']:.3f}."
         )
-        lines.append(
-            f"    nearest to the threshold {threshold:.3f}: {got['margin']['cell']}, {got['margin']['ratio']:.3f} "
-            f"(factor {got['margin']['factor']:.2f})"
-        )
+        lines.append(f"    Nearest to {threshold:.3f}: {margin['cell']}, {margin['ratio']:.3f}.")
         lines += [f"    differs from the paper: {cell}" for cell in got["disagree"][:12]]
         if len(got["disagree"]) > 12:
             lines.append(f"    ... and {len(got['disagree']) - 12} more")
-    claimed = int(np.sum((np.array(result["monte_carlo"]["claimed"]) < threshold) & ~tables[0]))
-    lines.append(
-        f"    the filter's own sigma calls {claimed} of the {np.sum(~tables[0])} others estimated: it is no witness"
-    )
+    claimed = int(np.sum((np.array(result["monte_carlo"]["claimed"]) < threshold) & ~paper))
+    lines.append(f"    The filter's sigma calls {claimed} of the {np.sum(~paper)} others estimated: it is no witness.")
     if result["monte_carlo"]["lost_runs"]:
         lines.append(f"    {result['monte_carlo']['lost_runs']} of {49 * result['runs']} runs left the model's box")
-    how = f"{result['runs']} runs, seed {result['seed']}, {result['seconds']:g} s"
-    how += f", switches {' '.join(result['switches'])}" if result["switches"] else ""
+    if result["switches"]:
+        lines.append(f"flown with {', '.join(result['switches'])}")
     linear, monte_carlo = result["linear"]["agree"], result["monte_carlo"]["agree"]
-    lines.append(
-        f"euler-table: {linear} of 147 cells as in the paper by linear covariance, {monte_carlo} by Monte Carlo ({how})"
-    )
+    lines.append(f"euler-table: {linear} of 147 cells as in the paper by covariance, {monte_carlo} by Monte Carlo")
     return "\n".join(lines)

@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from boresight import need
+
 STYLE: Any = {
     "font.family": "sans-serif",
     "font.size": 9,
@@ -35,6 +37,7 @@ BLUE, ORANGE, GREY = "#0b5fa5", "#d1600a", "0.55"  # estimated; not estimated; w
 @contextmanager
 def figure(path: Path, width_in: float, height_in: float, **subplots: Any) -> Iterator[tuple[Any, Any]]:
     """A figure in the common style, written to `path` when the block ends.  No display, no global state."""
+    need("replay")
     import matplotlib
 
     with matplotlib.rc_context(STYLE):

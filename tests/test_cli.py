@@ -1,68 +1,263 @@
-"""The command line as its user meets it: help, JSON and nothing else, one line for what is wrong."""
+"""The command line as its user meets it: whole names, lines that fit, JSON alone, one line for what is wrong."""
 
 import json
+import os
+import pty
+import re
 import subprocess
 import sys
 
 import pytest
-from conftest import ROOT
+from conftest import PENDULUM, ROOT
+
+from boresight import cli, report, terminal
+from boresight.derive.ledger import conditions
+from boresight.derive.papers import PAPERS
+from boresight.kept_ledger import ledger
+from boresight.runtime.manifest import built_in, folder_of, read_manifest
+
+SILENT = {
+    "azimuth-hold": ("--switch=sideways", "--explore"),
+    "euler-table": (),
+    "euler-table --explore": ("--seconds=30", "--switch=as-printed-25"),
+    "float-covariance": ("--runs=3", "--seconds=60", "--explore"),
+    "sea-state": ("--switch=sideways",),
+    "sea-state --explore": ("--seconds=30",),
+}
 
 
-def run(*words):
-    command = [sys.executable, "-m", "boresight.cli", *map(str, words)]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+@pytest.fixture
+def run(capsys, monkeypatch):
+    """The command line in this process: its status, what it printed and its errors."""
+
+    def run(*words, columns=80):
+        monkeypatch.setenv("COLUMNS", str(columns))
+        with pytest.raises(SystemExit) as ended:
+            cli.main([str(word) for word in words])
+        return ended.value.code or 0, *capsys.readouterr()
+
+    return run
 
 
-def test_help_names_every_command():
-    done = run("--help")
-    assert done.returncode == 0
+def fits(text, columns):
+    return [line for line in text.splitlines() if len(line) > columns]
+
+
+def test_help_names_every_command(run):
+    status, out, _ = run("--help")
+    assert status == 0
     for command in ("models", "equations", "show", "generate", "verify", "study", "replay", "export"):
-        assert command in done.stdout
+        assert command in out
+    assert "..." not in out.split("Commands:")[1] and not fits(out, 80)
 
 
-def test_models_as_json():
-    listed = {model["model"]: model for model in json.loads(run("models", "--json").stdout)}
+@pytest.mark.parametrize("columns", [80, 100])
+def test_models_are_one_line_each_with_their_whole_names(run, columns):
+    _, out, _ = run("models", columns=columns)
+    assert not fits(out, columns)
+    for name in built_in():
+        assert re.search(rf"^{name}\s", out, re.MULTILINE), name
+    if columns == 100:
+        assert len(out.splitlines()) == len(built_in()) + 3
+
+
+@pytest.mark.parametrize("columns", [80, 100])
+@pytest.mark.parametrize("name", built_in())
+def test_a_model_shows_each_state_input_and_function_by_its_whole_name_with_unit(run, columns, name):
+    _, out, _ = run("models", name, columns=columns)
+    assert not fits(out, columns)
+    manifest = read_manifest(folder_of(name))
+    words = set(out.split())
+    for block in manifest["blocks"]:
+        assert set(block["components"]) | set(block["unit"].split(", ")) <= words
+    for fields in manifest["structs"].values():
+        for field in fields:
+            if field["name"] != "x":
+                assert {field["name"], *field["unit"].split(", ")} <= words
+    assert {unit["c_name"] for unit in manifest["units"].values()} | set(manifest["measurements"]) <= words
+
+
+@pytest.mark.parametrize("columns", [80, 100])
+@pytest.mark.parametrize("paper", PAPERS)
+def test_equations_are_a_table_of_whole_sentences(run, columns, paper):
+    _, out, _ = run("equations", paper, columns=columns)
+    assert not fits(out, columns)
+    for entry in ledger(paper)["entries"]:
+        said = report.sentence(entry, conditions(paper)[0])
+        assert re.fullmatch(r"[A-Z].*[^ .]\.", said), said
+        assert "Origin" not in said
+        assert re.search(r"^ *\({number}\) +{status} +{kind}".format(**entry), out, re.MULTILINE)
+        assert said in " ".join(out.replace("\n", " ").split()) or len(said) > columns - 30
+    for text in conditions(paper):
+        assert " ".join(out.split()).count(text) <= 1
+
+
+@pytest.mark.parametrize("columns", [80, 100])
+def test_the_evidence_on_one_equation_has_its_numbers_and_the_conditions_once(run, columns):
+    _, out, _ = run("equations", "kang-2025", "3", columns=columns)
+    assert not fits(out, columns)
+    flat = " ".join(out.split())
+    assert flat.count(conditions("kang-2025")[1]) == 1
+    for text in ("erratum", "0.099879", "halving the errors", "no scanner turns"):
+        assert text in flat
+
+
+def test_equations_of_all_papers_fit_on_one_screen(run):
+    _, out, _ = run("equations")
+    assert not fits(out, 80) and len(out.splitlines()) < 20
+    for paper in PAPERS:
+        assert paper in out
+        for entry in ledger(paper)["entries"]:
+            assert entry["status"] != "erratum" or f"({entry['number']})" in out
+
+
+def test_verify_names_every_function_whole(run):
+    status, out, err = run("verify", "strapdown")
+    assert status == 0 and err == ""
+    assert not fits(out, 80)
+    assert {"strapdown", *read_manifest(folder_of("strapdown"))["units"]} <= set(out.split())
+
+
+def test_no_name_of_a_function_or_model_is_too_long_for_the_table_of_verify(capsys, monkeypatch):
+    from boresight.codegen.verify import UnitCheck
+
+    manifests = [read_manifest(folder_of(name)) for name in built_in()]
+    checks = [
+        UnitCheck(m["model"], unit, 1064, 256, False, 1e-300, 123456.7, True) for m in manifests for unit in m["units"]
+    ]
+    monkeypatch.setenv("COLUMNS", "80")
+    terminal.page(*report.verified(checks))
+    out, _ = capsys.readouterr()
+    assert not fits(out, 80) and "…" not in out
+    assert {check.unit for check in checks} | {check.model for check in checks} <= set(out.split())
+
+
+def test_show_prints_prose_that_fits(run):
+    for columns in (80, 100):
+        _, out, _ = run("show", "kang-2025", "3", columns=columns)
+        assert "evidence: " in out
+        assert not [line for line in fits(out, columns) if not line.startswith(" " * 6)], "only a formula may be wider"
+
+
+def test_models_as_json(run):
+    listed = {model["model"]: model for model in json.loads(run("models", "--json")[1])}
     assert "stationary-detector" not in listed, "a kernel is no model"
     model = listed["euler-matching"]
     assert model["states"] == ["eps_n", "eps_e", "eps_d", "dmu_x", "dmu_y", "dmu_z"]
     assert set(model["measurements"]) == {"euler", "euler_exact"}
+    assert json.loads(run("models", "euler-matching", "--json")[1]) == [model]
 
 
-def test_equations_as_json_have_the_documented_fields():
-    entries = json.loads(run("equations", "song-lee-2001", "--json").stdout)
+def test_equations_as_json_have_the_documented_fields(run):
+    entries = json.loads(run("equations", "song-lee-2001", "--json")[1])
     assert [entry["number"] for entry in entries] == [str(k) for k in range(1, 29)]
     fields = {"paper", "number", "status", "kind", "origin", "printed", "derived", "note", "evidence"}
     for entry in entries:
         assert set(entry) == fields
         assert entry["status"] in ("exact", "first-order", "definition", "erratum")
         assert bool(entry["kind"]) == bool(entry["origin"]) == (entry["status"] == "erratum")
+    assert json.loads(run("equations", "song-lee-2001", "19", "--json")[1]) == [entries[18]]
 
 
-def test_show_prints_a_derivation_and_a_model_shows_its_own():
+def test_show_prints_a_derivation_and_a_model_shows_its_own(run):
     for words in (("song-lee-2001", "19"), ("euler-matching", "19")):
-        done = run("show", *words)
-        assert done.returncode == 0, done.stderr
-        assert "19" in done.stdout
+        status, out, _ = run("show", *words)
+        assert status == 0 and "19" in out
 
 
-def test_show_prints_the_closed_form_of_an_unknown_delay():
-    done = run("show", "delay-error", "--format", "html")
-    assert done.returncode == 0, done.stderr
-    assert "angular momentum" in done.stdout
+def test_show_prints_the_closed_form_of_an_unknown_delay(run):
+    status, out, _ = run("show", "delay-error", "--format", "html")
+    assert status == 0 and "angular momentum" in out
 
 
-def test_study_as_json():
-    done = run("study", "euler-table", "--runs", 4, "--json")
-    assert done.returncode in (0, 1), done.stderr
-    result = json.loads(done.stdout)
-    assert result["cells"] == 147
-    assert result["linear"]["agree"] == 147
+def test_study_as_json_and_as_a_report_that_fits(run):
+    status, out, _ = run("study", "euler-table", "--runs", 4, "--json")
+    result = json.loads(out)
+    assert status in (0, 1) and result["cells"] == 147 and result["linear"]["agree"] == 147
+    assert not fits(run("study", "euler-table", "--runs", 4)[1], 80)
+
+
+@pytest.mark.parametrize(("name", "option"), [(name, option) for name in SILENT for option in SILENT[name]])
+def test_a_study_refuses_an_option_that_it_would_not_heed(run, name, option):
+    status, out, err = run("study", *name.split(), option)
+    assert status == 1 and out == ""
+    assert option.split("=")[0] in err and len(err.splitlines()) == 1
+
+
+def test_a_model_of_ones_own_is_written_to_a_folder_by_its_own_name(run, tmp_path, monkeypatch):
+    from boresight.codegen import generate as g
+
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.py").write_text(
+        "import sys\nsys.path.insert(0, {!r})\nfrom pendulum import PENDULUM as P\n".format(PENDULUM.rsplit("/", 1)[0])
+    )
+    assert g.default_folder(f"{tmp_path}/mine.py:P") == g.default_folder(PENDULUM)
+    assert g.default_folder(PENDULUM).name == g.load_model(PENDULUM).name.replace("-", "_")
+
+
+def test_bare_generate_writes_nothing_where_the_package_was_installed(run, tmp_path, monkeypatch):
+    from boresight.codegen import generate as g
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(g, "is_checkout", lambda: False)
+    status, out, err = run("generate")
+    assert status == 1 and out == "" and len(err.splitlines()) == 1 and "FILE.py:NAME" in err
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("words", "offered"),
+    [
+        ("models vel", {"velocity-attitude", "velocity-attitude-lever", "velocity-dcm"}),
+        ("verify azimuth-hold-", {"azimuth-hold-reference"}),
+        ("equations k", {"kim-2018", "kang-2025"}),
+        ("show eu", {"euler-matching"}),
+        ("study ", set(cli.STUDIES)),
+    ],
+)
+def test_the_shell_completes_names(words, offered):
+    env = {**os.environ, "_BORESIGHT_COMPLETE": "complete_bash", "COMP_WORDS": f"boresight {words}"}
+    env["COMP_CWORD"] = str(len(f"boresight {words}".split(" ")) - 1)
+    command = [sys.executable, "-c", "import sys; sys.argv = ['boresight']; from boresight.cli import main; main()"]
+    done = subprocess.run(command, env=env, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert set(done.stdout.split()) == offered
+
+
+def on_a_terminal(*words, lines, **env):
+    """What a command prints on a terminal of 80 columns, `cat` with a mark as its pager."""
+    here, there = pty.openpty()
+    env = {**os.environ, "PAGER": "echo PAGED; cat", "TERM": "xterm", "COLUMNS": "80", "LINES": str(lines), **env}
+    command = [sys.executable, "-m", "boresight.cli", *words]
+    with subprocess.Popen(command, cwd=ROOT, env=env, stdin=there, stdout=there, stderr=there) as process:
+        os.close(there)
+        printed = b""
+        while True:
+            try:
+                piece = os.read(here, 4096)
+            except OSError:
+                break
+            if not piece:
+                break
+            printed += piece
+    os.close(here)
+    assert process.returncode == 0, printed.decode()
+    return printed.decode()
+
+
+def test_what_is_longer_than_the_terminal_is_paged_and_whole_in_a_pipe(run):
+    whole = run("models", "velocity-attitude")[1]
+    paged = on_a_terminal("models", "velocity-attitude", lines=24)
+    assert "PAGED" in paged and whole.splitlines()[-1].strip() in paged
+    assert "PAGED" not in on_a_terminal("models", lines=24)
+    assert len(whole.splitlines()) > 24
 
 
 @pytest.mark.parametrize(
     ("words", "said"),
     [
+        (("models", "eular"), "euler-matching"),
         (("equations", "song-lee-2002"), "there are song-lee-2001"),
+        (("equations", "kang-2025", "7"), "there are 1, 2"),
         (("show", "song-lee-2001", "29"), "29"),
         (("show", "nothing"), "there are song-lee-2001"),
         (("show", "song-lee-2001", "--format", "word"), "there are"),
@@ -77,9 +272,10 @@ def test_study_as_json():
         (("show", "song-lee-2001", "-o", "pyproject.toml/below"), "cannot write"),
     ],
 )
-def test_what_is_wrong_is_one_line_and_a_status(words, said):
-    done = run(*words)
-    assert done.returncode not in (0, None)
-    assert said in done.stderr
-    assert len(done.stderr.strip().splitlines()) == 1, done.stderr
-    assert done.stdout == ""
+def test_what_is_wrong_is_one_line_and_a_status(run, words, said, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    status, out, err = run(*words)
+    assert status not in (0, None)
+    assert said in err
+    assert len(err.strip().splitlines()) == 1, err
+    assert out == ""

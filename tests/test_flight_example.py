@@ -118,7 +118,7 @@ def test_what_is_not_a_number_is_refused_and_told(minute, flown, made):
         assert [status for _, status in flown[precision].statuses] == [2, 2]
     told = [line for line in made("run") if "refused: status" in line or "refused, or" in line]
     assert [line.split(":")[0].strip() for line in told] == ["30.0050", "36.0025"]
-    assert made("run")[-1] == "24000 ticks, 1 held; 588 messages taken, 2 in part, 0 refused; begun 1 times"
+    assert made("run")[-1] == "24000 ticks, 1 held; 588 messages taken, 2 in part, 0 refused; starts: 1"
 
 
 def test_heading_misalignment_and_delay_are_those_of_the_hull(minute, flown):

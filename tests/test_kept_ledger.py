@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from boresight import kept_ledger
 from boresight.cli import app
-from boresight.derive.ledger import findings, ledger
+from boresight.derive.ledger import conditions, findings, ledger
 from boresight.derive.papers import PAPERS
 
 PAPER = "kang-2025"
@@ -26,12 +26,13 @@ def folder(tmp_path, monkeypatch):
 def calls(monkeypatch):
     """The papers that were computed, not read."""
     compute, seen = kept_ledger.compute, []
-    monkeypatch.setattr(kept_ledger, "compute", lambda paper: seen.append(paper) or compute(paper))
+    monkeypatch.setattr(kept_ledger, "compute", lambda paper, *more: seen.append(paper) or compute(paper))
     return seen
 
 
 def computed(paper):
-    return {"entries": [asdict(entry) for entry in ledger(paper)], "findings": list(findings(paper))}
+    entries = [asdict(entry) for entry in ledger(paper)]
+    return {"entries": entries, "findings": list(findings(paper)), "conditions": list(conditions(paper))}
 
 
 def forge(folder):

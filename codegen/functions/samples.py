@@ -6,11 +6,13 @@ from itertools import product
 import numpy as np
 
 from boresight import BoresightError
-from boresight.codegen.functions.tape import evaluate
+from boresight.codegen.functions.elementary import norm
+from boresight.codegen.functions.tape import computed, evaluate
 from boresight.codegen.functions.units import Unit
 from boresight.derive.model import Variable
 
 PAIRS = 200  # of points between which the edge of a result's box is looked for
+FEW = 8  # points at which the ends of boxes are tried before the others
 BEYOND = 5e-4  # how far outside its box the self-test puts a number, as a part of the bound
 
 
@@ -20,11 +22,13 @@ def generator(*words: str) -> np.random.Generator:
     return np.random.Generator(np.random.Philox(int.from_bytes(digest[:8], "big")))
 
 
-def sample(args: tuple[Variable, ...], corners: int, count: int, rng: np.random.Generator) -> list[np.ndarray]:
+def sample(
+    args: tuple[Variable, ...], corners: int, count: int, rng: np.random.Generator, *, small: bool = False
+) -> list[np.ndarray]:
     """`count` points, at most `corners` of them corners of the box; (count, size) for each argument.
 
-    All corners are taken if there are no more than asked for.  A variable with a norm is scaled to one inside
-    its range.
+    All corners are taken if there are no more than asked for.  small: half of the numbers, by chance, are 2^-12 of
+    themselves, or as near to that as the box allows.  A variable with a norm is scaled to one inside its range.
     """
     size = sum(arg.size for arg in args)
     if 2**size <= corners:
@@ -40,10 +44,11 @@ def sample(args: tuple[Variable, ...], corners: int, count: int, rng: np.random.
         start += arg.size
         # Written so that 0 and 1 give the ends of the box exactly.
         values = low * (1 - part) + high * part
+        if small:
+            values = np.ldexp(values, -12 * rng.integers(0, 2, values.shape))
         if arg.norm is not None:
-            length = np.linalg.norm(values, axis=1, keepdims=True)
             least, most = arg.norm
-            values = values / length * (least + (most - least) * (0.05 + 0.9 * part[:, :1]))
+            values = values / norm(values) * (least + (most - least) * (0.05 + 0.9 * part[:, :1]))
         points.append(np.clip(values, low, high))
     return points
 
@@ -60,7 +65,7 @@ def single(args: tuple[Variable, ...], points: list[np.ndarray]) -> list[np.ndar
 
 
 def answered(
-    unit: Unit, corners: int, count: int, rng: np.random.Generator, *, in_float: bool = False
+    unit: Unit, corners: int, count: int, rng: np.random.Generator, *, small: bool = False, in_float: bool = False
 ) -> list[np.ndarray]:
     """`count` points (none for a function without arguments) at which the unit answers; in_float: in either precision.
 
@@ -69,7 +74,7 @@ def answered(
     """
     if not unit.args:
         return []  # a constant: one point without coordinates
-    points = sample(unit.args, 2 * corners, 2 * count, rng)
+    points = sample(unit.args, 2 * corners, 2 * count, rng, small=small)
     points = single(unit.args, points) if in_float else points
     values, bounds = evaluate(unit.tape, points, real=np.float32 if in_float else np.float64)
     keep = np.isfinite(np.array(bounds)).all(axis=0)
@@ -83,6 +88,12 @@ def answered(
             f"{unit.name}: only {len(chosen)} of {2 * count} points of its box have an answer; narrow the box"
         )
     return [part[chosen] for part in points]
+
+
+def results(unit: Unit, points: list[np.ndarray]) -> list[np.ndarray]:
+    """(points,) for each non-zero, in the order of the tape's results."""
+    steps = computed(unit.tape, points)
+    return [steps[position] for _, _, position in unit.tape.results]
 
 
 def within(unit: Unit, points: list[np.ndarray]) -> np.ndarray:
@@ -103,26 +114,35 @@ def norm_ends(arg: Variable) -> tuple[float, ...]:
     return (-arg.norm[1], -arg.norm[0], *arg.norm) if arg.norm else ()
 
 
-def ends(unit: Unit, points: list[np.ndarray]) -> list[list[int]]:
-    """For each end of each argument's box (low and high of the first component, and so on), one of the points at which
-    that component may be put there so that the unit answers; -1 if at none.
+def ends(unit: Unit, points: list[np.ndarray]) -> list[np.ndarray]:
+    """For each argument, (ends, points): whether a component may be put to an end of its box at that point so that the
+    unit answers; low and high of the first component, and so on.
 
     Of an argument with a norm the other components are zero, and the ends are those of the norm, with either sign.
     """
-    found = []
-    for which, arg in enumerate(unit.args):
-        row = []
-        for i in range(arg.size):
-            for end in norm_ends(arg) or (arg.low[i], arg.high[i]):
-                moved = [part.copy() for part in points]
-                if arg.norm:
-                    moved[which][:] = 0.0
-                moved[which][:, i] = end
-                boxed = arg.low[i] <= end <= arg.high[i]
-                good = np.flatnonzero(boxed & (within(unit, moved) == 1))
-                row.append(int(good[0]) if len(good) else -1)
-        found.append(row)
-    return found
+    at = [
+        [(which, i, end) for i in range(arg.size) for end in norm_ends(arg) or (arg.low[i], arg.high[i])]
+        for which, arg in enumerate(unit.args)
+    ]
+    flat = [end for ends_of_one in at for end in ends_of_one]
+    good = np.zeros((len(flat), len(points[0])), dtype=bool)
+    for some in (slice(0, FEW), slice(FEW, None)):
+        rows = [
+            row
+            for row, (which, i, end) in enumerate(flat)
+            if unit.args[which].low[i] <= end <= unit.args[which].high[i] and not good[row].any()
+        ]
+        if not rows:
+            break
+        count = good[0, some].size
+        moved = [np.tile(part[some], (len(rows), 1)) for part in points]
+        for k, row in enumerate(rows):
+            which, i, end = flat[row]
+            if unit.args[which].norm:
+                moved[which][k * count : (k + 1) * count] = 0.0
+            moved[which][k * count : (k + 1) * count, i] = end
+        good[rows, some] = (within(unit, moved) == 1).reshape(len(rows), count)
+    return np.split(good, np.cumsum([len(ends_of_one) for ends_of_one in at])[:-1])
 
 
 def edges(unit: Unit, beyond: float, rng: np.random.Generator) -> tuple[list[np.ndarray], list[int]]:
@@ -130,7 +150,7 @@ def edges(unit: Unit, beyond: float, rng: np.random.Generator) -> tuple[list[np.
     outside (1).  A bound that no result was seen at has none."""
     tries = 20000
     drawn = sample(unit.args, tries // 10, tries, rng)
-    values, _ = evaluate(unit.tape, drawn)
+    values = results(unit, drawn)
     verdict = within(unit, drawn)
     rows: list[list[np.ndarray]] = []
     outside = []
@@ -145,7 +165,7 @@ def edges(unit: Unit, beyond: float, rng: np.random.Generator) -> tuple[list[np.
                 if not (len(far) and len(near)):
                     continue
                 made = between(unit, k, target, drawn, np.resize(near, PAIRS), np.resize(far, PAIRS))
-                value = evaluate(unit.tape, made)[0][k]
+                value = results(unit, made)[k]
                 good = np.flatnonzero((within(unit, made) == 1 - 2 * refused) & (abs(value - target) < step / 2))
                 if len(good):
                     rows.append([part[good[0]] for part in made])
@@ -163,15 +183,15 @@ def between(
         for arg, part in zip(unit.args, points, strict=True):
             value = part[a] * (1 - share) + part[b] * share
             if arg.norm:
-                length = np.linalg.norm(part, axis=1, keepdims=True)
-                value *= (length[a] * (1 - share) + length[b] * share) / np.linalg.norm(value, axis=1, keepdims=True)
+                length = norm(part)
+                value = value * ((length[a] * (1 - share) + length[b] * share) / norm(value))
             made.append(np.clip(value, arg.low, arg.high))
         return single(unit.args, made)
 
     low, high = np.zeros((len(a), 1)), np.ones((len(a), 1))
-    sign = np.sign(evaluate(unit.tape, at(high))[0][k] - target)
+    sign = np.sign(results(unit, at(high))[k] - target)
     for _ in range(30):
         middle = (low + high) / 2
-        past = (sign * (evaluate(unit.tape, at(middle))[0][k] - target) > 0)[:, None]
+        past = (sign * (results(unit, at(middle))[k] - target) > 0)[:, None]
         low, high = np.where(past, low, middle), np.where(past, middle, high)
     return at(high)

@@ -12,15 +12,18 @@ but above the last that counts, may add n^2 of them.  In an update, rounding of 
 sum_k |h_k| sqrt(P_kk) sqrt(P_ii) and that of S to R + (sum_k |h_k| sqrt(P_kk))^2, whose ratio to S multiplies all.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from math import ldexp, sqrt
 from typing import Any
 
 import numpy as np
+from flint import fmpz_mat
 
-VECTORS = 64
+from boresight.codegen.text.names import rows_of, three_digits
+
+VECTORS = 8  # one of each kind: three kill every mutant of the loops that 64 kill
 DT_POWER = -4
 Places = tuple[tuple[int, int], ...]
 
@@ -96,6 +99,21 @@ def upper(size: int) -> list[tuple[int, int]]:
     return [(i, j) for j in range(size) for i in range(j + 1)]
 
 
+def total(terms: Iterable[float]) -> float:
+    """From the left, as written: what `sum` gives depends on Python's version, what NumPy gives on the processor."""
+    result = 0.0
+    for term in terms:
+        result += term
+    return result
+
+
+def semidefinite(matrix: Any) -> bool:
+    """Of a symmetric matrix of integers, exactly: no root of the characteristic polynomial, all of which are real, is
+    negative if its coefficients change their signs in turn."""
+    coefficients = fmpz_mat(matrix.tolist()).charpoly().coeffs()
+    return all(c * (-1) ** (len(matrix) - k) >= 0 for k, c in enumerate(coefficients))
+
+
 def predicted(case: Case) -> tuple[list[float], list[float], list[float], list[float], bool]:
     """Phi P Phi' + Q packed, Phi x, sizes of rounding errors in both; whether Q, cut after dt^3, is a covariance."""
     n = len(case.scale)
@@ -110,16 +128,17 @@ def predicted(case: Case) -> tuple[list[float], list[float], list[float], list[f
     PhiPPhi = twice_Phi @ case.P @ twice_Phi.T  # in 2^-(4 a + 10)
     first = [Fraction(PhiPPhi[at], 2 ** (4 * a + 10)) + Fraction(six_Q[at], 6 * 2 ** (3 * a)) for at in upper(n)]
     P = [rounded(value, case.scale[i] + case.scale[j]) for (i, j), value in zip(upper(n), first, strict=True)]
-    definite = bool(np.linalg.eigvalsh(np.array(six_Q / 2 ** (3 * a), dtype=float)).min() > -1e-15)
     x = [rounded(value, s - 2 * a - 5) for value, s in zip(twice_Phi @ case.x, case.scale, strict=True)]
     size_Phi = (one << (2 * a + 1)) + (abs(A) << (a + 1)) + abs(A) @ abs(A)
-    size_Phi = np.array(size_Phi / 2 ** (2 * a + 1), dtype=float)
-    sigma = np.sqrt(np.array(np.diag(case.P) / 2**8, dtype=float))
-    noise = np.sqrt(np.array(np.diag(S) / 2**a, dtype=float))
-    size = np.hypot(size_Phi @ sigma, size_Phi @ noise)  # s_i s_j + q_i q_j <= the product of these
-    size_x = size_Phi @ np.array(abs(case.x) / 2**4, dtype=float)
+    sigma = [sqrt(v / 2**8) for v in np.diag(case.P)]
+    noise = [sqrt(v / 2**a) for v in np.diag(S)]
+    size = []  # s_i s_j + q_i q_j <= the product of these
+    for row in size_Phi:
+        s, q = (total(v / 2 ** (2 * a + 1) * w for v, w in zip(row, sizes, strict=True)) for sizes in (sigma, noise))
+        size.append(sqrt(s * s + q * q))
+    size_x = [v / 2 ** (2 * a + 5) for v in size_Phi @ abs(case.x)]
     size, size_x = ([ldexp(v, s) for v, s in zip(values, case.scale, strict=True)] for values in (size, size_x))
-    return P, x, size, size_x, definite
+    return P, x, size, size_x, semidefinite(six_Q)
 
 
 def updated(case: Case) -> tuple[list[float], list[float], list[float], list[float], list[float]]:
@@ -135,7 +154,7 @@ def updated(case: Case) -> tuple[list[float], list[float], list[float], list[flo
     after = [rounded(P[i][j] - g[i] * g[j] / S, case.scale[i] + case.scale[j]) for i, j in upper(n)]
     after_x = [rounded(x[i] + g[i] * nu / S, case.scale[i]) for i in range(n)]
     sigma = [sqrt(P[i][i]) for i in range(n)]
-    spread = sum(float(abs(h[i])) * sigma[i] for i in seen)
+    spread = total(float(abs(h[i])) * sigma[i] for i in seen)
     size_nu = float(abs(z) + sum((abs(h[i] * x[i]) for i in seen), Fraction(0)))
     size_S = float(R) + spread**2
     ratio = size_S / float(S)
@@ -151,13 +170,6 @@ def vectors_view(n: int, F: Places, Qc: Places) -> dict[str, Any]:
     cases = [draw_case(k, n, F, Qc) for k in range(VECTORS)]
     ahead, taken = [predicted(case) for case in cases], [updated(case) for case in cases]
 
-    def table(rows: list[list[float]]) -> str:
-        return ",\n".join("    { " + ", ".join(float(v).hex() for v in row) + " }" for row in rows)
-
-    def sizes(rows: list[list[float]]) -> str:
-        """Three digits, rounded up."""
-        return ",\n".join("    { " + ", ".join(f"{v * 1.01:.3g}" if v else "0.0" for v in row) + " }" for row in rows)
-
     return {
         "count": VECTORS,
         "dt_power": DT_POWER,
@@ -166,16 +178,16 @@ def vectors_view(n: int, F: Places, Qc: Places) -> dict[str, Any]:
         # twice Phi, twice a sum of n; three terms of an update with n roundings in each of g, g and S
         "of_joseph": 10 * n + 30,
         "of_ud": 5 * n * n + 10 * n + 30,
-        "predicted_P": table([row[0] for row in ahead]),
-        "predicted_x": table([row[1] for row in ahead]),
-        "predicted_size": sizes([row[2] for row in ahead]),
-        "predicted_size_x": sizes([row[3] for row in ahead]),
+        "predicted_P": rows_of([row[0] for row in ahead]),
+        "predicted_x": rows_of([row[1] for row in ahead]),
+        "predicted_size": rows_of([row[2] for row in ahead], three_digits),
+        "predicted_size_x": rows_of([row[3] for row in ahead], three_digits),
         "definite": ", ".join(str(int(row[4])) for row in ahead),
-        "updated_P": table([row[0] for row in taken]),
-        "updated_x": table([row[1] for row in taken]),
-        "updated_size": sizes([row[2] for row in taken]),
-        "updated_size_x": sizes([row[3] for row in taken]),
-        "updated_row": table([row[4] for row in taken]),
+        "updated_P": rows_of([row[0] for row in taken]),
+        "updated_x": rows_of([row[1] for row in taken]),
+        "updated_size": rows_of([row[2] for row in taken], three_digits),
+        "updated_size_x": rows_of([row[3] for row in taken], three_digits),
+        "updated_row": rows_of([row[4] for row in taken]),
         "F_rows": ", ".join(str(row) for row, _ in F),
         "Qc_rows": ", ".join(str(row) for row, _ in Qc),
     }

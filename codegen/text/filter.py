@@ -9,10 +9,10 @@ from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.units import Unit
 from boresight.codegen.text.covariance import nonzeros, table
-from boresight.codegen.text.names import beyond, norms_beyond, number, shared_tables
+from boresight.codegen.text.names import beyond, norms_beyond, number, rows_of, shared_tables
 from boresight.derive.model import Model
 
-FLOWN = 4  # points at which the self-test flies the filter
+FLOWN = 2  # points at which the self-test flies the filter
 LEAST_R, MOST_R = 1e-30, 1e30  # variances of measurements, within the range of a float
 
 
@@ -135,8 +135,7 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
             )  # fmt: skip
         rows = np.hstack(points[start : start + len(s.fields)])
         start += len(s.fields)
-        text = ",\n".join("    { " + ", ".join(float(v).hex() for v in row) + " }" for row in rows)
-        structs.append({"name": s.name, "size": offset, "fields": fields, "rows": text})
+        structs.append({"name": s.name, "size": offset, "fields": fields, "rows": rows_of(rows)})
     start_x = inside(model)
     box_size = [hi - lo for block in model.states for lo, hi in zip(block.low, block.high, strict=True)]
 

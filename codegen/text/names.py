@@ -1,6 +1,8 @@
 """How numbers, files, temporaries and boxes are written in C."""
 
 import math
+from collections.abc import Callable
+from typing import Any
 
 from boresight import BoresightError
 from boresight.codegen.functions.samples import BEYOND
@@ -66,6 +68,16 @@ def beyond(a: Variable) -> tuple[str, str]:
         ", ".join(repr(lo - BEYOND * (abs(lo) or hi - lo)) for lo, hi in bounds),
         ", ".join(repr(hi + BEYOND * (abs(hi) or hi - lo)) for lo, hi in bounds),
     )
+
+
+def rows_of(rows: Any, printed: Callable[[float], str] = float.hex) -> str:
+    """The rows of a table of numbers in C."""
+    return ",\n".join("    { " + ", ".join(printed(float(v)) for v in row) + " }" for row in rows)
+
+
+def three_digits(value: float) -> str:
+    """Not smaller, and larger by 1.5 % at most."""
+    return f"{value * 1.01:.3g}" if value else "0.0"
 
 
 def norms_beyond(a: Variable) -> str:

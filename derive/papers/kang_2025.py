@@ -311,10 +311,10 @@ def equations() -> tuple[Equation, ...]:
             ),
         ],
         unit="rad",
-        note="Two slips in the last term. The sign: with the master at k - δt_d, as the text over (2) has it, the "
-        "turn during the delay is taken off; (3) does so, (5) adds it, so the two contradict each other on the sign of "
-        "one state. The frame: a rate in n needs no C_S2n before it. ω_nb is the rate of b against n, as ω_in and "
-        "ω_ib are read.",
+        note="The last term has two slips, its sign and its frame. The sign: with the master at k - δt_d, as the text "
+        "over (2) has it, the turn during the delay is taken off; (3) does so, (5) adds it, so the two contradict each "
+        "other on the sign of one state. The frame: a rate in n needs no C_S2n before it. ω_nb is the rate of b "
+        "against n, as ω_in and ω_ib are read.",
     )
 
     # (6)  the wave.

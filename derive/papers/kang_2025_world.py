@@ -84,7 +84,7 @@ MIL = 360 / 6400 * DEGREE
 ROLL, WAVE_RATE, DELAY = 5 * DEGREE, 0.1, 0.01  # of a stated hull; Hz of Table 1; s, the longest of Table 2
 SURGE = 2 * math.pi * WAVE_RATE  # rad/s
 # Tables 1 and 2 at grade 6, and what the paper leaves open: a hull that rolls and pitches by 5 deg with the wave,
-# 5 m/s, a lever arm of 3 m an axis.
+# 5 m/s, a lever arm of 3 m per axis.
 CONDITIONS = Conditions(
     position=(3.0, 40 * DEGREE, 10.0),
     v_n=5.0,
@@ -105,7 +105,7 @@ CONDITIONS = Conditions(
 )
 POINTS = 8  # of these conditions, drawn for the sizes
 CONDITIONS_TEXT = (
-    "grade 6, a hull that rolls and pitches by 5 deg at 0.1 Hz, 5 m/s, lever arm 3 m an axis, errors to 2 deg, delay "
+    "grade 6, a hull that rolls and pitches by 5 deg at 0.1 Hz, 5 m/s, lever arm 3 m per axis, errors to 2 deg, delay "
     "10 ms, k and k-1 apart by 1 s"
 )
 WITNESS = "finite motions"

@@ -282,8 +282,8 @@ def equations() -> tuple[Equation, ...]:
         ],
         unit="m/s",
         leads_to=("6",),
-        note="If the delay were part of Δv_MINS, (4) would define it and stand, but then no column of the delay could "
-        "stand in the first row of (6).",
+        note="The line leaves out the delay, for which (6) has a column. If the delay were part of Δv_MINS, (4) would "
+        "define it and stand, but then no column of the delay could stand in the first row of (6).",
     )
     turned = one("C_r2n(k-δt)")
     hats = s("Ĉ_r2n|Ĉ_b2r|Ĉ_n2b")
@@ -419,8 +419,9 @@ def equations() -> tuple[Equation, ...]:
         ],
         unit="rad/s",
         leads_to=("7",),
-        note="ρ is not defined in the text; no choice of ρ_e and ρ_n among +-v_n/(R_N+h) and +-v_e/(R_E+h) saves the "
-        "three slips: ρ_e for ρ_n in the first term, R_E for R_N and the sign of δh in the row of the latitude.",
+        note="It has three slips: ρ_e for ρ_n in the first term, R_E for R_N and the sign of δh in the row of the "
+        "latitude. ρ is not defined in the text; no choice of ρ_e and ρ_n among +-v_n/(R_N+h) and +-v_e/(R_E+h) saves "
+        "them.",
     )
 
     # (10), (11)  the phi model.
@@ -607,7 +608,8 @@ def equations() -> tuple[Equation, ...]:
             ),
         ],
         leads_to=("21",),
-        note="The tag (20) is at the end of a block whose last row the text calls (21).",
+        note="The factor I - Φ̌ is one too many, for the matrix behind it is that factor. The tag (20) is at the end of "
+        "a block whose last row the text calls (21).",
     )
     M = product(C_p, C_ref)
     add(

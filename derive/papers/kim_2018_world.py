@@ -106,7 +106,7 @@ ERRORS = (
 DEGREE, HOUR, G = math.pi / 180, 3600.0, 9.80665
 MILE = 1852.0
 # Table 1, and what the paper leaves open: a bench at rest but for the rocking of the transfer alignment, where a master
-# of one nautical mile an hour has been for an hour.
+# of one nautical mile per hour has been for an hour.
 CONDITIONS = Conditions(
     position=(3.0, 45 * DEGREE, 100.0),
     v_n=(0.5, 0.5, 0.1),
@@ -131,7 +131,7 @@ CONDITIONS = Conditions(
 WITNESS = "finite errors"
 POINTS = 4  # of these conditions, drawn for the sizes
 CONDITIONS_TEXT = (
-    "sensors of Table 1, errors to 5 mrad, 1 m/s, 1 nmi an axis, delay 50 ms on a bench that moves at 0.5 m/s and "
+    "sensors of Table 1, errors to 5 mrad, 1 m/s, 1 nmi per axis, delay 50 ms on a bench that moves at 0.5 m/s and "
     "5 deg/s, step 10 ms"
 )
 
@@ -658,8 +658,8 @@ def findings() -> tuple[str, ...]:
     return (
         f"Line {DETECTORS[0]} has the detector of mean and deviation both of the angular rate; its reasons, and (31), "
         "want the deviation of the specific force; in Korean the two words differ in one syllable.",
-        "The letter φ is two states: psi in (1) to (6), phi in (8) to (29); between them lies the turn of the level "
-        f"by the position error, 1 arcmin a nautical mile, and psi does not see δω_in_n, {_level_rate()} deg/h a m/s.",
+        "The letter φ is two states: psi in (1) to (6), phi in (8) to (29); between them lies the turn of the level by "
+        f"the position error, 1 arcmin per nautical mile, and psi does not see δω_in_n, {_level_rate()} deg/h per m/s.",
         "(17) and (23) are written for 24 states, nine more than (8): scale factors and misalignments of Table 1 "
         "would fill them.",
         f"Table 1 beside the Earth's rate of {earth_rate:.4g} deg/h: a gyro of 1 deg/h finds north to "
@@ -699,7 +699,7 @@ def _level_rate() -> str:
 def _psi_sizes() -> str:
     return (
         f"not in it: sensors of Table 1, {1e-3 * G:.2g} m/s^2 and 1 deg/h, for which the filter has noise; gravity at "
-        f"a position 1 nmi off, {G / 6.37e6 * MILE:.2g} m/s^2; as a phi model, δω_in_n of {_level_rate()} deg/h a m/s"
+        f"a position 1 nmi off, {G / 6.37e6 * MILE:.2g} m/s^2; as a phi model, δω_in_n of {_level_rate()} deg/h per m/s"
     )
 
 
@@ -745,7 +745,7 @@ def _schuler() -> str:
     right, wrong = _growth(1), _growth(-1)
 
     def tilt(sign: int) -> float:
-        """Level velocity (m/s) an hour after a tilt of 0.1 mrad about east."""
+        """Level velocity (m/s) per hour after a tilt of 0.1 mrad about east."""
         F = level_dynamics(sign)
         return float(_series(Matrix([0, 0, 0, 0, 1e-4, 0, 0]), lambda term: F * term, 3600)[3])
 
@@ -793,7 +793,7 @@ def _steps() -> str:
     drift = float(transition_error(exact(1))["velocity from gyro bias"]) * DEGREE / HOUR
     return (
         f"dropped against the matrix exponential, largest entries of blocks, at rest: {'; '.join(parts)}; with 1 deg/h "
-        f"that is {drift:.2g} m/s a step at 1 Hz; Schuler's oscillation, which must not grow, grows in an hour by "
+        f"that is {drift:.2g} m/s per step at 1 Hz; Schuler's oscillation, which must not grow, grows in an hour by "
         f"{growth}"
     )
 
@@ -802,7 +802,7 @@ def held_azimuth(share: float) -> float:
     """Azimuth error (arcmin) after 1000 s at 1 Hz, gain 0.1, against 1 deg/h; share: of φ_u in the residual."""
     error = 0.0
     for _ in range(1000):
-        error += 1 / 60  # arcmin a second
+        error += 1 / 60  # arcmin per second
         error -= 0.1 * share * error
     return error
 

@@ -699,7 +699,8 @@ def equations() -> tuple[Equation, ...]:
             Reading(letters["μ(k+)"], mu_after, "the text says that the estimate is renewed: a dropped hat"),
             Reading(letters["μ(k-)"], mu_before, "the text says that the estimate is renewed: a dropped hat"),
         ),
-        note="Reading δμ as μ - μ̂ would save this sign and refute (19), with which the text's definition agrees.",
+        note="The sign of δμ is wrong, for the true misalignment is the estimate less its error. Reading δμ as μ - μ̂ "
+        "would save this sign and refute (19), with which the text's definition agrees.",
     )
 
     # (26) to (28)  the rows of (19).

@@ -74,7 +74,7 @@ CONDITIONS = Conditions(
     omega_ib_b=5 * DEGREE,
     omega_in_n=7.3e-5,
 )
-CONDITIONS_TEXT = "attitudes and misalignments to 3 deg an axis, gyro error 1 deg/h, master noise 1 arcmin"
+CONDITIONS_TEXT = "attitudes and misalignments to 3 deg per axis, gyro error 1 deg/h, master noise 1 arcmin"
 
 # The point at which an erratum's numbers are given.
 STATED = Base(
@@ -220,14 +220,14 @@ _IN_THE_LOOP = "; in the loop: boresight study euler-table --switch as-printed-2
 def evidence(number: str) -> str:
     """What the ledger says beyond the status: sizes of dropped terms at the paper's numbers; "" for most equations."""
     if number in ("15", "18"):
-        return "; the dropped second-order term, largest over roll and a misalignment of 3 deg an axis: " + ", ".join(
+        return "; the dropped second-order term, largest over roll and a misalignment of 3 deg per axis: " + ", ".join(
             f"{_minutes(_largest_second_order(pitch))} at a pitch of {pitch} deg" for pitch in (0, 3, 30, 60, 80)
         )
     if number in ("26", "27", "28"):
         ours, theirs = (_minutes(error) for error in substitution(int(number) - 26))
         return (
             "; with the slave's angles for the master's missing ones, as the text under (28) has it, the error of the "
-            f"computed difference goes from {ours} to {theirs} (master level, 3 deg an axis): about as large, of the "
+            f"computed difference goes from {ours} to {theirs} (master level, 3 deg per axis): about as large, of the "
             "other sign, and above the noise of 1 arcmin, where the text calls it negligible" + _IN_THE_LOOP
         )
     if number in ("8", "9"):
@@ -312,7 +312,7 @@ def _largest_second_order(pitch_deg: int) -> float:
 def substitution(row: int) -> tuple[float, float]:
     """The largest error of one row of (18), signed: with the master's angles, and as the text under (28) replaces them.
 
-    rad; the master level, misalignments of 3 deg an axis.  A roll matching has the master's roll.
+    rad; the master level, misalignments of 3 deg per axis.  A roll matching has the master's roll.
     """
 
     def error(mu, with_slave: bool) -> float:

@@ -60,7 +60,7 @@ int main(int argc, char **argv)
         }
     }
     (void)fclose(file);
-    (void)printf("%ld ticks, %u held; %u messages taken, %u in part, %u refused; begun %u times\n", ticks, aboard.held,
+    (void)printf("%ld ticks, %u held; %u messages taken, %u in part, %u refused; starts: %u\n", ticks, aboard.held,
                  aboard.taken, aboard.in_part, aboard.refused, aboard.begun);
     return aboard.flying ? 0 : 1;
 }

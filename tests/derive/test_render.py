@@ -14,12 +14,14 @@ PAPER = "song-lee-2001"
 needs_pdflatex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
 
 
-def test_terminal_shows_print_derivation_steps_and_evidence_within_its_width():
+@pytest.mark.parametrize("columns", [80, 110])
+def test_terminal_shows_print_derivation_steps_and_evidence_within_its_width(columns, monkeypatch):
+    monkeypatch.setenv("COLUMNS", str(columns))
     text = render(PAPER, "9")
     assert text.startswith("song-lee-2001 (9)  erratum: letter, transcription  [source line 74]")
     for piece in ("printed", "cos(φ)", "derived", "cos(ψ)", "1. invert:", "evidence: ", "note: Origin transcription"):
         assert piece in text
-    assert max(map(len, text.splitlines())) <= 110
+    assert max(map(len, text.splitlines())) <= columns
 
 
 def test_all_equations_are_shown_with_the_counts_and_what_stands_beside_them():

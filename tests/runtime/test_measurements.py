@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from numpy_euler_matching import angles, exp, log, quaternion, wrap
 
-from boresight.codegen.generate import GENERATED, model_names
+from boresight.codegen.generate import model_names
 from boresight.runtime.library import load
-from boresight.runtime.manifest import folder_of
+from boresight.runtime.manifest import GENERATED, folder_of
 
 EARTH_RATE, SEMI_MAJOR_AXIS, ECCENTRICITY_SQUARED = 7.292115e-5, 6378137.0, 0.0066943799901413165
 SIZES = {"rad": 1e-3, "m/s": 1e-2, "rad/s": 1e-4, "m/s^2": 1e-2, "s": 1e-3, "m": 1e-2}

@@ -3,11 +3,11 @@
 import subprocess
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import pytest
+from conftest import ROOT
 from real_recordings import real_recording
 from scipy.io import savemat
 from scipy.spatial.transform import Rotation
@@ -352,6 +352,6 @@ def test_a_recording_made_by_hand_checks_its_shapes():
 
 
 def test_the_example_is_a_description():
-    said = description.load(Path(__file__).parents[2] / "examples" / "recording.toml")
+    said = description.load(ROOT / "runtime" / "recordings" / "template.toml")
     assert said.master is not None
     assert said.master.attitude.order == "yaw pitch roll"

@@ -147,7 +147,9 @@ def test_the_printed_25_drives_the_misalignment_away(model):
 def test_the_result_is_json_and_the_report_ends_in_the_verdict(model):
     result = study.run(model, runs=2, seconds=30.0)
     assert json.loads(json.dumps(result, allow_nan=False)) == result
-    verdict = study.report(result).splitlines()[-1]
+    lines = study.report(result).splitlines()
+    assert max(map(len, lines)) <= 80
+    verdict = lines[-1]
     assert f"{result['linear']['agree']} of 147" in verdict and f"{result['monte_carlo']['agree']} by" in verdict
 
 

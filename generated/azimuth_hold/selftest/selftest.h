@@ -9,9 +9,17 @@ double selftest_infinity(void);
 void selftest_paint(bs_real *out, int n);
 int selftest_painted(const char *what, const bs_real *out, int n);
 
-/* How many of the n dense outputs differ: the nnz at `at` by more than their tolerance, the others from zero. */
-int selftest_compare(const char *what, int vector, const bs_real *out, int n, const double *expected, const double *tolerance,
-                     const unsigned short *at, int nnz, int angle);
+/* How many of the n dense outputs differ: the nnz at `at` by more than their tolerance, the others
+ * from zero. */
+int selftest_compare(const char *what,
+                     int vector,
+                     const bs_real *out,
+                     int n,
+                     const double *expected,
+                     const double *tolerance,
+                     const unsigned short *at,
+                     int nnz,
+                     int angle);
 
 int test_ah_F(void);
 int test_ah_Phi(void);
@@ -23,6 +31,7 @@ int test_ah_azimuth_z(void);
 int test_ah_azimuth_H(void);
 int test_ah_zaru_z(void);
 int test_ah_zaru_H(void);
+int test_ah_strapdown(void);
 int test_ah_feedback(void);
 int test_ah_covariance(void);
 int test_ah_filter(void);

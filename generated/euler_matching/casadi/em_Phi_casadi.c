@@ -53,7 +53,7 @@ static const casadi_int casadi_s2[3] = {12, 1, 1};
 
 /* em_Phi_casadi:(omega_in_n[3],dt)->(out_Phi[12]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
   a0=1.;
   a1=arg[0]? arg[0][2] : 0;
   a2=arg[1]? arg[1][0] : 0;
@@ -69,16 +69,14 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]!=0) res[0][0]=a6;
   a6=arg[0]? arg[0][0] : 0;
   a6=(a6*a2);
-  a2=(a4*a6);
-  a2=(a2*a7);
-  a2=(a1+a2);
-  if (res[0]!=0) res[0][1]=a2;
-  a2=(a1*a6);
-  a2=(a2*a7);
-  a2=(a2-a4);
-  if (res[0]!=0) res[0][2]=a2;
   a2=(a6*a4);
   a2=(a2*a7);
+  a8=(a1+a2);
+  if (res[0]!=0) res[0][1]=a8;
+  a8=(a6*a1);
+  a8=(a8*a7);
+  a9=(a8-a4);
+  if (res[0]!=0) res[0][2]=a9;
   a2=(a2-a1);
   if (res[0]!=0) res[0][3]=a2;
   a2=(a6*a6);
@@ -86,18 +84,14 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a3=(a3*a7);
   a3=(a0-a3);
   if (res[0]!=0) res[0][4]=a3;
-  a3=(a1*a4);
-  a3=(a3*a7);
-  a3=(a6+a3);
+  a1=(a4*a1);
+  a1=(a1*a7);
+  a3=(a6+a1);
   if (res[0]!=0) res[0][5]=a3;
-  a3=(a6*a1);
-  a3=(a3*a7);
-  a3=(a4+a3);
-  if (res[0]!=0) res[0][6]=a3;
-  a4=(a4*a1);
-  a4=(a4*a7);
-  a4=(a4-a6);
-  if (res[0]!=0) res[0][7]=a4;
+  a4=(a4+a8);
+  if (res[0]!=0) res[0][6]=a4;
+  a1=(a1-a6);
+  if (res[0]!=0) res[0][7]=a1;
   a5=(a5+a2);
   a5=(a5*a7);
   a5=(a0-a5);

@@ -49,7 +49,7 @@ CASADI_SYMBOL_EXPORT int em_euler_H_casadi__casadi_real_size(void) { return (int
 static const casadi_int casadi_s0[3] = {3, 1, 1};
 static const casadi_int casadi_s1[3] = {14, 1, 1};
 
-/* em_euler_H_casadi:(euler_b[3],euler_r[3])->(out_H[14]) */
+/* em_euler_H_casadi:(euler_b[3],euler_m[3])->(out_H[14]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   a00=arg[0]? arg[0][2] : 0;
@@ -133,7 +133,7 @@ CASADI_SYMBOL_EXPORT casadi_real em_euler_H_casadi_default_in(casadi_int i) {
 CASADI_SYMBOL_EXPORT const char* em_euler_H_casadi_name_in(casadi_int i) {
   switch (i) {
     case 0: return "euler_b";
-    case 1: return "euler_r";
+    case 1: return "euler_m";
     default: return 0;
   }
 }

@@ -47,7 +47,7 @@ CASADI_SYMBOL_EXPORT int em_euler_z_casadi__casadi_real_size(void) { return (int
 
 static const casadi_int casadi_s0[3] = {3, 1, 1};
 
-/* em_euler_z_casadi:(mu[3],euler_b[3],euler_r[3])->(out_z[3]) */
+/* em_euler_z_casadi:(mu[3],euler_b[3],euler_m[3])->(out_z[3]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
   a0=arg[0]? arg[0][0] : 0;
@@ -132,7 +132,7 @@ CASADI_SYMBOL_EXPORT const char* em_euler_z_casadi_name_in(casadi_int i) {
   switch (i) {
     case 0: return "mu";
     case 1: return "euler_b";
-    case 2: return "euler_r";
+    case 2: return "euler_m";
     default: return 0;
   }
 }

@@ -7,8 +7,10 @@
 /* Checks, then the kernel: what both forms below share. */
 static bs_status phi_F_checked(const phi_nav *nav, const phi_step *step, bs_real F_nz[42])
 {
-    static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
-    static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
+    static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
+                                             BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
+    static const bs_real position_high[3] = { BS_REAL(6.283185307179586),
+                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
     static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
     static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
     static const bs_real f_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
@@ -41,7 +43,10 @@ bs_status phi_F_nz(const phi_nav *nav, const phi_step *step, bs_real F_nz[42])
 
 bs_status phi_F(const phi_nav *nav, const phi_step *step, bs_real F[9 * PHI_N_STATES])
 {
-    static const unsigned short F_index[42] = { 1, 2, 3, 10, 11, 13, 23, 28, 29, 30, 31, 32, 34, 35, 37, 38, 39, 40, 41, 42, 44, 46, 47, 48, 49, 51, 52, 55, 56, 58, 61, 62, 64, 65, 66, 69, 71, 73, 74, 75, 78, 79 };
+    static const unsigned short F_index[42] = { 1, 2, 3, 10, 11, 13, 23, 28, 29, 30, 31, 32, 34, 35,
+                                                37, 38, 39, 40, 41, 42, 44, 46, 47, 48, 49, 51, 52,
+                                                55, 56, 58, 61, 62, 64, 65, 66, 69, 71, 73, 74, 75,
+                                                78, 79 };
     bs_real F_nz[42];
     bs_status status;
     if (F == NULL) {

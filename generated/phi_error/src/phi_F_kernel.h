@@ -5,7 +5,10 @@
 
 #include "boresight.h"
 
-static void phi_F_kernel(const bs_real position[3], const bs_real v_n[3], const bs_real f_n[3], bs_real F_nz[42])
+static void phi_F_kernel(const bs_real position[3],
+                         const bs_real v_n[3],
+                         const bs_real f_n[3],
+                         bs_real F_nz[42])
 {
     const bs_real sin_lat = BS_SIN(position[1]);
     const bs_real t6 = sin_lat * sin_lat;
@@ -151,48 +154,48 @@ static void phi_F_kernel(const bs_real position[3], const bs_real v_n[3], const 
     const bs_real t170 = -t163;
     const bs_real t171 = t60 + t164;
     const bs_real t172 = -t58;
-    F_nz[0] = t29; /* 0, d_lat */
-    F_nz[1] = t34; /* 0, d_height */
-    F_nz[2] = t16; /* 0, dv_e */
-    F_nz[3] = t49; /* 1, d_lat */
-    F_nz[4] = t50; /* 1, d_height */
-    F_nz[5] = t51; /* 1, dv_n */
-    F_nz[6] = BS_REAL(1.0); /* 2, dv_u */
-    F_nz[7] = t68; /* 3, d_lat */
-    F_nz[8] = t71; /* 3, d_height */
-    F_nz[9] = t75; /* 3, dv_e */
-    F_nz[10] = t77; /* 3, dv_n */
-    F_nz[11] = t79; /* 3, dv_u */
-    F_nz[12] = t81; /* 3, phi_n */
-    F_nz[13] = f_n[1]; /* 3, phi_u */
-    F_nz[14] = t90; /* 4, d_lat */
-    F_nz[15] = t95; /* 4, d_height */
-    F_nz[16] = t99; /* 4, dv_e */
-    F_nz[17] = t101; /* 4, dv_n */
-    F_nz[18] = t103; /* 4, dv_u */
-    F_nz[19] = f_n[2]; /* 4, phi_e */
-    F_nz[20] = t105; /* 4, phi_u */
-    F_nz[21] = t144; /* 5, d_lat */
-    F_nz[22] = t155; /* 5, d_height */
-    F_nz[23] = t157; /* 5, dv_e */
-    F_nz[24] = t158; /* 5, dv_n */
-    F_nz[25] = t159; /* 5, phi_e */
-    F_nz[26] = f_n[0]; /* 5, phi_n */
-    F_nz[27] = t48; /* 6, d_lat */
-    F_nz[28] = t41; /* 6, d_height */
-    F_nz[29] = t160; /* 6, dv_n */
-    F_nz[30] = t163; /* 6, phi_n */
-    F_nz[31] = t166; /* 6, phi_u */
-    F_nz[32] = t168; /* 7, d_lat */
-    F_nz[33] = t169; /* 7, d_height */
-    F_nz[34] = t13; /* 7, dv_e */
-    F_nz[35] = t170; /* 7, phi_e */
-    F_nz[36] = t103; /* 7, phi_u */
-    F_nz[37] = t171; /* 8, d_lat */
-    F_nz[38] = t172; /* 8, d_height */
-    F_nz[39] = t72; /* 8, dv_e */
-    F_nz[40] = t165; /* 8, phi_e */
-    F_nz[41] = t102; /* 8, phi_n */
+    F_nz[0] = t29; /* d_lon, d_lat */
+    F_nz[1] = t34; /* d_lon, d_height */
+    F_nz[2] = t16; /* d_lon, dv_e */
+    F_nz[3] = t49; /* d_lat, d_lat */
+    F_nz[4] = t50; /* d_lat, d_height */
+    F_nz[5] = t51; /* d_lat, dv_n */
+    F_nz[6] = BS_REAL(1.0); /* d_height, dv_u */
+    F_nz[7] = t68; /* dv_e, d_lat */
+    F_nz[8] = t71; /* dv_e, d_height */
+    F_nz[9] = t75; /* dv_e, dv_e */
+    F_nz[10] = t77; /* dv_e, dv_n */
+    F_nz[11] = t79; /* dv_e, dv_u */
+    F_nz[12] = t81; /* dv_e, phi_n */
+    F_nz[13] = f_n[1]; /* dv_e, phi_u */
+    F_nz[14] = t90; /* dv_n, d_lat */
+    F_nz[15] = t95; /* dv_n, d_height */
+    F_nz[16] = t99; /* dv_n, dv_e */
+    F_nz[17] = t101; /* dv_n, dv_n */
+    F_nz[18] = t103; /* dv_n, dv_u */
+    F_nz[19] = f_n[2]; /* dv_n, phi_e */
+    F_nz[20] = t105; /* dv_n, phi_u */
+    F_nz[21] = t144; /* dv_u, d_lat */
+    F_nz[22] = t155; /* dv_u, d_height */
+    F_nz[23] = t157; /* dv_u, dv_e */
+    F_nz[24] = t158; /* dv_u, dv_n */
+    F_nz[25] = t159; /* dv_u, phi_e */
+    F_nz[26] = f_n[0]; /* dv_u, phi_n */
+    F_nz[27] = t48; /* phi_e, d_lat */
+    F_nz[28] = t41; /* phi_e, d_height */
+    F_nz[29] = t160; /* phi_e, dv_n */
+    F_nz[30] = t163; /* phi_e, phi_n */
+    F_nz[31] = t166; /* phi_e, phi_u */
+    F_nz[32] = t168; /* phi_n, d_lat */
+    F_nz[33] = t169; /* phi_n, d_height */
+    F_nz[34] = t13; /* phi_n, dv_e */
+    F_nz[35] = t170; /* phi_n, phi_e */
+    F_nz[36] = t103; /* phi_n, phi_u */
+    F_nz[37] = t171; /* phi_u, d_lat */
+    F_nz[38] = t172; /* phi_u, d_height */
+    F_nz[39] = t72; /* phi_u, dv_e */
+    F_nz[40] = t165; /* phi_u, phi_e */
+    F_nz[41] = t102; /* phi_u, phi_n */
 }
 
 #endif

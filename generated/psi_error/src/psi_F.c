@@ -7,8 +7,10 @@
 /* Checks, then the kernel: what both forms below share. */
 static bs_status psi_F_checked(const psi_nav *nav, const psi_step *step, bs_real F_nz[33])
 {
-    static const bs_real position_low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
-    static const bs_real position_high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
+    static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
+                                             BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
+    static const bs_real position_high[3] = { BS_REAL(6.283185307179586),
+                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
     static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
     static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
     static const bs_real f_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
@@ -41,7 +43,9 @@ bs_status psi_F_nz(const psi_nav *nav, const psi_step *step, bs_real F_nz[33])
 
 bs_status psi_F(const psi_nav *nav, const psi_step *step, bs_real F[9 * PSI_N_STATES])
 {
-    static const unsigned short F_index[33] = { 0, 1, 2, 3, 9, 10, 11, 13, 18, 19, 23, 27, 31, 32, 34, 35, 37, 39, 41, 42, 44, 46, 47, 48, 49, 51, 52, 61, 62, 69, 71, 78, 79 };
+    static const unsigned short F_index[33] = { 0, 1, 2, 3, 9, 10, 11, 13, 18, 19, 23, 27, 31, 32,
+                                                34, 35, 37, 39, 41, 42, 44, 46, 47, 48, 49, 51, 52,
+                                                61, 62, 69, 71, 78, 79 };
     bs_real F_nz[33];
     bs_status status;
     if (F == NULL) {

@@ -5,7 +5,10 @@
 
 #include "boresight.h"
 
-static void psi_F_kernel(const bs_real position[3], const bs_real v_n[3], const bs_real f_n[3], bs_real F_nz[33])
+static void psi_F_kernel(const bs_real position[3],
+                         const bs_real v_n[3],
+                         const bs_real f_n[3],
+                         bs_real F_nz[33])
 {
     const bs_real sin_lat = BS_SIN(position[1]);
     const bs_real t7 = sin_lat * sin_lat;
@@ -109,39 +112,39 @@ static void psi_F_kernel(const bs_real position[3], const bs_real v_n[3], const 
     const bs_real t127 = t81 + t126;
     const bs_real t128 = -t127;
     const bs_real t129 = -t125;
-    F_nz[0] = t35; /* 0, d_lon */
-    F_nz[1] = t41; /* 0, d_lat */
-    F_nz[2] = t42; /* 0, d_height */
-    F_nz[3] = t43; /* 0, dvc_e */
-    F_nz[4] = t47; /* 1, d_lon */
-    F_nz[5] = t59; /* 1, d_lat */
-    F_nz[6] = t60; /* 1, d_height */
-    F_nz[7] = t15; /* 1, dvc_n */
-    F_nz[8] = t44; /* 2, d_lon */
-    F_nz[9] = v_n[1]; /* 2, d_lat */
-    F_nz[10] = BS_REAL(1.0); /* 2, dvc_u */
-    F_nz[11] = t80; /* 3, d_lon */
-    F_nz[12] = t85; /* 3, dvc_n */
-    F_nz[13] = t88; /* 3, dvc_u */
-    F_nz[14] = t90; /* 3, psi_n */
-    F_nz[15] = f_n[1]; /* 3, psi_u */
-    F_nz[16] = t92; /* 4, d_lat */
-    F_nz[17] = t93; /* 4, dvc_e */
-    F_nz[18] = t94; /* 4, dvc_u */
-    F_nz[19] = f_n[2]; /* 4, psi_e */
-    F_nz[20] = t96; /* 4, psi_u */
-    F_nz[21] = t112; /* 5, d_lat */
-    F_nz[22] = t121; /* 5, d_height */
-    F_nz[23] = t87; /* 5, dvc_e */
-    F_nz[24] = t16; /* 5, dvc_n */
-    F_nz[25] = t122; /* 5, psi_e */
-    F_nz[26] = f_n[0]; /* 5, psi_n */
-    F_nz[27] = t125; /* 6, psi_n */
-    F_nz[28] = t128; /* 6, psi_u */
-    F_nz[29] = t129; /* 7, psi_e */
-    F_nz[30] = t94; /* 7, psi_u */
-    F_nz[31] = t127; /* 8, psi_e */
-    F_nz[32] = t16; /* 8, psi_n */
+    F_nz[0] = t35; /* d_lon, d_lon */
+    F_nz[1] = t41; /* d_lon, d_lat */
+    F_nz[2] = t42; /* d_lon, d_height */
+    F_nz[3] = t43; /* d_lon, dvc_e */
+    F_nz[4] = t47; /* d_lat, d_lon */
+    F_nz[5] = t59; /* d_lat, d_lat */
+    F_nz[6] = t60; /* d_lat, d_height */
+    F_nz[7] = t15; /* d_lat, dvc_n */
+    F_nz[8] = t44; /* d_height, d_lon */
+    F_nz[9] = v_n[1]; /* d_height, d_lat */
+    F_nz[10] = BS_REAL(1.0); /* d_height, dvc_u */
+    F_nz[11] = t80; /* dvc_e, d_lon */
+    F_nz[12] = t85; /* dvc_e, dvc_n */
+    F_nz[13] = t88; /* dvc_e, dvc_u */
+    F_nz[14] = t90; /* dvc_e, psi_n */
+    F_nz[15] = f_n[1]; /* dvc_e, psi_u */
+    F_nz[16] = t92; /* dvc_n, d_lat */
+    F_nz[17] = t93; /* dvc_n, dvc_e */
+    F_nz[18] = t94; /* dvc_n, dvc_u */
+    F_nz[19] = f_n[2]; /* dvc_n, psi_e */
+    F_nz[20] = t96; /* dvc_n, psi_u */
+    F_nz[21] = t112; /* dvc_u, d_lat */
+    F_nz[22] = t121; /* dvc_u, d_height */
+    F_nz[23] = t87; /* dvc_u, dvc_e */
+    F_nz[24] = t16; /* dvc_u, dvc_n */
+    F_nz[25] = t122; /* dvc_u, psi_e */
+    F_nz[26] = f_n[0]; /* dvc_u, psi_n */
+    F_nz[27] = t125; /* psi_e, psi_n */
+    F_nz[28] = t128; /* psi_e, psi_u */
+    F_nz[29] = t129; /* psi_n, psi_e */
+    F_nz[30] = t94; /* psi_n, psi_u */
+    F_nz[31] = t127; /* psi_u, psi_e */
+    F_nz[32] = t16; /* psi_u, psi_n */
 }
 
 #endif

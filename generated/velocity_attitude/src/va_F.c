@@ -7,12 +7,16 @@
 /* Checks, then the kernel: what both forms below share. */
 static bs_status va_F_checked(const va_nav *nav, const va_imu *imu, bs_real F_nz[41])
 {
-    static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
-    static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
+    static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
+                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
+    static const bs_real position_high[3] = { BS_REAL(1.4835298641951802),
+                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
     static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
     static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-    static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001) };
-    static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
+    static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                               BS_REAL(-1.001) };
+    static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                                BS_REAL(1.001) };
     static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
     bs_status status;
@@ -51,7 +55,10 @@ bs_status va_F_nz(const va_nav *nav, const va_imu *imu, bs_real F_nz[41])
 
 bs_status va_F(const va_nav *nav, const va_imu *imu, bs_real F[16 * VA_N_STATES])
 {
-    static const unsigned short F_index[41] = { 1, 2, 4, 6, 7, 8, 16, 18, 19, 22, 23, 24, 32, 33, 36, 38, 39, 40, 49, 50, 51, 52, 53, 57, 58, 59, 64, 66, 67, 68, 69, 73, 74, 75, 80, 81, 83, 84, 89, 90, 91 };
+    static const unsigned short F_index[41] = { 1, 2, 4, 6, 7, 8, 16, 18, 19, 22, 23, 24, 32, 33,
+                                                36, 38, 39, 40, 49, 50, 51, 52, 53, 57, 58, 59, 64,
+                                                66, 67, 68, 69, 73, 74, 75, 80, 81, 83, 84, 89, 90,
+                                                91 };
     bs_real F_nz[41];
     bs_status status;
     if (F == NULL) {

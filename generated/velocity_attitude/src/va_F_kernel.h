@@ -5,7 +5,11 @@
 
 #include "boresight.h"
 
-static void va_F_kernel(const bs_real position[3], const bs_real v_n[3], const bs_real q_b2n_wxyz[4], const bs_real f_b[3], bs_real F_nz[41])
+static void va_F_kernel(const bs_real position[3],
+                        const bs_real v_n[3],
+                        const bs_real q_b2n_wxyz[4],
+                        const bs_real f_b[3],
+                        bs_real F_nz[41])
 {
     const bs_real sin_lat = BS_SIN(position[0]);
     const bs_real cos_lat = BS_COS(position[0]);
@@ -104,47 +108,47 @@ static void va_F_kernel(const bs_real position[3], const bs_real v_n[3], const b
     const bs_real t113 = -t112;
     const bs_real t114 = -t67;
     const bs_real t115 = -t70;
-    F_nz[0] = t21; /* 0, phi_e */
-    F_nz[1] = t28; /* 0, phi_d */
-    F_nz[2] = t15; /* 0, dv_e */
-    F_nz[3] = t39; /* 0, dbg_x */
-    F_nz[4] = t46; /* 0, dbg_y */
-    F_nz[5] = t49; /* 0, dbg_z */
-    F_nz[6] = t20; /* 1, phi_n */
-    F_nz[7] = t51; /* 1, phi_d */
-    F_nz[8] = t52; /* 1, dv_n */
-    F_nz[9] = t53; /* 1, dbg_x */
-    F_nz[10] = t55; /* 1, dbg_y */
-    F_nz[11] = t60; /* 1, dbg_z */
-    F_nz[12] = t61; /* 2, phi_n */
-    F_nz[13] = t62; /* 2, phi_e */
-    F_nz[14] = t64; /* 2, dv_e */
-    F_nz[15] = t66; /* 2, dbg_x */
-    F_nz[16] = t67; /* 2, dbg_y */
-    F_nz[17] = t70; /* 2, dbg_z */
-    F_nz[18] = t79; /* 3, phi_e */
-    F_nz[19] = t84; /* 3, phi_d */
-    F_nz[20] = t86; /* 3, dv_n */
-    F_nz[21] = t91; /* 3, dv_e */
-    F_nz[22] = t28; /* 3, dv_d */
-    F_nz[23] = t92; /* 3, dba_x */
-    F_nz[24] = t45; /* 3, dba_y */
-    F_nz[25] = t93; /* 3, dba_z */
-    F_nz[26] = t78; /* 4, phi_n */
-    F_nz[27] = t99; /* 4, phi_d */
-    F_nz[28] = t100; /* 4, dv_n */
-    F_nz[29] = t103; /* 4, dv_e */
-    F_nz[30] = t105; /* 4, dv_d */
-    F_nz[31] = t106; /* 4, dba_x */
-    F_nz[32] = t107; /* 4, dba_y */
-    F_nz[33] = t59; /* 4, dba_z */
-    F_nz[34] = t108; /* 5, phi_n */
-    F_nz[35] = t98; /* 5, phi_e */
-    F_nz[36] = t110; /* 5, dv_n */
-    F_nz[37] = t113; /* 5, dv_e */
-    F_nz[38] = t65; /* 5, dba_x */
-    F_nz[39] = t114; /* 5, dba_y */
-    F_nz[40] = t115; /* 5, dba_z */
+    F_nz[0] = t21; /* phi_n, phi_e */
+    F_nz[1] = t28; /* phi_n, phi_d */
+    F_nz[2] = t15; /* phi_n, dv_e */
+    F_nz[3] = t39; /* phi_n, dbg_x */
+    F_nz[4] = t46; /* phi_n, dbg_y */
+    F_nz[5] = t49; /* phi_n, dbg_z */
+    F_nz[6] = t20; /* phi_e, phi_n */
+    F_nz[7] = t51; /* phi_e, phi_d */
+    F_nz[8] = t52; /* phi_e, dv_n */
+    F_nz[9] = t53; /* phi_e, dbg_x */
+    F_nz[10] = t55; /* phi_e, dbg_y */
+    F_nz[11] = t60; /* phi_e, dbg_z */
+    F_nz[12] = t61; /* phi_d, phi_n */
+    F_nz[13] = t62; /* phi_d, phi_e */
+    F_nz[14] = t64; /* phi_d, dv_e */
+    F_nz[15] = t66; /* phi_d, dbg_x */
+    F_nz[16] = t67; /* phi_d, dbg_y */
+    F_nz[17] = t70; /* phi_d, dbg_z */
+    F_nz[18] = t79; /* dv_n, phi_e */
+    F_nz[19] = t84; /* dv_n, phi_d */
+    F_nz[20] = t86; /* dv_n, dv_n */
+    F_nz[21] = t91; /* dv_n, dv_e */
+    F_nz[22] = t28; /* dv_n, dv_d */
+    F_nz[23] = t92; /* dv_n, dba_x */
+    F_nz[24] = t45; /* dv_n, dba_y */
+    F_nz[25] = t93; /* dv_n, dba_z */
+    F_nz[26] = t78; /* dv_e, phi_n */
+    F_nz[27] = t99; /* dv_e, phi_d */
+    F_nz[28] = t100; /* dv_e, dv_n */
+    F_nz[29] = t103; /* dv_e, dv_e */
+    F_nz[30] = t105; /* dv_e, dv_d */
+    F_nz[31] = t106; /* dv_e, dba_x */
+    F_nz[32] = t107; /* dv_e, dba_y */
+    F_nz[33] = t59; /* dv_e, dba_z */
+    F_nz[34] = t108; /* dv_d, phi_n */
+    F_nz[35] = t98; /* dv_d, phi_e */
+    F_nz[36] = t110; /* dv_d, dv_n */
+    F_nz[37] = t113; /* dv_d, dv_e */
+    F_nz[38] = t65; /* dv_d, dba_x */
+    F_nz[39] = t114; /* dv_d, dba_y */
+    F_nz[40] = t115; /* dv_d, dba_z */
 }
 
 #endif

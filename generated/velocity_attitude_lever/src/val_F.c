@@ -7,12 +7,16 @@
 /* Checks, then the kernel: what both forms below share. */
 static bs_status val_F_checked(const val_nav *nav, const val_imu *imu, bs_real F_nz[41])
 {
-    static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
-    static const bs_real position_high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586), BS_REAL(30000.0) };
+    static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
+                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
+    static const bs_real position_high[3] = { BS_REAL(1.4835298641951802),
+                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
     static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
     static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-    static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001) };
-    static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001) };
+    static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                               BS_REAL(-1.001) };
+    static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                                BS_REAL(1.001) };
     static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
     bs_status status;
@@ -51,7 +55,10 @@ bs_status val_F_nz(const val_nav *nav, const val_imu *imu, bs_real F_nz[41])
 
 bs_status val_F(const val_nav *nav, const val_imu *imu, bs_real F[19 * VAL_N_STATES])
 {
-    static const unsigned short F_index[41] = { 1, 2, 4, 6, 7, 8, 19, 21, 22, 25, 26, 27, 38, 39, 42, 44, 45, 46, 58, 59, 60, 61, 62, 66, 67, 68, 76, 78, 79, 80, 81, 85, 86, 87, 95, 96, 98, 99, 104, 105, 106 };
+    static const unsigned short F_index[41] = { 1, 2, 4, 6, 7, 8, 19, 21, 22, 25, 26, 27, 38, 39,
+                                                42, 44, 45, 46, 58, 59, 60, 61, 62, 66, 67, 68, 76,
+                                                78, 79, 80, 81, 85, 86, 87, 95, 96, 98, 99, 104,
+                                                105, 106 };
     bs_real F_nz[41];
     bs_status status;
     if (F == NULL) {

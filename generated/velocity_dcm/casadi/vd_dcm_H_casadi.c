@@ -54,10 +54,10 @@ static const casadi_int casadi_s0[3] = {4, 1, 1};
 static const casadi_int casadi_s1[3] = {3, 1, 1};
 static const casadi_int casadi_s2[3] = {15, 1, 1};
 
-/* vd_dcm_H_casadi:(q_r2n_wxyz[4],omega_nr_n[3])->(out_H[15]) */
+/* vd_dcm_H_casadi:(q_m2n_wxyz[4],omega_nm_n[3])->(out_H[15]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
-  casadi_real a12, a13;
+  casadi_real a12, a13, a14, a15;
   a00=1.;
   if (res[0]!=0) res[0][0]=a00;
   a01=arg[0]? arg[0][1] : 0;
@@ -70,40 +70,36 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a08=arg[0]? arg[0][3] : 0;
   a09=casadi_sq(a08);
   a10=(a07-a09);
-  a05=(a05+a10);
-  if (res[0]!=0) res[0][1]=a05;
-  a05=(a01*a03);
-  a05=(2.*a05);
+  a11=(a05+a10);
+  if (res[0]!=0) res[0][1]=a11;
+  a11=(2.*a01);
+  a11=(a11*a03);
   a06=(2.*a06);
-  a11=(a06*a08);
-  a05=(a05-a11);
-  if (res[0]!=0) res[0][2]=a05;
-  a05=(a06*a03);
-  a12=(2.*a01);
-  a13=(a12*a08);
-  a13=(a05+a13);
-  if (res[0]!=0) res[0][3]=a13;
-  a13=arg[1]? arg[1][0] : 0;
-  if (res[0]!=0) res[0][4]=a13;
+  a12=(a06*a08);
+  a13=(a11-a12);
+  if (res[0]!=0) res[0][2]=a13;
+  a13=(a06*a03);
+  a14=(a01*a08);
+  a14=(2.*a14);
+  a15=(a13+a14);
+  if (res[0]!=0) res[0][3]=a15;
+  a15=arg[1]? arg[1][0] : 0;
+  if (res[0]!=0) res[0][4]=a15;
   if (res[0]!=0) res[0][5]=a00;
-  a12=(a12*a03);
-  a11=(a11+a12);
-  if (res[0]!=0) res[0][6]=a11;
-  a11=(a04-a02);
-  a11=(a11+a10);
-  if (res[0]!=0) res[0][7]=a11;
+  a12=(a12+a11);
+  if (res[0]!=0) res[0][6]=a12;
+  a10=(a10-a05);
+  if (res[0]!=0) res[0][7]=a10;
   a03=(a03*a08);
   a03=(2.*a03);
   a06=(a06*a01);
-  a11=(a03-a06);
-  if (res[0]!=0) res[0][8]=a11;
-  a11=arg[1]? arg[1][1] : 0;
-  if (res[0]!=0) res[0][9]=a11;
+  a01=(a03-a06);
+  if (res[0]!=0) res[0][8]=a01;
+  a01=arg[1]? arg[1][1] : 0;
+  if (res[0]!=0) res[0][9]=a01;
   if (res[0]!=0) res[0][10]=a00;
-  a01=(a01*a08);
-  a01=(2.*a01);
-  a01=(a01-a05);
-  if (res[0]!=0) res[0][11]=a01;
+  a14=(a14-a13);
+  if (res[0]!=0) res[0][11]=a14;
   a06=(a06+a03);
   if (res[0]!=0) res[0][12]=a06;
   a02=(a02+a04);
@@ -144,8 +140,8 @@ CASADI_SYMBOL_EXPORT casadi_real vd_dcm_H_casadi_default_in(casadi_int i) {
 
 CASADI_SYMBOL_EXPORT const char* vd_dcm_H_casadi_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "q_r2n_wxyz";
-    case 1: return "omega_nr_n";
+    case 0: return "q_m2n_wxyz";
+    case 1: return "omega_nm_n";
     default: return 0;
   }
 }

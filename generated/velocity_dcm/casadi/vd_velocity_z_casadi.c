@@ -47,7 +47,7 @@ CASADI_SYMBOL_EXPORT int vd_velocity_z_casadi__casadi_real_size(void) { return (
 
 static const casadi_int casadi_s0[3] = {3, 1, 1};
 
-/* vd_velocity_z_casadi:(v_n[3],v_r_n[3])->(out_z[3]) */
+/* vd_velocity_z_casadi:(v_n[3],v_m_n[3])->(out_z[3]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[0]? arg[0][0] : 0;
@@ -95,7 +95,7 @@ CASADI_SYMBOL_EXPORT casadi_real vd_velocity_z_casadi_default_in(casadi_int i) {
 CASADI_SYMBOL_EXPORT const char* vd_velocity_z_casadi_name_in(casadi_int i) {
   switch (i) {
     case 0: return "v_n";
-    case 1: return "v_r_n";
+    case 1: return "v_m_n";
     default: return 0;
   }
 }

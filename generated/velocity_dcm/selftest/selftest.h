@@ -9,9 +9,17 @@ double selftest_infinity(void);
 void selftest_paint(bs_real *out, int n);
 int selftest_painted(const char *what, const bs_real *out, int n);
 
-/* How many of the n dense outputs differ: the nnz at `at` by more than their tolerance, the others from zero. */
-int selftest_compare(const char *what, int vector, const bs_real *out, int n, const double *expected, const double *tolerance,
-                     const unsigned short *at, int nnz, int angle);
+/* How many of the n dense outputs differ: the nnz at `at` by more than their tolerance, the others
+ * from zero. */
+int selftest_compare(const char *what,
+                     int vector,
+                     const bs_real *out,
+                     int n,
+                     const double *expected,
+                     const double *tolerance,
+                     const unsigned short *at,
+                     int nnz,
+                     int angle);
 
 int test_vd_F(void);
 int test_vd_Phi(void);
@@ -24,6 +32,7 @@ int test_vd_dcm_H(void);
 int test_vd_dcm_exact_z(void);
 int test_vd_dcm_exact_h(void);
 int test_vd_dcm_exact_H(void);
+int test_vd_strapdown(void);
 int test_vd_feedback(void);
 int test_vd_covariance(void);
 int test_vd_filter(void);

@@ -1,0 +1,159 @@
+"""What the commands print for a person: each function takes results and returns parts for `terminal.page`."""
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from math import isfinite
+from typing import TYPE_CHECKING, Any
+
+from rich.console import RenderableType
+
+from boresight.terminal import bullets, indented, table
+
+if TYPE_CHECKING:
+    from boresight.codegen.verify import FirstOrderCheck, UnitCheck
+
+Parts = list[RenderableType]
+STATUSES = ("exact", "first-order", "definition", "erratum")
+
+# ---------------------------------------------------------------- models
+
+
+def models(manifests: Iterable[dict[str, Any]]) -> Parts:
+    """One line each."""
+    rows = table("model", "n", "what it is", prose="what it is", right=("n",))
+    for m in manifests:
+        states = len(m["states"])
+        rows.add_row(m["model"], str(states or ""), m["title"].removesuffix(f", {states} states"))
+    return [rows, "", "n is the number of states; 'boresight models NAME' prints these, inputs and functions."]
+
+
+def model(m: dict[str, Any]) -> Parts:
+    """Everything that a caller of the model's C needs to know."""
+    parts: Parts = [f"{m['model']}: {m['title']}", f"frame {m['frame']}; C prefix {m['c_prefix']}_"]
+    if m["blocks"]:
+        parts += ["", "States", indented(variables(m["blocks"], singly=True))]
+    for name, fields in m["structs"].items():
+        if [field["name"] for field in fields] != ["x"]:  # the states themselves
+            parts += ["", f"Inputs in {m['c_prefix']}_{name}", indented(variables(fields))]
+    if m["measurements"]:
+        rows = table("name", "unit", "rows", "what z is", prose="what z is")
+        for name, measurement in m["measurements"].items():
+            rows.add_row(name, measurement["unit"], " ".join(measurement["rows"]), measurement["meaning"])
+        parts += ["", "Measurements", indented(rows)]
+    rows = table("C function", "operations", "inputs -> results", prose="inputs -> results", right=("operations",))
+    for unit in m["units"].values():
+        results = (f"{r['name']}[{']['.join(map(str, r['shape']))}]" for r in unit["results"])
+        rows.add_row(unit["c_name"], str(unit["operations"]), " ".join([*unit["fields"], "->", *results]))
+    return [*parts, "", "Functions", indented(rows)]
+
+
+def variables(fields: Iterable[dict[str, Any]], singly: bool = False) -> RenderableType:
+    """A line for each field, and for each component where they differ or are asked for `singly`."""
+    rows = table("name", "unit", "box", "meaning", prose="meaning")
+    for field in fields:
+        size, unit = field["size"], field["unit"].split(", ")
+        units = unit if len(unit) == size else unit * size
+        if field["norm"]:
+            boxes = ["norm {:g} to {:g}".format(*field["norm"])] * size
+        else:
+            boxes = [f"{low:.4g} to {high:.4g}" for low, high in zip(field["low"], field["high"], strict=True)]
+        meaning = field["meaning"] + (f" ({field['frame']})" if field["frame"] else "")
+        lines = list(zip(field["components"], units, boxes, strict=True))
+        if not singly:
+            alike = len({line[1:] for line in lines}) == 1
+            lines = [(field["name"], *lines[0][1:])] if alike else [(field["name"], "", ""), *lines]
+        for i, line in enumerate(lines):
+            rows.add_row(*line, "" if i else meaning)
+    return rows
+
+
+# ---------------------------------------------------------------- equations
+
+
+def sentence(entry: dict[str, str], conditions: str) -> str:
+    """What was found about an equation, as one sentence; `conditions` are those that its size holds for."""
+    first, *rest = entry["evidence"].split("; ")
+    if entry["status"] == "first-order":
+        return f"Its remainder is {rest[0].removesuffix(f' at {conditions}')}."
+    if entry["status"] != "erratum":
+        return f"It {first}." if entry["status"] == "definition" else f"{first[0].upper()}{first[1:].split(' at ')[0]}."
+    origin, *own = re.split(r"(?<=\.) ", entry["note"])
+    if " for " in origin:
+        return f"It prints {origin.split(': ')[1]}."
+    return f"I{first[1:]}." if first.startswith("it has no meaning") or not own else own[0]
+
+
+def equations(ledgers: dict[str, list[dict[str, str]]]) -> Parts:
+    """How many equations of each paper have which status, and which are errata."""
+    rows = table("paper", "equations", *STATUSES, right=("equations", *STATUSES))
+    errata = table("errata of", "kinds and equations", prose="kinds and equations")
+    for paper, entries in ledgers.items():
+        counts = Counter(entry["status"] for entry in entries)
+        rows.add_row(paper, str(len(entries)), *(str(counts[status]) for status in STATUSES))
+        kinds = dict.fromkeys(entry["kind"] for entry in entries if entry["kind"])
+        named = (f"{kind} " + " ".join(f"({e['number']})" for e in entries if e["kind"] == kind) for kind in kinds)
+        errata.add_row(paper, ", ".join(named))
+    return [rows, "", errata, "'boresight equations PAPER' prints what was found about each equation."]
+
+
+def paper(name: str, entries: Sequence[dict[str, str]], conditions: Sequence[str], findings: Sequence[str]) -> Parts:
+    """A line for each equation, and what was found beside them."""
+    rows = table("", "status", "kind", "what was found", prose="what was found", right=("",))
+    for entry in entries:
+        rows.add_row(f"({entry['number']})", entry["status"], entry["kind"], sentence(entry, conditions[0]))
+    counts = Counter(entry["status"] for entry in entries)
+    total = ", ".join(f"{counts[status]} {status}" for status in STATUSES if counts[status])
+    beside: Parts = ["", "Beside the equations:", bullets(findings)] if findings else []
+    return [
+        f"{name}: {len(entries)} equations, {total}",
+        "",
+        rows,
+        "",
+        f"The remainders hold for {conditions[0]}.",
+        *beside,
+        "",
+        f"'boresight equations {name} NUMBER' prints the evidence, 'boresight show {name} NUMBER' the derivation.",
+    ]
+
+
+def equation(entry: dict[str, str], conditions: Sequence[str]) -> Parts:
+    """The evidence on one equation."""
+    kind = f"; kind {entry['kind']}, origin {entry['origin']}" if entry["kind"] else ""
+    parts: Parts = [f"{entry['paper']} ({entry['number']}): {entry['status']}{kind}", ""]
+    evidence = entry["evidence"].replace(f"at {conditions[1]}: ", "").replace(f" at {conditions[0]}", "")
+    parts += ["Evidence", bullets(evidence.split("; "))]
+    used = [text for text in conditions if f"at {text}" in entry["evidence"]]
+    parts += [text for condition in used for text in ("", "Computed at", indented(condition))]
+    return parts + (["", "Note", indented(entry["note"])] if entry["note"] else [])
+
+
+# ---------------------------------------------------------------- verify
+
+
+def verified(checks: Sequence["UnitCheck | FirstOrderCheck"]) -> Parts:
+    """A table for each model, then what first orders differ by, then the verdict."""
+    from boresight.codegen.verify import UnitCheck
+
+    parts: Parts = []
+    for name in dict.fromkeys(check.model for check in checks):
+        numbers = ("points", "outputs", "error", "bound / error")
+        rows = table("function", "points", "outputs", "bits", "error", "bound / error", "", right=numbers)
+        orders: Parts = []
+        for check in (check for check in checks if check.model == name):
+            ok = "ok" if check.ok else "FAILED"
+            if isinstance(check, UnitCheck):
+                loose = f"{check.looseness:.1f}" if isfinite(check.looseness) else "exact"
+                rows.add_row(
+                    check.unit, str(check.points), str(check.outputs), "same" if check.same_bits else "DIFFER",
+                    f"{check.largest_error:.1e}", loose, ok,
+                )  # fmt: skip
+                continue
+            beyond = (
+                "" if check.coefficient is None
+                else f", and by {check.coefficient:.3f} per unit of what it neglects"
+            )  # fmt: skip
+            orders.append(f"{check.unit} differs from the exact Jacobian by {check.limit:.1e}{beyond}: {ok}")
+        parts += [name, indented(rows), *map(indented, orders)]
+    parts.append("The bits are compared with CasADi's C, error and bound with 50 digits.")
+    return [*parts, f"verify: {sum(c.ok for c in checks)} passed, {sum(not c.ok for c in checks)} failed"]
