@@ -11,8 +11,8 @@ from sympy import Matrix, eye, zeros
 
 from boresight.codegen.text.files import folder_files
 from boresight.derive.model import Model, Struct
-from boresight.derive.models.azimuth_hold import body, root_density
 from boresight.derive.models.phi_error import phi_error
+from boresight.derive.models.variables import body, noise_density
 from boresight.derive.rotation import dcm_from_quaternion
 
 STATES = (15, 30, 45, 60)
@@ -28,7 +28,7 @@ def grown(n: int) -> Model:
         at, driven = core.n + 3 * k, 3 + 3 * (k % 2)
         F[driven : driven + 3, at : at + 3] = C_b2n
         G[at : at + 3, at - 3 : at] = eye(3)
-    noises = tuple(root_density(f"noise_{k}", "1/sqrt(s)", f"constants {k}", 0.1) for k in triads)
+    noises = tuple(noise_density(f"noise_{k}", "1/sqrt(s)", f"constants {k}", 0.1) for k in triads)
     return core.extend(
         name=f"grown-{n}",
         c_prefix=f"g{n}",

@@ -61,35 +61,35 @@ def folder_files(
     kept: the path and the files under test of a self-test -> its text, if it need not be made again.
     """
     made = units(model)
+    views = [view(model, unit) for unit in made]
     files: dict[str, str] = {}
-    for unit in made:
-        printed = unit_files(model, unit)
+    for unit, u in zip(made, views, strict=True):
+        printed = unit_files(model, unit, u)
         test = f"selftest/test_{file_stem(model, unit.name)}.c"
-        files |= printed | {test: kept(test, printed) or unit_test(model, unit)}
-    files |= model_files(model, made)
+        files |= printed | {test: kept(test, printed) or unit_test(model, unit, u)}
+    files |= model_files(model, made, views)
     if has_filter(model):
         source, test = f"src/{model.c_prefix}_covariance.c", f"selftest/test_{model.c_prefix}_covariance.c"
         files[test] = kept(test, {source: files[source]}) or covariance_test(model, made)
-    return described(model, made), files
+    return described(model, made, views), files
 
 
-def unit_files(model: Model, unit: Unit) -> dict[str, str]:
+def unit_files(model: Model, unit: Unit, u: dict[str, Any]) -> dict[str, str]:
     """What belongs to one printed unit alone, but for its self-test."""
-    u, m = view(model, unit), model_view(model, [])
+    m = model_view(model, [])
     paths = ("src/UNIT.c", "src/UNIT_kernel.h", "casadi/UNIT_kernel.h")
     return rendered(paths, {"UNIT": u["file"]}, u=u, m=m) | {f"casadi/{u['file']}_casadi.c": casadi_c(unit)}
 
 
-def unit_test(model: Model, unit: Unit) -> str:
+def unit_test(model: Model, unit: Unit, u: dict[str, Any]) -> str:
     """The self-test of one printed unit, whose golden vectors cost most of the time."""
-    views = {"u": view(model, unit), "m": model_view(model, []), "vectors": vectors(model, unit)}
+    views = {"u": u, "m": model_view(model, []), "vectors": vectors(model, unit)}
     (text,) = rendered(("selftest/test_UNIT.c",), {}, **views, digits=DIGITS, libm_ulps=LIBM_ULPS).values()
     return text
 
 
-def model_files(model: Model, made: list[Unit]) -> dict[str, str]:
+def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, str]:
     """What all units share, but for the self-test of the covariance."""
-    views = [view(model, unit) for unit in made]
     m = model_view(model, views)
     paths: tuple[str, ...] = (*SELFTEST, "include/MODEL.h", "batch/PREFIX_batch.c")
     extra: dict[str, Any] = {"f": None}

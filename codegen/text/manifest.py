@@ -4,15 +4,14 @@ from typing import Any
 
 from boresight.codegen.functions.units import Unit, state_variable
 from boresight.codegen.text.filter import filter_view, has_filter
-from boresight.codegen.text.views import view
 from boresight.derive.model import Model, Variable
 
 MATRICES = {"F", "Phi", "Q", "H"}  # two axes in NumPy, even for a model with one state
 
 
-def filter_manifest(model: Model, made: list[Unit]) -> dict[str, Any]:
+def filter_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, Any]:
     """What a caller of the whole filter in C must know: its sources, its structs and what each function is given."""
-    f = filter_view(model, made, [view(model, unit) for unit in made])
+    f = filter_view(model, made, views)
     return {
         "sources": [f"{model.c_prefix}_covariance", f"{model.c_prefix}_filter"],
         "carried": f["carried"],
@@ -25,7 +24,7 @@ def filter_manifest(model: Model, made: list[Unit]) -> dict[str, Any]:
     }
 
 
-def described(model: Model, made: list[Unit]) -> dict[str, Any]:
+def described(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, Any]:
     """Everything but the files and the versions."""
 
     def field(v: Variable) -> dict[str, Any]:
@@ -35,8 +34,7 @@ def described(model: Model, made: list[Unit]) -> dict[str, Any]:
         }  # fmt: skip
 
     functions = {}
-    for unit in made:
-        u = view(model, unit)
+    for unit, u in zip(made, views, strict=True):
         functions[unit.name] = {
             "c_name": u["c_name"],
             "file": u["file"],
@@ -68,5 +66,5 @@ def described(model: Model, made: list[Unit]) -> dict[str, Any]:
             for m in model.measurements
         },
         "units": functions,
-        "filter": filter_manifest(model, made) if has_filter(model) else None,
+        "filter": filter_manifest(model, made, views) if has_filter(model) else None,
     }  # fmt: skip

@@ -10,6 +10,7 @@ from boresight.codegen.generate import load_model
 from boresight.codegen.text import files
 from boresight.codegen.text.layout import WIDTH, laid_out
 from boresight.codegen.text.statements import LONGEST, SHORTEST
+from boresight.codegen.text.views import view
 from boresight.evidence.sources import Folder
 
 FOLDERS = [Folder(path.parent) for path in sorted((ROOT / "generated").glob("*/manifest.json"))]
@@ -45,11 +46,12 @@ def words(text):
 def test_layout_changes_nothing_but_white_space(monkeypatch):
     model = load_model("euler-matching")
     made = units(model)
+    views = [view(model, unit) for unit in made]
 
     def texts():
-        found = files.model_files(model, made) | files.detector_files()[1]
-        for unit in made:
-            found |= files.unit_files(model, unit)
+        found = files.model_files(model, made, views) | files.detector_files()[1]
+        for unit, u in zip(made, views, strict=True):
+            found |= files.unit_files(model, unit, u)
         return {path: text for path, text in found.items() if re.search(r"(?<!_casadi)\.[ch]$", path)}
 
     after = texts()
