@@ -18,7 +18,7 @@ from typing import Any
 from boresight import BoresightError
 from boresight.codegen.stamp import made_from
 
-VERSIONED = ("casadi", "sympy")  # what the bytes of the output depend on, beside Boresight itself
+VERSIONED = ("casadi", "numpy", "sympy")  # what the bytes of the output depend on, beside Boresight itself
 PACKAGE = Path(__file__).parent.parent
 COMPONENTS = ("stationary-detector",)  # C that comes from no model
 MODELS = PACKAGE / "derive" / "models"
@@ -59,7 +59,7 @@ class Report:
 
 def model_names() -> list[str]:
     """The built-in models: each is a file that defines a function of the file's own name."""
-    files = [path for path in MODELS.glob("*.py") if f"\ndef {path.stem}(" in path.read_text()]
+    files = [path for path in MODELS.glob("*.py") if f"\ndef {path.stem}(" in path.read_text(encoding="utf-8")]
     return sorted(path.stem.replace("_", "-") for path in files)
 
 
@@ -152,7 +152,7 @@ def edited(folder: Path, manifest: dict[str, Any]) -> list[str]:
 
 def old_manifest(folder: Path) -> dict[str, Any]:
     try:
-        return dict(json.loads((folder / "manifest.json").read_text()))
+        return dict(json.loads((folder / "manifest.json").read_text(encoding="utf-8")))
     except (FileNotFoundError, NotADirectoryError):
         return {}
     except (OSError, ValueError) as error:
@@ -210,7 +210,7 @@ def refuse_taken(prefix: str, name: str, folder: Path) -> None:
     """Raise BoresightError where a folder beside this one holds another model of the same prefix."""
     for path in sorted(folder.resolve().parent.glob("*/manifest.json")):
         try:
-            other = json.loads(path.read_text())
+            other = json.loads(path.read_text(encoding="utf-8"))
             taken = other["c_prefix"] == prefix and other["model"] != name and path.parent != folder.resolve()
         except (OSError, ValueError, TypeError, KeyError):
             continue  # no manifest of a model
@@ -245,7 +245,7 @@ def make(target: str, folder: Path, keep: bool) -> tuple[dict[str, Any], dict[st
 
     def kept(test: str, tested: dict[str, str]) -> str | None:
         unmoved = keep and all(same(folder / path, text) for path, text in tested.items())
-        return (folder / test).read_text() if unmoved and (folder / test).is_file() else None
+        return (folder / test).read_text(encoding="utf-8") if unmoved and (folder / test).is_file() else None
 
     return detector_files() if target in COMPONENTS else folder_files(load_model(target), kept)
 
@@ -256,7 +256,7 @@ def write(folder: Path, files: dict[str, str], stale: list[str]) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=folder, prefix=".writing-") as aside:
             for i, text in enumerate(files.values()):
-                (Path(aside) / str(i)).write_text(text)
+                (Path(aside) / str(i)).write_text(text, encoding="utf-8")
             for i, path in enumerate(files):
                 (folder / path).parent.mkdir(parents=True, exist_ok=True)
                 os.replace(Path(aside) / str(i), folder / path)

@@ -28,7 +28,8 @@ WORDS = {"BS_REAL", "BS_SQRT", "BS_SIN", "BS_COS", "BS_ATAN2", "BS_FABS", "BS_SE
 
 @dataclass(frozen=True)
 class Line:
-    """One statement: its number in the kernel, its text, and the outputs that depend on it, as (result, non-zero)."""
+    """One statement: its number in the kernel, its text as if the kernel were one function, and the outputs that depend
+    on it, as (result, non-zero)."""
 
     number: int
     text: str
@@ -64,7 +65,7 @@ def kernel(unit: Source) -> Kernel:
         if statement:
             if statement[1] in defined:
                 raise BoresightError(f"{path.name}: {statement[1]} is assigned twice")
-            defined[statement[1]] = (number, line.strip(), names)
+            defined[statement[1]] = (number, f"const bs_real {statement[1]} = {text};", names)
         elif output:
             key = (output[1], int(output[2]))
             if key in outputs:

@@ -1,4 +1,4 @@
-"""Sine, cosine, arctangent and norms by + - * / and square root alone, within 3 ulp for arguments of some turns.
+"""Sine, cosine, arctangent and norms by + - * / and square root alone, within 4 ulp for arguments of some turns.
 
 Those operations are rounded alike everywhere; NumPy's own functions are others on another processor.  Points and
 tolerances of the self-tests hang on these numbers, and must come out the same bit for bit.

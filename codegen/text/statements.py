@@ -2,13 +2,15 @@
 
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
+from math import inf
 
 from boresight.codegen.functions.tape import FREE, Tape
 from boresight.codegen.functions.units import Result, Unit
 from boresight.codegen.text.names import nz_name, temporaries
 from boresight.derive.model import Model
 
-LONGEST = 200  # statements of one function
+SHORTEST, LONGEST = 50, 200  # statements of one function, where a kernel has several
+CALL = 30  # values shared more that one function less is worth
 BINARY = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 CALLS = {"sqrt": "BS_SQRT", "sin": "BS_SIN", "cos": "BS_COS", "atan2": "BS_ATAN2", "fabs": "BS_FABS"}
 COMPARE = {"lt": "<", "le": "<=", "eq": "==", "ne": "!="}
@@ -74,8 +76,10 @@ def parts(model: Model, unit: Unit) -> tuple[list[Part], list[str]]:
 
 
 def ranges_of(tape: Tape) -> list[list[int]]:
-    """The operations of the tape as ranges of LONGEST at most, cut where the fewest values are still to be used."""
+    """The operations of the tape as ranges of SHORTEST to LONGEST, cut where the fewest values are still to be used."""
     work = [position for position, step in enumerate(tape.steps) if step.op not in FREE]
+    if len(work) <= LONGEST:
+        return [work]
     last = {position: i for i, user in enumerate(work) for position in tape.steps[user].args}
     change = [0] * (len(work) + 1)  # in how many values are alive before each operation
     for i, position in enumerate(work):
@@ -83,14 +87,15 @@ def ranges_of(tape: Tape) -> list[list[int]]:
             change[i + 1] += 1
             change[last[position] + 1] -= 1
     alive = list(accumulate(change))
-    costs, before = [0], [0]  # of the best cuts up to each operation, and where the last range of these begins
-    for end in range(1, len(work) + 1):
-        before.append(min(range(max(0, end - LONGEST), end), key=costs.__getitem__))
-        costs.append(costs[before[end]] + alive[end] + 1)
+    # of the best cuts up to each operation, and where the last range of these begins
+    costs, before = [0.0, *[inf] * (SHORTEST - 1)], [0] * SHORTEST
+    for end in range(SHORTEST, len(work) + 1):
+        before.append(min(range(max(0, end - LONGEST), end - SHORTEST + 1), key=costs.__getitem__))
+        costs.append(costs[before[end]] + alive[end] + CALL)
     cuts = [len(work)]
     while cuts[-1] > 0:
         cuts.append(before[cuts[-1]])
-    return [work[start:end] for end, start in pairwise(cuts)][::-1] or [[]]
+    return [work[start:end] for end, start in pairwise(cuts)][::-1]
 
 
 def expression(tape: Tape, position: int, names: list[str]) -> str:

@@ -9,7 +9,7 @@ from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
 from boresight.codegen.text import files
 from boresight.codegen.text.layout import WIDTH, laid_out
-from boresight.codegen.text.statements import LONGEST
+from boresight.codegen.text.statements import LONGEST, SHORTEST
 from boresight.codegen.text.views import view
 from boresight.evidence.sources import Folder
 
@@ -95,6 +95,7 @@ def test_no_function_of_a_kernel_is_longer_than_the_longest():
         counts = [len(re.findall(r"^    (?:const bs_real |shared->)\w+ = ", body, re.MULTILINE)) for body in bodies]
         assert sum(counts) == unit.operations
         assert max(counts) <= LONGEST, unit.name
+        assert len(bodies) == 1 or min(counts[:-1]) >= SHORTEST, unit.name
         assert (len(bodies) > 1) == (unit.operations > LONGEST), unit.name
         split += len(bodies) > 1
     assert split > 10

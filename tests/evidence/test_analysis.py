@@ -41,13 +41,13 @@ def test_a_broken_trace_is_named(path, right, wrong, word, em_copy, tmp_path):
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
-        ("    em_Q_kernel_1(q_b2n_wxyz, omega_in_n,", "    em_Q_kernel_1(omega_in_n, q_b2n_wxyz,"),
-        ("    em_Q_kernel_2(omega_in_n, dt, &shared, Q_nz);\n", ""),
+        ("    em_euler_exact_h_kernel_1(x, mu, euler_b,", "    em_euler_exact_h_kernel_1(x, euler_b, mu,"),
+        ("    em_euler_exact_h_kernel_1(x, mu, euler_b, &shared);\n", ""),
     ],
 )
 def test_functions_of_a_kernel_are_called_in_order_with_their_own_parameters(right, wrong, em_copy, tmp_path):
-    with pytest.raises(BoresightError, match=r"em_Q_kernel\.h: its functions are not called"):
-        trace.trace(spoilt(em_copy, "src/em_Q_kernel.h", right, wrong), tmp_path)
+    with pytest.raises(BoresightError, match=r"em_euler_exact_hx_kernel\.h: its functions are not called"):
+        trace.trace(spoilt(em_copy, "src/em_euler_exact_hx_kernel.h", right, wrong), tmp_path)
 
 
 def test_a_citation_that_no_ledger_has_is_seen():

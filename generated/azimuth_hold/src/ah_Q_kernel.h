@@ -46,8 +46,10 @@ typedef struct {
     bs_real t121;
     bs_real t125;
     bs_real t126;
+    bs_real t130;
     bs_real t133;
     bs_real t134;
+    bs_real t135;
     bs_real t139;
     bs_real t151;
     bs_real t158;
@@ -58,6 +60,8 @@ typedef struct {
     bs_real t173;
     bs_real t175;
     bs_real t177;
+    bs_real t183;
+    bs_real t186;
     bs_real t191;
     bs_real t193;
     bs_real t195;
@@ -66,12 +70,6 @@ typedef struct {
     bs_real t205;
     bs_real t206;
     bs_real t218;
-    bs_real t220;
-    bs_real t221;
-    bs_real t224;
-    bs_real t225;
-    bs_real t228;
-    bs_real t229;
     bs_real t232;
     bs_real t233;
     bs_real t238;
@@ -93,6 +91,7 @@ typedef struct {
     bs_real t297;
     bs_real t298;
     bs_real t303;
+    bs_real t306;
     bs_real t309;
     bs_real t310;
     bs_real t312;
@@ -128,7 +127,6 @@ typedef struct {
     bs_real t405;
     bs_real t409;
     bs_real t411;
-    bs_real t415;
     bs_real t421;
     bs_real t429;
     bs_real t435;
@@ -144,17 +142,22 @@ typedef struct {
     bs_real t464;
     bs_real t466;
     bs_real t469;
+    bs_real t472;
+    bs_real t476;
     bs_real t526;
+    bs_real t529;
     bs_real t532;
     bs_real t567;
     bs_real t571;
     bs_real t575;
     bs_real t578;
     bs_real t587;
+    bs_real t588;
+    bs_real t591;
+    bs_real t593;
+    bs_real t599;
     bs_real t626;
     bs_real t637;
-    bs_real t646;
-    bs_real t649;
     bs_real t664;
     bs_real t667;
     bs_real t670;
@@ -196,16 +199,25 @@ typedef struct {
     bs_real t957;
     bs_real t987;
     bs_real t989;
+    bs_real t1001;
+    bs_real t1010;
     bs_real t1021;
     bs_real t1034;
     bs_real t1039;
     bs_real t1045;
-    bs_real t1237;
-    bs_real t1247;
-    bs_real t1249;
+    bs_real t1284;
+    bs_real t1287;
+    bs_real t1290;
+    bs_real t1396;
 } ah_Q_shared;
 
-static void ah_Q_kernel_1(const bs_real position[3], ah_Q_shared *shared)
+static void ah_Q_kernel_1(const bs_real position[3],
+                          const bs_real v_n[3],
+                          const bs_real q_b2n_wxyz[4],
+                          const bs_real dt[1],
+                          const bs_real accel_noise[3],
+                          ah_Q_shared *shared,
+                          bs_real Q_nz[177])
 {
     shared->sin_lat = BS_SIN(position[1]);
     shared->t7 = shared->sin_lat * shared->sin_lat;
@@ -213,18 +225,6 @@ static void ah_Q_kernel_1(const bs_real position[3], ah_Q_shared *shared)
     shared->t9 = BS_REAL(1.0) - t8;
     shared->t10 = BS_SQRT(shared->t9);
     shared->t11 = BS_REAL(1.0) / shared->t10;
-}
-
-static void ah_Q_kernel_2(const bs_real position[3],
-                          const bs_real v_n[3],
-                          const bs_real q_b2n_wxyz[4],
-                          const bs_real f_b[3],
-                          const bs_real dt[1],
-                          const bs_real gyro_noise[3],
-                          const bs_real accel_noise[3],
-                          ah_Q_shared *shared,
-                          bs_real Q_nz[177])
-{
     const bs_real t12 = BS_REAL(6378137.0) * shared->t11;
     const bs_real t13 = position[2] + t12;
     shared->t14 = BS_REAL(1.0) / t13;
@@ -328,13 +328,13 @@ static void ah_Q_kernel_2(const bs_real position[3],
     const bs_real t127 = shared->t126 * shared->t14;
     const bs_real t128 = BS_REAL(42697.67270717997) * t127;
     const bs_real t129 = t128 - shared->t102;
-    const bs_real t130 = t123 * t129;
-    const bs_real t131 = t130 * shared->t80;
+    shared->t130 = t123 * t129;
+    const bs_real t131 = shared->t130 * shared->t80;
     const bs_real t132 = t13 * t13;
     shared->t133 = BS_REAL(1.0) / t132;
     shared->t134 = v_n[0] * shared->t133;
-    const bs_real t135 = shared->t134 * t16;
-    const bs_real t136 = t135 * shared->t96;
+    shared->t135 = shared->t134 * t16;
+    const bs_real t136 = shared->t135 * shared->t96;
     const bs_real t137 = t131 + t136;
     const bs_real t138 = t122 - t137;
     shared->t139 = BS_REAL(2.0) * shared->t121;
@@ -361,8 +361,8 @@ static void ah_Q_kernel_2(const bs_real position[3],
     shared->t160 = t153 - t159;
     const bs_real t161 = shared->t17 * shared->t160;
     shared->t162 = shared->t151 * shared->t79;
-    const bs_real t163 = t130 * shared->t162;
-    const bs_real t164 = t135 * shared->t158;
+    const bs_real t163 = shared->t130 * shared->t162;
+    const bs_real t164 = shared->t135 * shared->t158;
     const bs_real t165 = t163 + t164;
     const bs_real t166 = t161 - t165;
     const bs_real t167 = BS_REAL(2.0) * shared->t114;
@@ -381,21 +381,39 @@ static void ah_Q_kernel_2(const bs_real position[3],
     const bs_real t180 = t179 * shared->t58;
     const bs_real t181 = t145 + t180;
     const bs_real t182 = shared->t17 * shared->t96;
-    const bs_real t183 = t182 * shared->t100;
+    shared->t183 = t182 * shared->t100;
     const bs_real t184 = shared->t108 * shared->t96;
     const bs_real t185 = shared->t115 * shared->t158;
-    const bs_real t186 = t184 + t185;
+    shared->t186 = t184 + t185;
     const bs_real t187 = t90 * shared->t89;
     const bs_real t188 = t93 * shared->t92;
     const bs_real t189 = t187 + t188;
     const bs_real t190 = t87 * shared->t86;
     shared->t191 = t189 + t190;
+    Q_nz[0] = t59; /* d_lon, d_lon */
+    Q_nz[1] = t83; /* d_lon, d_lat */
+    Q_nz[2] = t99; /* d_lon, d_height */
+    Q_nz[3] = t143; /* d_lon, dv_e */
+    Q_nz[4] = t181; /* d_lon, dv_n */
+    Q_nz[12] = t83; /* d_lat, d_lon */
+    Q_nz[24] = t99; /* d_height, d_lon */
+    Q_nz[36] = t143; /* dv_e, d_lon */
+    Q_nz[51] = t181; /* dv_n, d_lon */
+}
+
+static void ah_Q_kernel_2(const bs_real v_n[3],
+                          const bs_real f_b[3],
+                          const bs_real gyro_noise[3],
+                          const bs_real accel_bias_noise[3],
+                          ah_Q_shared *shared,
+                          bs_real Q_nz[177])
+{
     const bs_real t192 = shared->t119 * shared->t191;
-    shared->t193 = t186 - t192;
+    shared->t193 = shared->t186 - t192;
     const bs_real t194 = shared->t17 * shared->t193;
     shared->t195 = shared->t158 * shared->t79;
-    const bs_real t196 = t130 * shared->t195;
-    const bs_real t197 = t135 * shared->t191;
+    const bs_real t196 = shared->t130 * shared->t195;
+    const bs_real t197 = shared->t135 * shared->t191;
     const bs_real t198 = t196 + t197;
     const bs_real t199 = t194 - t198;
     const bs_real t200 = BS_REAL(2.0) * shared->t113;
@@ -408,54 +426,35 @@ static void ah_Q_kernel_2(const bs_real position[3],
     const bs_real t207 = shared->t206 * shared->t17;
     const bs_real t208 = t199 + t207;
     const bs_real t209 = t208 * shared->t58;
-    const bs_real t210 = t183 + t209;
+    const bs_real t210 = shared->t183 + t209;
     const bs_real t212 = shared->t60 * f_b[0];
     const bs_real t214 = shared->t70 * f_b[2];
     const bs_real t215 = t212 - t214;
     const bs_real t217 = shared->t63 * f_b[1];
     shared->t218 = t215 + t217;
-    shared->t220 = gyro_noise[2] * gyro_noise[2];
-    shared->t221 = shared->t86 * shared->t220;
-    const bs_real t222 = shared->t221 * shared->t45;
-    shared->t224 = gyro_noise[0] * gyro_noise[0];
-    shared->t225 = shared->t89 * shared->t224;
-    const bs_real t226 = shared->t225 * shared->t28;
-    shared->t228 = gyro_noise[1] * gyro_noise[1];
-    shared->t229 = shared->t92 * shared->t228;
-    const bs_real t230 = shared->t229 * shared->t37;
+    const bs_real t220 = gyro_noise[2] * gyro_noise[2];
+    const bs_real t221 = shared->t86 * t220;
+    const bs_real t222 = t221 * shared->t45;
+    const bs_real t224 = gyro_noise[0] * gyro_noise[0];
+    const bs_real t225 = shared->t89 * t224;
+    const bs_real t226 = t225 * shared->t28;
+    const bs_real t228 = gyro_noise[1] * gyro_noise[1];
+    const bs_real t229 = shared->t92 * t228;
+    const bs_real t230 = t229 * shared->t37;
     const bs_real t231 = t226 + t230;
     shared->t232 = t222 - t231;
-    Q_nz[0] = t59; /* d_lon, d_lon */
-    Q_nz[1] = t83; /* d_lon, d_lat */
-    Q_nz[2] = t99; /* d_lon, d_height */
-    Q_nz[3] = t143; /* d_lon, dv_e */
-    Q_nz[4] = t181; /* d_lon, dv_n */
-    Q_nz[5] = t210; /* d_lon, dv_u */
-    Q_nz[12] = t83; /* d_lat, d_lon */
-    Q_nz[24] = t99; /* d_height, d_lon */
-    Q_nz[36] = t143; /* dv_e, d_lon */
-    Q_nz[51] = t181; /* dv_n, d_lon */
-    Q_nz[66] = t210; /* dv_u, d_lon */
-}
-
-static void ah_Q_kernel_3(const bs_real v_n[3],
-                          const bs_real f_b[3],
-                          const bs_real accel_bias_noise[3],
-                          ah_Q_shared *shared,
-                          bs_real Q_nz[177])
-{
     shared->t233 = shared->t218 * shared->t232;
     const bs_real t234 = shared->t92 * f_b[1];
     const bs_real t235 = shared->t89 * f_b[0];
     const bs_real t236 = t234 - t235;
     const bs_real t237 = shared->t86 * f_b[2];
     shared->t238 = t236 + t237;
-    const bs_real t239 = shared->t60 * shared->t224;
+    const bs_real t239 = shared->t60 * t224;
     const bs_real t240 = t239 * shared->t28;
-    const bs_real t241 = shared->t63 * shared->t228;
+    const bs_real t241 = shared->t63 * t228;
     const bs_real t242 = t241 * shared->t37;
     const bs_real t243 = t240 - t242;
-    const bs_real t244 = shared->t70 * shared->t220;
+    const bs_real t244 = shared->t70 * t220;
     const bs_real t245 = t244 * shared->t45;
     shared->t246 = t243 - t245;
     const bs_real t247 = shared->t238 * shared->t246;
@@ -463,10 +462,10 @@ static void ah_Q_kernel_3(const bs_real v_n[3],
     const bs_real t249 = shared->t17 * shared->t248;
     const bs_real t250 = t249 - shared->t82;
     const bs_real t251 = t250 * shared->t58;
-    const bs_real t252 = shared->t229 * shared->t63;
-    const bs_real t253 = shared->t225 * shared->t60;
+    const bs_real t252 = t229 * shared->t63;
+    const bs_real t253 = t225 * shared->t60;
     const bs_real t254 = t252 - t253;
-    const bs_real t255 = shared->t221 * shared->t70;
+    const bs_real t255 = t221 * shared->t70;
     shared->t256 = t254 - t255;
     const bs_real t257 = shared->t218 * shared->t256;
     const bs_real t258 = t239 * shared->t60;
@@ -482,10 +481,10 @@ static void ah_Q_kernel_3(const bs_real v_n[3],
     const bs_real t268 = shared->t267 * shared->t17;
     const bs_real t269 = t265 + t268;
     const bs_real t270 = t269 * shared->t58;
-    const bs_real t271 = shared->t225 * shared->t89;
-    const bs_real t272 = shared->t229 * shared->t92;
+    const bs_real t271 = t225 * shared->t89;
+    const bs_real t272 = t229 * shared->t92;
     const bs_real t273 = t271 + t272;
-    const bs_real t274 = shared->t221 * shared->t86;
+    const bs_real t274 = t221 * shared->t86;
     shared->t275 = t273 + t274;
     const bs_real t276 = shared->t218 * shared->t275;
     const bs_real t277 = shared->t238 * shared->t256;
@@ -514,8 +513,8 @@ static void ah_Q_kernel_3(const bs_real v_n[3],
     shared->t303 = t302 * shared->t79;
     const bs_real t304 = shared->t303 * shared->t58;
     const bs_real t305 = BS_REAL(2.0) * shared->t158;
-    const bs_real t306 = t305 * shared->t79;
-    const bs_real t307 = t306 * shared->t58;
+    shared->t306 = t305 * shared->t79;
+    const bs_real t307 = shared->t306 * shared->t58;
     const bs_real t308 = shared->t80 * shared->t100;
     shared->t309 = BS_REAL(2.0) * shared->t160;
     shared->t310 = shared->t309 * shared->t79;
@@ -572,12 +571,12 @@ static void ah_Q_kernel_3(const bs_real v_n[3],
     const bs_real t362 = shared->t351 - shared->t361;
     const bs_real t363 = t362 * shared->t58;
     const bs_real t364 = t346 + t363;
-    const bs_real t365 = shared->t28 * shared->t224;
+    const bs_real t365 = shared->t28 * t224;
     const bs_real t366 = t365 * shared->t28;
-    const bs_real t367 = shared->t37 * shared->t228;
+    const bs_real t367 = shared->t37 * t228;
     const bs_real t368 = t367 * shared->t37;
     const bs_real t369 = t366 + t368;
-    const bs_real t370 = shared->t45 * shared->t220;
+    const bs_real t370 = shared->t45 * t220;
     const bs_real t371 = t370 * shared->t45;
     shared->t372 = t369 + t371;
     const bs_real t373 = shared->t238 * shared->t372;
@@ -603,6 +602,40 @@ static void ah_Q_kernel_3(const bs_real v_n[3],
     const bs_real t393 = shared->t378 * shared->t275;
     shared->t394 = t392 - t393;
     shared->t395 = shared->t394 * shared->t79;
+    Q_nz[5] = t210; /* d_lon, dv_u */
+    Q_nz[6] = t251; /* d_lon, phi_e */
+    Q_nz[7] = t270; /* d_lon, phi_n */
+    Q_nz[8] = t284; /* d_lon, phi_u */
+    Q_nz[9] = t290; /* d_lon, dba_x */
+    Q_nz[10] = t295; /* d_lon, dba_y */
+    Q_nz[11] = t301; /* d_lon, dba_z */
+    Q_nz[13] = t304; /* d_lat, d_lat */
+    Q_nz[14] = t307; /* d_lat, d_height */
+    Q_nz[15] = t328; /* d_lat, dv_e */
+    Q_nz[16] = t345; /* d_lat, dv_n */
+    Q_nz[17] = t364; /* d_lat, dv_u */
+    Q_nz[18] = t383; /* d_lat, phi_e */
+    Q_nz[19] = t391; /* d_lat, phi_n */
+    Q_nz[25] = t307; /* d_height, d_lat */
+    Q_nz[37] = t328; /* dv_e, d_lat */
+    Q_nz[52] = t345; /* dv_n, d_lat */
+    Q_nz[66] = t210; /* dv_u, d_lon */
+    Q_nz[67] = t364; /* dv_u, d_lat */
+    Q_nz[81] = t251; /* phi_e, d_lon */
+    Q_nz[82] = t383; /* phi_e, d_lat */
+    Q_nz[96] = t270; /* phi_n, d_lon */
+    Q_nz[97] = t391; /* phi_n, d_lat */
+    Q_nz[111] = t284; /* phi_u, d_lon */
+    Q_nz[147] = t290; /* dba_x, d_lon */
+    Q_nz[157] = t295; /* dba_y, d_lon */
+    Q_nz[167] = t301; /* dba_z, d_lon */
+}
+
+static void ah_Q_kernel_3(const bs_real v_n[3],
+                          const bs_real dt[1],
+                          ah_Q_shared *shared,
+                          bs_real Q_nz[177])
+{
     shared->t396 = shared->t103 * shared->t73;
     shared->t397 = BS_REAL(2.0) * shared->t396;
     shared->t398 = shared->t397 * shared->t79;
@@ -622,8 +655,8 @@ static void ah_Q_kernel_3(const bs_real v_n[3],
     const bs_real t412 = BS_REAL(2.0) * shared->t191;
     const bs_real t413 = t412 * shared->t58;
     const bs_real t414 = shared->t96 * shared->t100;
-    shared->t415 = BS_REAL(2.0) * shared->t193;
-    const bs_real t416 = shared->t205 + shared->t415;
+    const bs_real t415 = BS_REAL(2.0) * shared->t193;
+    const bs_real t416 = shared->t205 + t415;
     const bs_real t417 = t416 * shared->t58;
     const bs_real t418 = t414 + t417;
     const bs_real t419 = shared->t158 * shared->t100;
@@ -642,62 +675,8 @@ static void ah_Q_kernel_3(const bs_real v_n[3],
     const bs_real t433 = shared->t378 * shared->t246;
     const bs_real t434 = shared->t218 * shared->t372;
     shared->t435 = t433 - t434;
-    const bs_real t436 = shared->t435 - t306;
+    const bs_real t436 = shared->t435 - shared->t306;
     const bs_real t437 = t436 * shared->t58;
-    Q_nz[6] = t251; /* d_lon, phi_e */
-    Q_nz[7] = t270; /* d_lon, phi_n */
-    Q_nz[8] = t284; /* d_lon, phi_u */
-    Q_nz[9] = t290; /* d_lon, dba_x */
-    Q_nz[10] = t295; /* d_lon, dba_y */
-    Q_nz[11] = t301; /* d_lon, dba_z */
-    Q_nz[13] = t304; /* d_lat, d_lat */
-    Q_nz[14] = t307; /* d_lat, d_height */
-    Q_nz[15] = t328; /* d_lat, dv_e */
-    Q_nz[16] = t345; /* d_lat, dv_n */
-    Q_nz[17] = t364; /* d_lat, dv_u */
-    Q_nz[18] = t383; /* d_lat, phi_e */
-    Q_nz[19] = t391; /* d_lat, phi_n */
-    Q_nz[20] = t400; /* d_lat, phi_u */
-    Q_nz[21] = t404; /* d_lat, dba_x */
-    Q_nz[22] = t408; /* d_lat, dba_y */
-    Q_nz[23] = shared->t411; /* d_lat, dba_z */
-    Q_nz[25] = t307; /* d_height, d_lat */
-    Q_nz[26] = t413; /* d_height, d_height */
-    Q_nz[27] = t418; /* d_height, dv_e */
-    Q_nz[28] = t424; /* d_height, dv_n */
-    Q_nz[29] = t432; /* d_height, dv_u */
-    Q_nz[30] = t437; /* d_height, phi_e */
-    Q_nz[37] = t328; /* dv_e, d_lat */
-    Q_nz[38] = t418; /* dv_e, d_height */
-    Q_nz[52] = t345; /* dv_n, d_lat */
-    Q_nz[53] = t424; /* dv_n, d_height */
-    Q_nz[67] = t364; /* dv_u, d_lat */
-    Q_nz[68] = t432; /* dv_u, d_height */
-    Q_nz[81] = t251; /* phi_e, d_lon */
-    Q_nz[82] = t383; /* phi_e, d_lat */
-    Q_nz[83] = t437; /* phi_e, d_height */
-    Q_nz[93] = t403; /* phi_e, dba_x */
-    Q_nz[94] = t407; /* phi_e, dba_y */
-    Q_nz[96] = t270; /* phi_n, d_lon */
-    Q_nz[97] = t391; /* phi_n, d_lat */
-    Q_nz[111] = t284; /* phi_u, d_lon */
-    Q_nz[112] = t400; /* phi_u, d_lat */
-    Q_nz[147] = t290; /* dba_x, d_lon */
-    Q_nz[148] = t404; /* dba_x, d_lat */
-    Q_nz[153] = t403; /* dba_x, phi_e */
-    Q_nz[157] = t295; /* dba_y, d_lon */
-    Q_nz[158] = t408; /* dba_y, d_lat */
-    Q_nz[163] = t407; /* dba_y, phi_e */
-    Q_nz[167] = t301; /* dba_z, d_lon */
-    Q_nz[168] = shared->t411; /* dba_z, d_lat */
-}
-
-static void ah_Q_kernel_4(const bs_real position[3],
-                          const bs_real v_n[3],
-                          const bs_real dt[1],
-                          ah_Q_shared *shared,
-                          bs_real Q_nz[177])
-{
     const bs_real t438 = shared->t378 * shared->t262;
     const bs_real t439 = shared->t218 * shared->t246;
     shared->t440 = t438 - t439;
@@ -732,12 +711,12 @@ static void ah_Q_kernel_4(const bs_real position[3],
     shared->t469 = shared->t134 * t463;
     const bs_real t470 = shared->t111 + shared->t469;
     const bs_real t471 = t470 * v_n[2];
-    const bs_real t472 = t468 + t471;
-    const bs_real t473 = t472 * shared->t80;
+    shared->t472 = t468 + t471;
+    const bs_real t473 = shared->t472 * shared->t80;
     const bs_real t474 = shared->t134 * v_n[2];
     const bs_real t475 = shared->t464 * v_n[1];
-    const bs_real t476 = t474 - t475;
-    const bs_real t477 = t476 * shared->t96;
+    shared->t476 = t474 - t475;
+    const bs_real t477 = shared->t476 * shared->t96;
     const bs_real t478 = t473 + t477;
     const bs_real t479 = shared->t108 * shared->t121;
     const bs_real t480 = t478 + t479;
@@ -753,7 +732,7 @@ static void ah_Q_kernel_4(const bs_real position[3],
     const bs_real t490 = shared->t139 * shared->t108;
     const bs_real t491 = shared->t309 * shared->t115;
     const bs_real t492 = t490 + t491;
-    const bs_real t493 = shared->t415 * shared->t119;
+    const bs_real t493 = t415 * shared->t119;
     const bs_real t494 = t492 - t493;
     const bs_real t495 = BS_REAL(2.0) * shared->t264;
     const bs_real t496 = t495 * shared->t238;
@@ -789,8 +768,8 @@ static void ah_Q_kernel_4(const bs_real position[3],
     shared->t526 = t524 - t525;
     const bs_real t527 = shared->t526 * shared->t80;
     const bs_real t528 = v_n[0] * v_n[0];
-    const bs_real t529 = t528 * shared->t133;
-    const bs_real t530 = shared->t102 * t529;
+    shared->t529 = t528 * shared->t133;
+    const bs_real t530 = shared->t102 * shared->t529;
     const bs_real t531 = shared->t313 * v_n[2];
     shared->t532 = t530 + t531;
     const bs_real t533 = shared->t532 * shared->t96;
@@ -805,8 +784,8 @@ static void ah_Q_kernel_4(const bs_real position[3],
     const bs_real t542 = t540 - t541;
     const bs_real t543 = shared->t378 * shared->t280;
     const bs_real t544 = t542 - t543;
-    const bs_real t545 = t472 * shared->t162;
-    const bs_real t546 = t476 * shared->t158;
+    const bs_real t545 = shared->t472 * shared->t162;
+    const bs_real t546 = shared->t476 * shared->t158;
     const bs_real t547 = t545 + t546;
     const bs_real t548 = shared->t108 * shared->t160;
     const bs_real t549 = t547 + t548;
@@ -848,19 +827,57 @@ static void ah_Q_kernel_4(const bs_real position[3],
     const bs_real t585 = shared->t205 + shared->t193;
     const bs_real t586 = t585 * shared->t100;
     shared->t587 = t584 + t586;
-    const bs_real t588 = shared->t201 * shared->t121;
+    shared->t588 = shared->t201 * shared->t121;
     const bs_real t589 = t470 * v_n[0];
     const bs_real t590 = v_n[1] * v_n[1];
-    const bs_real t591 = t590 * shared->t312;
-    const bs_real t592 = shared->t319 * t591;
-    const bs_real t593 = t589 + t592;
+    shared->t591 = t590 * shared->t312;
+    const bs_real t592 = shared->t319 * shared->t591;
+    shared->t593 = t589 + t592;
     const bs_real t597 = BS_REAL(0.018894147482439335) * shared->t7;
     const bs_real t598 = BS_REAL(9.7803253359) + t597;
-    const bs_real t599 = t598 * shared->t11;
-    const bs_real t600 = shared->t125 * t599;
+    shared->t599 = t598 * shared->t11;
+    Q_nz[20] = t400; /* d_lat, phi_u */
+    Q_nz[21] = t404; /* d_lat, dba_x */
+    Q_nz[22] = t408; /* d_lat, dba_y */
+    Q_nz[23] = shared->t411; /* d_lat, dba_z */
+    Q_nz[26] = t413; /* d_height, d_height */
+    Q_nz[27] = t418; /* d_height, dv_e */
+    Q_nz[28] = t424; /* d_height, dv_n */
+    Q_nz[29] = t432; /* d_height, dv_u */
+    Q_nz[30] = t437; /* d_height, phi_e */
+    Q_nz[31] = t444; /* d_height, phi_n */
+    Q_nz[32] = t449; /* d_height, phi_u */
+    Q_nz[33] = t451; /* d_height, dba_x */
+    Q_nz[34] = t454; /* d_height, dba_y */
+    Q_nz[35] = t457; /* d_height, dba_z */
+    Q_nz[38] = t418; /* dv_e, d_height */
+    Q_nz[39] = t514; /* dv_e, dv_e */
+    Q_nz[40] = t583; /* dv_e, dv_n */
+    Q_nz[53] = t424; /* dv_n, d_height */
+    Q_nz[54] = t583; /* dv_n, dv_e */
+    Q_nz[68] = t432; /* dv_u, d_height */
+    Q_nz[83] = t437; /* phi_e, d_height */
+    Q_nz[93] = t403; /* phi_e, dba_x */
+    Q_nz[94] = t407; /* phi_e, dba_y */
+    Q_nz[98] = t444; /* phi_n, d_height */
+    Q_nz[112] = t400; /* phi_u, d_lat */
+    Q_nz[113] = t449; /* phi_u, d_height */
+    Q_nz[148] = t404; /* dba_x, d_lat */
+    Q_nz[149] = t451; /* dba_x, d_height */
+    Q_nz[153] = t403; /* dba_x, phi_e */
+    Q_nz[158] = t408; /* dba_y, d_lat */
+    Q_nz[159] = t454; /* dba_y, d_height */
+    Q_nz[163] = t407; /* dba_y, phi_e */
+    Q_nz[168] = shared->t411; /* dba_z, d_lat */
+    Q_nz[169] = t457; /* dba_z, d_height */
+}
+
+static void ah_Q_kernel_4(const bs_real position[3], ah_Q_shared *shared, bs_real Q_nz[177])
+{
+    const bs_real t600 = shared->t125 * shared->t599;
     const bs_real t601 = t600 * position[2];
     const bs_real t602 = BS_REAL(4.205379300880468e-09) * t601;
-    const bs_real t603 = t593 + t602;
+    const bs_real t603 = shared->t593 + t602;
     const bs_real t604 = shared->t125 * shared->t11;
     const bs_real t607 = BS_REAL(1.2932555768154467e-05) * shared->t7;
     const bs_real t608 = BS_REAL(0.006694379990141317) + t607;
@@ -879,44 +896,27 @@ static void ah_Q_kernel_4(const bs_real position[3],
     const bs_real t625 = BS_REAL(9.7803253359) * t624;
     shared->t626 = t603 + t625;
     const bs_real t627 = shared->t626 * shared->t80;
-    const bs_real t628 = t529 + t591;
+    const bs_real t628 = shared->t529 + shared->t591;
     const bs_real t630 = BS_REAL(1.474903354588399e-13) * position[2];
     const bs_real t632 = BS_REAL(2.102689650440234e-09) * shared->t7;
     const bs_real t633 = t630 + t632;
     const bs_real t635 = t633 - BS_REAL(3.1570428705798834e-07);
-    const bs_real t636 = t599 * t635;
+    const bs_real t636 = shared->t599 * t635;
     shared->t637 = t628 + t636;
     const bs_real t638 = shared->t637 * shared->t96;
     const bs_real t639 = t627 + t638;
-    const bs_real t640 = t588 - t639;
+    const bs_real t640 = shared->t588 - t639;
     const bs_real t641 = shared->t203 * shared->t175;
     const bs_real t642 = t640 - t641;
     const bs_real t643 = shared->t218 * shared->t80;
     const bs_real t644 = t642 + t643;
     const bs_real t645 = shared->t378 * shared->t266;
-    shared->t646 = t644 + t645;
-    const bs_real t647 = t472 * shared->t195;
-    const bs_real t648 = t476 * shared->t191;
-    shared->t649 = t647 + t648;
-    Q_nz[31] = t444; /* d_height, phi_n */
-    Q_nz[32] = t449; /* d_height, phi_u */
-    Q_nz[33] = t451; /* d_height, dba_x */
-    Q_nz[34] = t454; /* d_height, dba_y */
-    Q_nz[35] = t457; /* d_height, dba_z */
-    Q_nz[39] = t514; /* dv_e, dv_e */
-    Q_nz[40] = t583; /* dv_e, dv_n */
-    Q_nz[54] = t583; /* dv_n, dv_e */
-    Q_nz[98] = t444; /* phi_n, d_height */
-    Q_nz[113] = t449; /* phi_u, d_height */
-    Q_nz[149] = t451; /* dba_x, d_height */
-    Q_nz[159] = t454; /* dba_y, d_height */
-    Q_nz[169] = t457; /* dba_z, d_height */
-}
-
-static void ah_Q_kernel_5(const bs_real gyro_bias_noise[3], ah_Q_shared *shared, bs_real Q_nz[177])
-{
+    const bs_real t646 = t644 + t645;
+    const bs_real t647 = shared->t472 * shared->t195;
+    const bs_real t648 = shared->t476 * shared->t191;
+    const bs_real t649 = t647 + t648;
     const bs_real t650 = shared->t108 * shared->t193;
-    const bs_real t651 = shared->t649 + t650;
+    const bs_real t651 = t649 + t650;
     const bs_real t652 = shared->t115 * shared->t359;
     const bs_real t653 = t651 - t652;
     const bs_real t654 = shared->t119 * shared->t429;
@@ -925,7 +925,7 @@ static void ah_Q_kernel_5(const bs_real gyro_bias_noise[3], ah_Q_shared *shared,
     const bs_real t657 = t655 - t656;
     const bs_real t658 = shared->t218 * shared->t446;
     const bs_real t659 = t657 + t658;
-    const bs_real t660 = shared->t646 + t659;
+    const bs_real t660 = t646 + t659;
     const bs_real t661 = shared->t206 * shared->t108;
     const bs_real t662 = shared->t350 * shared->t115;
     const bs_real t663 = t661 + t662;
@@ -1074,6 +1074,21 @@ static void ah_Q_kernel_5(const bs_real gyro_bias_noise[3], ah_Q_shared *shared,
     const bs_real t807 = t795 + t806;
     const bs_real t808 = t807 * shared->t58;
     const bs_real t809 = t773 + t808;
+    Q_nz[41] = t686; /* dv_e, dv_u */
+    Q_nz[42] = t724; /* dv_e, phi_e */
+    Q_nz[43] = t771; /* dv_e, phi_n */
+    Q_nz[44] = t809; /* dv_e, phi_u */
+    Q_nz[69] = t686; /* dv_u, dv_e */
+    Q_nz[84] = t724; /* phi_e, dv_e */
+    Q_nz[99] = t771; /* phi_n, dv_e */
+    Q_nz[114] = t809; /* phi_u, dv_e */
+}
+
+static void ah_Q_kernel_5(const bs_real dt[1],
+                          const bs_real gyro_bias_noise[3],
+                          ah_Q_shared *shared,
+                          bs_real Q_nz[177])
+{
     shared->t811 = gyro_bias_noise[0] * gyro_bias_noise[0];
     shared->t812 = shared->t60 * shared->t811;
     const bs_real t813 = shared->t238 * shared->t812;
@@ -1113,28 +1128,6 @@ static void ah_Q_kernel_5(const bs_real gyro_bias_noise[3], ah_Q_shared *shared,
     const bs_real t849 = t847 + t848;
     const bs_real t850 = t849 * shared->t58;
     const bs_real t851 = t844 + t850;
-    Q_nz[41] = t686; /* dv_e, dv_u */
-    Q_nz[42] = t724; /* dv_e, phi_e */
-    Q_nz[43] = t771; /* dv_e, phi_n */
-    Q_nz[44] = t809; /* dv_e, phi_u */
-    Q_nz[45] = t818; /* dv_e, dbg_x */
-    Q_nz[46] = t826; /* dv_e, dbg_y */
-    Q_nz[47] = t834; /* dv_e, dbg_z */
-    Q_nz[48] = t843; /* dv_e, dba_x */
-    Q_nz[49] = t851; /* dv_e, dba_y */
-    Q_nz[69] = t686; /* dv_u, dv_e */
-    Q_nz[84] = t724; /* phi_e, dv_e */
-    Q_nz[99] = t771; /* phi_n, dv_e */
-    Q_nz[114] = t809; /* phi_u, dv_e */
-    Q_nz[126] = t818; /* dbg_x, dv_e */
-    Q_nz[133] = t826; /* dbg_y, dv_e */
-    Q_nz[140] = t834; /* dbg_z, dv_e */
-    Q_nz[150] = t843; /* dba_x, dv_e */
-    Q_nz[160] = t851; /* dba_y, dv_e */
-}
-
-static void ah_Q_kernel_6(const bs_real dt[1], ah_Q_shared *shared, bs_real Q_nz[177])
-{
     const bs_real t852 = shared->t115 * shared->t409;
     const bs_real t853 = shared->t108 * shared->t298;
     const bs_real t854 = t852 - t853;
@@ -1284,7 +1277,7 @@ static void ah_Q_kernel_6(const bs_real dt[1], ah_Q_shared *shared, bs_real Q_nz
     const bs_real t998 = t997 * shared->t58;
     const bs_real t999 = t966 + t998;
     const bs_real t1000 = shared->t396 + shared->t394;
-    const bs_real t1001 = t1000 * shared->t100;
+    shared->t1001 = t1000 * shared->t100;
     const bs_real t1002 = shared->t774 * shared->t162;
     const bs_real t1003 = shared->t464 * shared->t158;
     const bs_real t1004 = t1002 - t1003;
@@ -1293,7 +1286,30 @@ static void ah_Q_kernel_6(const bs_real dt[1], ah_Q_shared *shared, bs_real Q_nz
     const bs_real t1007 = shared->t703 * shared->t162;
     const bs_real t1008 = t1006 - t1007;
     const bs_real t1009 = shared->t173 * shared->t387;
-    const bs_real t1010 = t1008 + t1009;
+    shared->t1010 = t1008 + t1009;
+    Q_nz[45] = t818; /* dv_e, dbg_x */
+    Q_nz[46] = t826; /* dv_e, dbg_y */
+    Q_nz[47] = t834; /* dv_e, dbg_z */
+    Q_nz[48] = t843; /* dv_e, dba_x */
+    Q_nz[49] = t851; /* dv_e, dba_y */
+    Q_nz[50] = t859; /* dv_e, dba_z */
+    Q_nz[55] = t895; /* dv_n, dv_n */
+    Q_nz[56] = t943; /* dv_n, dv_u */
+    Q_nz[57] = t964; /* dv_n, phi_e */
+    Q_nz[58] = t999; /* dv_n, phi_n */
+    Q_nz[70] = t943; /* dv_u, dv_n */
+    Q_nz[85] = t964; /* phi_e, dv_n */
+    Q_nz[100] = t999; /* phi_n, dv_n */
+    Q_nz[126] = t818; /* dbg_x, dv_e */
+    Q_nz[133] = t826; /* dbg_y, dv_e */
+    Q_nz[140] = t834; /* dbg_z, dv_e */
+    Q_nz[150] = t843; /* dba_x, dv_e */
+    Q_nz[160] = t851; /* dba_y, dv_e */
+    Q_nz[170] = t859; /* dba_z, dv_e */
+}
+
+static void ah_Q_kernel_6(const bs_real dt[1], ah_Q_shared *shared, bs_real Q_nz[177])
+{
     const bs_real t1011 = shared->t238 * shared->t712;
     const bs_real t1012 = shared->t168 * shared->t278;
     const bs_real t1013 = shared->t170 * shared->t394;
@@ -1303,7 +1319,7 @@ static void ah_Q_kernel_6(const bs_real dt[1], ah_Q_shared *shared, bs_real Q_nz
     const bs_real t1017 = t1011 - t1016;
     const bs_real t1018 = shared->t378 * shared->t792;
     const bs_real t1019 = t1017 - t1018;
-    const bs_real t1020 = t1010 + t1019;
+    const bs_real t1020 = shared->t1010 + t1019;
     shared->t1021 = BS_REAL(2.0) * shared->t706;
     const bs_real t1022 = shared->t1021 * shared->t238;
     const bs_real t1023 = shared->t281 * shared->t168;
@@ -1316,7 +1332,7 @@ static void ah_Q_kernel_6(const bs_real dt[1], ah_Q_shared *shared, bs_real Q_nz
     const bs_real t1030 = t1028 - t1029;
     const bs_real t1031 = t1020 + t1030;
     const bs_real t1032 = t1031 * shared->t58;
-    const bs_real t1033 = t1001 + t1032;
+    const bs_real t1033 = shared->t1001 + t1032;
     shared->t1034 = shared->t28 * shared->t811;
     const bs_real t1035 = shared->t238 * shared->t1034;
     const bs_real t1036 = shared->t378 * shared->t814;
@@ -1333,27 +1349,6 @@ static void ah_Q_kernel_6(const bs_real dt[1], ah_Q_shared *shared, bs_real Q_nz
     const bs_real t1047 = shared->t378 * shared->t831;
     const bs_real t1048 = t1046 - t1047;
     const bs_real t1049 = t1048 * shared->t58;
-    Q_nz[50] = t859; /* dv_e, dba_z */
-    Q_nz[55] = t895; /* dv_n, dv_n */
-    Q_nz[56] = t943; /* dv_n, dv_u */
-    Q_nz[57] = t964; /* dv_n, phi_e */
-    Q_nz[58] = t999; /* dv_n, phi_n */
-    Q_nz[59] = t1033; /* dv_n, phi_u */
-    Q_nz[60] = t1038; /* dv_n, dbg_x */
-    Q_nz[61] = t1044; /* dv_n, dbg_y */
-    Q_nz[62] = t1049; /* dv_n, dbg_z */
-    Q_nz[70] = t943; /* dv_u, dv_n */
-    Q_nz[85] = t964; /* phi_e, dv_n */
-    Q_nz[100] = t999; /* phi_n, dv_n */
-    Q_nz[115] = t1033; /* phi_u, dv_n */
-    Q_nz[127] = t1038; /* dbg_x, dv_n */
-    Q_nz[134] = t1044; /* dbg_y, dv_n */
-    Q_nz[141] = t1049; /* dbg_z, dv_n */
-    Q_nz[170] = t859; /* dba_z, dv_e */
-}
-
-static void ah_Q_kernel_7(const bs_real dt[1], ah_Q_shared *shared, bs_real Q_nz[177])
-{
     const bs_real t1050 = shared->t168 * shared->t287;
     const bs_real t1051 = shared->t170 * shared->t401;
     const bs_real t1052 = t1050 + t1051;
@@ -1513,6 +1508,43 @@ static void ah_Q_kernel_7(const bs_real dt[1], ah_Q_shared *shared, bs_real Q_nz
     const bs_real t1206 = t1205 * shared->t58;
     const bs_real t1207 = shared->t455 * shared->t100;
     const bs_real t1208 = t1206 - t1207;
+    Q_nz[59] = t1033; /* dv_n, phi_u */
+    Q_nz[60] = t1038; /* dv_n, dbg_x */
+    Q_nz[61] = t1044; /* dv_n, dbg_y */
+    Q_nz[62] = t1049; /* dv_n, dbg_z */
+    Q_nz[63] = t1057; /* dv_n, dba_x */
+    Q_nz[64] = t1065; /* dv_n, dba_y */
+    Q_nz[65] = t1073; /* dv_n, dba_z */
+    Q_nz[71] = t1103; /* dv_u, dv_u */
+    Q_nz[72] = t1120; /* dv_u, phi_e */
+    Q_nz[73] = t1149; /* dv_u, phi_n */
+    Q_nz[74] = t1177; /* dv_u, phi_u */
+    Q_nz[75] = t1181; /* dv_u, dbg_x */
+    Q_nz[76] = t1185; /* dv_u, dbg_y */
+    Q_nz[77] = t1190; /* dv_u, dbg_z */
+    Q_nz[78] = t1196; /* dv_u, dba_x */
+    Q_nz[79] = t1202; /* dv_u, dba_y */
+    Q_nz[80] = t1208; /* dv_u, dba_z */
+    Q_nz[86] = t1120; /* phi_e, dv_u */
+    Q_nz[101] = t1149; /* phi_n, dv_u */
+    Q_nz[115] = t1033; /* phi_u, dv_n */
+    Q_nz[116] = t1177; /* phi_u, dv_u */
+    Q_nz[127] = t1038; /* dbg_x, dv_n */
+    Q_nz[128] = t1181; /* dbg_x, dv_u */
+    Q_nz[134] = t1044; /* dbg_y, dv_n */
+    Q_nz[135] = t1185; /* dbg_y, dv_u */
+    Q_nz[141] = t1049; /* dbg_z, dv_n */
+    Q_nz[142] = t1190; /* dbg_z, dv_u */
+    Q_nz[151] = t1057; /* dba_x, dv_n */
+    Q_nz[152] = t1196; /* dba_x, dv_u */
+    Q_nz[161] = t1065; /* dba_y, dv_n */
+    Q_nz[162] = t1202; /* dba_y, dv_u */
+    Q_nz[171] = t1073; /* dba_z, dv_n */
+    Q_nz[172] = t1208; /* dba_z, dv_u */
+}
+
+static void ah_Q_kernel_7(const bs_real dt[1], ah_Q_shared *shared, bs_real Q_nz[177])
+{
     const bs_real t1209 = shared->t372 * dt[0];
     const bs_real t1210 = shared->t957 * shared->t100;
     const bs_real t1211 = t1209 + t1210;
@@ -1541,7 +1573,7 @@ static void ah_Q_kernel_7(const bs_real dt[1], ah_Q_shared *shared, bs_real Q_nz
     const bs_real t1234 = shared->t246 * dt[0];
     const bs_real t1235 = shared->t717 - shared->t699;
     const bs_real t1236 = t1235 * shared->t100;
-    shared->t1237 = t1234 + t1236;
+    const bs_real t1237 = t1234 + t1236;
     const bs_real t1238 = shared->t248 * shared->t14;
     const bs_real t1239 = shared->t696 * shared->t946;
     const bs_real t1240 = t1238 - t1239;
@@ -1551,41 +1583,11 @@ static void ah_Q_kernel_7(const bs_real dt[1], ah_Q_shared *shared, bs_real Q_nz
     const bs_real t1244 = shared->t386 + t1243;
     const bs_real t1245 = shared->t703 * shared->t749;
     const bs_real t1246 = t1244 + t1245;
-    shared->t1247 = t1242 - t1246;
+    const bs_real t1247 = t1242 - t1246;
     const bs_real t1248 = shared->t759 * shared->t696;
-    shared->t1249 = t1248 - shared->t389;
-    Q_nz[63] = t1057; /* dv_n, dba_x */
-    Q_nz[64] = t1065; /* dv_n, dba_y */
-    Q_nz[65] = t1073; /* dv_n, dba_z */
-    Q_nz[71] = t1103; /* dv_u, dv_u */
-    Q_nz[72] = t1120; /* dv_u, phi_e */
-    Q_nz[73] = t1149; /* dv_u, phi_n */
-    Q_nz[74] = t1177; /* dv_u, phi_u */
-    Q_nz[75] = t1181; /* dv_u, dbg_x */
-    Q_nz[76] = t1185; /* dv_u, dbg_y */
-    Q_nz[77] = t1190; /* dv_u, dbg_z */
-    Q_nz[78] = t1196; /* dv_u, dba_x */
-    Q_nz[79] = t1202; /* dv_u, dba_y */
-    Q_nz[80] = t1208; /* dv_u, dba_z */
-    Q_nz[86] = t1120; /* phi_e, dv_u */
-    Q_nz[87] = t1233; /* phi_e, phi_e */
-    Q_nz[101] = t1149; /* phi_n, dv_u */
-    Q_nz[116] = t1177; /* phi_u, dv_u */
-    Q_nz[128] = t1181; /* dbg_x, dv_u */
-    Q_nz[135] = t1185; /* dbg_y, dv_u */
-    Q_nz[142] = t1190; /* dbg_z, dv_u */
-    Q_nz[151] = t1057; /* dba_x, dv_n */
-    Q_nz[152] = t1196; /* dba_x, dv_u */
-    Q_nz[161] = t1065; /* dba_y, dv_n */
-    Q_nz[162] = t1202; /* dba_y, dv_u */
-    Q_nz[171] = t1073; /* dba_z, dv_n */
-    Q_nz[172] = t1208; /* dba_z, dv_u */
-}
-
-static void ah_Q_kernel_8(const bs_real dt[1], const ah_Q_shared *shared, bs_real Q_nz[177])
-{
+    const bs_real t1249 = t1248 - shared->t389;
     const bs_real t1250 = shared->t766 * shared->t703;
-    const bs_real t1251 = shared->t1249 - t1250;
+    const bs_real t1251 = t1249 - t1250;
     const bs_real t1252 = BS_REAL(2.0) * shared->t812;
     const bs_real t1253 = t1252 * shared->t28;
     const bs_real t1254 = t1251 + t1253;
@@ -1596,9 +1598,9 @@ static void ah_Q_kernel_8(const bs_real dt[1], const ah_Q_shared *shared, bs_rea
     const bs_real t1259 = BS_REAL(2.0) * t1258;
     const bs_real t1260 = t1259 * shared->t45;
     const bs_real t1261 = t1257 + t1260;
-    const bs_real t1262 = shared->t1247 + t1261;
+    const bs_real t1262 = t1247 + t1261;
     const bs_real t1263 = t1262 * shared->t58;
-    const bs_real t1264 = shared->t1237 + t1263;
+    const bs_real t1264 = t1237 + t1263;
     const bs_real t1265 = shared->t232 * dt[0];
     const bs_real t1266 = shared->t706 + shared->t712;
     const bs_real t1267 = t1266 * shared->t100;
@@ -1618,14 +1620,14 @@ static void ah_Q_kernel_8(const bs_real dt[1], const ah_Q_shared *shared, bs_rea
     const bs_real t1281 = shared->t804 * shared->t703;
     const bs_real t1282 = t1280 - t1281;
     const bs_real t1283 = -shared->t814;
-    const bs_real t1284 = BS_REAL(2.0) * t1283;
-    const bs_real t1285 = t1284 * shared->t28;
+    shared->t1284 = BS_REAL(2.0) * t1283;
+    const bs_real t1285 = shared->t1284 * shared->t28;
     const bs_real t1286 = t1282 + t1285;
-    const bs_real t1287 = BS_REAL(2.0) * shared->t821;
-    const bs_real t1288 = t1287 * shared->t37;
+    shared->t1287 = BS_REAL(2.0) * shared->t821;
+    const bs_real t1288 = shared->t1287 * shared->t37;
     const bs_real t1289 = t1286 - t1288;
-    const bs_real t1290 = BS_REAL(2.0) * shared->t831;
-    const bs_real t1291 = t1290 * shared->t45;
+    shared->t1290 = BS_REAL(2.0) * shared->t831;
+    const bs_real t1291 = shared->t1290 * shared->t45;
     const bs_real t1292 = t1289 + t1291;
     const bs_real t1293 = t1278 + t1292;
     const bs_real t1294 = t1293 * shared->t58;
@@ -1692,11 +1694,11 @@ static void ah_Q_kernel_8(const bs_real dt[1], const ah_Q_shared *shared, bs_rea
     const bs_real t1355 = t1353 - t1354;
     const bs_real t1356 = shared->t804 * shared->t173;
     const bs_real t1357 = t1355 - t1356;
-    const bs_real t1358 = t1284 * shared->t60;
+    const bs_real t1358 = shared->t1284 * shared->t60;
     const bs_real t1359 = t1357 + t1358;
-    const bs_real t1360 = t1287 * shared->t63;
+    const bs_real t1360 = shared->t1287 * shared->t63;
     const bs_real t1361 = t1359 + t1360;
-    const bs_real t1362 = t1290 * shared->t70;
+    const bs_real t1362 = shared->t1290 * shared->t70;
     const bs_real t1363 = t1361 - t1362;
     const bs_real t1364 = t1352 + t1363;
     const bs_real t1365 = t1364 * shared->t58;
@@ -1730,7 +1732,39 @@ static void ah_Q_kernel_8(const bs_real dt[1], const ah_Q_shared *shared, bs_rea
     const bs_real t1393 = -t1392;
     const bs_real t1394 = shared->t275 * dt[0];
     const bs_real t1395 = shared->t804 * shared->t100;
-    const bs_real t1396 = t1394 + t1395;
+    shared->t1396 = t1394 + t1395;
+    Q_nz[87] = t1233; /* phi_e, phi_e */
+    Q_nz[88] = t1264; /* phi_e, phi_n */
+    Q_nz[89] = t1295; /* phi_e, phi_u */
+    Q_nz[90] = t1301; /* phi_e, dbg_x */
+    Q_nz[91] = t1307; /* phi_e, dbg_y */
+    Q_nz[92] = t1313; /* phi_e, dbg_z */
+    Q_nz[95] = t1314; /* phi_e, dba_z */
+    Q_nz[102] = t1264; /* phi_n, phi_e */
+    Q_nz[103] = t1337; /* phi_n, phi_n */
+    Q_nz[104] = t1366; /* phi_n, phi_u */
+    Q_nz[105] = t1372; /* phi_n, dbg_x */
+    Q_nz[106] = t1378; /* phi_n, dbg_y */
+    Q_nz[107] = t1385; /* phi_n, dbg_z */
+    Q_nz[108] = t1388; /* phi_n, dba_x */
+    Q_nz[109] = t1390; /* phi_n, dba_y */
+    Q_nz[110] = t1393; /* phi_n, dba_z */
+    Q_nz[117] = t1295; /* phi_u, phi_e */
+    Q_nz[118] = t1366; /* phi_u, phi_n */
+    Q_nz[129] = t1301; /* dbg_x, phi_e */
+    Q_nz[130] = t1372; /* dbg_x, phi_n */
+    Q_nz[136] = t1307; /* dbg_y, phi_e */
+    Q_nz[137] = t1378; /* dbg_y, phi_n */
+    Q_nz[143] = t1313; /* dbg_z, phi_e */
+    Q_nz[144] = t1385; /* dbg_z, phi_n */
+    Q_nz[154] = t1388; /* dba_x, phi_n */
+    Q_nz[164] = t1390; /* dba_y, phi_n */
+    Q_nz[173] = t1314; /* dba_z, phi_e */
+    Q_nz[174] = t1393; /* dba_z, phi_n */
+}
+
+static void ah_Q_kernel_8(const bs_real dt[1], const ah_Q_shared *shared, bs_real Q_nz[177])
+{
     const bs_real t1397 = shared->t103 * shared->t278;
     const bs_real t1398 = shared->t703 * shared->t712;
     const bs_real t1399 = t1397 + t1398;
@@ -1742,15 +1776,15 @@ static void ah_Q_kernel_8(const bs_real dt[1], const ah_Q_shared *shared, bs_rea
     const bs_real t1405 = t1403 + t1404;
     const bs_real t1406 = shared->t801 * shared->t173;
     const bs_real t1407 = t1405 + t1406;
-    const bs_real t1408 = t1284 * shared->t89;
+    const bs_real t1408 = shared->t1284 * shared->t89;
     const bs_real t1409 = t1407 - t1408;
-    const bs_real t1410 = t1287 * shared->t92;
+    const bs_real t1410 = shared->t1287 * shared->t92;
     const bs_real t1411 = t1409 + t1410;
-    const bs_real t1412 = t1290 * shared->t86;
+    const bs_real t1412 = shared->t1290 * shared->t86;
     const bs_real t1413 = t1411 + t1412;
     const bs_real t1414 = t1402 + t1413;
     const bs_real t1415 = t1414 * shared->t58;
-    const bs_real t1416 = t1396 + t1415;
+    const bs_real t1416 = shared->t1396 + t1415;
     const bs_real t1417 = shared->t703 * shared->t1034;
     const bs_real t1418 = shared->t173 * shared->t812;
     const bs_real t1419 = t1417 + t1418;
@@ -1783,23 +1817,6 @@ static void ah_Q_kernel_8(const bs_real dt[1], const ah_Q_shared *shared, bs_rea
     const bs_real t1446 = shared->t286 * dt[0];
     const bs_real t1447 = shared->t292 * dt[0];
     const bs_real t1448 = shared->t297 * dt[0];
-    Q_nz[88] = t1264; /* phi_e, phi_n */
-    Q_nz[89] = t1295; /* phi_e, phi_u */
-    Q_nz[90] = t1301; /* phi_e, dbg_x */
-    Q_nz[91] = t1307; /* phi_e, dbg_y */
-    Q_nz[92] = t1313; /* phi_e, dbg_z */
-    Q_nz[95] = t1314; /* phi_e, dba_z */
-    Q_nz[102] = t1264; /* phi_n, phi_e */
-    Q_nz[103] = t1337; /* phi_n, phi_n */
-    Q_nz[104] = t1366; /* phi_n, phi_u */
-    Q_nz[105] = t1372; /* phi_n, dbg_x */
-    Q_nz[106] = t1378; /* phi_n, dbg_y */
-    Q_nz[107] = t1385; /* phi_n, dbg_z */
-    Q_nz[108] = t1388; /* phi_n, dba_x */
-    Q_nz[109] = t1390; /* phi_n, dba_y */
-    Q_nz[110] = t1393; /* phi_n, dba_z */
-    Q_nz[117] = t1295; /* phi_u, phi_e */
-    Q_nz[118] = t1366; /* phi_u, phi_n */
     Q_nz[119] = t1416; /* phi_u, phi_u */
     Q_nz[120] = t1422; /* phi_u, dbg_x */
     Q_nz[121] = t1428; /* phi_u, dbg_y */
@@ -1807,26 +1824,16 @@ static void ah_Q_kernel_8(const bs_real dt[1], const ah_Q_shared *shared, bs_rea
     Q_nz[123] = t1437; /* phi_u, dba_x */
     Q_nz[124] = t1439; /* phi_u, dba_y */
     Q_nz[125] = t1442; /* phi_u, dba_z */
-    Q_nz[129] = t1301; /* dbg_x, phi_e */
-    Q_nz[130] = t1372; /* dbg_x, phi_n */
     Q_nz[131] = t1422; /* dbg_x, phi_u */
     Q_nz[132] = t1443; /* dbg_x, dbg_x */
-    Q_nz[136] = t1307; /* dbg_y, phi_e */
-    Q_nz[137] = t1378; /* dbg_y, phi_n */
     Q_nz[138] = t1428; /* dbg_y, phi_u */
     Q_nz[139] = t1444; /* dbg_y, dbg_y */
-    Q_nz[143] = t1313; /* dbg_z, phi_e */
-    Q_nz[144] = t1385; /* dbg_z, phi_n */
     Q_nz[145] = t1434; /* dbg_z, phi_u */
     Q_nz[146] = t1445; /* dbg_z, dbg_z */
-    Q_nz[154] = t1388; /* dba_x, phi_n */
     Q_nz[155] = t1437; /* dba_x, phi_u */
     Q_nz[156] = t1446; /* dba_x, dba_x */
-    Q_nz[164] = t1390; /* dba_y, phi_n */
     Q_nz[165] = t1439; /* dba_y, phi_u */
     Q_nz[166] = t1447; /* dba_y, dba_y */
-    Q_nz[173] = t1314; /* dba_z, phi_e */
-    Q_nz[174] = t1393; /* dba_z, phi_n */
     Q_nz[175] = t1442; /* dba_z, phi_u */
     Q_nz[176] = t1448; /* dba_z, dba_z */
 }
@@ -1843,11 +1850,11 @@ static void ah_Q_kernel(const bs_real position[3],
                         bs_real Q_nz[177])
 {
     ah_Q_shared shared;
-    ah_Q_kernel_1(position, &shared);
-    ah_Q_kernel_2(position, v_n, q_b2n_wxyz, f_b, dt, gyro_noise, accel_noise, &shared, Q_nz);
-    ah_Q_kernel_3(v_n, f_b, accel_bias_noise, &shared, Q_nz);
-    ah_Q_kernel_4(position, v_n, dt, &shared, Q_nz);
-    ah_Q_kernel_5(gyro_bias_noise, &shared, Q_nz);
+    ah_Q_kernel_1(position, v_n, q_b2n_wxyz, dt, accel_noise, &shared, Q_nz);
+    ah_Q_kernel_2(v_n, f_b, gyro_noise, accel_bias_noise, &shared, Q_nz);
+    ah_Q_kernel_3(v_n, dt, &shared, Q_nz);
+    ah_Q_kernel_4(position, &shared, Q_nz);
+    ah_Q_kernel_5(dt, gyro_bias_noise, &shared, Q_nz);
     ah_Q_kernel_6(dt, &shared, Q_nz);
     ah_Q_kernel_7(dt, &shared, Q_nz);
     ah_Q_kernel_8(dt, &shared, Q_nz);

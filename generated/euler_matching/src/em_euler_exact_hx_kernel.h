@@ -26,21 +26,24 @@ typedef struct {
     bs_real t56;
     bs_real t58;
     bs_real t62;
+    bs_real t64;
+    bs_real t66;
+    bs_real t68;
+    bs_real t71;
+    bs_real t77;
+    bs_real t79;
+    bs_real t80;
+    bs_real t82;
+    bs_real t84;
+    bs_real t85;
+    bs_real sin_yaw_b;
     bs_real t88;
-    bs_real t94;
-    bs_real t141;
-    bs_real t162;
-    bs_real t228;
-    bs_real t252;
-    bs_real t256;
-    bs_real t259;
-    bs_real t261;
-    bs_real t264;
-    bs_real t266;
-    bs_real t269;
+    bs_real t89;
+    bs_real t90;
 } em_euler_exact_h_shared;
 
-static void em_euler_exact_h_kernel_1(const bs_real mu[3],
+static void em_euler_exact_h_kernel_1(const bs_real x[6],
+                                      const bs_real mu[3],
                                       const bs_real euler_b[3],
                                       em_euler_exact_h_shared *shared)
 {
@@ -100,49 +103,49 @@ static void em_euler_exact_h_kernel_1(const bs_real mu[3],
     const bs_real t60 = shared->sin_pitch_b * t59;
     const bs_real t61 = t54 - t60;
     shared->t62 = BS_ATAN2(t48, t61);
+    shared->t64 = BS_REAL(2.0) * x[1];
+    shared->t66 = x[2] * x[2];
+    const bs_real t67 = BS_REAL(1e-30) + shared->t66;
+    shared->t68 = x[1] * x[1];
+    const bs_real t69 = t67 + shared->t68;
+    shared->t71 = x[0] * x[0];
+    const bs_real t72 = t69 + shared->t71;
+    const bs_real t73 = BS_SQRT(t72);
+    const bs_real t74 = BS_REAL(0.5) * t73;
+    const bs_real t75 = BS_SIN(t74);
+    const bs_real t76 = t75 * t75;
+    shared->t77 = t76 / t72;
+    const bs_real t78 = shared->t77 * x[2];
+    shared->t79 = shared->t64 * t78;
+    shared->t80 = BS_COS(t74);
+    const bs_real t81 = t75 * shared->t80;
+    shared->t82 = t81 / t73;
+    const bs_real t83 = BS_REAL(2.0) * x[0];
+    shared->t84 = shared->t82 * t83;
+    shared->t85 = shared->t79 + shared->t84;
+    shared->sin_yaw_b = BS_SIN(euler_b[2]);
+    shared->t88 = shared->cos_pitch_b * shared->sin_yaw_b;
+    shared->t89 = shared->t85 * shared->t88;
+    shared->t90 = t78 * t83;
 }
 
 static void em_euler_exact_h_kernel_2(const bs_real x[6],
                                       const bs_real mu[3],
                                       const bs_real euler_b[3],
-                                      em_euler_exact_h_shared *shared,
+                                      const em_euler_exact_h_shared *shared,
                                       bs_real h_nz[3])
 {
-    const bs_real t64 = BS_REAL(2.0) * x[1];
-    const bs_real t66 = x[2] * x[2];
-    const bs_real t67 = BS_REAL(1e-30) + t66;
-    const bs_real t68 = x[1] * x[1];
-    const bs_real t69 = t67 + t68;
-    const bs_real t71 = x[0] * x[0];
-    const bs_real t72 = t69 + t71;
-    const bs_real t73 = BS_SQRT(t72);
-    const bs_real t74 = BS_REAL(0.5) * t73;
-    const bs_real t75 = BS_SIN(t74);
-    const bs_real t76 = t75 * t75;
-    const bs_real t77 = t76 / t72;
-    const bs_real t78 = t77 * x[2];
-    const bs_real t79 = t64 * t78;
-    const bs_real t80 = BS_COS(t74);
-    const bs_real t81 = t75 * t80;
-    const bs_real t82 = t81 / t73;
-    const bs_real t83 = BS_REAL(2.0) * x[0];
-    const bs_real t84 = t82 * t83;
-    const bs_real t85 = t79 + t84;
-    const bs_real sin_yaw_b = BS_SIN(euler_b[2]);
-    shared->t88 = shared->cos_pitch_b * sin_yaw_b;
-    const bs_real t89 = t85 * shared->t88;
-    const bs_real t90 = t78 * t83;
-    const bs_real t91 = t64 * t82;
-    const bs_real t92 = t90 - t91;
+    const bs_real t91 = shared->t64 * shared->t82;
+    const bs_real t92 = shared->t90 - t91;
     const bs_real cos_yaw_b = BS_COS(euler_b[2]);
-    shared->t94 = shared->cos_pitch_b * cos_yaw_b;
-    const bs_real t95 = t92 * shared->t94;
-    const bs_real t96 = t89 + t95;
-    const bs_real t97 = t80 * t80;
-    const bs_real t98 = t71 * t77;
+    const bs_real t94 = shared->cos_pitch_b * cos_yaw_b;
+    const bs_real t95 = t92 * t94;
+    const bs_real t96 = shared->t89 + t95;
+    const bs_real t97 = shared->t80 * shared->t80;
+    const bs_real t98 = shared->t71 * shared->t77;
     const bs_real t99 = t97 - t98;
-    const bs_real t100 = t66 * t77;
-    const bs_real t101 = t68 * t77;
+    const bs_real t100 = shared->t66 * shared->t77;
+    const bs_real t101 = shared->t68 * shared->t77;
     const bs_real t102 = t100 - t101;
     const bs_real t103 = t99 + t102;
     const bs_real t104 = shared->sin_pitch_b * t103;
@@ -172,15 +175,15 @@ static void em_euler_exact_h_kernel_2(const bs_real x[6],
     const bs_real t131 = t125 - t130;
     const bs_real t132 = t105 * t131;
     const bs_real t133 = shared->cos_roll_b * cos_yaw_b;
-    const bs_real t134 = shared->sin_roll_b * sin_yaw_b;
+    const bs_real t134 = shared->sin_roll_b * shared->sin_yaw_b;
     const bs_real t135 = shared->sin_pitch_b * t134;
     const bs_real t136 = t133 + t135;
-    const bs_real t137 = t136 * t85;
+    const bs_real t137 = t136 * shared->t85;
     const bs_real t138 = shared->sin_roll_b * cos_yaw_b;
     const bs_real t139 = shared->sin_pitch_b * t138;
-    const bs_real t140 = shared->cos_roll_b * sin_yaw_b;
-    shared->t141 = t139 - t140;
-    const bs_real t142 = shared->t141 * t92;
+    const bs_real t140 = shared->cos_roll_b * shared->sin_yaw_b;
+    const bs_real t141 = t139 - t140;
+    const bs_real t142 = t141 * t92;
     const bs_real t143 = t137 + t142;
     const bs_real t144 = shared->cos_pitch_b * t103;
     const bs_real t145 = shared->sin_roll_b * t144;
@@ -197,11 +200,11 @@ static void em_euler_exact_h_kernel_2(const bs_real x[6],
     const bs_real t156 = shared->cos_roll_b * t144;
     const bs_real t157 = shared->sin_pitch_b * t140;
     const bs_real t158 = t157 - t138;
-    const bs_real t159 = t85 * t158;
+    const bs_real t159 = shared->t85 * t158;
     const bs_real t160 = t156 + t159;
     const bs_real t161 = shared->sin_pitch_b * t133;
-    shared->t162 = t134 + t161;
-    const bs_real t163 = t92 * shared->t162;
+    const bs_real t162 = t134 + t161;
+    const bs_real t163 = t92 * t162;
     const bs_real t164 = t160 + t163;
     const bs_real t165 = t124 * t129;
     const bs_real t166 = t123 * t126;
@@ -237,105 +240,101 @@ static void em_euler_exact_h_kernel_2(const bs_real x[6],
     const bs_real t196 = t195 * t105;
     const bs_real t197 = t192 + t196;
     const bs_real t198 = -t197;
-    const bs_real t199 = t77 * x[1];
+    const bs_real t199 = shared->t77 * x[1];
     const bs_real t200 = t199 * x[0];
     const bs_real t201 = BS_REAL(2.0) * t200;
-    const bs_real t202 = t82 * x[2];
+    const bs_real t202 = shared->t82 * x[2];
     const bs_real t203 = BS_REAL(2.0) * t202;
     const bs_real t204 = t201 - t203;
     const bs_real t205 = t136 * t204;
     const bs_real t206 = t97 + t98;
     const bs_real t207 = t100 - t206;
     const bs_real t208 = t207 + t101;
-    const bs_real t209 = shared->t141 * t208;
+    const bs_real t209 = t141 * t208;
     const bs_real t210 = t205 - t209;
-    const bs_real t211 = t90 + t91;
+    const bs_real t211 = shared->t90 + t91;
     const bs_real t212 = t211 * shared->t32;
     const bs_real t213 = t210 + t212;
     const bs_real t214 = t188 * t213;
     const bs_real t215 = t211 * shared->t4;
     const bs_real t216 = t204 * t158;
     const bs_real t217 = t215 + t216;
-    const bs_real t218 = t208 * shared->t162;
+    const bs_real t218 = t208 * t162;
     const bs_real t219 = t217 - t218;
     const bs_real t220 = t190 * t219;
     const bs_real t221 = t214 + t220;
     const bs_real t222 = t204 * shared->t88;
-    const bs_real t223 = t208 * shared->t94;
+    const bs_real t223 = t208 * t94;
     const bs_real t224 = t222 - t223;
     const bs_real t225 = shared->sin_pitch_b * t211;
     const bs_real t226 = t224 - t225;
     const bs_real t227 = t195 * t226;
-    shared->t228 = t221 + t227;
-    const bs_real t229 = shared->t228 * shared->t228;
+    const bs_real t228 = t221 + t227;
+    const bs_real t229 = t228 * t228;
     const bs_real t230 = t203 + t201;
-    const bs_real t231 = shared->t141 * t230;
+    const bs_real t231 = t141 * t230;
     const bs_real t232 = t102 - t99;
     const bs_real t233 = t136 * t232;
     const bs_real t234 = t231 - t233;
-    const bs_real t235 = t79 - t84;
+    const bs_real t235 = shared->t79 - shared->t84;
     const bs_real t236 = t235 * shared->t32;
     const bs_real t237 = t234 + t236;
     const bs_real t238 = t188 * t237;
     const bs_real t239 = t235 * shared->t4;
-    const bs_real t240 = t230 * shared->t162;
+    const bs_real t240 = t230 * t162;
     const bs_real t241 = t239 + t240;
     const bs_real t242 = t232 * t158;
     const bs_real t243 = t241 - t242;
     const bs_real t244 = t190 * t243;
     const bs_real t245 = t238 + t244;
-    const bs_real t246 = t230 * shared->t94;
+    const bs_real t246 = t230 * t94;
     const bs_real t247 = t232 * shared->t88;
     const bs_real t248 = t246 - t247;
     const bs_real t249 = shared->sin_pitch_b * t235;
     const bs_real t250 = t248 - t249;
     const bs_real t251 = t195 * t250;
-    shared->t252 = t245 + t251;
-    const bs_real t253 = shared->t252 * shared->t252;
+    const bs_real t252 = t245 + t251;
+    const bs_real t253 = t252 * t252;
     const bs_real t254 = t229 + t253;
     const bs_real t255 = BS_SQRT(t254);
-    shared->t256 = BS_ATAN2(t198, t255);
+    const bs_real t256 = BS_ATAN2(t198, t255);
     const bs_real t257 = shared->t37 - shared->t34;
     const bs_real t258 = t257 + shared->t36;
-    shared->t259 = t258 - shared->t33;
-    const bs_real t260 = shared->sin_pitch_b * shared->t259;
-    shared->t261 = shared->t43 - shared->t45;
-    const bs_real t262 = shared->t261 * shared->t32;
+    const bs_real t259 = t258 - shared->t33;
+    const bs_real t260 = shared->sin_pitch_b * t259;
+    const bs_real t261 = shared->t43 - shared->t45;
+    const bs_real t262 = t261 * shared->t32;
     const bs_real t263 = t260 - t262;
-    shared->t264 = shared->t56 + shared->t58;
-    const bs_real t265 = shared->t264 * shared->t4;
-    shared->t266 = t263 - t265;
-    const bs_real t267 = t136 * shared->t261;
-    const bs_real t268 = shared->t264 * t158;
-    shared->t269 = t267 + t268;
-    h_nz[0] = t187; /* roll */
-}
-
-static void em_euler_exact_h_kernel_3(const em_euler_exact_h_shared *shared, bs_real h_nz[3])
-{
-    const bs_real t270 = shared->t259 * shared->t88;
-    const bs_real t271 = shared->t269 + t270;
+    const bs_real t264 = shared->t56 + shared->t58;
+    const bs_real t265 = t264 * shared->t4;
+    const bs_real t266 = t263 - t265;
+    const bs_real t267 = t136 * t261;
+    const bs_real t268 = t264 * t158;
+    const bs_real t269 = t267 + t268;
+    const bs_real t270 = t259 * shared->t88;
+    const bs_real t271 = t269 + t270;
     const bs_real t272 = t271 * t271;
-    const bs_real t273 = shared->t141 * shared->t261;
-    const bs_real t274 = shared->t264 * shared->t162;
+    const bs_real t273 = t141 * t261;
+    const bs_real t274 = t264 * t162;
     const bs_real t275 = t273 + t274;
-    const bs_real t276 = shared->t259 * shared->t94;
+    const bs_real t276 = t259 * t94;
     const bs_real t277 = t275 + t276;
     const bs_real t278 = t277 * t277;
     const bs_real t279 = t272 + t278;
     const bs_real t280 = BS_SQRT(t279);
-    const bs_real t281 = BS_ATAN2(shared->t266, t280);
-    const bs_real t282 = shared->t256 - t281;
+    const bs_real t281 = BS_ATAN2(t266, t280);
+    const bs_real t282 = t256 - t281;
     const bs_real t283 = BS_SIN(t282);
     const bs_real t284 = -t283;
     const bs_real t285 = BS_COS(t282);
     const bs_real t286 = BS_ATAN2(t284, t285);
     const bs_real t287 = BS_ATAN2(t271, t277);
-    const bs_real t288 = BS_ATAN2(shared->t252, shared->t228);
+    const bs_real t288 = BS_ATAN2(t252, t228);
     const bs_real t289 = t287 - t288;
     const bs_real t290 = BS_SIN(t289);
     const bs_real t291 = BS_COS(t289);
     const bs_real t292 = BS_ATAN2(t290, t291);
+    h_nz[0] = t187; /* roll */
     h_nz[1] = t286; /* pitch */
     h_nz[2] = t292; /* yaw */
 }
@@ -346,9 +345,8 @@ static void em_euler_exact_h_kernel(const bs_real x[6],
                                     bs_real h_nz[3])
 {
     em_euler_exact_h_shared shared;
-    em_euler_exact_h_kernel_1(mu, euler_b, &shared);
+    em_euler_exact_h_kernel_1(x, mu, euler_b, &shared);
     em_euler_exact_h_kernel_2(x, mu, euler_b, &shared, h_nz);
-    em_euler_exact_h_kernel_3(&shared, h_nz);
 }
 
 #endif

@@ -13,43 +13,51 @@ typedef struct {
     bs_real t4;
     bs_real t8;
     bs_real t9;
+    bs_real t24;
+    bs_real t31;
+    bs_real t33;
+    bs_real t41;
+    bs_real t48;
+    bs_real t49;
+    bs_real t50;
+    bs_real t52;
+    bs_real t54;
+    bs_real t55;
+    bs_real t56;
+    bs_real t57;
+    bs_real t58;
+    bs_real t59;
+    bs_real t60;
+    bs_real t61;
+    bs_real t62;
 } val_dcm_z_shared;
 
-static void val_dcm_z_kernel_1(const bs_real q_m2n_wxyz[4], val_dcm_z_shared *shared)
+static void val_dcm_z_kernel_1(const bs_real q_b2n_wxyz[4],
+                               const bs_real q_b2m_wxyz[4],
+                               const bs_real q_m2n_wxyz[4],
+                               val_dcm_z_shared *shared)
 {
     shared->t2 = BS_REAL(2.0) * q_m2n_wxyz[0];
     shared->t4 = shared->t2 * q_m2n_wxyz[3];
     const bs_real t6 = BS_REAL(2.0) * q_m2n_wxyz[2];
     shared->t8 = t6 * q_m2n_wxyz[1];
     shared->t9 = shared->t4 + shared->t8;
-}
-
-static void val_dcm_z_kernel_2(const bs_real position[3],
-                               const bs_real v_n[3],
-                               const bs_real q_b2n_wxyz[4],
-                               const bs_real q_b2m_wxyz[4],
-                               const bs_real omega_ib_b[3],
-                               const bs_real q_m2n_wxyz[4],
-                               const bs_real lag[1],
-                               const val_dcm_z_shared *shared,
-                               bs_real z_nz[3])
-{
     const bs_real t12 = q_b2m_wxyz[0] * q_b2n_wxyz[3];
     const bs_real t15 = q_b2m_wxyz[1] * q_b2n_wxyz[2];
     const bs_real t16 = t12 + t15;
     const bs_real t19 = q_b2m_wxyz[2] * q_b2n_wxyz[1];
     const bs_real t20 = t16 - t19;
     const bs_real t23 = q_b2m_wxyz[3] * q_b2n_wxyz[0];
-    const bs_real t24 = t20 - t23;
+    shared->t24 = t20 - t23;
     const bs_real t25 = q_b2m_wxyz[0] * q_b2n_wxyz[1];
     const bs_real t26 = q_b2m_wxyz[2] * q_b2n_wxyz[3];
     const bs_real t27 = t25 + t26;
     const bs_real t28 = q_b2m_wxyz[1] * q_b2n_wxyz[0];
     const bs_real t29 = t27 - t28;
     const bs_real t30 = q_b2m_wxyz[3] * q_b2n_wxyz[2];
-    const bs_real t31 = t29 - t30;
-    const bs_real t32 = t24 * t31;
-    const bs_real t33 = BS_REAL(2.0) * t32;
+    shared->t31 = t29 - t30;
+    const bs_real t32 = shared->t24 * shared->t31;
+    shared->t33 = BS_REAL(2.0) * t32;
     const bs_real t34 = q_b2m_wxyz[0] * q_b2n_wxyz[0];
     const bs_real t35 = q_b2m_wxyz[1] * q_b2n_wxyz[1];
     const bs_real t36 = t34 + t35;
@@ -57,32 +65,43 @@ static void val_dcm_z_kernel_2(const bs_real position[3],
     const bs_real t38 = t36 + t37;
     const bs_real t39 = q_b2m_wxyz[3] * q_b2n_wxyz[3];
     const bs_real t40 = t38 + t39;
-    const bs_real t41 = BS_REAL(2.0) * t40;
+    shared->t41 = BS_REAL(2.0) * t40;
     const bs_real t42 = q_b2m_wxyz[0] * q_b2n_wxyz[2];
     const bs_real t43 = q_b2m_wxyz[3] * q_b2n_wxyz[1];
     const bs_real t44 = t42 + t43;
     const bs_real t45 = q_b2m_wxyz[1] * q_b2n_wxyz[3];
     const bs_real t46 = t44 - t45;
     const bs_real t47 = q_b2m_wxyz[2] * q_b2n_wxyz[0];
-    const bs_real t48 = t46 - t47;
-    const bs_real t49 = t41 * t48;
-    const bs_real t50 = t33 - t49;
-    const bs_real t51 = shared->t9 * t50;
-    const bs_real t52 = BS_REAL(0.5) * t51;
+    shared->t48 = t46 - t47;
+    shared->t49 = shared->t41 * shared->t48;
+    shared->t50 = shared->t33 - shared->t49;
+    const bs_real t51 = shared->t9 * shared->t50;
+    shared->t52 = BS_REAL(0.5) * t51;
     const bs_real t53 = q_m2n_wxyz[2] * q_m2n_wxyz[3];
-    const bs_real t54 = BS_REAL(2.0) * t53;
-    const bs_real t55 = shared->t2 * q_m2n_wxyz[1];
-    const bs_real t56 = t54 - t55;
-    const bs_real t57 = t24 * t24;
-    const bs_real t58 = t48 * t48;
-    const bs_real t59 = t57 - t58;
-    const bs_real t60 = t40 * t40;
-    const bs_real t61 = t31 * t31;
-    const bs_real t62 = t60 - t61;
-    const bs_real t63 = t59 + t62;
-    const bs_real t64 = t56 * t63;
+    shared->t54 = BS_REAL(2.0) * t53;
+    shared->t55 = shared->t2 * q_m2n_wxyz[1];
+    shared->t56 = shared->t54 - shared->t55;
+    shared->t57 = shared->t24 * shared->t24;
+    shared->t58 = shared->t48 * shared->t48;
+    shared->t59 = shared->t57 - shared->t58;
+    shared->t60 = t40 * t40;
+    shared->t61 = shared->t31 * shared->t31;
+    shared->t62 = shared->t60 - shared->t61;
+}
+
+static void val_dcm_z_kernel_2(const bs_real position[3],
+                               const bs_real v_n[3],
+                               const bs_real q_b2n_wxyz[4],
+                               const bs_real omega_ib_b[3],
+                               const bs_real q_m2n_wxyz[4],
+                               const bs_real lag[1],
+                               const val_dcm_z_shared *shared,
+                               bs_real z_nz[3])
+{
+    const bs_real t63 = shared->t59 + shared->t62;
+    const bs_real t64 = shared->t56 * t63;
     const bs_real t65 = BS_REAL(0.5) * t64;
-    const bs_real t66 = t52 + t65;
+    const bs_real t66 = shared->t52 + t65;
     const bs_real t67 = q_m2n_wxyz[2] * q_m2n_wxyz[2];
     const bs_real t68 = q_m2n_wxyz[0] * q_m2n_wxyz[0];
     const bs_real t69 = q_m2n_wxyz[1] * q_m2n_wxyz[1];
@@ -90,9 +109,9 @@ static void val_dcm_z_kernel_2(const bs_real position[3],
     const bs_real t71 = t67 + t70;
     const bs_real t72 = q_m2n_wxyz[3] * q_m2n_wxyz[3];
     const bs_real t73 = t71 - t72;
-    const bs_real t74 = t41 * t31;
-    const bs_real t75 = BS_REAL(2.0) * t24;
-    const bs_real t76 = t48 * t75;
+    const bs_real t74 = shared->t41 * shared->t31;
+    const bs_real t75 = BS_REAL(2.0) * shared->t24;
+    const bs_real t76 = shared->t48 * t75;
     const bs_real t77 = t74 + t76;
     const bs_real t78 = t73 * t77;
     const bs_real t79 = BS_REAL(0.5) * t78;
@@ -132,8 +151,8 @@ static void val_dcm_z_kernel_2(const bs_real position[3],
     const bs_real t124 = t120 - t123;
     const bs_real t125 = lag[0] * t124;
     const bs_real t126 = t80 - t125;
-    const bs_real t127 = t24 * t41;
-    const bs_real t128 = t31 * t48;
+    const bs_real t127 = shared->t24 * shared->t41;
+    const bs_real t128 = shared->t31 * shared->t48;
     const bs_real t129 = BS_REAL(2.0) * t128;
     const bs_real t130 = t127 + t129;
     const bs_real t131 = q_m2n_wxyz[1] * q_m2n_wxyz[3];
@@ -143,9 +162,9 @@ static void val_dcm_z_kernel_2(const bs_real position[3],
     const bs_real t135 = t130 * t134;
     const bs_real t136 = BS_REAL(0.5) * t135;
     const bs_real t137 = t126 - t136;
-    const bs_real t138 = t58 + t62;
-    const bs_real t139 = t138 - t57;
-    const bs_real t140 = t55 + t54;
+    const bs_real t138 = shared->t58 + shared->t62;
+    const bs_real t139 = t138 - shared->t57;
+    const bs_real t140 = shared->t55 + shared->t54;
     const bs_real t141 = t139 * t140;
     const bs_real t142 = BS_REAL(0.5) * t141;
     const bs_real t143 = t137 - t142;
@@ -155,16 +174,16 @@ static void val_dcm_z_kernel_2(const bs_real position[3],
     const bs_real t147 = t144 * t146;
     const bs_real t148 = BS_REAL(0.5) * t147;
     const bs_real t149 = t143 - t148;
-    const bs_real t150 = t60 - t58;
-    const bs_real t151 = t150 + t61;
-    const bs_real t152 = t151 - t57;
+    const bs_real t150 = shared->t60 - shared->t58;
+    const bs_real t151 = t150 + shared->t61;
+    const bs_real t152 = t151 - shared->t57;
     const bs_real t153 = t134 * t152;
     const bs_real t154 = BS_REAL(0.5) * t153;
     const bs_real t155 = t129 - t127;
     const bs_real t156 = t140 * t155;
     const bs_real t157 = BS_REAL(0.5) * t156;
     const bs_real t158 = t154 + t157;
-    const bs_real t159 = t49 + t33;
+    const bs_real t159 = shared->t49 + shared->t33;
     const bs_real t160 = t146 * t159;
     const bs_real t161 = BS_REAL(0.5) * t160;
     const bs_real t162 = t158 + t161;
@@ -189,7 +208,7 @@ static void val_dcm_z_kernel_2(const bs_real position[3],
     const bs_real t183 = t68 - t67;
     const bs_real t184 = t183 + t69;
     const bs_real t185 = t184 - t72;
-    const bs_real t186 = t50 * t185;
+    const bs_real t186 = shared->t50 * t185;
     const bs_real t187 = BS_REAL(0.5) * t186;
     const bs_real t188 = t182 - t187;
     const bs_real t189 = t133 + t132;
@@ -228,7 +247,7 @@ static void val_dcm_z_kernel_2(const bs_real position[3],
     const bs_real t222 = shared->t9 * t152;
     const bs_real t223 = BS_REAL(0.5) * t222;
     const bs_real t224 = t221 - t223;
-    const bs_real t225 = t56 * t159;
+    const bs_real t225 = shared->t56 * t159;
     const bs_real t226 = BS_REAL(0.5) * t225;
     const bs_real t227 = t224 - t226;
     const bs_real t228 = t73 * t155;
@@ -249,9 +268,8 @@ static void val_dcm_z_kernel(const bs_real position[3],
                              bs_real z_nz[3])
 {
     val_dcm_z_shared shared;
-    val_dcm_z_kernel_1(q_m2n_wxyz, &shared);
-    val_dcm_z_kernel_2(position, v_n, q_b2n_wxyz, q_b2m_wxyz, omega_ib_b, q_m2n_wxyz, lag, &shared,
-                       z_nz);
+    val_dcm_z_kernel_1(q_b2n_wxyz, q_b2m_wxyz, q_m2n_wxyz, &shared);
+    val_dcm_z_kernel_2(position, v_n, q_b2n_wxyz, omega_ib_b, q_m2n_wxyz, lag, &shared, z_nz);
 }
 
 #endif

@@ -11,7 +11,6 @@
 /* What a part of the list leaves to a later one. */
 typedef struct {
     bs_real t11;
-    bs_real t12;
     bs_real t13;
     bs_real t15;
     bs_real t16;
@@ -20,15 +19,10 @@ typedef struct {
     bs_real t32;
     bs_real t33;
     bs_real t34;
-    bs_real t35;
     bs_real t40;
-    bs_real t43;
     bs_real t46;
     bs_real t49;
     bs_real t50;
-    bs_real sin_lat;
-    bs_real t60;
-    bs_real t62;
     bs_real t67;
     bs_real t68;
     bs_real t81;
@@ -65,15 +59,16 @@ typedef struct {
     bs_real t204;
     bs_real t213;
     bs_real t215;
+    bs_real t216;
     bs_real t223;
     bs_real t224;
+    bs_real t225;
     bs_real t232;
     bs_real t233;
     bs_real t243;
     bs_real t244;
     bs_real t250;
     bs_real t255;
-    bs_real t279;
     bs_real t285;
     bs_real t286;
     bs_real t287;
@@ -114,27 +109,46 @@ typedef struct {
     bs_real t367;
     bs_real t368;
     bs_real t371;
+    bs_real t373;
     bs_real t382;
     bs_real t383;
     bs_real t385;
+    bs_real t389;
     bs_real t392;
+    bs_real t393;
+    bs_real t394;
     bs_real t398;
     bs_real t399;
     bs_real t401;
+    bs_real t402;
+    bs_real t406;
+    bs_real t407;
+    bs_real t411;
     bs_real t413;
+    bs_real t426;
+    bs_real t430;
     bs_real t434;
+    bs_real t436;
     bs_real t446;
-    bs_real t455;
-    bs_real t457;
-    bs_real t458;
-    bs_real t477;
     bs_real t480;
     bs_real t516;
     bs_real t520;
     bs_real t529;
     bs_real t537;
+    bs_real t561;
+    bs_real t570;
+    bs_real t587;
+    bs_real t591;
     bs_real t592;
     bs_real t593;
+    bs_real t594;
+    bs_real t603;
+    bs_real t608;
+    bs_real t612;
+    bs_real t615;
+    bs_real t622;
+    bs_real t630;
+    bs_real t635;
     bs_real t643;
     bs_real t654;
     bs_real t662;
@@ -152,30 +166,27 @@ typedef struct {
     bs_real t756;
     bs_real t768;
     bs_real t789;
-    bs_real t847;
-    bs_real t852;
-    bs_real t871;
+    bs_real t809;
+    bs_real t811;
+    bs_real t831;
+    bs_real t833;
     bs_real t1017;
+    bs_real t1021;
     bs_real t1023;
+    bs_real t1027;
     bs_real t1029;
+    bs_real t1031;
     bs_real t1033;
-    bs_real t1035;
     bs_real t1047;
     bs_real t1059;
-    bs_real t1060;
-    bs_real t1062;
-    bs_real t1232;
-    bs_real t1233;
-    bs_real t1234;
-    bs_real t1241;
-    bs_real t1249;
-    bs_real t1251;
-    bs_real t1258;
 } val_quaternion_H_shared;
 
 static void val_quaternion_H_kernel_1(const bs_real x[19],
                                       const bs_real position[3],
+                                      const bs_real v_n[3],
+                                      const bs_real q_b2n_wxyz[4],
                                       const bs_real q_b2m_wxyz[4],
+                                      const bs_real omega_ib_b[3],
                                       const bs_real lag[1],
                                       val_quaternion_H_shared *shared)
 {
@@ -186,8 +197,8 @@ static void val_quaternion_H_kernel_1(const bs_real x[19],
     const bs_real t9 = x[0] * x[0];
     const bs_real t10 = t7 + t9;
     shared->t11 = BS_SQRT(t10);
-    shared->t12 = BS_REAL(0.5) * shared->t11;
-    shared->t13 = BS_SIN(shared->t12);
+    const bs_real t12 = BS_REAL(0.5) * shared->t11;
+    shared->t13 = BS_SIN(t12);
     shared->t15 = BS_REAL(1.0) / shared->t11;
     shared->t16 = shared->t13 * shared->t15;
     const bs_real t19 = x[12] * x[12];
@@ -203,39 +214,28 @@ static void val_quaternion_H_kernel_1(const bs_real x[19],
     shared->t32 = BS_SIN(t28);
     shared->t33 = BS_REAL(1.0) / shared->t27;
     shared->t34 = shared->t32 * shared->t33;
-    shared->t35 = shared->t34 * x[12];
-    const bs_real t37 = shared->t35 * q_b2m_wxyz[1];
+    const bs_real t35 = shared->t34 * x[12];
+    const bs_real t37 = t35 * q_b2m_wxyz[1];
     const bs_real t38 = t31 - t37;
     shared->t40 = shared->t34 * q_b2m_wxyz[3];
     const bs_real t41 = shared->t40 * x[14];
     const bs_real t42 = t38 - t41;
-    shared->t43 = shared->t34 * x[13];
-    const bs_real t45 = shared->t43 * q_b2m_wxyz[2];
+    const bs_real t43 = shared->t34 * x[13];
+    const bs_real t45 = t43 * q_b2m_wxyz[2];
     shared->t46 = t42 - t45;
     shared->t49 = lag[0] - x[15];
     shared->t50 = shared->t49 * shared->t49;
-    shared->sin_lat = BS_SIN(position[0]);
-    const bs_real t57 = shared->sin_lat * shared->sin_lat;
+    const bs_real sin_lat = BS_SIN(position[0]);
+    const bs_real t57 = sin_lat * sin_lat;
     const bs_real t58 = BS_REAL(0.006694379990141317) * t57;
     const bs_real t59 = BS_REAL(1.0) - t58;
-    shared->t60 = BS_SQRT(t59);
-    const bs_real t61 = t59 * shared->t60;
-    shared->t62 = BS_REAL(6335439.32729282) / t61;
-}
-
-static void val_quaternion_H_kernel_2(const bs_real x[19],
-                                      const bs_real position[3],
-                                      const bs_real v_n[3],
-                                      const bs_real q_b2n_wxyz[4],
-                                      const bs_real q_b2m_wxyz[4],
-                                      const bs_real omega_ib_b[3],
-                                      const bs_real q_m2n_wxyz[4],
-                                      val_quaternion_H_shared *shared)
-{
-    const bs_real t63 = position[2] + shared->t62;
+    const bs_real t60 = BS_SQRT(t59);
+    const bs_real t61 = t59 * t60;
+    const bs_real t62 = BS_REAL(6335439.32729282) / t61;
+    const bs_real t63 = position[2] + t62;
     const bs_real t64 = v_n[0] / t63;
     shared->t67 = x[6] + omega_ib_b[0];
-    shared->t68 = BS_COS(shared->t12);
+    shared->t68 = BS_COS(t12);
     const bs_real t70 = shared->t68 * q_b2n_wxyz[3];
     const bs_real t71 = shared->t16 * x[0];
     const bs_real t73 = t71 * q_b2n_wxyz[2];
@@ -302,7 +302,7 @@ static void val_quaternion_H_kernel_2(const bs_real x[19],
     const bs_real t140 = shared->t115 * shared->t139;
     const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t143 = BS_REAL(7.292115e-05) * cos_lat;
-    const bs_real t146 = BS_REAL(6378137.0) / shared->t60;
+    const bs_real t146 = BS_REAL(6378137.0) / t60;
     const bs_real t147 = position[2] + t146;
     const bs_real t148 = v_n[1] / t147;
     const bs_real t149 = t143 + t148;
@@ -318,8 +318,8 @@ static void val_quaternion_H_kernel_2(const bs_real x[19],
     shared->t159 = shared->t158 * shared->t158;
     const bs_real t160 = shared->t50 * shared->t159;
     const bs_real t161 = t135 + t160;
-    const bs_real t162 = BS_REAL(7.292115e-05) * shared->sin_lat;
-    const bs_real t163 = shared->sin_lat / cos_lat;
+    const bs_real t162 = BS_REAL(7.292115e-05) * sin_lat;
+    const bs_real t163 = sin_lat / cos_lat;
     const bs_real t164 = t148 * t163;
     const bs_real t165 = t162 + t164;
     shared->t166 = t137 - t138;
@@ -342,21 +342,21 @@ static void val_quaternion_H_kernel_2(const bs_real x[19],
     shared->t183 = BS_REAL(1.0) / shared->t179;
     shared->t184 = t182 * shared->t183;
     shared->t186 = BS_COS(t180);
-    const bs_real t187 = shared->t35 * q_b2m_wxyz[3];
+    const bs_real t187 = t35 * q_b2m_wxyz[3];
     const bs_real t188 = shared->t29 * q_b2m_wxyz[2];
     const bs_real t189 = t187 - t188;
     const bs_real t190 = shared->t34 * x[14];
     const bs_real t191 = t190 * q_b2m_wxyz[1];
     const bs_real t192 = t189 - t191;
-    const bs_real t193 = shared->t43 * q_b2m_wxyz[0];
+    const bs_real t193 = t43 * q_b2m_wxyz[0];
     shared->t194 = t192 - t193;
     const bs_real t195 = shared->t100 * shared->t194;
     const bs_real t196 = shared->t46 * shared->t81;
     const bs_real t197 = t195 + t196;
-    const bs_real t198 = shared->t43 * q_b2m_wxyz[1];
+    const bs_real t198 = t43 * q_b2m_wxyz[1];
     const bs_real t199 = shared->t29 * q_b2m_wxyz[3];
     const bs_real t200 = t198 - t199;
-    const bs_real t201 = shared->t35 * q_b2m_wxyz[2];
+    const bs_real t201 = t35 * q_b2m_wxyz[2];
     const bs_real t202 = t200 - t201;
     const bs_real t203 = t190 * q_b2m_wxyz[0];
     shared->t204 = t202 - t203;
@@ -365,13 +365,13 @@ static void val_quaternion_H_kernel_2(const bs_real x[19],
     const bs_real t207 = t190 * q_b2m_wxyz[2];
     const bs_real t208 = shared->t29 * q_b2m_wxyz[1];
     const bs_real t209 = t207 - t208;
-    const bs_real t210 = shared->t35 * q_b2m_wxyz[0];
+    const bs_real t210 = t35 * q_b2m_wxyz[0];
     const bs_real t211 = t209 - t210;
     const bs_real t212 = shared->t40 * x[13];
     shared->t213 = t211 - t212;
     const bs_real t214 = shared->t107 * shared->t213;
     shared->t215 = t206 - t214;
-    const bs_real t216 = shared->t186 * shared->t215;
+    shared->t216 = shared->t186 * shared->t215;
     const bs_real t217 = shared->t46 * shared->t107;
     const bs_real t218 = shared->t81 * shared->t213;
     const bs_real t219 = t217 + t218;
@@ -380,7 +380,7 @@ static void val_quaternion_H_kernel_2(const bs_real x[19],
     const bs_real t222 = shared->t100 * shared->t204;
     shared->t223 = t221 - t222;
     shared->t224 = shared->t184 * shared->t223;
-    const bs_real t225 = shared->t158 * shared->t224;
+    shared->t225 = shared->t158 * shared->t224;
     const bs_real t226 = shared->t46 * shared->t91;
     const bs_real t227 = shared->t100 * shared->t213;
     const bs_real t228 = t226 - t227;
@@ -388,10 +388,16 @@ static void val_quaternion_H_kernel_2(const bs_real x[19],
     const bs_real t230 = t228 - t229;
     const bs_real t231 = shared->t204 * shared->t81;
     shared->t232 = t230 - t231;
+}
+
+static void val_quaternion_H_kernel_2(const bs_real q_b2n_wxyz[4],
+                                      const bs_real q_m2n_wxyz[4],
+                                      val_quaternion_H_shared *shared)
+{
     shared->t233 = shared->t184 * shared->t232;
     const bs_real t234 = shared->t175 * shared->t233;
-    const bs_real t235 = t225 + t234;
-    const bs_real t236 = t216 - t235;
+    const bs_real t235 = shared->t225 + t234;
+    const bs_real t236 = shared->t216 - t235;
     const bs_real t237 = shared->t100 * shared->t46;
     const bs_real t238 = shared->t107 * shared->t204;
     const bs_real t239 = t237 + t238;
@@ -431,14 +437,8 @@ static void val_quaternion_H_kernel_2(const bs_real x[19],
     const bs_real t276 = shared->t175 * shared->t224;
     const bs_real t277 = t275 + t276;
     const bs_real t278 = t277 * q_m2n_wxyz[1];
-    shared->t279 = t270 + t278;
-}
-
-static void val_quaternion_H_kernel_3(const bs_real q_b2n_wxyz[4],
-                                      const bs_real q_m2n_wxyz[4],
-                                      val_quaternion_H_shared *shared)
-{
-    const bs_real t281 = BS_TRUTH(shared->t279 < BS_REAL(0.0));
+    const bs_real t279 = t270 + t278;
+    const bs_real t281 = BS_TRUTH(t279 < BS_REAL(0.0));
     const bs_real t282 = BS_REAL(1.0) - t281;
     const bs_real t283 = t282 - t281;
     const bs_real t284 = BS_REAL(2.0) * t283;
@@ -530,8 +530,8 @@ static void val_quaternion_H_kernel_3(const bs_real q_b2n_wxyz[4],
     const bs_real t370 = shared->t335 * t369;
     shared->t371 = shared->t334 + t370;
     const bs_real t372 = shared->t123 * shared->t371;
-    const bs_real t373 = BS_REAL(2.0) * t372;
-    const bs_real t374 = shared->t107 * t373;
+    shared->t373 = BS_REAL(2.0) * t372;
+    const bs_real t374 = shared->t107 * shared->t373;
     const bs_real t375 = t327 + t374;
     const bs_real t376 = shared->t255 * shared->t285;
     const bs_real t377 = shared->t224 * shared->t291;
@@ -546,30 +546,30 @@ static void val_quaternion_H_kernel_3(const bs_real q_b2n_wxyz[4],
     const bs_real t386 = shared->t67 * shared->t385;
     const bs_real t387 = shared->t115 * shared->t371;
     const bs_real t388 = t386 + t387;
-    const bs_real t389 = BS_REAL(2.0) * t388;
-    const bs_real t390 = shared->t81 * t389;
+    shared->t389 = BS_REAL(2.0) * t388;
+    const bs_real t390 = shared->t81 * shared->t389;
     const bs_real t391 = t375 + t390;
     shared->t392 = BS_REAL(2.0) * shared->t100;
-    const bs_real t393 = shared->t67 * shared->t371;
-    const bs_real t394 = shared->t115 * shared->t385;
-    const bs_real t395 = t393 - t394;
+    shared->t393 = shared->t67 * shared->t371;
+    shared->t394 = shared->t115 * shared->t385;
+    const bs_real t395 = shared->t393 - shared->t394;
     const bs_real t396 = shared->t184 * t343;
     const bs_real t397 = shared->t233 * shared->t287;
     shared->t398 = t396 - t397;
     shared->t399 = BS_REAL(2.0) * shared->t132;
     const bs_real t400 = shared->t399 * t369;
     shared->t401 = shared->t398 + t400;
-    const bs_real t402 = shared->t123 * shared->t401;
-    const bs_real t403 = t395 - t402;
+    shared->t402 = shared->t123 * shared->t401;
+    const bs_real t403 = t395 - shared->t402;
     const bs_real t404 = shared->t392 * t403;
     const bs_real t405 = t391 + t404;
-    const bs_real t406 = shared->t123 * shared->t385;
-    const bs_real t407 = shared->t115 * shared->t401;
-    const bs_real t408 = t406 - t407;
+    shared->t406 = shared->t123 * shared->t385;
+    shared->t407 = shared->t115 * shared->t401;
+    const bs_real t408 = shared->t406 - shared->t407;
     const bs_real t409 = shared->t92 * t408;
     const bs_real t410 = t405 + t409;
-    const bs_real t411 = shared->t67 * shared->t401;
-    const bs_real t412 = shared->t108 * t411;
+    shared->t411 = shared->t67 * shared->t401;
+    const bs_real t412 = shared->t108 * shared->t411;
     shared->t413 = t410 + t412;
     const bs_real t414 = q_b2n_wxyz[0] * shared->t413;
     const bs_real t415 = shared->t213 * shared->t296;
@@ -579,21 +579,29 @@ static void val_quaternion_H_kernel_3(const bs_real q_b2n_wxyz[4],
     const bs_real t419 = t417 + t418;
     const bs_real t420 = shared->t204 * shared->t325;
     const bs_real t421 = t419 + t420;
-    const bs_real t422 = t394 + t393;
-    const bs_real t423 = t422 + t402;
+    const bs_real t422 = shared->t394 + shared->t393;
+    const bs_real t423 = t422 + shared->t402;
     const bs_real t424 = shared->t92 * t423;
     const bs_real t425 = t421 + t424;
-    const bs_real t426 = t387 - t386;
-    const bs_real t427 = shared->t107 * t426;
+    shared->t426 = t387 - t386;
+    const bs_real t427 = shared->t107 * shared->t426;
     const bs_real t428 = shared->t100 * t408;
     const bs_real t429 = t427 + t428;
-    const bs_real t430 = t411 - t372;
-    const bs_real t431 = shared->t81 * t430;
+    shared->t430 = shared->t411 - t372;
+    const bs_real t431 = shared->t81 * shared->t430;
     const bs_real t432 = t429 + t431;
     const bs_real t433 = BS_REAL(2.0) * t432;
     shared->t434 = t425 + t433;
     const bs_real t435 = q_b2n_wxyz[1] * shared->t434;
-    const bs_real t436 = t414 - t435;
+    shared->t436 = t414 - t435;
+}
+
+static void val_quaternion_H_kernel_3(const bs_real x[19],
+                                      const bs_real q_b2n_wxyz[4],
+                                      const bs_real q_b2m_wxyz[4],
+                                      val_quaternion_H_shared *shared,
+                                      bs_real H_nz[30])
+{
     const bs_real t437 = shared->t213 * shared->t315;
     const bs_real t438 = shared->t194 * shared->t296;
     const bs_real t439 = shared->t204 * shared->t305;
@@ -601,21 +609,21 @@ static void val_quaternion_H_kernel_3(const bs_real q_b2n_wxyz[4],
     const bs_real t441 = t437 - t440;
     const bs_real t442 = shared->t46 * shared->t325;
     const bs_real t443 = t441 + t442;
-    const bs_real t444 = shared->t100 * t389;
+    const bs_real t444 = shared->t100 * shared->t389;
     const bs_real t445 = t443 + t444;
     shared->t446 = BS_REAL(2.0) * shared->t81;
-    const bs_real t447 = t394 - t402;
-    const bs_real t448 = t447 - t393;
+    const bs_real t447 = shared->t394 - shared->t402;
+    const bs_real t448 = t447 - shared->t393;
     const bs_real t449 = shared->t446 * t448;
     const bs_real t450 = t445 + t449;
-    const bs_real t451 = t406 + t407;
+    const bs_real t451 = shared->t406 + shared->t407;
     const bs_real t452 = shared->t108 * t451;
     const bs_real t453 = t450 + t452;
-    const bs_real t454 = shared->t92 * t430;
-    shared->t455 = t453 + t454;
-    const bs_real t456 = q_b2n_wxyz[2] * shared->t455;
-    shared->t457 = t436 + t456;
-    shared->t458 = shared->t16 * shared->t457;
+    const bs_real t454 = shared->t92 * shared->t430;
+    const bs_real t455 = t453 + t454;
+    const bs_real t456 = q_b2n_wxyz[2] * t455;
+    const bs_real t457 = shared->t436 + t456;
+    const bs_real t458 = shared->t16 * t457;
     const bs_real t459 = shared->t204 * shared->t296;
     const bs_real t460 = shared->t194 * shared->t305;
     const bs_real t461 = t459 - t460;
@@ -623,31 +631,23 @@ static void val_quaternion_H_kernel_3(const bs_real q_b2n_wxyz[4],
     const bs_real t463 = t461 + t462;
     const bs_real t464 = shared->t213 * shared->t325;
     const bs_real t465 = t463 - t464;
-    const bs_real t466 = shared->t100 * t373;
+    const bs_real t466 = shared->t100 * shared->t373;
     const bs_real t467 = t465 + t466;
-    const bs_real t468 = shared->t92 * t426;
+    const bs_real t468 = shared->t92 * shared->t426;
     const bs_real t469 = t467 + t468;
-    const bs_real t470 = t393 + t447;
+    const bs_real t470 = shared->t393 + t447;
     const bs_real t471 = shared->t108 * t470;
     const bs_real t472 = t469 - t471;
     const bs_real t473 = shared->t81 * t451;
-    const bs_real t474 = shared->t100 * t411;
+    const bs_real t474 = shared->t100 * shared->t411;
     const bs_real t475 = t473 + t474;
     const bs_real t476 = BS_REAL(2.0) * t475;
-    shared->t477 = t472 + t476;
-}
-
-static void val_quaternion_H_kernel_4(const bs_real x[19],
-                                      const bs_real q_b2n_wxyz[4],
-                                      const bs_real q_b2m_wxyz[4],
-                                      val_quaternion_H_shared *shared,
-                                      bs_real H_nz[30])
-{
-    const bs_real t478 = shared->t84 * shared->t477;
-    const bs_real t479 = shared->t458 - t478;
+    const bs_real t477 = t472 + t476;
+    const bs_real t478 = shared->t84 * t477;
+    const bs_real t479 = t458 - t478;
     shared->t480 = BS_REAL(2.0) * x[0];
     const bs_real t481 = x[1] * shared->t413;
-    const bs_real t482 = x[0] * shared->t477;
+    const bs_real t482 = x[0] * t477;
     const bs_real t483 = t481 - t482;
     const bs_real t484 = x[2] * shared->t434;
     const bs_real t485 = t483 - t484;
@@ -657,26 +657,26 @@ static void val_quaternion_H_kernel_4(const bs_real x[19],
     const bs_real t489 = t487 + t488;
     const bs_real t490 = q_b2n_wxyz[2] * t489;
     const bs_real t491 = t486 - t490;
-    const bs_real t492 = q_b2n_wxyz[0] * shared->t477;
-    const bs_real t493 = q_b2n_wxyz[1] * shared->t455;
+    const bs_real t492 = q_b2n_wxyz[0] * t477;
+    const bs_real t493 = q_b2n_wxyz[1] * t455;
     const bs_real t494 = t492 - t493;
     const bs_real t495 = x[1] * t494;
     const bs_real t496 = t491 + t495;
-    const bs_real t497 = q_b2n_wxyz[1] * shared->t477;
-    const bs_real t498 = q_b2n_wxyz[0] * shared->t455;
+    const bs_real t497 = q_b2n_wxyz[1] * t477;
+    const bs_real t498 = q_b2n_wxyz[0] * t455;
     const bs_real t499 = t497 + t498;
     const bs_real t500 = x[2] * t499;
     const bs_real t501 = t496 + t500;
-    const bs_real t502 = x[0] * shared->t457;
+    const bs_real t502 = x[0] * t457;
     const bs_real t503 = t501 + t502;
     const bs_real t504 = t503 * shared->t15;
     const bs_real t505 = shared->t68 * t504;
-    const bs_real t506 = q_b2n_wxyz[2] * shared->t477;
+    const bs_real t506 = q_b2n_wxyz[2] * t477;
     const bs_real t507 = q_b2n_wxyz[1] * shared->t413;
     const bs_real t508 = t506 + t507;
     const bs_real t509 = q_b2n_wxyz[0] * shared->t434;
     const bs_real t510 = t508 + t509;
-    const bs_real t511 = q_b2n_wxyz[3] * shared->t455;
+    const bs_real t511 = q_b2n_wxyz[3] * t455;
     const bs_real t512 = t510 + t511;
     const bs_real t513 = shared->t13 * t512;
     const bs_real t514 = t505 - t513;
@@ -726,8 +726,8 @@ static void val_quaternion_H_kernel_4(const bs_real x[19],
     const bs_real t558 = t556 + t557;
     const bs_real t559 = t555 - t558;
     const bs_real t560 = shared->t100 * shared->t325;
-    const bs_real t561 = t559 + t560;
-    const bs_real t562 = q_b2m_wxyz[3] * t561;
+    shared->t561 = t559 + t560;
+    const bs_real t562 = q_b2m_wxyz[3] * shared->t561;
     const bs_real t563 = shared->t34 * t562;
     const bs_real t564 = shared->t91 * shared->t296;
     const bs_real t565 = shared->t100 * shared->t305;
@@ -735,8 +735,8 @@ static void val_quaternion_H_kernel_4(const bs_real x[19],
     const bs_real t567 = shared->t81 * shared->t315;
     const bs_real t568 = t566 + t567;
     const bs_real t569 = shared->t107 * shared->t325;
-    const bs_real t570 = t568 - t569;
-    const bs_real t571 = q_b2m_wxyz[0] * t570;
+    shared->t570 = t568 - t569;
+    const bs_real t571 = q_b2m_wxyz[0] * shared->t570;
     const bs_real t572 = shared->t107 * shared->t296;
     const bs_real t573 = shared->t81 * shared->t305;
     const bs_real t574 = t572 - t573;
@@ -752,42 +752,42 @@ static void val_quaternion_H_kernel_4(const bs_real x[19],
     const bs_real t584 = shared->t107 * shared->t315;
     const bs_real t585 = t583 + t584;
     const bs_real t586 = shared->t81 * shared->t325;
-    const bs_real t587 = t585 + t586;
-    const bs_real t588 = q_b2m_wxyz[1] * t587;
+    shared->t587 = t585 + t586;
+    const bs_real t588 = q_b2m_wxyz[1] * shared->t587;
     const bs_real t589 = t580 + t588;
     const bs_real t590 = shared->t34 * t589;
-    const bs_real t591 = t563 - t590;
+    shared->t591 = t563 - t590;
     shared->t592 = BS_REAL(2.0) * x[12];
     shared->t593 = shared->t34 * shared->t33;
-    const bs_real t594 = q_b2m_wxyz[2] * t587;
-    const bs_real t595 = x[13] * t594;
-    const bs_real t596 = x[13] * t570;
-    const bs_real t597 = x[14] * t587;
+    shared->t594 = q_b2m_wxyz[2] * shared->t587;
+    const bs_real t595 = x[13] * shared->t594;
+    const bs_real t596 = x[13] * shared->t570;
+    const bs_real t597 = x[14] * shared->t587;
     const bs_real t598 = t596 + t597;
     const bs_real t599 = q_b2m_wxyz[3] * t598;
     const bs_real t600 = t595 + t599;
     const bs_real t601 = x[12] * t589;
     const bs_real t602 = t600 + t601;
-    const bs_real t603 = q_b2m_wxyz[0] * t561;
-    const bs_real t604 = x[13] * t603;
+    shared->t603 = q_b2m_wxyz[0] * shared->t561;
+    const bs_real t604 = x[13] * shared->t603;
     const bs_real t605 = t602 + t604;
     const bs_real t606 = q_b2m_wxyz[0] * t578;
-    const bs_real t607 = q_b2m_wxyz[1] * t561;
-    const bs_real t608 = t606 + t607;
-    const bs_real t609 = x[14] * t608;
+    const bs_real t607 = q_b2m_wxyz[1] * shared->t561;
+    shared->t608 = t606 + t607;
+    const bs_real t609 = x[14] * shared->t608;
     const bs_real t610 = t605 + t609;
     const bs_real t611 = shared->t593 * t610;
-    const bs_real t612 = q_b2m_wxyz[2] * t570;
-    const bs_real t613 = x[14] * t612;
+    shared->t612 = q_b2m_wxyz[2] * shared->t570;
+    const bs_real t613 = x[14] * shared->t612;
     const bs_real t614 = shared->t593 * t613;
-    const bs_real t615 = q_b2m_wxyz[1] * t578;
-    const bs_real t616 = x[13] * t615;
+    shared->t615 = q_b2m_wxyz[1] * t578;
+    const bs_real t616 = x[13] * shared->t615;
     const bs_real t617 = shared->t593 * t616;
     const bs_real t618 = t614 + t617;
     const bs_real t619 = t611 - t618;
     const bs_real t620 = x[12] * t562;
     const bs_real t621 = shared->t593 * t620;
-    const bs_real t622 = t619 - t621;
+    shared->t622 = t619 - t621;
     const bs_real t623 = t613 * shared->t33;
     const bs_real t624 = t616 * shared->t33;
     const bs_real t625 = t623 + t624;
@@ -795,37 +795,51 @@ static void val_quaternion_H_kernel_4(const bs_real x[19],
     const bs_real t627 = t625 - t626;
     const bs_real t628 = t620 * shared->t33;
     const bs_real t629 = t627 + t628;
-    const bs_real t630 = shared->t29 * t629;
-    const bs_real t631 = q_b2m_wxyz[0] * t587;
-    const bs_real t632 = q_b2m_wxyz[1] * t570;
+    shared->t630 = shared->t29 * t629;
+    const bs_real t631 = q_b2m_wxyz[0] * shared->t587;
+    const bs_real t632 = q_b2m_wxyz[1] * shared->t570;
     const bs_real t633 = q_b2m_wxyz[3] * t578;
     const bs_real t634 = t632 + t633;
-    const bs_real t635 = t631 - t634;
-    const bs_real t636 = q_b2m_wxyz[2] * t561;
-    const bs_real t637 = t635 - t636;
+    shared->t635 = t631 - t634;
+    H_nz[0] = t523; /* n, phi_n */
+    H_nz[1] = t531; /* n, phi_e */
+    H_nz[2] = t539; /* n, phi_d */
+    H_nz[3] = t544; /* n, dbg_x */
+    H_nz[4] = t549; /* n, dbg_y */
+    H_nz[5] = t554; /* n, dbg_z */
+}
+
+static void val_quaternion_H_kernel_4(const bs_real x[19],
+                                      const bs_real q_b2n_wxyz[4],
+                                      const bs_real q_b2m_wxyz[4],
+                                      val_quaternion_H_shared *shared,
+                                      bs_real H_nz[30])
+{
+    const bs_real t636 = q_b2m_wxyz[2] * shared->t561;
+    const bs_real t637 = shared->t635 - t636;
     const bs_real t638 = shared->t32 * t637;
-    const bs_real t639 = t630 - t638;
+    const bs_real t639 = shared->t630 - t638;
     const bs_real t640 = BS_REAL(0.5) * t639;
-    const bs_real t641 = t622 + t640;
+    const bs_real t641 = shared->t622 + t640;
     const bs_real t642 = BS_REAL(2.0) * shared->t27;
     shared->t643 = BS_REAL(1.0) / t642;
     const bs_real t644 = t641 * shared->t643;
     const bs_real t645 = shared->t592 * t644;
-    const bs_real t646 = t591 + t645;
-    const bs_real t647 = shared->t34 * t615;
-    const bs_real t648 = shared->t40 * t570;
+    const bs_real t646 = shared->t591 + t645;
+    const bs_real t647 = shared->t34 * shared->t615;
+    const bs_real t648 = shared->t40 * shared->t570;
     const bs_real t649 = t647 - t648;
-    const bs_real t650 = shared->t34 * t594;
+    const bs_real t650 = shared->t34 * shared->t594;
     const bs_real t651 = t649 - t650;
-    const bs_real t652 = shared->t34 * t603;
+    const bs_real t652 = shared->t34 * shared->t603;
     const bs_real t653 = t651 - t652;
     shared->t654 = BS_REAL(2.0) * x[13];
     const bs_real t655 = shared->t654 * t644;
     const bs_real t656 = t653 + t655;
-    const bs_real t657 = shared->t34 * t612;
-    const bs_real t658 = shared->t40 * t587;
+    const bs_real t657 = shared->t34 * shared->t612;
+    const bs_real t658 = shared->t40 * shared->t587;
     const bs_real t659 = t657 - t658;
-    const bs_real t660 = shared->t34 * t608;
+    const bs_real t660 = shared->t34 * shared->t608;
     const bs_real t661 = t659 - t660;
     shared->t662 = BS_REAL(2.0) * x[14];
     const bs_real t663 = shared->t662 * t644;
@@ -840,23 +854,6 @@ static void val_quaternion_H_kernel_4(const bs_real x[19],
     const bs_real t672 = shared->t666 * t671;
     const bs_real t673 = t665 + t672;
     const bs_real t674 = -t673;
-    H_nz[0] = t523; /* n, phi_n */
-    H_nz[1] = t531; /* n, phi_e */
-    H_nz[2] = t539; /* n, phi_d */
-    H_nz[3] = t544; /* n, dbg_x */
-    H_nz[4] = t549; /* n, dbg_y */
-    H_nz[5] = t554; /* n, dbg_z */
-    H_nz[6] = t646; /* n, dmu_x */
-    H_nz[7] = t656; /* n, dmu_y */
-    H_nz[8] = t664; /* n, dmu_z */
-    H_nz[9] = t674; /* n, d_tau */
-}
-
-static void val_quaternion_H_kernel_5(const bs_real x[19],
-                                      const bs_real q_b2n_wxyz[4],
-                                      val_quaternion_H_shared *shared,
-                                      bs_real H_nz[30])
-{
     const bs_real t675 = shared->t311 + shared->t312;
     const bs_real t676 = shared->t184 * t675;
     const bs_real t677 = t676 - shared->t309;
@@ -991,10 +988,10 @@ static void val_quaternion_H_kernel_5(const bs_real x[19],
     const bs_real t806 = shared->t108 * t805;
     const bs_real t807 = t804 + t806;
     const bs_real t808 = shared->t92 * t785;
-    const bs_real t809 = t807 + t808;
-    const bs_real t810 = q_b2n_wxyz[2] * t809;
-    const bs_real t811 = t791 + t810;
-    const bs_real t812 = shared->t16 * t811;
+    shared->t809 = t807 + t808;
+    const bs_real t810 = q_b2n_wxyz[2] * shared->t809;
+    shared->t811 = t791 + t810;
+    const bs_real t812 = shared->t16 * shared->t811;
     const bs_real t813 = shared->t204 * shared->t678;
     const bs_real t814 = shared->t194 * shared->t684;
     const bs_real t815 = t813 - t814;
@@ -1013,11 +1010,23 @@ static void val_quaternion_H_kernel_5(const bs_real x[19],
     const bs_real t828 = shared->t100 * t766;
     const bs_real t829 = t827 + t828;
     const bs_real t830 = BS_REAL(2.0) * t829;
-    const bs_real t831 = t826 + t830;
-    const bs_real t832 = shared->t84 * t831;
-    const bs_real t833 = t812 - t832;
+    shared->t831 = t826 + t830;
+    const bs_real t832 = shared->t84 * shared->t831;
+    shared->t833 = t812 - t832;
+    H_nz[6] = t646; /* n, dmu_x */
+    H_nz[7] = t656; /* n, dmu_y */
+    H_nz[8] = t664; /* n, dmu_z */
+    H_nz[9] = t674; /* n, d_tau */
+}
+
+static void val_quaternion_H_kernel_5(const bs_real x[19],
+                                      const bs_real q_b2n_wxyz[4],
+                                      const bs_real q_b2m_wxyz[4],
+                                      val_quaternion_H_shared *shared,
+                                      bs_real H_nz[30])
+{
     const bs_real t834 = x[1] * shared->t768;
-    const bs_real t835 = x[0] * t831;
+    const bs_real t835 = x[0] * shared->t831;
     const bs_real t836 = t834 - t835;
     const bs_real t837 = x[2] * shared->t789;
     const bs_real t838 = t836 - t837;
@@ -1027,56 +1036,48 @@ static void val_quaternion_H_kernel_5(const bs_real x[19],
     const bs_real t842 = t840 + t841;
     const bs_real t843 = q_b2n_wxyz[2] * t842;
     const bs_real t844 = t839 - t843;
-    const bs_real t845 = q_b2n_wxyz[0] * t831;
-    const bs_real t846 = q_b2n_wxyz[1] * t809;
-    shared->t847 = t845 - t846;
-    const bs_real t848 = x[1] * shared->t847;
+    const bs_real t845 = q_b2n_wxyz[0] * shared->t831;
+    const bs_real t846 = q_b2n_wxyz[1] * shared->t809;
+    const bs_real t847 = t845 - t846;
+    const bs_real t848 = x[1] * t847;
     const bs_real t849 = t844 + t848;
-    const bs_real t850 = q_b2n_wxyz[1] * t831;
-    const bs_real t851 = q_b2n_wxyz[0] * t809;
-    shared->t852 = t850 + t851;
-    const bs_real t853 = x[2] * shared->t852;
+    const bs_real t850 = q_b2n_wxyz[1] * shared->t831;
+    const bs_real t851 = q_b2n_wxyz[0] * shared->t809;
+    const bs_real t852 = t850 + t851;
+    const bs_real t853 = x[2] * t852;
     const bs_real t854 = t849 + t853;
-    const bs_real t855 = x[0] * t811;
+    const bs_real t855 = x[0] * shared->t811;
     const bs_real t856 = t854 + t855;
     const bs_real t857 = t856 * shared->t15;
     const bs_real t858 = shared->t68 * t857;
-    const bs_real t859 = q_b2n_wxyz[2] * t831;
+    const bs_real t859 = q_b2n_wxyz[2] * shared->t831;
     const bs_real t860 = q_b2n_wxyz[1] * shared->t768;
     const bs_real t861 = t859 + t860;
     const bs_real t862 = q_b2n_wxyz[0] * shared->t789;
     const bs_real t863 = t861 + t862;
-    const bs_real t864 = q_b2n_wxyz[3] * t809;
+    const bs_real t864 = q_b2n_wxyz[3] * shared->t809;
     const bs_real t865 = t863 + t864;
     const bs_real t866 = shared->t13 * t865;
     const bs_real t867 = t858 - t866;
     const bs_real t868 = BS_REAL(0.5) * t867;
     const bs_real t869 = shared->t516 * t856;
     const bs_real t870 = t868 - t869;
-    shared->t871 = t870 * shared->t520;
-    const bs_real t872 = shared->t480 * shared->t871;
-    const bs_real t873 = t833 + t872;
-    H_nz[10] = t873; /* e, phi_n */
-}
-
-static void val_quaternion_H_kernel_6(const bs_real x[19],
-                                      const bs_real q_b2m_wxyz[4],
-                                      val_quaternion_H_shared *shared,
-                                      bs_real H_nz[30])
-{
+    const bs_real t871 = t870 * shared->t520;
+    const bs_real t872 = shared->t480 * t871;
+    const bs_real t873 = shared->t833 + t872;
     const bs_real t874 = shared->t84 * shared->t768;
     const bs_real t875 = shared->t89 * shared->t789;
     const bs_real t876 = t874 - t875;
-    const bs_real t877 = shared->t16 * shared->t847;
+    const bs_real t877 = shared->t16 * t847;
     const bs_real t878 = t876 + t877;
-    const bs_real t879 = shared->t529 * shared->t871;
+    const bs_real t879 = shared->t529 * t871;
     const bs_real t880 = t878 + t879;
-    const bs_real t881 = shared->t16 * shared->t852;
+    const bs_real t881 = shared->t16 * t852;
     const bs_real t882 = shared->t89 * shared->t768;
     const bs_real t883 = shared->t84 * shared->t789;
     const bs_real t884 = t882 + t883;
     const bs_real t885 = t881 - t884;
-    const bs_real t886 = shared->t537 * shared->t871;
+    const bs_real t886 = shared->t537 * t871;
     const bs_real t887 = t885 + t886;
     const bs_real t888 = shared->t166 * shared->t745;
     const bs_real t889 = shared->t152 * shared->t732;
@@ -1211,21 +1212,38 @@ static void val_quaternion_H_kernel_6(const bs_real x[19],
     const bs_real t1018 = shared->t46 * shared->t1017;
     const bs_real t1019 = shared->t132 * shared->t285;
     const bs_real t1020 = t1019 - shared->t311;
-    const bs_real t1021 = t1020 + shared->t312;
-    const bs_real t1022 = shared->t184 * t1021;
+    shared->t1021 = t1020 + shared->t312;
+    const bs_real t1022 = shared->t184 * shared->t1021;
     shared->t1023 = shared->t309 + t1022;
     const bs_real t1024 = shared->t213 * shared->t1023;
     const bs_real t1025 = t1018 - t1024;
     const bs_real t1026 = shared->t693 - shared->t298;
-    const bs_real t1027 = shared->t302 + shared->t299;
-    const bs_real t1028 = shared->t184 * t1027;
+    shared->t1027 = shared->t302 + shared->t299;
+    const bs_real t1028 = shared->t184 * shared->t1027;
     shared->t1029 = t1026 + t1028;
     const bs_real t1030 = shared->t204 * shared->t1029;
-    const bs_real t1031 = t1025 - t1030;
+    shared->t1031 = t1025 - t1030;
     const bs_real t1032 = shared->t290 + shared->t295;
     shared->t1033 = t1032 + shared->t292;
+    H_nz[10] = t873; /* e, phi_n */
+    H_nz[11] = t880; /* e, phi_e */
+    H_nz[12] = t887; /* e, phi_d */
+    H_nz[13] = t892; /* e, dbg_x */
+    H_nz[14] = t897; /* e, dbg_y */
+    H_nz[15] = t902; /* e, dbg_z */
+    H_nz[16] = t990; /* e, dmu_x */
+    H_nz[17] = t999; /* e, dmu_y */
+    H_nz[18] = t1006; /* e, dmu_z */
+    H_nz[19] = t1015; /* e, d_tau */
+}
+
+static void val_quaternion_H_kernel_6(const bs_real x[19],
+                                      const bs_real q_b2n_wxyz[4],
+                                      val_quaternion_H_shared *shared,
+                                      bs_real H_nz[30])
+{
     const bs_real t1034 = shared->t194 * shared->t1033;
-    shared->t1035 = t1031 - t1034;
+    const bs_real t1035 = shared->t1031 - t1034;
     const bs_real t1036 = shared->t243 * shared->t321;
     const bs_real t1037 = shared->t215 * shared->t289;
     const bs_real t1038 = t1036 - t1037;
@@ -1233,9 +1251,9 @@ static void val_quaternion_H_kernel_6(const bs_real x[19],
     const bs_real t1040 = t1039 - shared->t354;
     const bs_real t1041 = shared->t132 * t1040;
     const bs_real t1042 = t1038 + t1041;
-    const bs_real t1043 = shared->t232 * t1021;
+    const bs_real t1043 = shared->t232 * shared->t1021;
     const bs_real t1044 = t1042 + t1043;
-    const bs_real t1045 = shared->t223 * t1027;
+    const bs_real t1045 = shared->t223 * shared->t1027;
     const bs_real t1046 = t1044 + t1045;
     shared->t1047 = t1046 * shared->t183;
     const bs_real t1048 = shared->t49 * shared->t1047;
@@ -1250,42 +1268,25 @@ static void val_quaternion_H_kernel_6(const bs_real x[19],
     const bs_real t1057 = shared->t363 * t1046;
     const bs_real t1058 = t1056 - t1057;
     shared->t1059 = t1058 * shared->t367;
-    shared->t1060 = shared->t50 * shared->t1059;
-    const bs_real t1061 = shared->t335 * shared->t1060;
-    shared->t1062 = t1061 - shared->t382;
-    H_nz[11] = t880; /* e, phi_e */
-    H_nz[12] = t887; /* e, phi_d */
-    H_nz[13] = t892; /* e, dbg_x */
-    H_nz[14] = t897; /* e, dbg_y */
-    H_nz[15] = t902; /* e, dbg_z */
-    H_nz[16] = t990; /* e, dmu_x */
-    H_nz[17] = t999; /* e, dmu_y */
-    H_nz[18] = t1006; /* e, dmu_z */
-    H_nz[19] = t1015; /* e, d_tau */
-}
-
-static void val_quaternion_H_kernel_7(const bs_real x[19],
-                                      const bs_real q_b2n_wxyz[4],
-                                      const bs_real q_b2m_wxyz[4],
-                                      val_quaternion_H_shared *shared,
-                                      bs_real H_nz[30])
-{
-    const bs_real t1063 = shared->t123 * shared->t1062;
+    const bs_real t1060 = shared->t50 * shared->t1059;
+    const bs_real t1061 = shared->t335 * t1060;
+    const bs_real t1062 = t1061 - shared->t382;
+    const bs_real t1063 = shared->t123 * t1062;
     const bs_real t1064 = BS_REAL(2.0) * t1063;
     const bs_real t1065 = shared->t107 * t1064;
-    const bs_real t1066 = shared->t1035 + t1065;
-    const bs_real t1067 = shared->t383 * shared->t1060;
+    const bs_real t1066 = t1035 + t1065;
+    const bs_real t1067 = shared->t383 * t1060;
     const bs_real t1068 = shared->t334 + t1067;
     const bs_real t1069 = shared->t67 * t1068;
-    const bs_real t1070 = shared->t115 * shared->t1062;
+    const bs_real t1070 = shared->t115 * t1062;
     const bs_real t1071 = t1069 + t1070;
     const bs_real t1072 = BS_REAL(2.0) * t1071;
     const bs_real t1073 = shared->t81 * t1072;
     const bs_real t1074 = t1066 + t1073;
-    const bs_real t1075 = shared->t67 * shared->t1062;
+    const bs_real t1075 = shared->t67 * t1062;
     const bs_real t1076 = shared->t115 * t1068;
     const bs_real t1077 = t1075 - t1076;
-    const bs_real t1078 = shared->t399 * shared->t1060;
+    const bs_real t1078 = shared->t399 * t1060;
     const bs_real t1079 = t1078 - shared->t743;
     const bs_real t1080 = shared->t123 * t1079;
     const bs_real t1081 = t1077 - t1080;
@@ -1419,53 +1420,20 @@ static void val_quaternion_H_kernel_7(const bs_real x[19],
     const bs_real t1209 = shared->t537 * t1194;
     const bs_real t1210 = t1208 + t1209;
     const bs_real t1211 = shared->t166 * t1068;
-    const bs_real t1212 = shared->t152 * shared->t1062;
+    const bs_real t1212 = shared->t152 * t1062;
     const bs_real t1213 = t1211 - t1212;
     const bs_real t1214 = shared->t110 * t1079;
     const bs_real t1215 = t1213 + t1214;
     const bs_real t1216 = shared->t173 * t1068;
-    const bs_real t1217 = shared->t156 * shared->t1062;
+    const bs_real t1217 = shared->t156 * t1062;
     const bs_real t1218 = t1216 + t1217;
     const bs_real t1219 = shared->t130 * t1079;
     const bs_real t1220 = t1218 - t1219;
     const bs_real t1221 = shared->t170 * t1068;
-    const bs_real t1222 = shared->t139 * shared->t1062;
+    const bs_real t1222 = shared->t139 * t1062;
     const bs_real t1223 = t1221 + t1222;
     const bs_real t1224 = shared->t118 * t1079;
     const bs_real t1225 = t1223 + t1224;
-    const bs_real t1226 = shared->t91 * shared->t1029;
-    const bs_real t1227 = shared->t81 * shared->t1017;
-    const bs_real t1228 = shared->t107 * shared->t1023;
-    const bs_real t1229 = t1227 + t1228;
-    const bs_real t1230 = t1226 - t1229;
-    const bs_real t1231 = shared->t100 * shared->t1033;
-    shared->t1232 = t1230 - t1231;
-    shared->t1233 = q_b2m_wxyz[3] * shared->t1232;
-    shared->t1234 = shared->t34 * shared->t1233;
-    const bs_real t1235 = shared->t91 * shared->t1017;
-    const bs_real t1236 = shared->t100 * shared->t1023;
-    const bs_real t1237 = t1235 - t1236;
-    const bs_real t1238 = shared->t81 * shared->t1029;
-    const bs_real t1239 = t1237 + t1238;
-    const bs_real t1240 = shared->t107 * shared->t1033;
-    shared->t1241 = t1239 + t1240;
-    const bs_real t1242 = q_b2m_wxyz[0] * shared->t1241;
-    const bs_real t1243 = shared->t107 * shared->t1017;
-    const bs_real t1244 = shared->t81 * shared->t1023;
-    const bs_real t1245 = t1243 - t1244;
-    const bs_real t1246 = shared->t100 * shared->t1029;
-    const bs_real t1247 = t1245 - t1246;
-    const bs_real t1248 = shared->t91 * shared->t1033;
-    shared->t1249 = t1247 - t1248;
-    const bs_real t1250 = q_b2m_wxyz[2] * shared->t1249;
-    shared->t1251 = t1242 + t1250;
-    const bs_real t1252 = shared->t100 * shared->t1017;
-    const bs_real t1253 = shared->t91 * shared->t1023;
-    const bs_real t1254 = t1252 + t1253;
-    const bs_real t1255 = shared->t107 * shared->t1029;
-    const bs_real t1256 = t1254 + t1255;
-    const bs_real t1257 = shared->t81 * shared->t1033;
-    shared->t1258 = t1256 - t1257;
     H_nz[20] = t1196; /* d, phi_n */
     H_nz[21] = t1203; /* d, phi_e */
     H_nz[22] = t1210; /* d, phi_d */
@@ -1474,42 +1442,75 @@ static void val_quaternion_H_kernel_7(const bs_real x[19],
     H_nz[25] = t1225; /* d, dbg_z */
 }
 
-static void val_quaternion_H_kernel_8(const bs_real x[19],
+static void val_quaternion_H_kernel_7(const bs_real x[19],
                                       const bs_real q_b2m_wxyz[4],
                                       const val_quaternion_H_shared *shared,
                                       bs_real H_nz[30])
 {
-    const bs_real t1259 = q_b2m_wxyz[1] * shared->t1258;
-    const bs_real t1260 = shared->t1251 + t1259;
+    const bs_real t1226 = shared->t91 * shared->t1029;
+    const bs_real t1227 = shared->t81 * shared->t1017;
+    const bs_real t1228 = shared->t107 * shared->t1023;
+    const bs_real t1229 = t1227 + t1228;
+    const bs_real t1230 = t1226 - t1229;
+    const bs_real t1231 = shared->t100 * shared->t1033;
+    const bs_real t1232 = t1230 - t1231;
+    const bs_real t1233 = q_b2m_wxyz[3] * t1232;
+    const bs_real t1234 = shared->t34 * t1233;
+    const bs_real t1235 = shared->t91 * shared->t1017;
+    const bs_real t1236 = shared->t100 * shared->t1023;
+    const bs_real t1237 = t1235 - t1236;
+    const bs_real t1238 = shared->t81 * shared->t1029;
+    const bs_real t1239 = t1237 + t1238;
+    const bs_real t1240 = shared->t107 * shared->t1033;
+    const bs_real t1241 = t1239 + t1240;
+    const bs_real t1242 = q_b2m_wxyz[0] * t1241;
+    const bs_real t1243 = shared->t107 * shared->t1017;
+    const bs_real t1244 = shared->t81 * shared->t1023;
+    const bs_real t1245 = t1243 - t1244;
+    const bs_real t1246 = shared->t100 * shared->t1029;
+    const bs_real t1247 = t1245 - t1246;
+    const bs_real t1248 = shared->t91 * shared->t1033;
+    const bs_real t1249 = t1247 - t1248;
+    const bs_real t1250 = q_b2m_wxyz[2] * t1249;
+    const bs_real t1251 = t1242 + t1250;
+    const bs_real t1252 = shared->t100 * shared->t1017;
+    const bs_real t1253 = shared->t91 * shared->t1023;
+    const bs_real t1254 = t1252 + t1253;
+    const bs_real t1255 = shared->t107 * shared->t1029;
+    const bs_real t1256 = t1254 + t1255;
+    const bs_real t1257 = shared->t81 * shared->t1033;
+    const bs_real t1258 = t1256 - t1257;
+    const bs_real t1259 = q_b2m_wxyz[1] * t1258;
+    const bs_real t1260 = t1251 + t1259;
     const bs_real t1261 = shared->t34 * t1260;
-    const bs_real t1262 = shared->t1234 - t1261;
-    const bs_real t1263 = q_b2m_wxyz[2] * shared->t1258;
+    const bs_real t1262 = t1234 - t1261;
+    const bs_real t1263 = q_b2m_wxyz[2] * t1258;
     const bs_real t1264 = x[13] * t1263;
-    const bs_real t1265 = x[13] * shared->t1241;
-    const bs_real t1266 = x[14] * shared->t1258;
+    const bs_real t1265 = x[13] * t1241;
+    const bs_real t1266 = x[14] * t1258;
     const bs_real t1267 = t1265 + t1266;
     const bs_real t1268 = q_b2m_wxyz[3] * t1267;
     const bs_real t1269 = t1264 + t1268;
     const bs_real t1270 = x[12] * t1260;
     const bs_real t1271 = t1269 + t1270;
-    const bs_real t1272 = q_b2m_wxyz[0] * shared->t1232;
+    const bs_real t1272 = q_b2m_wxyz[0] * t1232;
     const bs_real t1273 = x[13] * t1272;
     const bs_real t1274 = t1271 + t1273;
-    const bs_real t1275 = q_b2m_wxyz[0] * shared->t1249;
-    const bs_real t1276 = q_b2m_wxyz[1] * shared->t1232;
+    const bs_real t1275 = q_b2m_wxyz[0] * t1249;
+    const bs_real t1276 = q_b2m_wxyz[1] * t1232;
     const bs_real t1277 = t1275 + t1276;
     const bs_real t1278 = x[14] * t1277;
     const bs_real t1279 = t1274 + t1278;
     const bs_real t1280 = shared->t593 * t1279;
-    const bs_real t1281 = q_b2m_wxyz[2] * shared->t1241;
+    const bs_real t1281 = q_b2m_wxyz[2] * t1241;
     const bs_real t1282 = x[14] * t1281;
     const bs_real t1283 = shared->t593 * t1282;
-    const bs_real t1284 = q_b2m_wxyz[1] * shared->t1249;
+    const bs_real t1284 = q_b2m_wxyz[1] * t1249;
     const bs_real t1285 = x[13] * t1284;
     const bs_real t1286 = shared->t593 * t1285;
     const bs_real t1287 = t1283 + t1286;
     const bs_real t1288 = t1280 - t1287;
-    const bs_real t1289 = x[12] * shared->t1233;
+    const bs_real t1289 = x[12] * t1233;
     const bs_real t1290 = shared->t593 * t1289;
     const bs_real t1291 = t1288 - t1290;
     const bs_real t1292 = t1282 * shared->t33;
@@ -1520,12 +1521,12 @@ static void val_quaternion_H_kernel_8(const bs_real x[19],
     const bs_real t1297 = t1289 * shared->t33;
     const bs_real t1298 = t1296 + t1297;
     const bs_real t1299 = shared->t29 * t1298;
-    const bs_real t1300 = q_b2m_wxyz[0] * shared->t1258;
-    const bs_real t1301 = q_b2m_wxyz[1] * shared->t1241;
-    const bs_real t1302 = q_b2m_wxyz[3] * shared->t1249;
+    const bs_real t1300 = q_b2m_wxyz[0] * t1258;
+    const bs_real t1301 = q_b2m_wxyz[1] * t1241;
+    const bs_real t1302 = q_b2m_wxyz[3] * t1249;
     const bs_real t1303 = t1301 + t1302;
     const bs_real t1304 = t1300 - t1303;
-    const bs_real t1305 = q_b2m_wxyz[2] * shared->t1232;
+    const bs_real t1305 = q_b2m_wxyz[2] * t1232;
     const bs_real t1306 = t1304 - t1305;
     const bs_real t1307 = shared->t32 * t1306;
     const bs_real t1308 = t1299 - t1307;
@@ -1535,7 +1536,7 @@ static void val_quaternion_H_kernel_8(const bs_real x[19],
     const bs_real t1312 = shared->t592 * t1311;
     const bs_real t1313 = t1262 + t1312;
     const bs_real t1314 = shared->t34 * t1284;
-    const bs_real t1315 = shared->t40 * shared->t1241;
+    const bs_real t1315 = shared->t40 * t1241;
     const bs_real t1316 = t1314 - t1315;
     const bs_real t1317 = shared->t34 * t1263;
     const bs_real t1318 = t1316 - t1317;
@@ -1544,7 +1545,7 @@ static void val_quaternion_H_kernel_8(const bs_real x[19],
     const bs_real t1321 = shared->t654 * t1311;
     const bs_real t1322 = t1320 + t1321;
     const bs_real t1323 = shared->t34 * t1281;
-    const bs_real t1324 = shared->t40 * shared->t1258;
+    const bs_real t1324 = shared->t40 * t1258;
     const bs_real t1325 = t1323 - t1324;
     const bs_real t1326 = shared->t34 * t1277;
     const bs_real t1327 = t1325 - t1326;
@@ -1576,15 +1577,13 @@ static void val_quaternion_H_kernel(const bs_real x[19],
                                     bs_real H_nz[30])
 {
     val_quaternion_H_shared shared;
-    val_quaternion_H_kernel_1(x, position, q_b2m_wxyz, lag, &shared);
-    val_quaternion_H_kernel_2(x, position, v_n, q_b2n_wxyz, q_b2m_wxyz, omega_ib_b, q_m2n_wxyz,
-                              &shared);
-    val_quaternion_H_kernel_3(q_b2n_wxyz, q_m2n_wxyz, &shared);
+    val_quaternion_H_kernel_1(x, position, v_n, q_b2n_wxyz, q_b2m_wxyz, omega_ib_b, lag, &shared);
+    val_quaternion_H_kernel_2(q_b2n_wxyz, q_m2n_wxyz, &shared);
+    val_quaternion_H_kernel_3(x, q_b2n_wxyz, q_b2m_wxyz, &shared, H_nz);
     val_quaternion_H_kernel_4(x, q_b2n_wxyz, q_b2m_wxyz, &shared, H_nz);
-    val_quaternion_H_kernel_5(x, q_b2n_wxyz, &shared, H_nz);
-    val_quaternion_H_kernel_6(x, q_b2m_wxyz, &shared, H_nz);
-    val_quaternion_H_kernel_7(x, q_b2n_wxyz, q_b2m_wxyz, &shared, H_nz);
-    val_quaternion_H_kernel_8(x, q_b2m_wxyz, &shared, H_nz);
+    val_quaternion_H_kernel_5(x, q_b2n_wxyz, q_b2m_wxyz, &shared, H_nz);
+    val_quaternion_H_kernel_6(x, q_b2n_wxyz, &shared, H_nz);
+    val_quaternion_H_kernel_7(x, q_b2m_wxyz, &shared, H_nz);
 }
 
 #endif

@@ -14,7 +14,6 @@ typedef struct {
     bs_real t2;
     bs_real t5;
     bs_real t8;
-    bs_real t9;
     bs_real t11;
     bs_real t13;
     bs_real t14;
@@ -41,6 +40,8 @@ typedef struct {
     bs_real t49;
     bs_real t50;
     bs_real t51;
+    bs_real t55;
+    bs_real t59;
     bs_real t60;
     bs_real t63;
     bs_real t64;
@@ -80,6 +81,8 @@ typedef struct {
     bs_real t141;
     bs_real t146;
     bs_real t149;
+    bs_real t152;
+    bs_real t153;
     bs_real t154;
     bs_real t157;
     bs_real t158;
@@ -108,8 +111,9 @@ typedef struct {
     bs_real t219;
     bs_real t221;
     bs_real t222;
+    bs_real t223;
+    bs_real t224;
     bs_real t226;
-    bs_real t228;
     bs_real t229;
     bs_real t231;
     bs_real t233;
@@ -138,10 +142,14 @@ typedef struct {
     bs_real t361;
     bs_real t375;
     bs_real t380;
+    bs_real t385;
+    bs_real t386;
     bs_real t387;
     bs_real t392;
     bs_real t401;
     bs_real t403;
+    bs_real t406;
+    bs_real t408;
     bs_real t409;
     bs_real t412;
     bs_real t415;
@@ -149,7 +157,6 @@ typedef struct {
     bs_real t420;
     bs_real t423;
     bs_real t425;
-    bs_real t427;
     bs_real t428;
     bs_real t433;
     bs_real t455;
@@ -166,9 +173,10 @@ typedef struct {
     bs_real t572;
     bs_real t582;
     bs_real t612;
+    bs_real t615;
     bs_real t620;
+    bs_real t623;
     bs_real t625;
-    bs_real t628;
     bs_real t633;
     bs_real t638;
     bs_real t653;
@@ -192,6 +200,7 @@ typedef struct {
     bs_real t772;
     bs_real t776;
     bs_real t785;
+    bs_real t787;
     bs_real t790;
     bs_real t791;
     bs_real t792;
@@ -202,34 +211,31 @@ typedef struct {
     bs_real t808;
     bs_real t810;
     bs_real t812;
-    bs_real t826;
+    bs_real t823;
     bs_real t882;
     bs_real t891;
     bs_real t906;
     bs_real t1018;
     bs_real t1020;
+    bs_real t1023;
     bs_real t1025;
     bs_real t1048;
 } vd_dcm_exact_H_shared;
 
-static void vd_dcm_exact_H_kernel_1(const bs_real x[10], vd_dcm_exact_H_shared *shared)
-{
-    shared->t2 = BS_REAL(2.0) * x[3];
-    shared->t5 = x[3] * x[3];
-    const bs_real t6 = BS_REAL(1e-30) + shared->t5;
-    shared->t8 = x[4] * x[4];
-    shared->t9 = t6 + shared->t8;
-}
-
-static void vd_dcm_exact_H_kernel_2(const bs_real x[10],
+static void vd_dcm_exact_H_kernel_1(const bs_real x[10],
                                     const bs_real q_b2n_wxyz[4],
                                     const bs_real mu[3],
                                     const bs_real q_m2n_wxyz[4],
                                     const bs_real omega_nm_n[3],
                                     vd_dcm_exact_H_shared *shared)
 {
+    shared->t2 = BS_REAL(2.0) * x[3];
+    shared->t5 = x[3] * x[3];
+    const bs_real t6 = BS_REAL(1e-30) + shared->t5;
+    shared->t8 = x[4] * x[4];
+    const bs_real t9 = t6 + shared->t8;
     shared->t11 = x[5] * x[5];
-    const bs_real t12 = shared->t9 + shared->t11;
+    const bs_real t12 = t9 + shared->t11;
     shared->t13 = BS_SQRT(t12);
     shared->t14 = BS_REAL(0.5) * shared->t13;
     shared->t15 = BS_SIN(shared->t14);
@@ -265,10 +271,10 @@ static void vd_dcm_exact_H_kernel_2(const bs_real x[10],
     shared->t50 = shared->t48 * shared->t49;
     shared->t51 = shared->t43 - shared->t50;
     const bs_real t53 = BS_REAL(2.0) * q_b2n_wxyz[0];
-    const bs_real t55 = t53 * q_b2n_wxyz[2];
+    shared->t55 = t53 * q_b2n_wxyz[2];
     const bs_real t58 = q_b2n_wxyz[1] * q_b2n_wxyz[3];
-    const bs_real t59 = BS_REAL(2.0) * t58;
-    shared->t60 = t55 + t59;
+    shared->t59 = BS_REAL(2.0) * t58;
+    shared->t60 = shared->t55 + shared->t59;
     shared->t63 = mu[1] - x[7];
     shared->t64 = BS_REAL(2.0) * shared->t63;
     shared->t67 = mu[0] - x[6];
@@ -350,9 +356,9 @@ static void vd_dcm_exact_H_kernel_2(const bs_real x[10],
     shared->t149 = BS_REAL(0.5) * t148;
     const bs_real t150 = shared->t136 * shared->t149;
     const bs_real t151 = t132 + t150;
-    const bs_real t152 = q_b2n_wxyz[1] * q_b2n_wxyz[1];
-    const bs_real t153 = q_b2n_wxyz[2] * q_b2n_wxyz[2];
-    shared->t154 = t152 - t153;
+    shared->t152 = q_b2n_wxyz[1] * q_b2n_wxyz[1];
+    shared->t153 = q_b2n_wxyz[2] * q_b2n_wxyz[2];
+    shared->t154 = shared->t152 - shared->t153;
     const bs_real t155 = q_b2n_wxyz[0] * q_b2n_wxyz[0];
     const bs_real t156 = q_b2n_wxyz[3] * q_b2n_wxyz[3];
     shared->t157 = t155 - t156;
@@ -421,21 +427,21 @@ static void vd_dcm_exact_H_kernel_2(const bs_real x[10],
     const bs_real t220 = BS_REAL(2.0) * q_b2n_wxyz[2];
     shared->t221 = t220 * q_b2n_wxyz[3];
     shared->t222 = shared->t219 + shared->t221;
-    const bs_real t223 = shared->t222 * shared->t192;
-    const bs_real t224 = t155 + t156;
-    const bs_real t225 = t224 - t152;
-    shared->t226 = t225 - t153;
-    const bs_real t227 = shared->t226 * shared->t201;
-    shared->t228 = t223 + t227;
-    shared->t229 = t59 - t55;
+    shared->t223 = shared->t222 * shared->t192;
+    shared->t224 = t155 + t156;
 }
 
-static void vd_dcm_exact_H_kernel_3(const bs_real x[10],
+static void vd_dcm_exact_H_kernel_2(const bs_real x[10],
                                     vd_dcm_exact_H_shared *shared,
                                     bs_real H_nz[21])
 {
+    const bs_real t225 = shared->t224 - shared->t152;
+    shared->t226 = t225 - shared->t153;
+    const bs_real t227 = shared->t226 * shared->t201;
+    const bs_real t228 = shared->t223 + t227;
+    shared->t229 = shared->t59 - shared->t55;
     const bs_real t230 = shared->t229 * shared->t211;
-    shared->t231 = shared->t228 + t230;
+    shared->t231 = t228 + t230;
     const bs_real t232 = shared->t218 * shared->t231;
     shared->t233 = shared->t29 * shared->t40;
     shared->t234 = shared->t33 * shared->t40;
@@ -589,9 +595,9 @@ static void vd_dcm_exact_H_kernel_3(const bs_real x[10],
     const bs_real t382 = t350 - t381;
     const bs_real t383 = shared->t380 * t382;
     const bs_real t384 = t379 + t383;
-    const bs_real t385 = shared->t2 * shared->t356;
-    const bs_real t386 = shared->t339 * shared->t288;
-    shared->t387 = t385 + t386;
+    shared->t385 = shared->t2 * shared->t356;
+    shared->t386 = shared->t339 * shared->t288;
+    shared->t387 = shared->t385 + shared->t386;
     const bs_real t388 = shared->t387 * shared->t51;
     const bs_real t389 = shared->t375 * x[5];
     const bs_real t390 = BS_REAL(2.0) * t389;
@@ -610,10 +616,10 @@ static void vd_dcm_exact_H_kernel_3(const bs_real x[10],
     shared->t403 = t394 + t402;
     const bs_real t404 = shared->t403 * shared->t222;
     const bs_real t405 = BS_REAL(0.5) * t404;
-    const bs_real t406 = shared->t361 * x[4];
+    shared->t406 = shared->t361 * x[4];
     const bs_real t407 = shared->t339 * x[5];
-    const bs_real t408 = BS_REAL(2.0) * t407;
-    shared->t409 = t406 - t408;
+    shared->t408 = BS_REAL(2.0) * t407;
+    shared->t409 = shared->t406 - shared->t408;
     const bs_real t410 = shared->t51 * shared->t409;
     const bs_real t411 = t396 + t400;
     shared->t412 = t411 - t395;
@@ -628,22 +634,22 @@ static void vd_dcm_exact_H_kernel_3(const bs_real x[10],
     const bs_real t421 = t399 - t396;
     const bs_real t422 = t421 + t398;
     shared->t423 = t422 - t395;
-    const bs_real t424 = shared->t51 * shared->t423;
-    shared->t425 = t406 + t408;
-    const bs_real t426 = shared->t258 * shared->t425;
-    shared->t427 = t424 + t426;
-    shared->t428 = t385 - t386;
     H_nz[0] = t360; /* e, psi_e */
     H_nz[1] = t373; /* e, psi_n */
     H_nz[2] = t384; /* e, psi_u */
 }
 
-static void vd_dcm_exact_H_kernel_4(const bs_real omega_nm_n[3],
+static void vd_dcm_exact_H_kernel_3(const bs_real omega_nm_n[3],
                                     vd_dcm_exact_H_shared *shared,
                                     bs_real H_nz[21])
 {
+    const bs_real t424 = shared->t51 * shared->t423;
+    shared->t425 = shared->t406 + shared->t408;
+    const bs_real t426 = shared->t258 * shared->t425;
+    const bs_real t427 = t424 + t426;
+    shared->t428 = shared->t385 - shared->t386;
     const bs_real t429 = shared->t239 * shared->t428;
-    const bs_real t430 = shared->t427 - t429;
+    const bs_real t430 = t427 - t429;
     const bs_real t431 = t430 * shared->t136;
     const bs_real t432 = BS_REAL(0.5) * t431;
     shared->t433 = shared->t420 + t432;
@@ -828,7 +834,7 @@ static void vd_dcm_exact_H_kernel_4(const bs_real omega_nm_n[3],
     shared->t612 = t610 + t611;
     const bs_real t613 = -shared->t612;
     const bs_real t614 = BS_REAL(2.0) * t613;
-    const bs_real t615 = omega_nm_n[2] * t614;
+    shared->t615 = omega_nm_n[2] * t614;
     const bs_real t616 = shared->t425 * shared->t170;
     const bs_real t617 = shared->t412 * shared->t263;
     const bs_real t618 = t616 - t617;
@@ -836,29 +842,29 @@ static void vd_dcm_exact_H_kernel_4(const bs_real omega_nm_n[3],
     shared->t620 = t618 + t619;
     const bs_real t621 = shared->t401 * shared->t231;
     const bs_real t622 = shared->t415 * shared->t256;
-    const bs_real t623 = t621 - t622;
-    const bs_real t624 = shared->t428 * shared->t213;
-    shared->t625 = t623 - t624;
-    const bs_real t626 = shared->t620 - shared->t625;
-    const bs_real t627 = shared->t21 * t626;
-    shared->t628 = t615 + t627;
+    shared->t623 = t621 - t622;
     H_nz[3] = t579; /* e, dmu_x */
     H_nz[4] = t594; /* e, dmu_y */
     H_nz[5] = t607; /* e, dmu_z */
 }
 
-static void vd_dcm_exact_H_kernel_5(const bs_real x[10],
+static void vd_dcm_exact_H_kernel_4(const bs_real x[10],
                                     const bs_real omega_nm_n[3],
                                     vd_dcm_exact_H_shared *shared,
                                     bs_real H_nz[21])
 {
+    const bs_real t624 = shared->t428 * shared->t213;
+    shared->t625 = shared->t623 - t624;
+    const bs_real t626 = shared->t620 - shared->t625;
+    const bs_real t627 = shared->t21 * t626;
+    const bs_real t628 = shared->t615 + t627;
     const bs_real t629 = shared->t423 * shared->t170;
     const bs_real t630 = shared->t409 * shared->t263;
     const bs_real t631 = t629 + t630;
     const bs_real t632 = shared->t387 * shared->t244;
     shared->t633 = t631 + t632;
     const bs_real t634 = shared->t49 * shared->t633;
-    const bs_real t635 = shared->t628 - t634;
+    const bs_real t635 = t628 - t634;
     const bs_real t636 = t635 * shared->t47;
     const bs_real t637 = shared->t45 * t636;
     shared->t638 = BS_REAL(2.0) * x[9];
@@ -1010,8 +1016,8 @@ static void vd_dcm_exact_H_kernel_5(const bs_real x[10],
     const bs_real t784 = t782 + t783;
     shared->t785 = t781 - t784;
     const bs_real t786 = shared->t288 * shared->t785;
-    const bs_real t787 = t778 + t786;
-    const bs_real t788 = t787 * shared->t298;
+    shared->t787 = t778 + t786;
+    const bs_real t788 = shared->t787 * shared->t298;
     const bs_real t789 = shared->t269 * t788;
     shared->t790 = BS_REAL(2.0) * t775;
     shared->t791 = x[5] * shared->t790;
@@ -1046,18 +1052,18 @@ static void vd_dcm_exact_H_kernel_5(const bs_real x[10],
     const bs_real t820 = shared->t15 * t788;
     const bs_real t821 = t819 + t820;
     const bs_real t822 = shared->t15 * t821;
-    const bs_real t823 = t817 - t822;
-    const bs_real t824 = BS_REAL(0.5) * t823;
-    const bs_real t825 = shared->t340 * t787;
-    shared->t826 = t824 - t825;
+    shared->t823 = t817 - t822;
     H_nz[6] = t705; /* e, d_tau */
 }
 
-static void vd_dcm_exact_H_kernel_6(const bs_real omega_nm_n[3],
+static void vd_dcm_exact_H_kernel_5(const bs_real omega_nm_n[3],
                                     vd_dcm_exact_H_shared *shared,
                                     bs_real H_nz[21])
 {
-    const bs_real t827 = shared->t826 * shared->t344;
+    const bs_real t824 = BS_REAL(0.5) * shared->t823;
+    const bs_real t825 = shared->t340 * shared->t787;
+    const bs_real t826 = t824 - t825;
+    const bs_real t827 = t826 * shared->t344;
     const bs_real t828 = shared->t346 * shared->t792;
     const bs_real t829 = shared->t346 * shared->t812;
     const bs_real t830 = t828 + t829;
@@ -1253,9 +1259,7 @@ static void vd_dcm_exact_H_kernel_6(const bs_real omega_nm_n[3],
     shared->t1020 = t1013 + t1019;
     const bs_real t1021 = shared->t423 * shared->t737;
     const bs_real t1022 = shared->t409 * shared->t744;
-    const bs_real t1023 = t1021 + t1022;
-    const bs_real t1024 = shared->t387 * shared->t755;
-    shared->t1025 = t1023 + t1024;
+    shared->t1023 = t1021 + t1022;
     H_nz[7] = t840; /* n, psi_e */
     H_nz[8] = t852; /* n, psi_n */
     H_nz[9] = t861; /* n, psi_u */
@@ -1264,11 +1268,13 @@ static void vd_dcm_exact_H_kernel_6(const bs_real omega_nm_n[3],
     H_nz[12] = t1010; /* n, dmu_z */
 }
 
-static void vd_dcm_exact_H_kernel_7(const bs_real x[10],
+static void vd_dcm_exact_H_kernel_6(const bs_real x[10],
                                     const bs_real omega_nm_n[3],
                                     vd_dcm_exact_H_shared *shared,
                                     bs_real H_nz[21])
 {
+    const bs_real t1024 = shared->t387 * shared->t755;
+    shared->t1025 = shared->t1023 + t1024;
     const bs_real t1026 = shared->t1025 - shared->t625;
     const bs_real t1027 = shared->t49 * t1026;
     const bs_real t1028 = shared->t1020 + t1027;
@@ -1451,7 +1457,7 @@ static void vd_dcm_exact_H_kernel_7(const bs_real x[10],
     H_nz[16] = t1201; /* u, psi_u */
 }
 
-static void vd_dcm_exact_H_kernel_8(const bs_real x[10],
+static void vd_dcm_exact_H_kernel_7(const bs_real x[10],
                                     const bs_real omega_nm_n[3],
                                     const vd_dcm_exact_H_shared *shared,
                                     bs_real H_nz[21])
@@ -1646,14 +1652,13 @@ static void vd_dcm_exact_H_kernel(const bs_real x[10],
                                   bs_real H_nz[21])
 {
     vd_dcm_exact_H_shared shared;
-    vd_dcm_exact_H_kernel_1(x, &shared);
-    vd_dcm_exact_H_kernel_2(x, q_b2n_wxyz, mu, q_m2n_wxyz, omega_nm_n, &shared);
-    vd_dcm_exact_H_kernel_3(x, &shared, H_nz);
-    vd_dcm_exact_H_kernel_4(omega_nm_n, &shared, H_nz);
-    vd_dcm_exact_H_kernel_5(x, omega_nm_n, &shared, H_nz);
-    vd_dcm_exact_H_kernel_6(omega_nm_n, &shared, H_nz);
+    vd_dcm_exact_H_kernel_1(x, q_b2n_wxyz, mu, q_m2n_wxyz, omega_nm_n, &shared);
+    vd_dcm_exact_H_kernel_2(x, &shared, H_nz);
+    vd_dcm_exact_H_kernel_3(omega_nm_n, &shared, H_nz);
+    vd_dcm_exact_H_kernel_4(x, omega_nm_n, &shared, H_nz);
+    vd_dcm_exact_H_kernel_5(omega_nm_n, &shared, H_nz);
+    vd_dcm_exact_H_kernel_6(x, omega_nm_n, &shared, H_nz);
     vd_dcm_exact_H_kernel_7(x, omega_nm_n, &shared, H_nz);
-    vd_dcm_exact_H_kernel_8(x, omega_nm_n, &shared, H_nz);
 }
 
 #endif
