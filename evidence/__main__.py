@@ -4,7 +4,6 @@ import multiprocessing
 import sys
 from concurrent.futures import ProcessPoolExecutor, as_completed
 
-from boresight import BoresightError
 from boresight.evidence import results
 from boresight.evidence.kinds import KINDS, make, out_of_date
 from boresight.evidence.sources import folders
@@ -31,9 +30,9 @@ def main() -> int:
             folder, kind = running[done]
             try:
                 units, seconds = done.result()
-            except BoresightError as error:  # what else was made is kept
+            except Exception as error:  # whatever it is, what else was made is kept
                 failed += 1
-                print(f"{folder.name}: {kind.name} failed: {error}", flush=True)
+                print(f"{folder.name}: {kind.name} failed: {type(error).__name__}: {error}", flush=True)
                 continue
             entry = {"sources": results.sources_hash(folder), "tools": kind.tools(), "units": units}
             results.write(folder, {**results.read(folder), kind.name: entry})

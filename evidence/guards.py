@@ -43,7 +43,7 @@ def guards(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
         link = ["gcc", "-shared", "-Wl,-Bsymbolic", "--coverage", *GCC.flags]
         run([*link, *objects.values(), *tests.values(), "-lm", "-o", image])
         library = ctypes.CDLL(str(image))
-        compiled = {} if "kernel" in folder.manifest else callable_units(folder, image, precision)
+        compiled = {} if "component" in folder.manifest else callable_units(folder, image, precision)
         for unit in folder.units:
             tried, wrong = bad_inputs(unit, compiled[unit.name]) if unit.name in compiled else (0, [])
             entry = found.setdefault(unit.name, {"tried": 0, "wrong": [], "not_taken": []})
