@@ -166,7 +166,7 @@ def share_reciprocals(function: Any) -> Any:
 def computed(program: Tape, inputs: list[np.ndarray]) -> list[np.ndarray]:
     """What each step of the tape gives in double, (points,) each, the same on every machine; sine, cosine and
     arctangent err by 4 ulp at most.  inputs: one (points, size) array an argument."""
-    zero = np.zeros(inputs[0].shape[0] if inputs else 1)
+    zero = np.zeros(len(inputs[0]) if inputs else 1)
     value: list[np.ndarray] = []
     for step in program.steps:
         if step.op == "input":
@@ -178,20 +178,33 @@ def computed(program: Tape, inputs: list[np.ndarray]) -> list[np.ndarray]:
     return value
 
 
-@np.errstate(over="ignore", divide="ignore", invalid="ignore")  # where nothing bounds the error, it is infinite
 def evaluate(
     program: Tape, inputs: list[np.ndarray], libm_ulps: float = 1.0, real: type[np.floating] = np.float64
 ) -> tuple[list[np.ndarray], list[np.ndarray]]:
     """Each result of the tape in double and a bound on the error of arithmetic in `real`, at many points at once.
 
     inputs: one (points, size) array an argument, taken as exact.  libm_ulps: what sin, cos and atan2 may err by.
-    Returns values and bounds, (points,) each, in the order of `program.results`.  A running error analysis: each
-    operation adds its own rounding to what its operands bring; second-order products of errors are covered by the
-    factor at the end.
+    Returns values and bounds, (points,) each, in the order of `program.results`.
     """
+    value, error = bounded(program, inputs, libm_ulps, real)
+    # 1 + 1e-9 covers the rounding of the bounds themselves; the smallest number covers underflow.
+    slack = 1 + 1e-9
+    tiny = float(np.finfo(real).tiny)
+    return (
+        [value[position] for _, _, position in program.results],
+        [error[position] * slack + tiny for _, _, position in program.results],
+    )
+
+
+@np.errstate(over="ignore", divide="ignore", invalid="ignore")  # where nothing bounds the error, it is infinite
+def bounded(
+    program: Tape, inputs: list[np.ndarray], libm_ulps: float, real: type[np.floating]
+) -> tuple[list[np.ndarray], list[np.ndarray]]:
+    """The same of every step.  A running error analysis: each operation adds its own rounding to what its operands
+    bring; second-order products of errors are covered by what `evaluate` puts on."""
     u = float(np.finfo(real).eps) / 2
     value = computed(program, inputs)
-    zero = np.zeros_like(value[0])
+    zero: np.ndarray = np.zeros(len(inputs[0]) if inputs else 1)
     error: list[np.ndarray] = []
     for step, v in zip(program.steps, value, strict=True):
         if step.op == "input":
@@ -233,10 +246,4 @@ def evaluate(
                 # what rounding may decide has no bound
                 e = np.where((abs(x - y) <= ex + ey) & (ex + ey > 0), np.inf, 0)
         error.append(e)
-    # 1 + 1e-9 covers the rounding of the bounds themselves; the smallest number covers underflow.
-    slack = 1 + 1e-9
-    tiny = float(np.finfo(real).tiny)
-    return (
-        [value[position] for _, _, position in program.results],
-        [error[position] * slack + tiny for _, _, position in program.results],
-    )
+    return value, error
