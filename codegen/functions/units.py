@@ -293,7 +293,7 @@ class UnitMaker:
 
     def measurement(self, m: Measurement) -> list[Unit]:
         made = []
-        rows = ", ".join(m.rows)
+        rows = f"row{'s' if len(m.rows) > 1 else ''} {', '.join(m.rows)}"
 
         def wrapped(matrix: sp.Matrix) -> sp.Matrix:
             return matrix.applyfunc(lambda a: sp.atan2(sp.sin(a), sp.cos(a))) if m.angle else matrix
@@ -307,7 +307,7 @@ class UnitMaker:
                 made.append(
                     self.unit(
                         f"{m.name}_{label}",
-                        f"{m.meaning}; {meaning}; rows {rows}",
+                        f"{m.meaning}; {meaning}; {rows}",
                         [(self.convert(printed)[0], described(label, m.unit, ", ".join(m.rows), angle=m.angle))],
                         self.numeric(printed),
                         m.equations,
@@ -318,12 +318,13 @@ class UnitMaker:
         else:
             value = ca.jacobian(self.convert(m.h)[0], self.vectors["x"])
             reference = self.numeric(m.h, jacobian=True)
-        meaning = f"{m.meaning}; measurement matrix H = d z / d x; rows {rows}"
+        slope = "d z / d x" if m.H is not None else "d h / d x at x"
+        meaning = f"{m.meaning}; measurement matrix H = {slope}; {rows}"
         made.append(
             self.unit(
                 f"{m.name}_H",
                 meaning,
-                [(value, described("H", f"{m.unit} per unit of state", f"rows {rows}"))],
+                [(value, described("H", f"{m.unit} per unit of state", rows))],
                 reference,
                 m.equations,
             )
