@@ -11,12 +11,14 @@ is defined at fewer points, or whose rounding errors are larger, takes the place
 """
 
 import hashlib
+from functools import reduce
+from operator import or_
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
-from boresight.codegen.functions.tape import BUILD, FREE, Tape, bounded, tape
+from boresight.codegen.functions.tape import BUILD, FREE, Tape, computed, rounding, tape
 
 PRIME = 0xCD6F72B4267D1138C06C2406056E4046E66D3A72764B5AF4B5B8B9AA26EB43BD  # no power of two is near a small number
 TERMS = 256  # beyond so many products of roots in one multiplication its result counts as a free number
@@ -103,6 +105,24 @@ def numbers(program: Tape) -> list[Number]:
     return values
 
 
+def domains(program: Tape, listed: list[Number]) -> list[int]:
+    """Of each step what it divides by and takes roots of, itself or by its operands, as bits."""
+    partial: dict[Number, int] = {}
+    needs: list[int] = []
+
+    def factors(i: int) -> int:
+        """A product is zero where one of its factors is."""
+        step = program.steps[i]
+        if step.op in ("mul", "sq", "neg", "twice"):
+            return reduce(or_, map(factors, step.args))
+        return 0 if step.op == "const" else 1 << partial.setdefault(listed[i], len(partial))
+
+    for step in program.steps:
+        own = factors(step.args[-1]) if step.op in ("div", "inv", "sqrt") else 0
+        needs.append(reduce(or_, (needs[i] for i in step.args), own))
+    return needs
+
+
 def identified(inputs: list[Any], outputs: list[Any], points: list[np.ndarray]) -> list[Any]:
     """The SX outputs with every value built once: as a constant or an input where it is one, otherwise as an earlier
     one that agrees with it, or as minus that.  Without the entries that are zero.
@@ -112,45 +132,41 @@ def identified(inputs: list[Any], outputs: list[Any], points: list[np.ndarray]) 
     at these points by less than twice what bounds the other's.
     """
     source = tape(ca.Function("f", inputs, outputs, {"cse": True}))
-    listed, errors = numbers(source), bounded(source, points, 1.0, np.float64)[1]
+    listed, at = numbers(source), computed(source, points)
+    errors: list[np.ndarray] = []  # of what is built
     known: dict[Number, Any] = {(): ca.SX(0), ONE: ca.SX(1)}
-    partial: dict[Number, int] = {}  # what is divided by, and what roots are taken of, as bits
     built: list[Any] = []
-    needs: list[int] = []
+    needs = domains(source, listed)
     earlier: dict[Number, list[int]] = {}
     for step, number in zip(source.steps, listed, strict=True):
         if step.op in FREE:
             which, component = step.source
             known.setdefault(number, ca.SX(step.constant) if step.op == "const" else inputs[which].nz[component])
     for k, (step, number) in enumerate(zip(source.steps, listed, strict=True)):
-        need = 0
-        for i in step.args:
-            need |= needs[i]
-        if step.op in ("div", "inv", "sqrt"):
-            need |= 1 << partial.setdefault(listed[step.args[-1]], len(partial))
         opposite = tuple((roots, PRIME - factor) for roots, factor in number)
 
-        def fits(i: int, need: int = need, k: int = k) -> bool:
-            worse = errors[i] > 2 * errors[k]
-            return not needs[i] & ~need and not worse[np.isfinite(errors[k])].any()
+        own = rounding(step, at[k], [(at[i], errors[i]) for i in step.args], 1.0, np.float64)
+
+        def fits(i: int, need: int = needs[k], own: np.ndarray = own) -> bool:
+            return not needs[i] & ~need and not (errors[i] > 2 * own)[np.isfinite(own)].any()
 
         same = next((i for i in earlier.get(number, ()) if fits(i)), None)
         minus = next((i for i in earlier.get(opposite, ()) if fits(i)), None)
+        errors.append(own)
         if number in known:
             built.append(known[number])
-            need = 0
+            errors[k] = 0 * own if step.op not in FREE else own
         elif opposite in known:
             built.append(-known[opposite])
-            need = 0
+            errors[k] = 0 * own
         elif same is not None or minus is not None:
             chosen = same if same is not None else minus
             assert chosen is not None
+            errors[k] = errors[chosen]
             built.append(built[chosen] if same is not None else -built[chosen])
-            need = needs[chosen]
         else:
             built.append(BUILD[step.op](*(built[i] for i in step.args)))
             earlier.setdefault(number, []).append(k)
-        needs.append(need)
     made = [ca.SX(output.sparsity(), output.nz[:]) for output in outputs]
     for output, k, position in source.results:
         made[output].nz[k] = built[position]

@@ -196,54 +196,60 @@ def evaluate(
     )
 
 
-@np.errstate(over="ignore", divide="ignore", invalid="ignore")  # where nothing bounds the error, it is infinite
 def bounded(
     program: Tape, inputs: list[np.ndarray], libm_ulps: float, real: type[np.floating]
 ) -> tuple[list[np.ndarray], list[np.ndarray]]:
     """The same of every step.  A running error analysis: each operation adds its own rounding to what its operands
     bring; second-order products of errors are covered by what `evaluate` puts on."""
-    u = float(np.finfo(real).eps) / 2
     value = computed(program, inputs)
-    zero: np.ndarray = np.zeros(len(inputs[0]) if inputs else 1)
     error: list[np.ndarray] = []
     for step, v in zip(program.steps, value, strict=True):
-        if step.op == "input":
-            e = zero
-        elif step.op == "const":
-            # A constant that is no small dyadic number was rounded once when it was printed.
-            exact = float(step.constant * 2**20).is_integer() and float(real(step.constant)) == step.constant
-            e = zero if exact else abs(v) * u
-        else:
-            a, b = (step.args + step.args)[:2]
-            x, ex, y, ey = value[a], error[a], value[b], error[b]
-            if step.op in ("add", "sub"):
-                e = ex + ey + u * abs(v)
-            elif step.op == "mul":
-                e = abs(x) * ey + abs(y) * ex + ex * ey + u * abs(v)
-            elif step.op == "sq":
-                e = 2 * abs(x) * ex + ex * ex + u * abs(v)
-            elif step.op == "div":
-                e = (ex + abs(v) * ey) / np.maximum(abs(y) - ey, 1e-300) + u * abs(v)
-            elif step.op == "inv":
-                e = abs(v) * ex / np.maximum(abs(x) - ex, 1e-300) + u * abs(v)
-            elif step.op == "sqrt":
-                # |sqrt(x+e) - sqrt(x)| <= e / (sqrt(x) + sqrt(max(x-e, 0)))
-                below = v + np.sqrt(np.maximum(x - ex, 0))
-                e = np.where(ex > 0, ex / np.maximum(below, 1e-300), 0) + u * v
-            elif step.op in ("sin", "cos"):
-                slope = cosine(x) if step.op == "sin" else sine(x)
-                e = ex * np.minimum(abs(slope) + ex, 1) + 2 * u * libm_ulps * abs(v)
-            elif step.op == "atan2":
-                off = hypotenuse(ex, ey)
-                e = off / np.maximum(hypotenuse(x, y) - off, 1e-300) + 2 * u * libm_ulps * abs(v)
-            elif step.op in ("neg", "twice", "fabs"):
-                e = 2 * ex if step.op == "twice" else ex
-            elif step.op == "if_else_zero":
-                e = np.where(x != 0, ey, 0) + ex
-            elif step.op in ("not", "and", "or"):
-                e = ex + ey
-            else:
-                # what rounding may decide has no bound
-                e = np.where((abs(x - y) <= ex + ey) & (ex + ey > 0), np.inf, 0)
-        error.append(e)
+        error.append(rounding(step, v, [(value[i], error[i]) for i in step.args], libm_ulps, real))
     return value, error
+
+
+@np.errstate(over="ignore", divide="ignore", invalid="ignore")  # where nothing bounds the error, it is infinite
+def rounding(
+    step: Step, v: np.ndarray, operands: list[tuple[np.ndarray, np.ndarray]], libm_ulps: float, real: type[np.floating]
+) -> np.ndarray:
+    """A bound on the error of one step of value v, from the values and errors of its operands."""
+    u = float(np.finfo(real).eps) / 2
+    zero: np.ndarray = np.zeros(len(v))
+    if step.op == "input":
+        e = zero
+    elif step.op == "const":
+        # A constant that is no small dyadic number was rounded once when it was printed.
+        exact = float(step.constant * 2**20).is_integer() and float(real(step.constant)) == step.constant
+        e = zero if exact else abs(v) * u
+    else:
+        (x, ex), (y, ey) = (operands + operands)[:2]
+        if step.op in ("add", "sub"):
+            e = ex + ey + u * abs(v)
+        elif step.op == "mul":
+            e = abs(x) * ey + abs(y) * ex + ex * ey + u * abs(v)
+        elif step.op == "sq":
+            e = 2 * abs(x) * ex + ex * ex + u * abs(v)
+        elif step.op == "div":
+            e = (ex + abs(v) * ey) / np.maximum(abs(y) - ey, 1e-300) + u * abs(v)
+        elif step.op == "inv":
+            e = abs(v) * ex / np.maximum(abs(x) - ex, 1e-300) + u * abs(v)
+        elif step.op == "sqrt":
+            # |sqrt(x+e) - sqrt(x)| <= e / (sqrt(x) + sqrt(max(x-e, 0)))
+            below = v + np.sqrt(np.maximum(x - ex, 0))
+            e = np.where(ex > 0, ex / np.maximum(below, 1e-300), 0) + u * v
+        elif step.op in ("sin", "cos"):
+            slope = cosine(x) if step.op == "sin" else sine(x)
+            e = ex * np.minimum(abs(slope) + ex, 1) + 2 * u * libm_ulps * abs(v)
+        elif step.op == "atan2":
+            off = hypotenuse(ex, ey)
+            e = off / np.maximum(hypotenuse(x, y) - off, 1e-300) + 2 * u * libm_ulps * abs(v)
+        elif step.op in ("neg", "twice", "fabs"):
+            e = 2 * ex if step.op == "twice" else ex
+        elif step.op == "if_else_zero":
+            e = np.where(x != 0, ey, 0) + ex
+        elif step.op in ("not", "and", "or"):
+            e = ex + ey
+        else:
+            # what rounding may decide has no bound
+            e = np.where((abs(x - y) <= ex + ey) & (ex + ey > 0), np.inf, 0)
+    return e
