@@ -1,6 +1,7 @@
 """The command line.  Each command imports what it needs when it runs: start-up stays light."""
 
 import json
+import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -587,10 +588,17 @@ def make(folder: Path) -> Path:
 
 def main(words: list[str] | None = None) -> None:
     """The entry point: a BoresightError becomes one line on standard error and exit status 1."""
+    if sys.stdout is None:  # closed by whoever called
+        sys.stdout = open(os.devnull, "w")  # noqa: SIM115
     try:
         app(words, prog_name="boresight")
+        sys.stdout.flush()
     except BoresightError as error:
         print(f"boresight: {error}", file=sys.stderr)
+        sys.exit(1)
+    except OSError as error:  # a full disk, a terminal that is gone
+        print(f"boresight: the output cannot be written ({error.strerror})", file=sys.stderr)
+        sys.stdout = open(os.devnull, "w")  # noqa: SIM115
         sys.exit(1)
     except KeyboardInterrupt:
         print("boresight: interrupted", file=sys.stderr)

@@ -43,9 +43,15 @@ def model(m: dict[str, Any]) -> Parts:
         parts += ["", "Measurements", indented(rows)]
     rows = table("C function", "operations", "inputs -> results", prose="inputs -> results", right=("operations",))
     for unit in m["units"].values():
-        results = (f"{r['name']}[{']['.join(map(str, r['shape']))}]" for r in unit["results"])
+        results = (r["name"] + "".join(f"[{n}]" for n in sizes(r["shape"])) for r in unit["results"])
         rows.add_row(unit["c_name"], str(unit["operations"]), " ".join([*unit["fields"], "->", *results]))
     return [*parts, "", "Functions", indented(rows)]
+
+
+def sizes(shape: Sequence[int]) -> Sequence[int]:
+    """Of a matrix rows and columns, of a vector its length, of a scalar none."""
+    rows, columns = shape
+    return shape if columns > 1 else [rows] if rows > 1 else []
 
 
 def variables(fields: Iterable[dict[str, Any]], singly: bool = False) -> RenderableType:
@@ -57,7 +63,7 @@ def variables(fields: Iterable[dict[str, Any]], singly: bool = False) -> Rendera
         if field["norm"]:
             boxes = ["norm {:g} to {:g}".format(*field["norm"])] * size
         else:
-            boxes = [f"{low:.4g} to {high:.4g}" for low, high in zip(field["low"], field["high"], strict=True)]
+            boxes = [f"{low:.6g} to {high:.6g}" for low, high in zip(field["low"], field["high"], strict=True)]
         meaning = field["meaning"] + (f" ({field['frame']})" if field["frame"] else "")
         lines = list(zip(field["components"], units, boxes, strict=True))
         if not singly:

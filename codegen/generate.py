@@ -126,7 +126,12 @@ def load_model(target: str) -> Any:
             models = [n for n, v in vars(module).items() if isinstance(v, Model)]
             raise BoresightError(f"{file} has no {name!r}; its models are {', '.join(models) or 'none'}")
         value = getattr(module, name)
-    model = value() if callable(value) else value
+    try:
+        model = value() if callable(value) else value
+    except BoresightError:
+        raise
+    except Exception as error:
+        raise BoresightError(f"{target} cannot be made: {type(error).__name__}: {error}") from error
     if not isinstance(model, Model):
         raise BoresightError(
             f"{target} is a {type(model).__name__}, not a Model; build one with boresight.derive.model.Model"
@@ -152,7 +157,10 @@ def edited(folder: Path, manifest: dict[str, Any]) -> list[str]:
 
 def old_manifest(folder: Path) -> dict[str, Any]:
     try:
-        return dict(json.loads((folder / "manifest.json").read_text(encoding="utf-8")))
+        manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
+        if not (isinstance(manifest, dict) and {"model", "files", "units"} <= manifest.keys()):
+            raise ValueError("it is not a manifest")
+        return manifest
     except (FileNotFoundError, NotADirectoryError):
         return {}
     except (OSError, ValueError) as error:
@@ -178,9 +186,9 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
             f"{folder / by_hand[0]} was edited since it was generated; put the change into the model, delete the file, "
             "and generate again"
         )
-    stamp = {"made_from": made_from(source_of(target)), "versions": versions()}
+    stamp = {"made_from": made_from(source_of(target) if ":" not in target else None), "versions": versions()}
     complete = before and all((folder / path).is_file() for path in before["files"])
-    if not check and complete and all(before.get(key) == value for key, value in stamp.items()):
+    if not check and ":" not in target and complete and all(before.get(key) == value for key, value in stamp.items()):
         return Report(before["model"], folder, (), (), up_to_date=True)
     if check and before and before.get("versions") != versions():
         return Report(before["model"], folder, (), (), up_to_date=False, comparable=False)

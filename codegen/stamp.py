@@ -15,20 +15,21 @@ GENERATOR = tuple(PACKAGE / "codegen" / name for name in ("functions", "text", "
 
 
 def made_from(model: Path | None) -> dict[str, str]:
-    """Hashes of the generator and of the model's file, each with all that it imports; a component has no model."""
+    """Hashes of the generator and of a built-in model's file, each with all that it imports; a component has no model,
+    and a file of one's own may read what no hash sees."""
     generator = {path for folder in GENERATOR for path in folder.rglob("*") if path.suffix in (".py", ".j2")}
-    files = {"generator": reached(generator, PACKAGE)}
+    files = {"generator": reached(generator)}
     if model is not None:
-        files["model"] = reached({model.resolve()}, model.resolve().parent)
+        files["model"] = reached({model.resolve()})
     return {name: hashed(paths) for name, paths in files.items()}
 
 
-def reached(start: set[Path], beside: Path) -> set[Path]:
-    """The files, and those that they import from Boresight or from the folder `beside`, at any depth."""
+def reached(start: set[Path]) -> set[Path]:
+    """The files, and those of Boresight that they import, at any depth."""
     found, waiting = set(start), list(start)
     while waiting:
         path = waiting.pop()
-        new = {file for name in imported(path) for file in located(name, beside)} - found
+        new = {file for name in imported(path) for file in located(name)} - found
         found |= new
         waiting += new
     return found
@@ -39,11 +40,10 @@ def imported(path: Path) -> tuple[str, ...]:
     return parsed(path.read_bytes(), path.name)[0] if path.suffix == ".py" else ()
 
 
-def located(name: str, beside: Path) -> tuple[Path, ...]:
-    """The file of a module and those of the packages that it lies in; none for other people's."""
-    parts = name.split(".")
-    base = PACKAGE if parts[0] == "boresight" else beside
-    places = [base.joinpath(*parts[parts[0] == "boresight" : k + 1]) for k in range(len(parts))]
+def located(name: str) -> tuple[Path, ...]:
+    """The file of a module of Boresight and those of the packages that it lies in; none for other people's."""
+    first, *parts = name.split(".")
+    places = [PACKAGE.joinpath(*parts[: k + 1]) for k in range(len(parts))] if first == "boresight" else []
     files = [file for place in places for file in (place.with_suffix(".py"), place / "__init__.py")]
     return tuple(file.resolve() for file in files if file.is_file())
 

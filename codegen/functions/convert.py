@@ -1,6 +1,7 @@
 """SymPy expressions to CasADi expressions: common subexpressions first, then a walk over the tree."""
 
 import functools
+import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
@@ -10,6 +11,8 @@ import sympy as sp
 from sympy.core import sorting
 
 from boresight import BoresightError
+
+MOST = sys.float_info.max
 
 
 def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> list[Any]:
@@ -30,6 +33,8 @@ def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> li
 
     def build(e: Any) -> Any:
         if e.is_Number or e.is_NumberSymbol:
+            if e.is_finite is False or abs(e) > MOST:
+                raise BoresightError(f"the constant {e} is no finite double; a printed unit holds finite numbers only")
             return ca.SX(float(e))
         if e is sp.true or e is sp.false:
             return ca.SX(1.0 if e else 0.0)

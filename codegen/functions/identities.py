@@ -3,21 +3,24 @@
 Jacobians, products of rotations and symmetric matrices hold them: sin^2 + cos^2, a product less itself, the mirrored
 half of a covariance.  Printed, they would be operations for nothing and sums of pure rounding.
 
-The list is evaluated once, exactly, at a point drawn at random from the numbers modulo a prime of 255 bits.  Values
+The list is evaluated once, exactly, at a point drawn at random from the numbers modulo a prime of 256 bits.  Values
 that agree there are the same expression in the inputs, in sines and cosines (with sin^2 + cos^2 = 1), in roots (with
 their squares) and in choices and atan2, each of which counts as a free number: two that differ would agree by chance
-once in 10^70.  So they agree at every point, and what is printed stays the function that the model states, also where
-the norm of a quaternion is not one.
+once in 10^70.  So they agree wherever both are defined, also where the norm of a quaternion is not one.  A value that
+is defined at fewer points, or whose rounding errors are larger, takes the place of none.
 """
 
 import hashlib
+from functools import reduce
+from operator import or_
 from typing import Any
 
 import casadi as ca
+import numpy as np
 
-from boresight.codegen.functions.tape import BUILD, FREE, Tape, tape
+from boresight.codegen.functions.tape import BUILD, FREE, Tape, computed, rounding, tape
 
-PRIME = 2**255 - 19
+PRIME = 0xCD6F72B4267D1138C06C2406056E4046E66D3A72764B5AF4B5B8B9AA26EB43BD  # no power of two is near a small number
 TERMS = 256  # beyond so many products of roots in one multiplication its result counts as a free number
 
 # A number: for each set of roots, as bits, the factor of their product; none for zero.  Two are one number only if they
@@ -102,22 +105,69 @@ def numbers(program: Tape) -> list[Number]:
     return values
 
 
-def identified(inputs: list[Any], outputs: list[Any]) -> list[Any]:
-    """The SX outputs with every value built once: as a constant or an input where it is one, otherwise as the first of
-    those that agree, or as minus it.  Without the entries that are zero."""
+def domains(program: Tape, listed: list[Number]) -> list[int]:
+    """Of each step what it divides by and takes roots of, itself or by its operands, as bits."""
+    partial: dict[Number, int] = {}
+    needs: list[int] = []
+
+    def factors(i: int) -> int:
+        """A product is zero where one of its factors is."""
+        step = program.steps[i]
+        if step.op in ("mul", "sq", "neg", "twice"):
+            return reduce(or_, map(factors, step.args))
+        return 0 if step.op == "const" else 1 << partial.setdefault(listed[i], len(partial))
+
+    for step in program.steps:
+        own = factors(step.args[-1]) if step.op in ("div", "inv", "sqrt") else 0
+        needs.append(reduce(or_, (needs[i] for i in step.args), own))
+    return needs
+
+
+def identified(inputs: list[Any], outputs: list[Any], points: list[np.ndarray]) -> list[Any]:
+    """The SX outputs with every value built once: as a constant or an input where it is one, otherwise as an earlier
+    one that agrees with it, or as minus that.  Without the entries that are zero.
+
+    points: (points, size) of each input.  An earlier value is taken only if it divides by nothing and takes the root of
+    nothing that the later one does not, so that it is defined wherever that is, and if its rounding errors are bounded
+    at these points by less than twice what bounds the other's.
+    """
     source = tape(ca.Function("f", inputs, outputs, {"cse": True}))
-    listed = list(zip(source.steps, numbers(source), strict=True))
+    listed, at = numbers(source), computed(source, points)
+    errors: list[np.ndarray] = []  # of what is built
     known: dict[Number, Any] = {(): ca.SX(0), ONE: ca.SX(1)}
-    for step, number in listed:
+    built: list[Any] = []
+    needs = domains(source, listed)
+    earlier: dict[Number, list[int]] = {}
+    for step, number in zip(source.steps, listed, strict=True):
         if step.op in FREE:
             which, component = step.source
             known.setdefault(number, ca.SX(step.constant) if step.op == "const" else inputs[which].nz[component])
-    for step, number in listed:
-        if number not in known:
-            opposite = known.get(tuple((roots, PRIME - factor) for roots, factor in number))
-            operands = (known[listed[i][1]] for i in step.args)
-            known[number] = BUILD[step.op](*operands) if opposite is None else -opposite
-    built = [ca.SX(output.sparsity(), output.nz[:]) for output in outputs]
+    for k, (step, number) in enumerate(zip(source.steps, listed, strict=True)):
+        opposite = tuple((roots, PRIME - factor) for roots, factor in number)
+
+        own = rounding(step, at[k], [(at[i], errors[i]) for i in step.args], 1.0, np.float64)
+
+        def fits(i: int, need: int = needs[k], own: np.ndarray = own) -> bool:
+            return not needs[i] & ~need and not (errors[i] > 2 * own)[np.isfinite(own)].any()
+
+        same = next((i for i in earlier.get(number, ()) if fits(i)), None)
+        minus = next((i for i in earlier.get(opposite, ()) if fits(i)), None)
+        errors.append(own)
+        if number in known:
+            built.append(known[number])
+            errors[k] = 0 * own if step.op not in FREE else own
+        elif opposite in known:
+            built.append(-known[opposite])
+            errors[k] = 0 * own
+        elif same is not None or minus is not None:
+            chosen = same if same is not None else minus
+            assert chosen is not None
+            errors[k] = errors[chosen]
+            built.append(built[chosen] if same is not None else -built[chosen])
+        else:
+            built.append(BUILD[step.op](*(built[i] for i in step.args)))
+            earlier.setdefault(number, []).append(k)
+    made = [ca.SX(output.sparsity(), output.nz[:]) for output in outputs]
     for output, k, position in source.results:
-        built[output].nz[k] = known[listed[position][1]]
-    return [ca.sparsify(matrix) for matrix in built]
+        made[output].nz[k] = built[position]
+    return [ca.sparsify(matrix) for matrix in made]

@@ -166,7 +166,7 @@ def share_reciprocals(function: Any) -> Any:
 def computed(program: Tape, inputs: list[np.ndarray]) -> list[np.ndarray]:
     """What each step of the tape gives in double, (points,) each, the same on every machine; sine, cosine and
     arctangent err by 4 ulp at most.  inputs: one (points, size) array an argument."""
-    zero = np.zeros(inputs[0].shape[0] if inputs else 1)
+    zero = np.zeros(len(inputs[0]) if inputs else 1)
     value: list[np.ndarray] = []
     for step in program.steps:
         if step.op == "input":
@@ -178,61 +178,15 @@ def computed(program: Tape, inputs: list[np.ndarray]) -> list[np.ndarray]:
     return value
 
 
-@np.errstate(over="ignore", divide="ignore", invalid="ignore")  # where nothing bounds the error, it is infinite
 def evaluate(
     program: Tape, inputs: list[np.ndarray], libm_ulps: float = 1.0, real: type[np.floating] = np.float64
 ) -> tuple[list[np.ndarray], list[np.ndarray]]:
     """Each result of the tape in double and a bound on the error of arithmetic in `real`, at many points at once.
 
     inputs: one (points, size) array an argument, taken as exact.  libm_ulps: what sin, cos and atan2 may err by.
-    Returns values and bounds, (points,) each, in the order of `program.results`.  A running error analysis: each
-    operation adds its own rounding to what its operands bring; second-order products of errors are covered by the
-    factor at the end.
+    Returns values and bounds, (points,) each, in the order of `program.results`.
     """
-    u = float(np.finfo(real).eps) / 2
-    value = computed(program, inputs)
-    zero = np.zeros_like(value[0])
-    error: list[np.ndarray] = []
-    for step, v in zip(program.steps, value, strict=True):
-        if step.op == "input":
-            e = zero
-        elif step.op == "const":
-            # A constant that is no small dyadic number was rounded once when it was printed.
-            exact = float(step.constant * 2**20).is_integer() and float(real(step.constant)) == step.constant
-            e = zero if exact else abs(v) * u
-        else:
-            a, b = (step.args + step.args)[:2]
-            x, ex, y, ey = value[a], error[a], value[b], error[b]
-            if step.op in ("add", "sub"):
-                e = ex + ey + u * abs(v)
-            elif step.op == "mul":
-                e = abs(x) * ey + abs(y) * ex + ex * ey + u * abs(v)
-            elif step.op == "sq":
-                e = 2 * abs(x) * ex + ex * ex + u * abs(v)
-            elif step.op == "div":
-                e = (ex + abs(v) * ey) / np.maximum(abs(y) - ey, 1e-300) + u * abs(v)
-            elif step.op == "inv":
-                e = abs(v) * ex / np.maximum(abs(x) - ex, 1e-300) + u * abs(v)
-            elif step.op == "sqrt":
-                # |sqrt(x+e) - sqrt(x)| <= e / (sqrt(x) + sqrt(max(x-e, 0)))
-                below = v + np.sqrt(np.maximum(x - ex, 0))
-                e = np.where(ex > 0, ex / np.maximum(below, 1e-300), 0) + u * v
-            elif step.op in ("sin", "cos"):
-                slope = cosine(x) if step.op == "sin" else sine(x)
-                e = ex * np.minimum(abs(slope) + ex, 1) + 2 * u * libm_ulps * abs(v)
-            elif step.op == "atan2":
-                off = hypotenuse(ex, ey)
-                e = off / np.maximum(hypotenuse(x, y) - off, 1e-300) + 2 * u * libm_ulps * abs(v)
-            elif step.op in ("neg", "twice", "fabs"):
-                e = 2 * ex if step.op == "twice" else ex
-            elif step.op == "if_else_zero":
-                e = np.where(x != 0, ey, 0) + ex
-            elif step.op in ("not", "and", "or"):
-                e = ex + ey
-            else:
-                # what rounding may decide has no bound
-                e = np.where((abs(x - y) <= ex + ey) & (ex + ey > 0), np.inf, 0)
-        error.append(e)
+    value, error = bounded(program, inputs, libm_ulps, real)
     # 1 + 1e-9 covers the rounding of the bounds themselves; the smallest number covers underflow.
     slack = 1 + 1e-9
     tiny = float(np.finfo(real).tiny)
@@ -240,3 +194,62 @@ def evaluate(
         [value[position] for _, _, position in program.results],
         [error[position] * slack + tiny for _, _, position in program.results],
     )
+
+
+def bounded(
+    program: Tape, inputs: list[np.ndarray], libm_ulps: float, real: type[np.floating]
+) -> tuple[list[np.ndarray], list[np.ndarray]]:
+    """The same of every step.  A running error analysis: each operation adds its own rounding to what its operands
+    bring; second-order products of errors are covered by what `evaluate` puts on."""
+    value = computed(program, inputs)
+    error: list[np.ndarray] = []
+    for step, v in zip(program.steps, value, strict=True):
+        error.append(rounding(step, v, [(value[i], error[i]) for i in step.args], libm_ulps, real))
+    return value, error
+
+
+@np.errstate(over="ignore", divide="ignore", invalid="ignore")  # where nothing bounds the error, it is infinite
+def rounding(
+    step: Step, v: np.ndarray, operands: list[tuple[np.ndarray, np.ndarray]], libm_ulps: float, real: type[np.floating]
+) -> np.ndarray:
+    """A bound on the error of one step of value v, from the values and errors of its operands."""
+    u = float(np.finfo(real).eps) / 2
+    zero: np.ndarray = np.zeros(len(v))
+    if step.op == "input":
+        e = zero
+    elif step.op == "const":
+        # A constant that is no small dyadic number was rounded once when it was printed.
+        exact = float(step.constant * 2**20).is_integer() and float(real(step.constant)) == step.constant
+        e = zero if exact else abs(v) * u
+    else:
+        (x, ex), (y, ey) = (operands + operands)[:2]
+        if step.op in ("add", "sub"):
+            e = ex + ey + u * abs(v)
+        elif step.op == "mul":
+            e = abs(x) * ey + abs(y) * ex + ex * ey + u * abs(v)
+        elif step.op == "sq":
+            e = 2 * abs(x) * ex + ex * ex + u * abs(v)
+        elif step.op == "div":
+            e = (ex + abs(v) * ey) / np.maximum(abs(y) - ey, 1e-300) + u * abs(v)
+        elif step.op == "inv":
+            e = abs(v) * ex / np.maximum(abs(x) - ex, 1e-300) + u * abs(v)
+        elif step.op == "sqrt":
+            # |sqrt(x+e) - sqrt(x)| <= e / (sqrt(x) + sqrt(max(x-e, 0)))
+            below = v + np.sqrt(np.maximum(x - ex, 0))
+            e = np.where(ex > 0, ex / np.maximum(below, 1e-300), 0) + u * v
+        elif step.op in ("sin", "cos"):
+            slope = cosine(x) if step.op == "sin" else sine(x)
+            e = ex * np.minimum(abs(slope) + ex, 1) + 2 * u * libm_ulps * abs(v)
+        elif step.op == "atan2":
+            off = hypotenuse(ex, ey)
+            e = off / np.maximum(hypotenuse(x, y) - off, 1e-300) + 2 * u * libm_ulps * abs(v)
+        elif step.op in ("neg", "twice", "fabs"):
+            e = 2 * ex if step.op == "twice" else ex
+        elif step.op == "if_else_zero":
+            e = np.where(x != 0, ey, 0) + ex
+        elif step.op in ("not", "and", "or"):
+            e = ex + ey
+        else:
+            # what rounding may decide has no bound
+            e = np.where((abs(x - y) <= ex + ey) & (ex + ey > 0), np.inf, 0)
+    return e

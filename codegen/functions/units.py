@@ -7,15 +7,18 @@ from functools import cached_property
 from typing import Any
 
 import casadi as ca
+import numpy as np
 import sympy as sp
 from flint import arb
 
 from boresight.codegen.functions.convert import to_casadi
 from boresight.codegen.functions.identities import identified
 from boresight.codegen.functions.reference import Entries, evaluator, precise
+from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import Tape, share_reciprocals, tape
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
 
+TRIED = 8  # points, and as many small ones, at which the roundings of equal values are compared
 Values = Mapping[str, Sequence[Any]]  # field name -> components, floats or balls
 
 
@@ -118,6 +121,9 @@ class UnitMaker:
         self.variables = (state_variable(model), *model.inputs)
         self.vectors = {v.name: ca.SX.sym(v.name, v.size) for v in self.variables}
         self.symbols = {s: self.vectors[v.name][i] for v in self.variables for i, s in enumerate(v.symbols)}
+        rng = generator("roundings", model.name)
+        drawn = [sample(self.variables, 0, TRIED, rng, small=small) for small in (False, True)]
+        self.points = [np.vstack(both) for both in zip(*drawn, strict=True)]
 
     def convert(self, *matrices: sp.Matrix) -> list[Any]:
         return to_casadi(list(matrices), self.symbols)
@@ -149,7 +155,7 @@ class UnitMaker:
         equations: tuple[str, ...],
     ) -> Unit:
         """results: each SX matrix with its description, whose shape and non-zeros are filled in here."""
-        outputs = identified(list(self.vectors.values()), [value for value, _ in results])
+        outputs = identified(list(self.vectors.values()), [value for value, _ in results], self.points)
         read = {s.name() for s in ca.symvar(ca.vertcat(*(ca.vec(ca.densify(out)) for out in outputs)))}
         args = tuple(v for v in self.variables if read & {self.vectors[v.name][i].name() for i in range(v.size)})
         # Row-major: CasADi keeps the non-zeros column by column, C readers expect them row by row.
@@ -287,7 +293,7 @@ class UnitMaker:
 
     def measurement(self, m: Measurement) -> list[Unit]:
         made = []
-        rows = ", ".join(m.rows)
+        rows = f"row{'s' if len(m.rows) > 1 else ''} {', '.join(m.rows)}"
 
         def wrapped(matrix: sp.Matrix) -> sp.Matrix:
             return matrix.applyfunc(lambda a: sp.atan2(sp.sin(a), sp.cos(a))) if m.angle else matrix
@@ -301,7 +307,7 @@ class UnitMaker:
                 made.append(
                     self.unit(
                         f"{m.name}_{label}",
-                        f"{m.meaning}; {meaning}; rows {rows}",
+                        f"{m.meaning}; {meaning}; {rows}",
                         [(self.convert(printed)[0], described(label, m.unit, ", ".join(m.rows), angle=m.angle))],
                         self.numeric(printed),
                         m.equations,
@@ -312,12 +318,13 @@ class UnitMaker:
         else:
             value = ca.jacobian(self.convert(m.h)[0], self.vectors["x"])
             reference = self.numeric(m.h, jacobian=True)
-        meaning = f"{m.meaning}; measurement matrix H = d z / d x; rows {rows}"
+        slope = "d z / d x" if m.H is not None else "d h / d x at x"
+        meaning = f"{m.meaning}; measurement matrix H = {slope}; {rows}"
         made.append(
             self.unit(
                 f"{m.name}_H",
                 meaning,
-                [(value, described("H", f"{m.unit} per unit of state", f"rows {rows}"))],
+                [(value, described("H", f"{m.unit} per unit of state", rows))],
                 reference,
                 m.equations,
             )

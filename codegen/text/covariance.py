@@ -35,7 +35,7 @@ def phi_places(n: int, F: Places) -> Places:
 
 
 def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
-    """Sizes and index tables of the kernels."""
+    """Sizes and index tables of the covariance functions."""
     n = model.n
     F, Qc = nonzeros(made, "F"), nonzeros(made, "Qc")
     Phi = phi_places(n, F)

@@ -1,4 +1,4 @@
-"""Golden vectors of the covariance kernels: rational arithmetic on numbers of a few bits.
+"""Golden vectors of the covariance functions: rational arithmetic on numbers of a few bits.
 
 The self-test in C draws the same numbers, by the same generator; here they are integers with a common power of two, and
 `test_covariance.c.j2` must draw in this order.  A state is scaled by its own power of two, which is exact, so it is put

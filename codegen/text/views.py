@@ -62,7 +62,7 @@ def outcome(r: Result, model: Model) -> dict[str, Any]:
         size = states if r.shape[0] == 1 else f"{r.shape[0]} * {states}"
     shape = f"{r.shape[0]} x {r.shape[1]}, row-major" if r.shape[1] > 1 else f"{r.shape[0]}"
     if not dense:
-        shape += f"; {len(positions)} of {total} are not zero"
+        shape += f"; {len(positions)} of {total} {'is' if len(positions) == 1 else 'are'} not zero"
     return {
         "name": r.name,
         "nz_name": nz_name(r),

@@ -175,6 +175,6 @@ TURN = "e the turn from the computed to the measured one"
 def card(frame: Frame) -> tuple[str, ...]:
     """Lines of a header that hold for every model in this frame."""
     return (
-        f"Position is {', '.join(frame.coordinates)} (rad, m) on WGS-84; the body axes are {frame.body}.",
+        f"Position is {', '.join(frame.coordinates)} (rad, m) on WGS-84.",
         "Quaternions are Hamilton, scalar first, body to navigation.",
     )

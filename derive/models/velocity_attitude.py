@@ -178,7 +178,7 @@ def velocity_attitude() -> Model:
             "Error = computed - true; C_hat_b2n = (I - [phi x]) C_b2n against the true level (phi model).",
             "Mounting: C_b2n = C_m2n C_b2m, of any size; C_hat_b2m = (I - [dmu x]) C_b2m, m the master's body axes.",
             "A bias is measured - true, and its error estimated - true.  The lever arm runs from master to slave.",
-            "A delay tau > 0: the master's data is old by it.  The slave is given as it is now, with lag = tau, or as",
+            "A delay tau > 0: the master's data is old by it.  The slave is given as it is now, with lag = tau, or as "
             "it was tau ago, with lag = 0.",
             *var.card(FRAME),
         ),

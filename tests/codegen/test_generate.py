@@ -131,16 +131,25 @@ def test_a_forged_stamp_deceives_generate_but_no_check(checkout):
     assert "euler_H" in checked.stdout
 
 
-def test_a_stamp_is_moved_by_what_a_model_imports_and_by_no_place(tmp_path):
+def test_a_stamp_is_moved_by_code_and_by_no_comment_and_no_place(tmp_path):
     hashes = []
     for folder, gravity in (("a", "9.81"), ("b", "9.81"), ("b", "1.62")):
         (tmp_path / folder).mkdir(exist_ok=True)
-        (tmp_path / folder / "constants.py").write_text(f"GRAVITY = {gravity}  # m/s^2, {folder}\n")
-        (tmp_path / folder / "mine.py").write_text("def model():\n    from constants import GRAVITY\n")
+        (tmp_path / folder / "mine.py").write_text(f"import boresight.derive.earth\nGRAVITY = {gravity}  # {folder}\n")
         hashes.append(made_from(tmp_path / folder / "mine.py"))
     assert hashes[0] == hashes[1]
     assert hashes[1]["model"] != hashes[2]["model"]
     assert hashes[1]["generator"] == hashes[2]["generator"]
+
+
+def test_a_model_of_ones_own_is_made_anew_whatever_it_reads(tmp_path):
+    (tmp_path / "constants.txt").write_text("9.81")
+    text = (ROOT / "tests" / "pendulum.py").read_text()
+    read = f'__import__("pathlib").Path({str(tmp_path / "constants.txt")!r}).read_text()'
+    (tmp_path / "mine.py").write_text(text.replace('"9.81"', read))
+    generate(f"{tmp_path / 'mine.py'}:PENDULUM", tmp_path / "out")
+    (tmp_path / "constants.txt").write_text("1.62")
+    assert generate(f"{tmp_path / 'mine.py'}:PENDULUM", tmp_path / "out").changes
 
 
 def test_a_file_edited_by_hand_is_neither_overwritten_nor_flown(em_copy):

@@ -13,8 +13,10 @@ import sympy as sp
 from flint import arb, ctx
 
 from boresight.codegen.functions.convert import to_casadi
-from boresight.codegen.functions.identities import identified
-from boresight.codegen.functions.tape import tape
+from boresight.codegen.functions.identities import domains, identified, numbers
+from boresight.codegen.functions.tape import bounded, tape
+from boresight.codegen.functions.units import UnitMaker
+from boresight.codegen.generate import load_model
 from boresight.evidence.sources import Folder, folders
 from boresight.evidence.trace import OUTPUT, STATEMENT, statements
 
@@ -26,8 +28,35 @@ def values(*expressions):
     """The expressions, each as the SX that stays of it, and the inputs."""
     vector = ca.SX.sym("v", 3)
     (matrix,) = to_casadi([sp.Matrix(expressions)], {s: vector[i] for i, s in enumerate(SYMBOLS)})
-    (kept,) = identified([vector], [ca.densify(matrix)])
+    rng = np.random.default_rng(1)
+    points = np.vstack([rng.uniform(-2, 2, (8, 3)), rng.uniform(-2, 2, (8, 3)) * 2.0**-12])
+    (kept,) = identified([vector], [ca.densify(matrix)], [points])
     return [kept[i] for i in range(len(expressions))], vector
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "at", "expected"),
+    [
+        # the same number by algebra, but one divides by what may be zero
+        ((x**2 - y**2) / (x - y), x + y, (1.0, 1.0, 0.0), 2.0),
+        ((sp.sqrt(1 + x) - 1) / x, 1 / (sp.sqrt(1 + x) + 1), (0.0, 0.0, 0.0), 0.5),
+        # the same number by algebra, but one loses all its digits
+        (sp.sqrt(1 + x) - 1, x / (sp.sqrt(1 + x) + 1), (1e-10, 0.0, 0.0), 4.9999999998750000e-11),
+        (1 - sp.cos(x) ** 2, sp.sin(x) ** 2, (1e-9, 0.0, 0.0), 1e-18),
+        # constants that a prime beside a power of two takes for small ones
+        (sp.Float(2) ** 255 * x, 19 * x, (1.0, 0.0, 0.0), 19.0),
+    ],
+)
+def test_a_value_that_fails_where_another_does_not_takes_the_place_of_none(first, second, at, expected):
+    kept, vector = values(first, second)
+    assert float(ca.Function("f", [vector], [kept[1]])(at)) == pytest.approx(expected, rel=1e-13)
+
+
+def test_a_choice_keeps_the_branch_that_is_defined():
+    guarded = sp.Piecewise(((sp.sqrt(1 + x) - 1) / x, sp.Abs(x) > 1e-6), (1 / (sp.sqrt(1 + x) + 1), True))
+    kept, vector = values(guarded)
+    function = ca.Function("f", [vector], [kept[0]])
+    assert float(function((0.0, 0.0, 0.0))) == pytest.approx(0.5, rel=1e-15)
 
 
 @pytest.mark.parametrize(
@@ -161,6 +190,21 @@ def constant_or_equal(listed, columns):
         bucket.append((name, value))
 
 
+def apart(folder, unit, found):
+    """Whether of each two equal statements one is defined where the other is not, or errs by less than half."""
+    maker = UnitMaker(load_model(folder.manifest["model"]))
+    (made,) = (u for u in maker.units() if f"{folder.manifest['c_prefix']}_{u.name}" == unit)
+    points = [at for variable, at in zip(maker.variables, maker.points, strict=True) if variable in made.args]
+    errors = bounded(made.tape, points, 1.0, np.float64)[1]
+    needs = domains(made.tape, numbers(made.tape))
+
+    def differ(i, k):
+        return needs[i] & ~needs[k] or (errors[i] > 2 * errors[k])[np.isfinite(errors[k])].any()
+
+    places = [[int(name[1:]) for name in pair] for pair in found]
+    return all(differ(i, k) or differ(k, i) for k, i in places)
+
+
 @pytest.mark.usefixtures("sixty_digits")
 @pytest.mark.parametrize("folder", MODELS, ids=lambda folder: folder.name)
 def test_no_statement_is_identically_zero_one_or_another(folder):
@@ -170,7 +214,7 @@ def test_no_statement_is_identically_zero_one_or_another(folder):
         found = set(constant_or_equal(listed, evaluated(listed, few)))
         if found:  # a choice, or an angle that is wrapped, may change nothing at a few points
             found &= set(constant_or_equal(listed, evaluated(listed, many)))
-        assert not found, (unit, found)
+        assert not found or apart(folder, unit, found), (unit, found)
 
 
 @pytest.mark.usefixtures("sixty_digits")

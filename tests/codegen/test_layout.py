@@ -80,6 +80,13 @@ def test_a_long_line_goes_on_below_where_it_began(line, word):
     assert {len(part) - len(part.lstrip(" *")) for part in more} == {re.search(word, line).start()}
 
 
+@pytest.mark.parametrize("whole", ["z = H x + noise,", "H = d z / d x;", "C_hat = (I - [e x]) C_b2n", "-1 to 1 */"])
+def test_a_formula_and_the_end_of_a_comment_are_not_torn(whole):
+    for before in range(WIDTH - len(whole) - 10, WIDTH):
+        lines = laid_out(f"/* {'a' * before} with {whole}" + " word." * (not whole.endswith("*/"))).split("\n")
+        assert sum(whole in line for line in lines) == 1, lines
+
+
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
 def test_equal_tables_of_numbers_stand_once_in_a_file(folder):
     for unit in folder.units:
