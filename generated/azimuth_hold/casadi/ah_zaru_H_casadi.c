@@ -121,8 +121,9 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a16=(a16*a01);
   a00=(a00*a16);
   a05=(a05+a00);
+  a00=(-a05);
+  if (res[0]!=0) res[0][10]=a00;
   a05=(-a05);
-  if (res[0]!=0) res[0][10]=a05;
   if (res[0]!=0) res[0][11]=a05;
   a08=(a08+a12);
   a02=(a02*a08);

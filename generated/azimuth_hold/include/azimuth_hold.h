@@ -5,7 +5,7 @@
  * Frames: ENU with body axes right-front-up.
  * Error = computed - true; C_hat = (I - [phi x]) C against the true level (phi model).
  * A bias is measured - true, and its error estimated - true.
- * Position is lon, lat, height (rad, m) on WGS-84; the body axes are right-front-up.
+ * Position is lon, lat, height (rad, m) on WGS-84.
  * Quaternions are Hamilton, scalar first, body to navigation.
  * Every function returns a bs_status; with any but BS_OK it has written nothing.  Outputs must not
  * overlap. */
@@ -46,8 +46,8 @@ typedef struct {
     bs_real q_b2n_wxyz[4]; /* attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001 */
     bs_real gyro_bias[3];  /* estimated gyro bias, measured - true (rad/s, body);
                             * -0.0174533 to 0.0174533 */
-    bs_real accel_bias[3]; /* estimated accelerometer bias, measured - true (m/s^2, body); -1 to 1
-                            * */
+    bs_real accel_bias[3]; /* estimated accelerometer bias, measured - true (m/s^2, body);
+                            * -1 to 1 */
 } ah_nav;
 
 /* Inertial data over one step. */
@@ -167,8 +167,8 @@ bs_status ah_Q_nz(const ah_nav *nav, const ah_imu *imu, const ah_noise *noise, b
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_zupt_z(const ah_nav *nav, bs_real z[3]);
 
-/* Velocity of a body at rest, where zero is measured: z = computed - measured; measurement matrix H
- * = d z / d x; rows e, n, u.
+/* Velocity of a body at rest, where zero is measured: z = computed - measured; measurement matrix
+ * H = d z / d x; rows e, n, u.
  * Equations: kim-2018 (16), kim-2018 (17).
  * out  H  rows e, n, u (m/s per unit of state); 3 x 15, row-major; 3 of 45 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
@@ -177,7 +177,7 @@ bs_status ah_zupt_H(bs_real H[3 * AH_N_STATES]);
 bs_status ah_zupt_H_nz(bs_real H_nz[3]);
 
 /* Azimuth, where the reference is measured: z = +e, e the turn from the computed to the measured
- * one; z = H x + noise; rows up.
+ * one; z = H x + noise; row up.
  * Equations: kim-2018 (20), kim-2018 (21), kim-2018 (23).
  * in   nav->q_b2n_wxyz        attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
  * in   reference->q_ref_wxyz  attitude whose azimuth is held (1, body to ENU); -1.001 to 1.001,
@@ -187,16 +187,16 @@ bs_status ah_zupt_H_nz(bs_real H_nz[3]);
 bs_status ah_azimuth_z(const ah_nav *nav, const ah_reference *reference, bs_real z[1]);
 
 /* Azimuth, where the reference is measured: z = +e, e the turn from the computed to the measured
- * one; measurement matrix H = d z / d x; rows up.
+ * one; measurement matrix H = d z / d x; row up.
  * Equations: kim-2018 (20), kim-2018 (21), kim-2018 (23).
- * out  H  rows up (rad per unit of state); 1 x 15, row-major; 1 of 15 are not zero
+ * out  H  row up (rad per unit of state); 1 x 15, row-major; 1 of 15 is not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_azimuth_H(bs_real H[AH_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status ah_azimuth_H_nz(bs_real H_nz[1]);
 
-/* Rate against the Earth of a body at rest, where zero is measured: z = computed - measured; z = H
- * x + noise; rows x, y, z.
+/* Rate against the Earth of a body at rest, where zero is measured: z = computed - measured;
+ * z = H x + noise; rows x, y, z.
  * in   nav->position    longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                       (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                       -500 to 30000

@@ -15,7 +15,7 @@
 #endif
 #endif
 
-/* One scalar measurement z = h x + noise of variance R, for the covariance kernels. */
+/* One scalar measurement z = h x + noise of variance R, for the covariance functions. */
 typedef struct {
     const bs_real *h;         /* the non-zeros of h */
     const unsigned short *at; /* the states that they belong to, ascending */

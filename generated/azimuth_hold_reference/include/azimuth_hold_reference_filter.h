@@ -90,7 +90,7 @@ bs_status ahr_filter_measure_zaru(ahr_filter *filter,
                                   ahr_innovation *innovation);
 
 /* Azimuth, where the reference is measured: z = +e, e the turn from the computed to the measured
- * one; rows up (rad).
+ * one; row up (rad).
  * Equations: kim-2018 (20), kim-2018 (21), kim-2018 (23).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   rows        bit i: take row i; BS_ALL_ROWS

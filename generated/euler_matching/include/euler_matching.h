@@ -111,8 +111,8 @@ bs_status em_Q(const em_nav *nav,
 /* The same, the non-zeros alone, row after row. */
 bs_status em_Q_nz(const em_nav *nav, const em_step *step, const em_noise *noise, bs_real Q_nz[9]);
 
-/* Euler angles of the master, to first order in the misalignment: z = computed - measured; z = H x
- * + noise; rows roll, pitch, yaw.
+/* Euler angles of the master, to first order in the misalignment: z = computed - measured;
+ * z = H x + noise; rows roll, pitch, yaw.
  * Equations: song-lee-2001 (16), song-lee-2001 (18), song-lee-2001 (19).
  * in   nav->mu          estimated misalignment, C_b2n = C_m2n exp([mu x]) (rad, master body);
  *                       -0.5 to 0.5
@@ -169,8 +169,8 @@ bs_status em_euler_exact_h(const bs_real x[EM_N_STATES],
                            const em_angles *angles,
                            bs_real h[3]);
 
-/* Euler angles of the master by finite rotations: z = computed - measured; measurement matrix H = d
- * z / d x; rows roll, pitch, yaw.
+/* Euler angles of the master by finite rotations: z = computed - measured; measurement matrix
+ * H = d h / d x at x; rows roll, pitch, yaw.
  * Equations: song-lee-2001 (14), song-lee-2001 (16).
  * in   x                error state (rad, rad); -0.5 to 0.5
  * in   nav->mu          estimated misalignment, C_b2n = C_m2n exp([mu x]) (rad, master body);

@@ -5,7 +5,7 @@
  * Frames: ENU with body axes right-front-up.
  * Error = computed - true, to first order in the errors; no other term is dropped.
  * C_hat_b2n = (I - [phi x]) C_b2n, against the true level.
- * Position is lon, lat, height (rad, m) on WGS-84; the body axes are right-front-up.
+ * Position is lon, lat, height (rad, m) on WGS-84.
  * Quaternions are Hamilton, scalar first, body to navigation.
  * Every function returns a bs_status; with any but BS_OK it has written nothing.  Outputs must not
  * overlap. */

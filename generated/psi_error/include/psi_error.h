@@ -6,7 +6,7 @@
  * Error = computed - true, to first order in the errors; no other term is dropped.
  * C_n2c = I - [dtheta x]: the computed level c is the true one of the computed position.
  * psi = phi - dtheta, where C_hat_b2n = (I - [phi x]) C_b2n.
- * Position is lon, lat, height (rad, m) on WGS-84; the body axes are right-front-up.
+ * Position is lon, lat, height (rad, m) on WGS-84.
  * Quaternions are Hamilton, scalar first, body to navigation.
  * Every function returns a bs_status; with any but BS_OK it has written nothing.  Outputs must not
  * overlap. */

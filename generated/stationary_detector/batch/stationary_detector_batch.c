@@ -2,9 +2,9 @@
  * For a host.  gyro and accel are runs x samples x 3; every run begins with an empty window, which
  * is emptied again before each sample k where restart[k] is not 0 (restart may be null) and after
  * each sample that was refused.
- * Of samples every - 1, 2 every - 1, ... the decision is written: statistic is runs x
- * (samples / every) x DET_N_DETECTORS, NaN where there is none, rest the bits, status what det_push
- * returned.  Returns the status of the settings. */
+ * Of samples every - 1, 2 every - 1, ... the decision is written: statistic is runs
+ * x (samples / every) x DET_N_DETECTORS, NaN where there is none, rest the bits, status what
+ * det_push returned.  Returns the status of the settings. */
 #include <stddef.h>
 
 #include "stationary_detector.h"

@@ -3,7 +3,7 @@
  * C99, no allocation, no global state, no I/O; re-entrant.  SI units, angles in rad.  Matrices are
  * row-major.
  * Frames: ENU with body axes right-front-up.
- * Position is lon, lat, height (rad, m) on WGS-84; the body axes are right-front-up.
+ * Position is lon, lat, height (rad, m) on WGS-84.
  * Quaternions are Hamilton, scalar first, body to navigation.
  * Every function returns a bs_status; with any but BS_OK it has written nothing.  Outputs must not
  * overlap. */
@@ -86,7 +86,7 @@ bs_status sd_rates(const sd_nav *nav,
  * in   nav->v_n       velocity over the ground (m/s, ENU); -1000 to 1000
  * out  omega_ie_n     the Earth's rate, ENU (rad/s); 3; 2 of 3 are not zero
  * out  omega_en_n     transport rate, ENU (rad/s); 3
- * out  gravity_n      gravity, ENU (m/s^2); 3; 1 of 3 are not zero
+ * out  gravity_n      gravity, ENU (m/s^2); 3; 1 of 3 is not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status sd_earth(const sd_nav *nav,
                    bs_real omega_ie_n[3],

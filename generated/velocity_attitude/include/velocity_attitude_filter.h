@@ -96,8 +96,7 @@ bs_status va_filter_measure_dcm(va_filter *filter,
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   rows        bit i: take row i; BS_ALL_ROWS
  * in   gate        a row whose |nu| exceeds this many sigmas is left out; 0 for no gate
- * in   iterations  how often it is linearised again about the estimate it gave; 1 is the extended
- *                  Kalman filter
+ * in   iterations  how often it is linearised; 1 is the extended Kalman filter
  * out  innovation  nu, S and used of each row
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
  * a row is no number or S is not above 0, rows before it are taken, and the filter should begin

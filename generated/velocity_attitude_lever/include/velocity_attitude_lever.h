@@ -6,11 +6,11 @@
  * Error = computed - true; C_hat_b2n = (I - [phi x]) C_b2n against the true level (phi model).
  * Mounting: C_b2n = C_m2n C_b2m, of any size; C_hat_b2m = (I - [dmu x]) C_b2m, m the master's body
  * axes.
- * A bias is measured - true, and its error estimated - true.  The lever arm runs from
- * master to slave.
- * A delay tau > 0: the master's data is old by it.  The slave is given as it is now, with lag =
- * tau, or as it was tau ago, with lag = 0.
- * Position is lat, lon, height (rad, m) on WGS-84; the body axes are front-right-down.
+ * A bias is measured - true, and its error estimated - true.  The lever arm runs from master to
+ * slave.
+ * A delay tau > 0: the master's data is old by it.  The slave is given as it is now, with
+ * lag = tau, or as it was tau ago, with lag = 0.
+ * Position is lat, lon, height (rad, m) on WGS-84.
  * Quaternions are Hamilton, scalar first, body to navigation.
  * Every function returns a bs_status; with any but BS_OK it has written nothing.  Outputs must not
  * overlap. */
@@ -57,8 +57,8 @@ typedef struct {
     bs_real q_b2n_wxyz[4]; /* attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001 */
     bs_real gyro_bias[3];  /* estimated gyro bias, measured - true (rad/s, body);
                             * -0.0174533 to 0.0174533 */
-    bs_real accel_bias[3]; /* estimated accelerometer bias, measured - true (m/s^2, body); -1 to 1
-                            * */
+    bs_real accel_bias[3]; /* estimated accelerometer bias, measured - true (m/s^2, body);
+                            * -1 to 1 */
     bs_real q_b2m_wxyz[4]; /* estimated mounting of the slave (1, slave body to master body);
                             * -1.001 to 1.001, norm 0.999 to 1.001 */
     bs_real tau;           /* estimated age of the master's data (s); -1 to 1 */
@@ -194,8 +194,8 @@ bs_status val_Q_nz(const val_nav *nav,
                    const val_noise *noise,
                    bs_real Q_nz[118]);
 
-/* Attitude of the master: z = -e, e the turn from the computed to the measured one; z = H x +
- * noise; rows n, e, d.
+/* Attitude of the master: z = -e, e the turn from the computed to the measured one;
+ * z = H x + noise; rows n, e, d.
  * Equations: kang-2025 (4), kang-2025 (5).
  * in   nav->position       geodetic latitude, longitude, not wrapped, height above the ellipsoid
  *                          (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
@@ -280,7 +280,7 @@ bs_status val_quaternion_h(const bs_real x[VAL_N_STATES],
                            bs_real h[3]);
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
- * computed to the measured one; measurement matrix H = d z / d x; rows n, e, d.
+ * computed to the measured one; measurement matrix H = d h / d x at x; rows n, e, d.
  * in   x                   error state (rad, m/s, rad/s, m/s^2, rad, s, m); -0.5 to 0.5,
  *                          -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100,
  *                          -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,

@@ -6,7 +6,7 @@
  * Error = computed - true; psi is against the computed level, C_hat_b2c = (I - [psi x]) C_b2c.
  * Misalignment: C_b2n = C_m2n exp([mu x]), m the master's body axes.
  * A delay tau > 0: the master's data is old by it; the slave is compared as it was tau_hat ago.
- * Position is lon, lat, height (rad, m) on WGS-84; the body axes are right-front-up.
+ * Position is lon, lat, height (rad, m) on WGS-84.
  * Quaternions are Hamilton, scalar first, body to navigation.
  * Every function returns a bs_status; with any but BS_OK it has written nothing.  Outputs must not
  * overlap. */
@@ -142,8 +142,8 @@ bs_status vd_Q(const vd_nav *nav,
 /* The same, the non-zeros alone, row after row. */
 bs_status vd_Q_nz(const vd_nav *nav, const vd_imu *imu, const vd_noise *noise, bs_real Q_nz[36]);
 
-/* Velocity of the slave tau_hat ago, where the master's is measured: z = computed - measured; z = H
- * x + noise; rows e, n, u.
+/* Velocity of the slave tau_hat ago, where the master's is measured: z = computed - measured;
+ * z = H x + noise; rows e, n, u.
  * Equations: kim-2018 (4), kim-2018 (6).
  * in   nav->v_n       velocity over the ground (m/s, ENU); -1000 to 1000
  * in   master->v_m_n  velocity that the master reports (m/s, ENU); -1000 to 1000
@@ -161,8 +161,8 @@ bs_status vd_velocity_H(const vd_master *master, bs_real H[3 * VD_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status vd_velocity_H_nz(const vd_master *master, bs_real H_nz[6]);
 
-/* Attitude of the master: z = +e, e the turn from the computed to the measured one; z = H x +
- * noise; rows e, n, u.
+/* Attitude of the master, H to first order in the misalignment: z = +e, e the turn from the
+ * computed to the measured one; z = H x + noise; rows e, n, u.
  * Equations: kim-2018 (5), kim-2018 (6).
  * in   nav->q_b2n_wxyz     attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
  * in   nav->mu             estimated misalignment, C_b2n = C_m2n exp([mu x]) (rad, master body);
@@ -173,8 +173,8 @@ bs_status vd_velocity_H_nz(const vd_master *master, bs_real H_nz[6]);
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vd_dcm_z(const vd_nav *nav, const vd_master *master, bs_real z[3]);
 
-/* Attitude of the master: z = +e, e the turn from the computed to the measured one; measurement
- * matrix H = d z / d x; rows e, n, u.
+/* Attitude of the master, H to first order in the misalignment: z = +e, e the turn from the
+ * computed to the measured one; measurement matrix H = d z / d x; rows e, n, u.
  * Equations: kim-2018 (5), kim-2018 (6).
  * in   master->q_m2n_wxyz  attitude that the master reports (1, master body to ENU);
  *                          -1.001 to 1.001, norm 0.999 to 1.001
@@ -218,7 +218,7 @@ bs_status vd_dcm_exact_h(const bs_real x[VD_N_STATES],
                          bs_real h[3]);
 
 /* Attitude of the master, with h of finite rotations: z = +e, e the turn from the computed to the
- * measured one; measurement matrix H = d z / d x; rows e, n, u.
+ * measured one; measurement matrix H = d h / d x at x; rows e, n, u.
  * Equations: kim-2018 (5).
  * in   x                   error state (m/s, rad, rad, s); -100 to 100, -100 to 100, -100 to 100,
  *                          -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5,

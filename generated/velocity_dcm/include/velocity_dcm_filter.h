@@ -72,8 +72,8 @@ bs_status vd_filter_measure_velocity(vd_filter *filter,
                                      bs_real gate,
                                      vd_innovation *innovation);
 
-/* Attitude of the master: z = +e, e the turn from the computed to the measured one; rows e, n, u
- * (rad).
+/* Attitude of the master, H to first order in the misalignment: z = +e, e the turn from the
+ * computed to the measured one; rows e, n, u (rad).
  * Equations: kim-2018 (5), kim-2018 (6).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   rows        bit i: take row i; BS_ALL_ROWS
@@ -95,8 +95,7 @@ bs_status vd_filter_measure_dcm(vd_filter *filter,
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   rows        bit i: take row i; BS_ALL_ROWS
  * in   gate        a row whose |nu| exceeds this many sigmas is left out; 0 for no gate
- * in   iterations  how often it is linearised again about the estimate it gave; 1 is the extended
- *                  Kalman filter
+ * in   iterations  how often it is linearised; 1 is the extended Kalman filter
  * out  innovation  nu, S and used of each row
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
  * a row is no number or S is not above 0, rows before it are taken, and the filter should begin
