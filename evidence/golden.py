@@ -29,7 +29,7 @@ from boresight.evidence.targets import (
 )
 
 LIBM_ULPS = 40.0  # between two machines, in units of the last place of an output's largest number
-SOFT_ULPS = 2.0  # double on a Cortex-M4F: the addition of its soft-float library rounds some sums wrongly
+SOFT_ULPS = 4.0  # double on a Cortex-M4F: the addition of its soft-float library rounds some sums wrongly
 VECTORS = re.compile(r"^#define N_VECTORS (\d+)$", re.MULTILINE)
 
 
