@@ -16,13 +16,11 @@ from pathlib import Path
 from typing import Any
 
 from boresight import BoresightError
-from boresight.codegen.stamp import made_from
+from boresight.codegen.stamp import PACKAGE, made_from
 
 VERSIONED = ("casadi", "numpy", "sympy")  # what the bytes of the output depend on, beside Boresight itself
-PACKAGE = Path(__file__).parent.parent
 COMPONENTS = ("stationary-detector",)  # C that comes from no model
 MODELS = PACKAGE / "derive" / "models"
-CHECKOUT = Path(__file__).resolve().parent.parent  # the links of a checkout lead there; of a wheel it is the package
 
 
 @dataclass(frozen=True)
@@ -85,13 +83,13 @@ def versions() -> dict[str, str]:
 def default_folder(target: str) -> Path:
     """generated/ of the checkout for a built-in model, from any folder; ./generated/ for a user's own."""
     name = load_model(target).name if ":" in target else target
-    home = CHECKOUT if is_checkout() and ":" not in target and Path.cwd() != CHECKOUT else Path()
+    home = PACKAGE if is_checkout() and ":" not in target and Path.cwd() != PACKAGE else Path()
     return home / "generated" / name.replace("-", "_")
 
 
 def is_checkout() -> bool:
     """Whether the package lies in the repository, where the generated files belong to it; else it was installed."""
-    return (CHECKOUT / "pyproject.toml").is_file()
+    return (PACKAGE / "pyproject.toml").is_file()
 
 
 def load_model(target: str) -> Any:

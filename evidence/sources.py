@@ -96,9 +96,7 @@ class Source:
     @cached_property
     def calls_libm(self) -> bool:
         """Whether a function of the target's library takes part that need not be correctly rounded."""
-        return any(
-            re.search(r"BS_(SIN|COS|ATAN2)\(", path.read_text()) for path in self.text if path.name != "boresight.h"
-        )
+        return any(LIBM.search(path.read_text()) for path in self.text if path.name != "boresight.h")
 
 
 def folders() -> list[Folder]:
