@@ -148,7 +148,8 @@ def show(
 ) -> None:
     """The derivation of a paper's or a model's equations, by steps."""
     from boresight import terminal
-    from boresight.derive import render as r
+    from boresight.derive.pages import render as r
+    from boresight.derive.papers import paper
 
     one_of(name, [*paper_names(), *model_names(), "delay-error"], "paper or model")
     one_of(form, [*r.FORMATS, "pdf"], "format")
@@ -158,7 +159,7 @@ def show(
     if name == "delay-error":
         text = delay_error(equation, kind)
     else:
-        text = r.render(name, equation, kind) if name in paper_names() else model_equations(name, equation, kind)
+        text = r.render(paper(name), equation, kind) if name in paper_names() else model_equations(name, equation, kind)
     if out is not None:
         write(out, r.pdf_from_latex(text) if form == "pdf" else text.encode())
     elif form == "text":
@@ -168,8 +169,8 @@ def show(
 
 
 def delay_error(number: str | None, form: str) -> str:
-    from boresight.derive.delay_error import derivation
-    from boresight.derive.render import render_derivation
+    from boresight.derive.pages.render import render_derivation
+    from boresight.derive.papers.kang_2025.delay_error import derivation
 
     if number is not None:
         raise BoresightError(f"delay-error is one derivation and has no ({number}); leave the number out")
@@ -179,15 +180,16 @@ def delay_error(number: str | None, form: str) -> str:
 def model_equations(name: str, number: str | None, form: str) -> str:
     """The equations that a model refers to, as `song-lee-2001 (19)`, in one of the formats."""
     from boresight.codegen.generate import load_model
-    from boresight.derive.ledger import equations, ledger
-    from boresight.derive.render import render_equations
+    from boresight.derive.ledger.entries import ledger
+    from boresight.derive.pages.render import render_equations
+    from boresight.derive.papers import paper
 
     model = load_model(name)
     named = {*model.equations, *(e for part in (*model.measurements, *model.functions) for e in part.equations)}
     known = {
         f"{e.paper} ({e.number})": (e, entry)
-        for paper in sorted({text.split(" ")[0] for text in named})
-        for e, entry in zip(equations(paper), ledger(paper), strict=True)
+        for one in (paper(name) for name in sorted({text.split(" ")[0] for text in named}))
+        for e, entry in zip(one.equations, ledger(one), strict=True)
     }
     chosen = [known[key] for key in known if key in named and number in (None, known[key][0].number)]
     if not chosen:

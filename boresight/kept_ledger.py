@@ -1,6 +1,6 @@
 """Ledgers as the command line prints them: computed once, and kept in the cache folder until a source changes.
 
-Only the command line reads what is kept.  Tests and evidence call `compute`, or boresight.derive.ledger itself.
+Only the command line reads what is kept.  Tests and evidence call `compute`, or boresight.derive.ledger.entries itself.
 """
 
 import hashlib
@@ -21,10 +21,12 @@ DERIVE = Path(__file__).parent / "derive"
 def compute(paper: str, progress: Progress = lambda done, total, text: None) -> dict[str, Any]:
     """`entries`, the rows of `boresight equations PAPER --json`, `findings`, the sentences beside them, and
     `conditions`: what the sizes hold for, and the point at which errata are computed."""
-    from boresight.derive.ledger import conditions, findings, ledger
+    from boresight.derive import papers
+    from boresight.derive.ledger.entries import findings, ledger
 
-    entries = [entry.to_dict() for entry in ledger(paper, progress)]
-    return {"entries": entries, "findings": list(findings(paper)), "conditions": list(conditions(paper))}
+    one = papers.paper(paper)
+    entries = [entry.to_dict() for entry in ledger(one, progress)]
+    return {"entries": entries, "findings": list(findings(one)), "conditions": [one.conditions.text, one.point.text]}
 
 
 def ledger(paper: str, progress: Progress = lambda done, total, text: None) -> dict[str, Any]:

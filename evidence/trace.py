@@ -13,8 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from boresight import BoresightError
-from boresight.derive.ledger import equations
-from boresight.derive.papers import PAPERS
+from boresight.derive.papers import PAPERS, paper
 from boresight.evidence.sources import Folder, Source, folders
 
 FUNCTION = re.compile(r"^static void (\w+)\(([^)]*)\)\n\{\n(.*?)\n\}$", re.MULTILINE | re.DOTALL)
@@ -97,9 +96,9 @@ def statements(path: Path) -> list[str]:
 
 
 @cache
-def printed(paper: str) -> frozenset[str]:
+def printed(name: str) -> frozenset[str]:
     """Numbers of the equations that the ledger of a paper has."""
-    return frozenset(equation.number for equation in equations(paper))
+    return frozenset(equation.number for equation in paper(name).equations)
 
 
 def known(citation: str) -> bool:

@@ -24,7 +24,7 @@ from boresight.derive.models.variables import (
     body,
     noise_density,
 )
-from boresight.derive.rotation import dcm_from_quaternion, quaternion_product
+from boresight.derive.mechanics.rotation import dcm_from_quaternion, quaternion_product
 
 
 def function(model: Model, name: str) -> Function:

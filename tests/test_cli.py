@@ -11,7 +11,7 @@ import pytest
 from conftest import PENDULUM, ROOT
 
 from boresight import cli, report, terminal
-from boresight.derive.ledger import conditions, ledger
+from boresight.derive.ledger.entries import conditions, ledger
 from boresight.derive.papers import PAPERS
 from boresight.runtime.manifest import built_in, folder_of, read_manifest
 

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from boresight import kept_ledger
 from boresight.cli import app
-from boresight.derive.ledger import conditions, findings, ledger
+from boresight.derive.ledger.entries import conditions, findings, ledger
 from boresight.derive.papers import PAPERS
 
 PAPER = "kang-2025"

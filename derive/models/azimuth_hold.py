@@ -2,19 +2,19 @@
 
 from sympy import Matrix, eye, zeros
 
-from boresight.derive import earth, error_models
-from boresight.derive.earth import ENU
-from boresight.derive.model import Function, Measurement, Model, Output, Struct
-from boresight.derive.models import variables as var
-from boresight.derive.models.variables import ACCEL_NOISE, BA, BG, D_BA, D_BG, DT, F_B, GYRO_NOISE, OMEGA_IB_B
-from boresight.derive.papers import kim_2018 as paper
-from boresight.derive.rotation import (
+from boresight.derive.mechanics import earth, error_models
+from boresight.derive.mechanics.earth import ENU
+from boresight.derive.mechanics.rotation import (
     dcm_from_quaternion,
     normalized,
     quaternion_from_rotation_vector,
     quaternion_product,
     skew,
 )
+from boresight.derive.model import Function, Measurement, Model, Output, Struct
+from boresight.derive.models import variables as var
+from boresight.derive.models.variables import ACCEL_NOISE, BA, BG, D_BA, D_BG, DT, F_B, GYRO_NOISE, OMEGA_IB_B
+from boresight.derive.papers.kim_2018 import results as paper
 
 
 def azimuth_hold() -> Model:

@@ -2,13 +2,9 @@
 
 from sympy import Matrix, zeros
 
-from boresight.derive import earth
-from boresight.derive.earth import NED
-from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct, variable
-from boresight.derive.models import variables as var
-from boresight.derive.models.variables import D_MU, DT, EULER_M, GYRO_NOISE, MU
-from boresight.derive.papers import song_lee_2001 as paper
-from boresight.derive.rotation import (
+from boresight.derive.mechanics import earth
+from boresight.derive.mechanics.earth import NED
+from boresight.derive.mechanics.rotation import (
     dcm_from_euler,
     dcm_from_quaternion,
     dcm_from_rotation_vector,
@@ -17,6 +13,10 @@ from boresight.derive.rotation import (
     quaternion_from_rotation_vector,
     quaternion_product,
 )
+from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct, variable
+from boresight.derive.models import variables as var
+from boresight.derive.models.variables import D_MU, DT, EULER_M, GYRO_NOISE, MU
+from boresight.derive.papers.song_lee_2001 import results as paper
 
 
 def euler_matching() -> Model:

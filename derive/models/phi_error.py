@@ -4,11 +4,11 @@ from collections.abc import Callable
 
 from sympy import Matrix
 
-from boresight.derive import error_models
-from boresight.derive.earth import ENU, NED, Frame
+from boresight.derive.mechanics import error_models
+from boresight.derive.mechanics.earth import ENU, NED, Frame
+from boresight.derive.mechanics.rotation import dcm_from_quaternion
 from boresight.derive.model import Function, Model, Output, Struct, Variable
 from boresight.derive.models import variables as var
-from boresight.derive.rotation import dcm_from_quaternion
 
 
 def error_model(

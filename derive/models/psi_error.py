@@ -1,7 +1,7 @@
 """Errors of strapdown navigation against the computed level: the psi model, nine states."""
 
-from boresight.derive import error_models
-from boresight.derive.earth import ENU, NED, Frame
+from boresight.derive.mechanics import error_models
+from boresight.derive.mechanics.earth import ENU, NED, Frame
 from boresight.derive.model import Model
 from boresight.derive.models import variables as var
 from boresight.derive.models.phi_error import error_model

@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 
-from boresight.derive import earth, mechanization
-from boresight.derive.earth import ENU, NED, Frame
+from boresight.derive.mechanics import earth, mechanization
+from boresight.derive.mechanics.earth import ENU, NED, Frame
+from boresight.derive.mechanics.rotation import dcm_from_quaternion
 from boresight.derive.model import Function, Model, Output, Struct
 from boresight.derive.models import variables as var
-from boresight.derive.rotation import dcm_from_quaternion
 
 F_B = replace(var.F_B, meaning="specific force")
 OMEGA_IB_B = replace(var.OMEGA_IB_B, meaning="angular rate against inertial space")

@@ -8,8 +8,8 @@ from math import pi, radians
 
 from sympy import Matrix
 
-from boresight.derive import mechanization
-from boresight.derive.earth import Frame
+from boresight.derive.mechanics import mechanization
+from boresight.derive.mechanics.earth import Frame
 from boresight.derive.model import Function, Output, Variable, variable
 
 MASTER_BODY = "master body"

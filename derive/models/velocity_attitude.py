@@ -2,14 +2,9 @@
 
 from sympy import Matrix, Piecewise, StrictLessThan, eye, zeros
 
-from boresight.derive import mechanization
-from boresight.derive.earth import NED
-from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct, variable
-from boresight.derive.models import variables as var
-from boresight.derive.models.variables import BA, BG, D_BA, D_BG, D_TAU, DT, EULER_M, F_B, LEVER_B, OMEGA_IB_B, TAU
-from boresight.derive.papers import kang_2025 as paper
-from boresight.derive.papers.song_lee_2001 import euler_D_beta
-from boresight.derive.rotation import (
+from boresight.derive.mechanics import mechanization
+from boresight.derive.mechanics.earth import NED
+from boresight.derive.mechanics.rotation import (
     conjugate,
     dcm_from_euler,
     dcm_from_quaternion,
@@ -18,6 +13,11 @@ from boresight.derive.rotation import (
     quaternion_from_rotation_vector,
     quaternion_product,
 )
+from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct, variable
+from boresight.derive.models import variables as var
+from boresight.derive.models.variables import BA, BG, D_BA, D_BG, D_TAU, DT, EULER_M, F_B, LEVER_B, OMEGA_IB_B, TAU
+from boresight.derive.papers.kang_2025 import results as paper
+from boresight.derive.papers.song_lee_2001.results import euler_D_beta
 
 FRAME = NED
 

@@ -4,12 +4,12 @@ from dataclasses import replace
 
 from sympy import Matrix, eye
 
-from boresight.derive import mechanization
+from boresight.derive.mechanics import mechanization
+from boresight.derive.mechanics.rotation import dcm_from_quaternion
 from boresight.derive.model import Model, Output
 from boresight.derive.models import velocity_attitude as va
 from boresight.derive.models.variables import D_LEVER, D_TAU, LEVER_B, OMEGA_IB_B
-from boresight.derive.papers import kang_2025 as paper
-from boresight.derive.rotation import dcm_from_quaternion
+from boresight.derive.papers.kang_2025 import results as paper
 
 
 def velocity_attitude_lever() -> Model:

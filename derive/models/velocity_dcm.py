@@ -4,19 +4,19 @@ from dataclasses import replace
 
 from sympy import Matrix, diag, eye, zeros
 
-from boresight.derive import error_models
-from boresight.derive.earth import ENU
-from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct
-from boresight.derive.models import variables as var
-from boresight.derive.models.variables import ACCEL_NOISE, D_MU, D_TAU, DT, GYRO_NOISE, MU, TAU
-from boresight.derive.papers import kim_2018 as paper
-from boresight.derive.rotation import (
+from boresight.derive.mechanics import error_models
+from boresight.derive.mechanics.earth import ENU
+from boresight.derive.mechanics.rotation import (
     dcm_from_quaternion,
     dcm_from_rotation_vector,
     normalized,
     quaternion_from_rotation_vector,
     quaternion_product,
 )
+from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct
+from boresight.derive.models import variables as var
+from boresight.derive.models.variables import ACCEL_NOISE, D_MU, D_TAU, DT, GYRO_NOISE, MU, TAU
+from boresight.derive.papers.kim_2018 import results as paper
 
 F_B = replace(var.F_B, meaning="specific force")
 

@@ -135,7 +135,9 @@ def test_a_stamp_is_moved_by_code_and_by_no_comment_and_no_place(tmp_path):
     hashes = []
     for folder, gravity in (("a", "9.81"), ("b", "9.81"), ("b", "1.62")):
         (tmp_path / folder).mkdir(exist_ok=True)
-        (tmp_path / folder / "mine.py").write_text(f"import boresight.derive.earth\nGRAVITY = {gravity}  # {folder}\n")
+        (tmp_path / folder / "mine.py").write_text(
+            f"import boresight.derive.mechanics.earth\nGRAVITY = {gravity}  # {folder}\n"
+        )
         hashes.append(made_from(tmp_path / folder / "mine.py"))
     assert hashes[0] == hashes[1]
     assert hashes[1]["model"] != hashes[2]["model"]

@@ -6,7 +6,7 @@ from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 from sympy import Symbol, lambdify, pi, simplify, sin
 
-from boresight.derive import delay_error as d
+from boresight.derive.papers.kang_2025 import delay_error as d
 
 OMEGA, TIME = 0.7, np.linspace(0, 2 * np.pi / 0.7, 200, endpoint=False)
 closed = lambdify((d.DELAY, d.FREQUENCY, *d.AMPLITUDES, d.PHASE), d.sinusoidal())

@@ -6,9 +6,9 @@ import pytest
 from mechanics import POSITION, V_N, differentiable, numbers, states
 from sympy import Matrix, symbols
 
-from boresight.derive import earth, mechanization
-from boresight.derive import rotation as rot
-from boresight.derive.earth import ENU, NED
+from boresight.derive.mechanics import earth, mechanization
+from boresight.derive.mechanics import rotation as rot
+from boresight.derive.mechanics.earth import ENU, NED
 
 LAT, HEIGHT = Matrix(symbols("lat height", real=True))
 LATITUDES = np.linspace(-1.48, 1.48, 41)

@@ -7,10 +7,10 @@ import pytest
 from mechanics import F_N, POSITION, V_N, differentiable, numbers, skew, states
 from sympy import Matrix, eye, symbols
 
-from boresight.derive import earth, mechanization
-from boresight.derive import error_models as em
-from boresight.derive import rotation as rot
-from boresight.derive.earth import ENU, NED
+from boresight.derive.mechanics import earth, mechanization
+from boresight.derive.mechanics import error_models as em
+from boresight.derive.mechanics import rotation as rot
+from boresight.derive.mechanics.earth import ENU, NED
 
 FRAMES = pytest.mark.parametrize("frame", [NED, ENU], ids=lambda frame: frame.name)
 BLOCKS = {

@@ -11,15 +11,16 @@ from sympy import Float
 from sympy import Matrix as Symbols
 
 from boresight import BoresightError
-from boresight.derive import ellipsoid
-from boresight.derive import ledger as led
-from boresight.derive.equation import Relation, negative, total
-from boresight.derive.ledger import equations, findings, judge, ledger
-from boresight.derive.numbers import Matrix, digits, exact, largest, middle, norm
-from boresight.derive.papers import kang_2025 as paper
-from boresight.derive.papers import kang_2025_print as printed
-from boresight.derive.papers import kang_2025_world as world
-from boresight.derive.witness import DIGITS, Point, residual, skew, vector
+from boresight.derive.ledger import ellipsoid
+from boresight.derive.ledger import entries as led
+from boresight.derive.ledger.entries import equations, findings, judge, ledger
+from boresight.derive.ledger.equation import Relation, negative, total
+from boresight.derive.ledger.evaluate import DIGITS, Point, residual
+from boresight.derive.ledger.numbers import Matrix, digits, exact, largest, middle, norm
+from boresight.derive.ledger.witness import skew, vector
+from boresight.derive.papers.kang_2025 import printed
+from boresight.derive.papers.kang_2025 import results as paper
+from boresight.derive.papers.kang_2025 import witness as world
 
 PAPER = "kang-2025"
 EQUATIONS = {equation.number: equation for equation in equations(PAPER)}

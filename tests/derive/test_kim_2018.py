@@ -10,13 +10,13 @@ from sympy import Float
 from sympy import Matrix as Symbols
 
 from boresight import BoresightError
-from boresight.derive import ledger as led
-from boresight.derive.ledger import equations, findings, judge, ledger
-from boresight.derive.numbers import Matrix, cos, digits, exact, largest, middle
-from boresight.derive.papers import kim_2018 as paper
-from boresight.derive.papers import kim_2018_print as printed
-from boresight.derive.papers import kim_2018_world as world
-from boresight.derive.witness import DIGITS, residual
+from boresight.derive.ledger import entries as led
+from boresight.derive.ledger.entries import equations, findings, judge, ledger
+from boresight.derive.ledger.evaluate import DIGITS, residual
+from boresight.derive.ledger.numbers import Matrix, cos, digits, exact, largest, middle
+from boresight.derive.papers.kim_2018 import printed
+from boresight.derive.papers.kim_2018 import results as paper
+from boresight.derive.papers.kim_2018 import witness as world
 
 PAPER = "kim-2018"
 EQUATIONS = {equation.number: equation for equation in equations(PAPER)}

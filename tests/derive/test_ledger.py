@@ -7,14 +7,14 @@ from sources import needs_source, source
 from sympy import Float, Matrix
 
 from boresight import BoresightError
-from boresight.derive import ledger as led
-from boresight.derive.equation import Relation, negative, total
-from boresight.derive.ledger import differences, equations, findings, judge, ledger
-from boresight.derive.numbers import digits, largest, middle
-from boresight.derive.papers import song_lee_2001 as paper
-from boresight.derive.papers import song_lee_2001_print as printed
-from boresight.derive.papers import song_lee_2001_world as world
-from boresight.derive.witness import DIGITS, Point, residual
+from boresight.derive.ledger import entries as led
+from boresight.derive.ledger.entries import differences, equations, findings, judge, ledger
+from boresight.derive.ledger.equation import Relation, negative, total
+from boresight.derive.ledger.evaluate import DIGITS, Point, residual
+from boresight.derive.ledger.numbers import digits, largest, middle
+from boresight.derive.papers.song_lee_2001 import printed
+from boresight.derive.papers.song_lee_2001 import results as paper
+from boresight.derive.papers.song_lee_2001 import witness as world
 
 PAPER = "song-lee-2001"
 EXPECTED = {
@@ -73,7 +73,7 @@ def test_an_entry_is_the_documented_row_of_strings(entries):
 
 
 def test_derived_form_is_the_print_where_the_print_holds(entries, by_number):
-    from boresight.derive.mutation import _free_point
+    from boresight.derive.ledger.mutation import _free_point
 
     for number, equation in by_number.items():
         if entries[number].status == "erratum":

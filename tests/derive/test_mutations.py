@@ -5,8 +5,8 @@ from functools import cache
 
 import pytest
 
-from boresight.derive.ledger import equations
-from boresight.derive.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED, mutants, survivors
+from boresight.derive.ledger.entries import equations
+from boresight.derive.ledger.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED, mutants, survivors
 
 # number: (mutants, survivors that say the same, that put another name, that differ in second order).
 # (26) to (28) have a zero entry in each row: whatever it multiplies may change.

@@ -5,8 +5,8 @@ import pytest
 from flint import arb
 
 from boresight import BoresightError
-from boresight.derive.numbers import Matrix, digits, exact, eye, largest, middle, norm, shown, sqrt, zeros
-from boresight.derive.witness import finite_rotation, rotation_vector, skew, vector
+from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, largest, middle, norm, shown, sqrt, zeros
+from boresight.derive.ledger.witness import finite_rotation, rotation_vector, skew, vector
 
 
 @pytest.fixture(autouse=True)

@@ -10,9 +10,9 @@ import pytest
 from conftest import ROOT
 from sources import needs_source, source
 
-from boresight.derive.ledger import differences, equations, ledger
+from boresight.derive.ledger.entries import differences, equations, ledger
+from boresight.derive.pages.render import render
 from boresight.derive.papers import PAPERS
-from boresight.derive.render import render
 
 PRINTS = {paper: import_module(module + "_print") for paper, module in PAPERS.items()}
 

@@ -5,9 +5,9 @@ from sympy import Function, MatAdd, MatMul, StrictLessThan, Symbol, cos, sin, sq
 from sympy.functions.elementary.complexes import transpose
 
 from boresight import BoresightError
-from boresight.derive.equation import Quantity, column, matrix
-from boresight.derive.reader import read
-from boresight.derive.witness import Point, evaluate
+from boresight.derive.ledger.equation import Quantity, column, matrix
+from boresight.derive.ledger.evaluate import Point, evaluate
+from boresight.derive.ledger.reader import read
 
 a, b = symbols("a b", real=True)
 A, B = symbols("A B", commutative=False)

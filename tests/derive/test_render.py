@@ -6,9 +6,9 @@ import shutil
 import pytest
 
 from boresight import BoresightError
-from boresight.derive.latex import latex_name
-from boresight.derive.ledger import ledger
-from boresight.derive.render import pdf_from_latex, render
+from boresight.derive.ledger.entries import ledger
+from boresight.derive.pages.latex import latex_name
+from boresight.derive.pages.render import pdf_from_latex, render
 
 PAPER = "song-lee-2001"
 needs_pdflatex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")

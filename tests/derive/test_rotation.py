@@ -6,7 +6,7 @@ import mpmath as mp
 import pytest
 from sympy import Float, Matrix, eye, simplify, symbols, zeros
 
-from boresight.derive import rotation as rot
+from boresight.derive.mechanics import rotation as rot
 
 DIGITS = 40
 

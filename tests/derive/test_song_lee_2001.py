@@ -3,11 +3,12 @@
 import pytest
 from sympy import Float, Matrix, eye, simplify, symbols, tan, zeros
 
-from boresight.derive.numbers import digits, largest, middle
-from boresight.derive.papers import song_lee_2001 as paper
-from boresight.derive.papers import song_lee_2001_world as world
-from boresight.derive.rotation import dcm_from_euler, skew, vee
-from boresight.derive.witness import DIGITS, vector
+from boresight.derive.ledger.evaluate import DIGITS
+from boresight.derive.ledger.numbers import digits, largest, middle
+from boresight.derive.ledger.witness import vector
+from boresight.derive.mechanics.rotation import dcm_from_euler, skew, vee
+from boresight.derive.papers.song_lee_2001 import results as paper
+from boresight.derive.papers.song_lee_2001 import witness as world
 
 phi, theta, psi = symbols("phi theta psi", real=True)
 

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 from sympy import Matrix, Rational, cos, pi, sin
 
-from boresight.derive import rotation as rot
+from boresight.derive.mechanics import rotation as rot
 
 T = sp.Symbol("t", real=True)
 A, E2, RATE = 6378137, sp.Float("6.69437999014132e-3", 30), Rational("7.292115e-5")

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from boresight import BoresightError
-from boresight.derive import delay_error
+from boresight.derive.papers.kang_2025 import delay_error
 from boresight.runtime import hull, inertial, rotation, simulation
 from boresight.runtime.library import load
 from boresight.runtime.units import DEG, MIL

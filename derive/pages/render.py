@@ -16,20 +16,21 @@ from sympy.printing.pretty.pretty import PrettyPrinter
 from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
 from boresight import BoresightError
-from boresight.derive.equation import Derivation, Equation, Quantity, Relation, holds_matrix, terms
-from boresight.derive.latex import latex_name, latex_relation
-from boresight.derive.ledger import Entry, entry_of, equations, findings
+from boresight.derive.ledger.entries import Entry, entry_of, findings
+from boresight.derive.ledger.equation import Derivation, Equation, Quantity, Relation, holds_matrix, terms
+from boresight.derive.ledger.paper import Paper
+from boresight.derive.pages.latex import latex_name, latex_relation
 
 FORMATS = ("text", "latex", "html")
 
 
-def render(paper: str, number: str | None = None, format: str = "text") -> str:
+def render(paper: Paper, number: str | None = None, format: str = "text") -> str:
     """One equation of a paper, or all of them, as text, as a LaTeX document or as an HTML page.
 
-    Raises BoresightError on a paper, a number or a format that does not exist.
+    Raises BoresightError on a number or a format that does not exist.
     """
     chosen, entries = _chosen(paper, number)
-    return render_equations(paper, chosen, entries, format, () if number else findings(paper))
+    return render_equations(paper.name, chosen, entries, format, () if number else findings(paper))
 
 
 def render_equations(
@@ -72,12 +73,9 @@ def pdf_from_latex(document: str) -> bytes:
         return made.read_bytes()
 
 
-def _chosen(paper: str, number: str | None) -> tuple[list[Equation], list[Entry]]:
-    every = equations(paper)
-    chosen = [e for e in every if number is None or e.number == number.strip("()")]
-    if not chosen:
-        raise BoresightError(f"{paper} has no equation {number!r}: it has {every[0].number} to {every[-1].number}")
-    return chosen, [entry_of(equation) for equation in chosen]
+def _chosen(paper: Paper, number: str | None) -> tuple[list[Equation], list[Entry]]:
+    chosen = [paper.equation(number)] if number else list(paper.equations)
+    return chosen, [entry_of(paper, equation) for equation in chosen]
 
 
 # ---- Text ----------------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ from sympy.core.function import AppliedUndef
 from sympy.printing.latex import LatexPrinter
 from sympy.printing.precedence import PRECEDENCE
 
-from boresight.derive.equation import Quantity, Relation, holds_matrix, terms
+from boresight.derive.ledger.equation import Quantity, Relation, holds_matrix, terms
 
 
 def latex_relations(relations: Iterable[Relation], quantities: Iterable[Quantity]) -> str:

@@ -13,7 +13,7 @@ Inputs as in derive/mechanization.py; f_n is the specific force in the level.  B
 
 from sympy import Matrix, cos, diag, eye, sin, tan, zeros
 
-from boresight.derive.earth import (
+from boresight.derive.mechanics.earth import (
     EARTH_RATE,
     Frame,
     gravity_gradient,
@@ -24,8 +24,8 @@ from boresight.derive.earth import (
     radii,
     radii_by_latitude,
 )
-from boresight.derive.mechanization import along, position_rate
-from boresight.derive.rotation import skew
+from boresight.derive.mechanics.mechanization import along, position_rate
+from boresight.derive.mechanics.rotation import skew
 
 # ---------------------------------------------------------------- perturbations of what the mechanization is made of
 

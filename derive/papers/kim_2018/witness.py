@@ -6,35 +6,30 @@ and the matrices F and H are differentiated from them, so none of the paper's fo
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from random import Random
-from typing import Any
 from unicodedata import normalize
 
 import sympy as sp
-from flint import arb
 
-from boresight.derive import earth, ellipsoid
-from boresight.derive.ellipsoid import WORKING
-from boresight.derive.equation import Relation
-from boresight.derive.numbers import Matrix, atan2, cos, digits, exact, eye, norm, pi, shown, sqrt, zeros
-from boresight.derive.papers import kim_2018 as paper
-from boresight.derive.papers.kim_2018_print import DETECTORS, quantities
-from boresight.derive.witness import (
-    DIGITS,
-    Point,
+from boresight.derive.ledger import ellipsoid
+from boresight.derive.ledger.ellipsoid import WORKING
+from boresight.derive.ledger.equation import Relation
+from boresight.derive.ledger.evaluate import Point, evaluate, solve
+from boresight.derive.ledger.numbers import Matrix, cos, digits, exact, eye, norm, sqrt, zeros
+from boresight.derive.ledger.witness import (
     attitude,
-    evaluate,
+    degrees,
     finite_rotation,
-    hamilton,
     quaternion,
     rotation_vector,
     skew,
-    solve,
     uniform,
     vector,
 )
+from boresight.derive.mechanics import earth
+from boresight.derive.papers.kim_2018.printed import quantities
 
 SAMPLES, WINDOW_AT, WINDOW_OF, NOW = 6, 2, 3, 3  # of the detector's record: its length, a window's start and length
 
@@ -88,15 +83,6 @@ class Conditions:
     master_attitude_error: float = 0.01
     step: float = 0.3
 
-    def scaled(self, scale, parts=()) -> "Conditions":
-        """The named errors, or all of them with delay and step, times `scale`; motion and attitude as they are."""
-        sizes = {part: getattr(self, part) for part in parts or ERRORS}
-        changes: dict[str, Any] = {
-            part: tuple(s * scale for s in size) if isinstance(size, tuple) else size * scale
-            for part, size in sizes.items()
-        }
-        return replace(self, **changes)
-
 
 ERRORS = (
     "position_error", "velocity_error", "phi", "gyro_bias", "accel_bias", "gyro_noise", "accel_noise",
@@ -128,34 +114,28 @@ CONDITIONS = Conditions(
     master_attitude_error=1e-4,
     step=0.01,
 )
-WITNESS = "finite errors"
-POINTS = 4  # of these conditions, drawn for the sizes
 CONDITIONS_TEXT = (
     "sensors of Table 1, errors to 5 mrad, 1 m/s, 1 nmi per axis, delay 50 ms on a bench that moves at 0.5 m/s and "
     "5 deg/s, step 10 ms"
 )
 
 
-def _degrees(*angles) -> tuple:
-    return tuple(exact(float(angle) * math.pi / 180) for angle in angles)
-
-
 # The point at which an erratum's numbers are given.
 STATED = Base(
-    position=(*_degrees(127, 37), exact(1000)),
+    position=(*degrees(127, 37), exact(1000)),
     v_n=(exact(60), exact(80), exact(0)),
-    euler=_degrees(2, 3, 40),
+    euler=degrees(2, 3, 40),
     f_b=(exact("0.5"), exact(1), exact("9.8")),
-    omega_ib_b=_degrees(1, 2, 10),
-    position_error=(*_degrees("0.02", "0.02"), exact(100)),
+    omega_ib_b=degrees(1, 2, 10),
+    position_error=(*degrees("0.02", "0.02"), exact(100)),
     velocity_error=(exact(1), exact(-1), exact("0.5")),
-    phi=_degrees("0.1", "-0.2", "0.3"),
-    gyro_bias=tuple(angle / 3600 for angle in _degrees(1, -1, 1)),
+    phi=degrees("0.1", "-0.2", "0.3"),
+    gyro_bias=tuple(angle / 3600 for angle in degrees(1, -1, 1)),
     accel_bias=tuple(exact(x) * exact("9.80665e-3") for x in (1, -1, 1)),
     gyro_noise=(exact(0),) * 3,
     accel_noise=(exact(0),) * 3,
-    mounting=_degrees(1, 2, -1),
-    theta=_degrees("0.2", "-0.1", "0.1"),
+    mounting=degrees(1, 2, -1),
+    theta=degrees("0.2", "-0.1", "0.1"),
     delay=(exact("0.05"), exact(0), exact(0)),
     jerk=(exact(0),) * 3,
     master_velocity_error=(exact(0),) * 3,
@@ -166,16 +146,6 @@ STATED_TEXT = (
     "latitude 37 deg, height 1 km, 100 m/s to the north-east; errors 0.02 deg in position, 100 m in height, 1, -1, "
     "0.5 m/s, 0.1, -0.2, 0.3 deg in attitude; 1 deg/h, 1 mg; mounting error 0.2, -0.1, 0.1 deg, delay 50 ms"
 )
-
-
-@cache
-def draw(seed: int, conditions: Conditions) -> Base:
-    """A point of the conditions; the same seed at another scale gives the same directions."""
-    generator = Random(seed)
-    parts = {part.name: tuple(uniform(generator, getattr(conditions, part.name))) for part in fields(conditions)}
-    for name in ("delay", "step"):
-        parts[name] = tuple(map(abs, parts[name]))
-    return Base(**parts)
 
 
 # ---- Exact mechanics -------------------------------------------------------------------------------------------------
@@ -208,7 +178,7 @@ def _gravity() -> sp.Expr:
     return earth.normal_gravity(*sp.symbols("lat height"))
 
 
-def _stack(*parts) -> Matrix:
+def stack(*parts) -> Matrix:
     return vector(*(entry for part in parts for entry in (part if isinstance(part, Matrix | tuple) else (part,))))
 
 
@@ -242,7 +212,7 @@ class Truth:
         """(15) rates of the states of section 2.2: against the true axes."""
         hat, exact = self.hat(x, zeros(6, 1) if noise is None else noise), self.exact
         turned, rate = hat.C_b2n * self.C.T, hat.C_rate * self.C.T + hat.C_b2n * exact.C_rate.T
-        return _stack(
+        return stack(
             hat.position_rate - exact.position_rate,
             hat.velocity_rate - exact.velocity_rate,
             _rotation_rate(turned, rate),
@@ -254,12 +224,12 @@ class Truth:
 
         x: velocity error and psi; perfect sensors.  The computed axes agree with the true ones now, not in a moment.
         """
-        full = _stack(zeros(3, 1), x, zeros(6, 1))
+        full = stack(zeros(3, 1), x, zeros(6, 1))
         hat, exact = self.hat(full, zeros(6, 1)), self.exact
         C_n2c_rate = hat.axes_rate.T * exact.axes + hat.axes.T * exact.axes_rate
         turned = hat.C_b2n * self.C.T
         rate = hat.C_rate * self.C.T + hat.C_b2n * exact.C_rate.T + turned * C_n2c_rate.T
-        return _stack(hat.velocity_rate - exact.velocity_rate - C_n2c_rate * self.v_n, _rotation_rate(turned, rate))
+        return stack(hat.velocity_rate - exact.velocity_rate - C_n2c_rate * self.v_n, _rotation_rate(turned, rate))
 
 
 @lru_cache(maxsize=64)
@@ -276,7 +246,7 @@ def truth(base: Base) -> Truth:
 
 
 def errors(base: Base) -> Matrix:
-    return _stack(base.position_error, base.velocity_error, base.phi, base.gyro_bias, base.accel_bias)
+    return stack(base.position_error, base.velocity_error, base.phi, base.gyro_bias, base.accel_bias)
 
 
 # ---- Letters ---------------------------------------------------------------------------------------------------------
@@ -309,7 +279,7 @@ class Letters(Mapping):
         return len({*self._known, *self._of})
 
 
-def world(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Letters:
+def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Letters:
     """Values of every letter of the paper at one point.
 
     definitions: the relations of the equations which define a letter, by number; the witness takes them as given.
@@ -364,15 +334,15 @@ def world(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Letter
         ("δl̇|δL̇|δḣ", position_error_rates),
         ("ẋ_k|w_k|δv̇|φ̇|δv̇_c|ψ̇|Ẋ", lambda a: _error_rates(base)),
         (RATES, lambda a: _rates(base)),
-        ("R_E|R_N|R_EE|R_NN|ρ_e|ρ_n|ρ_u", lambda a: _curvature(base)),
-        ("F_k|F_X|H_k|H_v", lambda a: _matrices(truth(base))),
-        ("Φ_k", lambda a: [_transition(truth(base), base.step[0])]),
+        ("R_E|R_N|R_EE|R_NN|ρ_e|ρ_n|ρ_u", lambda a: curvature(base)),
+        ("F_k|F_X|H_k|H_v", lambda a: matrices(truth(base))),
+        ("Φ_k", lambda a: [transition(truth(base), base.step[0])]),
         (FILTER, lambda a: _filter(truth(base))),
         ("x(k-1+)|x(k-)", lambda a: _predicted(base)),
         ("x(k+)", lambda a: [_least_squares(base)]),
-        ("ν", lambda a: [_stack(base.v_n, exact(0))]),
+        ("ν", lambda a: [stack(base.v_n, exact(0))]),
         (TRANSFER, lambda a: _transfer(base)),
-        (ATTITUDES, lambda a: _attitudes(base)),
+        (ATTITUDES, lambda a: attitudes(base)),
     )
     return Letters(groups, given)
 
@@ -407,7 +377,7 @@ def _vee(M) -> Matrix:
 @lru_cache(maxsize=256)
 def _error_rates(base: Base) -> list:
     with digits(WORKING):
-        noise = _stack(base.gyro_noise, base.accel_noise)
+        noise = stack(base.gyro_noise, base.accel_noise)
         phi_rates = truth(base).phi_rates(errors(base), noise)
         psi_rates = truth(base).psi_rates(errors(base)[3:9, 0])
         return [
@@ -417,14 +387,14 @@ def _error_rates(base: Base) -> list:
             phi_rates[6:9, 0],
             psi_rates[0:3, 0],
             psi_rates[3:6, 0],
-            _stack(psi_rates, zeros(4, 1)),
+            stack(psi_rates, zeros(4, 1)),
         ]
 
 
 @lru_cache(maxsize=256)
 def _rates(base: Base) -> list:
     with digits(WORKING):
-        noise = _stack(base.gyro_noise, base.accel_noise)
+        noise = stack(base.gyro_noise, base.accel_noise)
         exact, hat = truth(base).exact, truth(base).hat(errors(base), noise)
         ie, en = hat.omega_ie_n - exact.omega_ie_n, hat.omega_en_n - exact.omega_en_n
         return [
@@ -440,7 +410,7 @@ def _rates(base: Base) -> list:
 
 
 @lru_cache(maxsize=64)
-def _curvature(base: Base) -> list:
+def curvature(base: Base) -> list:
     with digits(WORKING):
         lat = base.position[1]
 
@@ -453,12 +423,12 @@ def _curvature(base: Base) -> list:
 
 
 @lru_cache(maxsize=64)
-def _matrices(true: Truth) -> list:
+def matrices(true: Truth) -> list:
     with digits(WORKING):
 
         def measured(x) -> Matrix:
             M = finite_rotation(-x[6:9, 0])  # the computed attitude against that of the transfer alignment
-            return _stack(true.v_n + x[3:6, 0], (M[0, 1] - M[1, 0]) / 2)
+            return stack(true.v_n + x[3:6, 0], (M[0, 1] - M[1, 0]) / 2)
 
         F_X = zeros(10)
         F_X[0:6, 0:6] = ellipsoid.jacobian(true.psi_rates, 6)
@@ -466,7 +436,7 @@ def _matrices(true: Truth) -> list:
         return [ellipsoid.jacobian(true.phi_rates, 15), F_X, H, H[0:3, :]]
 
 
-def _series(first, following: Callable, step) -> Matrix:
+def series(first, following: Callable, step) -> Matrix:
     """Taylor series in time: first + step following(first) + step^2/2 following(following(first)) + ..."""
     term, result, k = first, first, 0
     while max(map(abs, term)) > 1e-40:
@@ -477,10 +447,10 @@ def _series(first, following: Callable, step) -> Matrix:
 
 
 @lru_cache(maxsize=64)
-def _transition(true: Truth, step) -> Matrix:
-    F = _matrices(true)[0]
+def transition(true: Truth, step) -> Matrix:
+    F = matrices(true)[0]
     with digits(WORKING):
-        return _series(eye(15), lambda term: F * term, step)
+        return series(eye(15), lambda term: F * term, step)
 
 
 PREDICTED = exact("0.5")  # s, of (13) and (14)
@@ -488,10 +458,10 @@ PREDICTED = exact("0.5")  # s, of (13) and (14)
 
 @lru_cache(maxsize=256)
 def _predicted(base: Base) -> list:
-    before, F = errors(base), _matrices(truth(base))[0]
+    before, F = errors(base), matrices(truth(base))[0]
 
     def moved(x) -> Matrix:
-        return _series(x, lambda term: F * term, PREDICTED / 4)
+        return series(x, lambda term: F * term, PREDICTED / 4)
 
     with digits(WORKING):
         return [before, moved(moved(moved(moved(before))))]
@@ -500,7 +470,7 @@ def _predicted(base: Base) -> list:
 @lru_cache(maxsize=64)
 def _filter(true: Truth) -> list:
     """A covariance through one prediction, by its differential equation, and one update, in information form."""
-    F, _, H, _ = _matrices(true)
+    F, _, H, _ = matrices(true)
     generator = Random(5)
 
     def positive(size: int) -> Matrix:
@@ -518,7 +488,7 @@ def _filter(true: Truth) -> list:
             half = F * term
             return half + half.T
 
-        result = _series(P, following, PREDICTED) if not forced else zeros(15)
+        result = series(P, following, PREDICTED) if not forced else zeros(15)
         term, k = noise * PREDICTED, 1
         while max(map(abs, term)) > 1e-40:
             result += term
@@ -531,15 +501,15 @@ def _filter(true: Truth) -> list:
         after, Q = grown(before, False), grown(zeros(15), True)
         R = positive(4)
         updated = (after.inv() + H.T * R.inv() * H).inv()
-        return [_transition(true, PREDICTED), before, Q, after, R, updated * H.T * R.inv(), updated]
+        return [transition(true, PREDICTED), before, Q, after, R, updated * H.T * R.inv(), updated]
 
 
 @lru_cache(maxsize=256)
 def _least_squares(base: Base) -> Matrix:
     """The x which is nearest to prediction and measurement, each weighted by its covariance: normal equations."""
-    _, _, H, _ = _matrices(truth(base))
+    _, _, H, _ = matrices(truth(base))
     _, _, _, P, R, _, P_after = _filter(truth(base))
-    measured = _stack(*(a + b for a, b in zip(base.v_n, base.velocity_error, strict=True)), base.phi[2])
+    measured = stack(*(a + b for a, b in zip(base.v_n, base.velocity_error, strict=True)), base.phi[2])
     with digits(WORKING):
         return P_after * (P.solve(_predicted(base)[1]) + H.T * R.inv() * measured)
 
@@ -569,13 +539,13 @@ def _transfer(base: Base) -> list:
             slave, master = true.v_n + x[0:3, 0], old + master_velocity
             return C_hat_r2n, C_hat_b2r, C_hat_n2b, _vee(C_hat_r2n * C_hat_b2r * C_hat_n2b), slave, master
 
-        x = _stack(base.velocity_error, base.phi, base.theta, base.delay[0])
+        x = stack(base.velocity_error, base.phi, base.theta, base.delay[0])
         noise = Matrix(base.master_velocity_error), Matrix(base.master_attitude_error)
         C_hat_r2n, C_hat_b2r, C_hat_n2b, Z_dcm, slave, master = seen(x, *noise)
 
         def Z(x) -> Matrix:
             *_, attitude, slave, master = seen(x, none, none)
-            return _stack(slave - master, attitude)
+            return stack(slave - master, attitude)
 
         H = ellipsoid.jacobian(Z, 10)
         return [
@@ -588,7 +558,7 @@ def _transfer(base: Base) -> list:
 
 
 @lru_cache(maxsize=256)
-def _attitudes(base: Base) -> list:
+def attitudes(base: Base) -> list:
     C = truth(base).C
     C_hat = finite_rotation(-Matrix(base.phi)) * C
     u = vector(exact("0.3"), exact("-0.7"), exact("0.5"))
@@ -636,236 +606,3 @@ def _detector(base: Base) -> list:
     mean = sqrt(sum((w[i].T * w[j])[0] for i, j in pairs)) / WINDOW_OF
     center = vector(*(sum(v[i] for v in a) / WINDOW_OF for i in range(3)))
     return [spread, mean, center, 10 * spread, 10 * mean]
-
-
-# ---- Sizes of what is dropped, and what a wrong sign does ------------------------------------------------------------
-
-LATITUDE = 37  # deg, where the sizes are given, at rest unless they say otherwise
-
-
-def evidence(number: str) -> str:
-    """What the ledger says beyond the status: sizes, and runs of the print's own dynamics; "" for most equations."""
-    if number not in _EVIDENCE:
-        return ""
-    with digits(DIGITS):
-        return "; " + _EVIDENCE[number]()
-
-
-def findings() -> tuple[str, ...]:
-    """What was computed about the text beside the equations."""
-    earth_rate = float(sp.Rational(earth.EARTH_RATE)) / DEGREE * HOUR
-    north = 1 / (earth_rate * math.cos(LATITUDE * DEGREE)) / DEGREE
-    return (
-        f"Line {DETECTORS[0]} has the detector of mean and deviation both of the angular rate; its reasons, and (31), "
-        "want the deviation of the specific force; in Korean the two words differ in one syllable.",
-        "The letter φ is two states: psi in (1) to (6), phi in (8) to (29); between them lies the turn of the level by "
-        f"the position error, 1 arcmin per nautical mile, and psi does not see δω_in_n, {_level_rate()} deg/h per m/s.",
-        "(17) and (23) are written for 24 states, nine more than (8): scale factors and misalignments of Table 1 "
-        "would fill them.",
-        f"Table 1 beside the Earth's rate of {earth_rate:.4g} deg/h: a gyro of 1 deg/h finds north to "
-        f"{north:.2g} deg, 1 mg tilts the level by 1 mrad = 3.4 arcmin.",
-    )
-
-
-@cache
-def _at_rest() -> Truth:
-    C = eye(3)
-    with digits(WORKING):
-        position = vector(0, exact(LATITUDE) * pi() / 180, 0)
-        still = Mechanics(position, zeros(3, 1), C, zeros(3, 1), zeros(3, 1))
-        f, omega = -still.gravity_n, still.omega_ie_n
-        return Truth(position, zeros(3, 1), C, f, omega, Mechanics(position, zeros(3, 1), C, f, omega))
-
-
-def level_dynamics(sign: int) -> Matrix:
-    """F at rest without the vertical channel, 7x7: longitude, latitude, level velocities, attitude.
-
-    sign: of δω_in_n in (11); +1 is right, -1 as printed.
-    """
-    F = _matrices(_at_rest())[0].copy()
-    F[6:9, 0:6] = F[6:9, 0:6] * sign
-    kept = (0, 1, 3, 4, 6, 7, 8)
-    return Matrix([[F[i, j] for j in kept] for i in kept])
-
-
-def _growth(sign: int) -> arb:
-    return max(value.real for value in level_dynamics(sign).balls.eig(multiple=True))
-
-
-def _level_rate() -> str:
-    return f"{1 / 6.37e6 / DEGREE * HOUR:.2g}"
-
-
-def _psi_sizes() -> str:
-    return (
-        f"not in it: sensors of Table 1, {1e-3 * G:.2g} m/s^2 and 1 deg/h, for which the filter has noise; gravity at "
-        f"a position 1 nmi off, {G / 6.37e6 * MILE:.2g} m/s^2; as a phi model, δω_in_n of {_level_rate()} deg/h per m/s"
-    )
-
-
-def delay_estimate(column: str) -> tuple[float, float]:
-    """The delay (s) which least squares find in Z_v from a column of (6), the true one 50 ms: level and vertical.
-
-    A bench rocks with 1 m/s^2 at 1 Hz; column: derived (the acceleration), or printed (minus the specific force).
-    """
-    times = [k / 100 for k in range(100)]
-    acceleration = [math.sin(2 * math.pi * t) for t in times]
-
-    def fit(steady: float) -> float:
-        model = acceleration if column == "derived" else [-(a + steady) for a in acceleration]
-        return 0.05 * sum(a * m for a, m in zip(acceleration, model, strict=True)) / sum(m * m for m in model)
-
-    return fit(0.0), fit(G)
-
-
-def _delay() -> str:
-    level, vertical = delay_estimate("printed")
-    return (
-        f"on a bench that rocks with 1 m/s^2 a delay of 50 ms is estimated as {level * 1e3:.3g} ms with the printed "
-        f"column along the level, so that correcting doubles it, and as {vertical * 1e3:.2g} ms along the vertical, "
-        f"where f is {G:.3g} m/s^2 even at rest; with the derived one as {delay_estimate('derived')[0] * 1e3:.3g} ms"
-    )
-
-
-def _position_run() -> str:
-    base = STATED
-    R_E, R_N, _, R_NN, rho_e, rho_n, _ = (float(x) for x in _curvature(base))
-    (_, lat, height), (_, dlat, dh) = ((float(x) for x in part) for part in (base.position, base.position_error))
-    east = (rho_e - rho_n) * math.tan(lat) / math.cos(lat) * dlat * (R_E + height) * math.cos(lat)
-    radius = rho_e * R_NN * (1 / (R_E + height) - 1 / (R_N + height)) * dlat * (R_N + height)
-    sign = -2 * rho_e * dh
-    return (
-        f"in 1000 s there the print puts {1000 * east:.3g} m into the longitude by ρ_e for ρ_n, {1000 * sign:.3g} m "
-        f"into the latitude by the sign of δh and {1000 * radius:.2g} m by R_E for R_N; at rest ρ is 0 and nothing "
-        "is wrong: the paper's experiment does not see it"
-    )
-
-
-def _schuler() -> str:
-    right, wrong = _growth(1), _growth(-1)
-
-    def tilt(sign: int) -> float:
-        """Level velocity (m/s) per hour after a tilt of 0.1 mrad about east."""
-        F = level_dynamics(sign)
-        return float(_series(Matrix([0, 0, 0, 0, 1e-4, 0, 0]), lambda term: F * term, 3600)[3])
-
-    return (
-        f"at rest the level channels' eigenvalues have real parts below {shown(max(right, 1e-20), 1)} 1/s "
-        f"as derived, and up to {shown(wrong, 4)} 1/s as printed: instead of an oscillation of 84 min errors grow "
-        f"e-fold in {float(1 / wrong):.0f} s; a tilt of 0.1 mrad makes a velocity of {tilt(1):.2g} m/s after an hour "
-        f"as derived, {tilt(-1):.3g} m/s as printed"
-    )
-
-
-def transition_error(step) -> dict[str, arb]:
-    """The largest entry of exp(F step) - I - F step by block, row from column, at rest."""
-    F = _matrices(_at_rest())[0]
-    missing = _transition(_at_rest(), exact(step)) - eye(15) - F * step
-    names = ("position", "velocity", "attitude", "gyro bias", "accelerometer bias")
-    sizes = {}
-    for i, row in enumerate(names):
-        for j, col in enumerate(names):
-            largest = max(abs(missing[3 * i + a, 3 * j + b]) for a in range(3) for b in range(3))
-            if largest:
-                sizes[f"{row} from {col}"] = largest
-    return sizes
-
-
-def _steps() -> str:
-    parts = []
-    for step, rate in (("0.01", "100 Hz"), ("1", "1 Hz")):
-        sizes = transition_error(exact(step))
-        parts.append(
-            f"{rate}: "
-            + ", ".join(
-                f"{name} {float(sizes[name]):.2g} {unit}"
-                for name, unit in (
-                    ("velocity from gyro bias", "(m/s)/(rad/s)"),
-                    ("velocity from attitude", "(m/s)/rad"),
-                    ("attitude from attitude", ""),
-                )
-            ).rstrip()
-        )
-    schuler = G / 6.37e6
-    growth = ", ".join(
-        f"{math.expm1(schuler * step * 1800):.2g} at {rate}" for step, rate in ((0.01, "100 Hz"), (1, "1 Hz"))
-    )
-    drift = float(transition_error(exact(1))["velocity from gyro bias"]) * DEGREE / HOUR
-    return (
-        f"dropped against the matrix exponential, largest entries of blocks, at rest: {'; '.join(parts)}; with 1 deg/h "
-        f"that is {drift:.2g} m/s per step at 1 Hz; Schuler's oscillation, which must not grow, grows in an hour by "
-        f"{growth}"
-    )
-
-
-def held_azimuth(share: float) -> float:
-    """Azimuth error (arcmin) after 1000 s at 1 Hz, gain 0.1, against 1 deg/h; share: of φ_u in the residual."""
-    error = 0.0
-    for _ in range(1000):
-        error += 1 / 60  # arcmin per second
-        error -= 0.1 * share * error
-    return error
-
-
-def _held(share: float, what: str) -> str:
-    return (
-        f"{what}, and H says 1: a hold with gain 0.1 at 1 Hz against 1 deg/h keeps {held_azimuth(share):.3g} arcmin, "
-        f"as derived {held_azimuth(1):.3g}"
-    )
-
-
-def feedback_readings() -> dict[str, arb]:
-    """The attitude error (rad) that is left by each way of reading (29), at the stated point."""
-    letters = _attitudes(STATED)
-    computed, true = letters[-3], letters[-2]
-    phi = Matrix(STATED.phi)
-    change = -hamilton(_stack(exact(0), phi), computed) / 2
-
-    def left(q) -> arb:
-        turn = hamilton(vector(true[0], *-true[1:4, 0]), q)
-        return 2 * atan2(norm(turn[1:4, 0]), abs(turn[0]))
-
-    return {
-        "nothing": left(computed),
-        "a 0 put before φ, the product kept": left(hamilton(change, computed)),
-        "[1, -φ/2] for ΔQ": left(hamilton(_stack(exact(1), -phi / 2), computed)),
-        "[1, +φ/2] for ΔQ": left(hamilton(_stack(exact(1), phi / 2), computed)),
-        "the sum, as derived": left(computed - change),
-    }
-
-
-def _feedback() -> str:
-    sizes = feedback_readings()
-    return "attitude error left at that point: " + ", ".join(
-        f"{float(value) / DEGREE:.2g} deg by {name}" for name, value in sizes.items()
-    )
-
-
-def printed_window(n: int, N: int) -> range:
-    """The samples of {n <= l <= N-1}."""
-    return range(n, N)
-
-
-def _window() -> str:
-    half, none = (len(printed_window(n, 100)) for n in (50, 100))
-    turning = [(0, 0, -10)] * 3  # deg/s
-    sums = [sp.Rational(sum(sample[i] for sample in turning), 3) for i in range(3)]
-    return (
-        f"with N = 100 the printed set has {half} samples at n = 50, so that T_w is halved, {none} from n = 100 on: "
-        "both statistics are 0 and the platform is at rest for ever; without a norm a turn of -10 deg/s about one axis "
-        f"has components of at most {max(sums)} deg/s, below any threshold, where the derived T_w is "
-        f"{paper.moving_mean(turning)} deg/s"
-    )
-
-
-_EVIDENCE: dict[str, Callable[[], str]] = {
-    "2": _psi_sizes,
-    "6": _delay,
-    "9": _position_run,
-    "11": _schuler,
-    "12": _steps,
-    "20": lambda: _held(0.5, "solved for φ_u the printed product, I - 2 Φ̌, gives half of it"),
-    "21": lambda: _held(0.5, "C_b2n for C_b2p leaves half of φ_u"),
-    "29": _feedback,
-    "32": _window,
-}

@@ -15,10 +15,11 @@ from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
 from sympy.matrices.exceptions import ShapeError
 
-from boresight.derive.equation import Equation, Quantity, Relation, children, negative, rebuild
-from boresight.derive.ledger import EXACT, FOURFOLD, FULL, HALF, SEEDS, SMALL, judge, witness_point
-from boresight.derive.numbers import Matrix, digits, exact, largest, middle
-from boresight.derive.witness import DIGITS, Point, residual
+from boresight.derive.ledger.equation import Equation, Quantity, Relation, children, negative, rebuild
+from boresight.derive.ledger.evaluate import DIGITS, Point, residual
+from boresight.derive.ledger.judge import EXACT, FOURFOLD, FULL, HALF, SEEDS, SMALL, judge, witness_point
+from boresight.derive.ledger.numbers import Matrix, digits, exact, largest, middle
+from boresight.derive.ledger.paper import Paper
 
 SAME = "says the same: equal for any values of the letters"
 ALIAS = "puts another name of the same quantity"
@@ -130,21 +131,21 @@ class Survivor:
     reason: str
 
 
-def survivors(equation: Equation) -> tuple[int, list[Survivor]]:
+def survivors(paper: Paper, equation: Equation) -> tuple[int, list[Survivor]]:
     """How many mutants the print of an equation has, of an erratum the corrected form, and those which survive."""
     with digits(DIGITS):
-        form, verdict = equation.read(), judge(equation, equation.read())
+        form, verdict = equation.read(), judge(paper, equation, equation.read())
         if verdict.status == "refuted":
-            form, verdict = equation.derived, judge(equation, equation.derived)
+            form, verdict = equation.derived, judge(paper, equation, equation.derived)
         count, found = 0, []
         for what, mutant in mutants(form, equation.quantities):
             count += 1
-            if judge(equation, mutant).status == verdict.status:
-                found.append(Survivor(equation.number, what, _reason(equation, form, mutant)))
+            if judge(paper, equation, mutant).status == verdict.status:
+                found.append(Survivor(equation.number, what, _reason(paper, equation, form, mutant)))
     return count, found
 
 
-def _reason(equation: Equation, form, mutant) -> str:
+def _reason(paper: Paper, equation: Equation, form, mutant) -> str:
     def at(point: Point) -> tuple[list, list]:
         both = ([entry for relation in r for entry in residual(relation.sides, point)] for r in (form, mutant))
         first, second = both
@@ -156,22 +157,22 @@ def _reason(equation: Equation, form, mutant) -> str:
         )
 
     with suppress(ValueError):  # values drawn freely may not be below their limits
-        if same(*at(_free_point(equation))):
+        if same(*at(_free_point(paper, equation))):
             return SAME
-    if same(*at(witness_point(equation.paper, SEEDS[0], FULL))):
+    if same(*at(witness_point(paper, SEEDS[0], FULL))):
         return ALIAS
     small, half = (
-        largest(a - b for a, b in zip(*at(witness_point(equation.paper, SEEDS[0], scale, equation.small)), strict=True))
+        largest(a - b for a, b in zip(*at(witness_point(paper, SEEDS[0], scale, equation.small)), strict=True))
         for scale in (SMALL, HALF)
     )
     return SECOND_ORDER if half <= FOURFOLD * small else UNEXPLAINED
 
 
 @cache
-def _free_point(equation: Equation) -> Point:
+def _free_point(paper: Paper, equation: Equation) -> Point:
     """Values drawn for every letter by itself, as if no equation held; functions as the witness has them."""
     generator = Random(7)
-    known = witness_point(equation.paper, SEEDS[0], FULL).values
+    known = witness_point(paper, SEEDS[0], FULL).values
 
     def drawn(letter: Quantity):
         if letter.function:

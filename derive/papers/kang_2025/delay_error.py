@@ -29,9 +29,9 @@ from sympy import (
     zeros,
 )
 
-from boresight.derive.equation import Derivation, Relation, Step, column, matrix, product
-from boresight.derive.papers import kang_2025
-from boresight.derive.rotation import dcm_from_euler, rotation_z
+from boresight.derive.ledger.equation import Derivation, Relation, Step, column, matrix, product
+from boresight.derive.mechanics.rotation import dcm_from_euler, rotation_z
+from boresight.derive.papers.kang_2025 import results as kang_2025
 
 SWING = ROLL, PITCH, YAW = symbols("r p s", real=True)
 RATE = ROLL_RATE, PITCH_RATE, YAW_RATE = symbols("r' p' s'", real=True)

@@ -7,8 +7,8 @@ against inertial space.
 
 from sympy import Matrix
 
-from boresight.derive.earth import Frame, gravity_n, metres, omega_en_n, omega_ie_n
-from boresight.derive.rotation import (
+from boresight.derive.mechanics.earth import Frame, gravity_n, metres, omega_en_n, omega_ie_n
+from boresight.derive.mechanics.rotation import (
     dcm_from_quaternion,
     normalized,
     quaternion_from_rotation_vector,

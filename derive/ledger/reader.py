@@ -13,7 +13,7 @@ from sympy.functions.elementary.complexes import transpose
 from sympy.matrices.exceptions import ShapeError
 
 from boresight import BoresightError
-from boresight.derive.equation import Quantity, Relation, as_written, column, matrix, negative, product, total
+from boresight.derive.ledger.equation import Quantity, Relation, as_written, column, matrix, negative, product, total
 
 FUNCTIONS = {r"\sin": sin, r"\cos": cos, r"\tan": tan}
 SUM = r"\sum_{k\in\Omega_n}"

@@ -5,7 +5,7 @@ from functools import cache
 
 from sympy import Symbol
 
-from boresight.derive.equation import Quantity
+from boresight.derive.ledger.equation import Quantity
 
 # number: ((first line, last line) in the source text counted from 1, its displays without the number)
 PRINTED: dict[str, tuple[tuple[int, int], tuple[str, ...]]] = {

@@ -5,9 +5,9 @@ from collections.abc import Callable
 import sympy as sp
 from flint import fmpq
 
-from boresight.derive import earth
-from boresight.derive.numbers import Matrix, atan, cos, exact, sin, tan, zeros
-from boresight.derive.witness import skew, vector
+from boresight.derive.ledger.numbers import Matrix, atan, cos, exact, sin, tan, zeros
+from boresight.derive.ledger.witness import skew, vector
+from boresight.derive.mechanics import earth
 
 WORKING = 120  # digits for differentiating: metres of an Earth's radius leave 28 exact ones
 

@@ -1,0 +1,134 @@
+"""Where a print and its derivation differ: the kind of each slip, and where it may come from."""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+from itertools import zip_longest
+
+from sympy import Symbol
+from sympy.matrices import MatrixBase
+
+from boresight.derive.ledger.equation import Equation, Relation, is_explicit, negative
+from boresight.derive.ledger.judge import judge, names
+from boresight.derive.ledger.paper import Paper
+
+# Letters which a scanner, or a tired eye, takes for one another.
+LOOK_ALIKE = ({"φ", "ψ"}, {"ε", "e", "p", "o"})
+
+
+@dataclass(frozen=True)
+class Difference:
+    """One place where print and derivation differ."""
+
+    kind: str
+    printed: object
+    derived: object
+
+
+def differences(printed: Iterable[Relation], derived: Iterable[Relation]) -> list[Difference]:
+    """The places where two forms differ, found by walking both trees."""
+    found: list[Difference] = []
+    for a, b in zip_longest(printed, derived):
+        if a is None:  # what more the derivation says is no slip of the print
+            continue
+        if b is None or len(a.sides) != len(b.sides):
+            # A shorter chain of equalities is compared side by side as far as it goes.
+            found.append(Difference("structure", a, b))
+        else:
+            for left, right in zip(a.sides, b.sides, strict=True):
+                found += _compare(left, right)
+    return found
+
+
+def _compare(a, b) -> list[Difference]:
+    if a == b:
+        return []
+    if isinstance(a, MatrixBase) and isinstance(b, MatrixBase):
+        if a.shape != b.shape:
+            return [Difference("shape", a, b)]
+        return [difference for x, y in zip(a, b, strict=True) for difference in _compare(x, y)]
+    if _equal(a, negative(b)):
+        return [Difference("sign", a, b)]
+    if isinstance(a, Symbol) and isinstance(b, Symbol):
+        return [Difference("shape" if _sized(a) and _sized(b) else "letter", a, b)]
+    letters = _swapped_letters(a, b)
+    if letters:
+        return [Difference("letter", x, y) for x, y in letters]
+    if getattr(a, "func", a) == getattr(b, "func", b) and a.args and len(a.args) == len(b.args):
+        return [difference for x, y in zip(a.args, b.args, strict=True) for difference in _compare(x, y)]
+    return [Difference("structure", a, b)]
+
+
+def _equal(a, b) -> bool:
+    plain = not any(is_explicit(side) or side.is_Relational for side in (a, b))
+    return a == b or (plain and getattr(a - b, "is_zero", False) is True)
+
+
+def _sized(letter: Symbol) -> bool:
+    """Whether the letter is a block of zeros or ones that says its size, 0_3x18."""
+    return re.fullmatch(r"[0I]_\d+x\d+", letter.name) is not None
+
+
+def _swapped_letters(a, b) -> list[tuple[Symbol, Symbol]]:
+    """The letters to be exchanged in a to make it b, if that is all that differs and the entries are scalars."""
+    if is_explicit(a) or is_explicit(b) or not (a.is_commutative and b.is_commutative):
+        return []
+    lost, gained = a.free_symbols - b.free_symbols, b.free_symbols - a.free_symbols
+    if len(lost) == len(gained) == 1:
+        pair = (*lost, *gained)
+        if a.subs(*pair) == b:
+            return [pair]
+    return []
+
+
+def origin(paper: Paper, equation: Equation, found: list[Difference]) -> tuple[str, str]:
+    """Where the slip is from, and why: `print`, `transcription` or `undecidable`.
+
+    Only letters that look alike, or the small scripts of one letter, can be a scanner's slip.  It is one of copying,
+    not of the derivation, if an equation that the text makes from this one, or makes this one from, prints the right
+    letter and holds; whose hand copied, the text cannot say.  Where nothing shows the right letter, nobody can tell.
+    """
+    pairs = sorted({(str(d.printed), str(d.derived)) for d in found if d.kind == "letter"})
+    if any(d.kind != "letter" for d in found):
+        return "print", "no scanner turns one sign into the other or adds a term"
+    if not all(_look_alike(a, b) for a, b in pairs):
+        return "print", "the letters do not look alike"
+    shown = ", ".join(f"{a} for {b}" for a, b in pairs)
+    for other in _connected(paper, equation):
+        printed = names(other.printed)
+        if all(b in printed or f"{b}_b" in printed for _, b in pairs) and _sound(paper, other):
+            return "transcription", (
+                f"{shown}: look-alikes, and ({other.number}), which the text ties to this one by substitution, "
+                "prints the right letter and holds; so the derivation was right and a copy of it is not"
+            )
+    return (
+        "undecidable",
+        f"{shown}: small scripts or look-alikes, and no equation tied to this one prints the right letter",
+    )
+
+
+def _look_alike(a: str, b: str) -> bool:
+    if any({a[0], b[0]} <= group and a[1:] == b[1:] for group in LOOK_ALIKE):
+        return True
+    stem_a, stem_b = (name.replace("\u0108", "C").split("_")[0] for name in (a, b))
+    return "_" in a and "_" in b and stem_a == stem_b
+
+
+@cache
+def _connected(paper: Paper, equation: Equation) -> tuple[Equation, ...]:
+    """Those made from this one, and from those in turn; and those which this one is made from."""
+    by_number = {other.number: other for other in paper.equations}
+    ahead, queue = [], list(equation.leads_to)
+    while queue:
+        number = queue.pop(0)
+        if number not in ahead:
+            ahead.append(number)
+            queue += by_number[number].leads_to
+    behind = [other.number for other in by_number.values() if equation.number in other.leads_to]
+    return tuple(by_number[number] for number in (*ahead, *behind))
+
+
+@cache
+def _sound(paper: Paper, equation: Equation) -> bool:
+    return judge(paper, equation, equation.read()).status != "refuted"

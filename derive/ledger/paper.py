@@ -1,0 +1,75 @@
+"""A paper as a value: its equations, the letters in which they stand, and the witness that judges them."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from boresight import BoresightError
+from boresight.derive.ledger.equation import Equation, Quantity, Relation
+from boresight.derive.ledger.witness import draw, scaled
+
+
+@dataclass(frozen=True, eq=False)
+class Witness:
+    """Numbers for every letter of a paper, from exact mechanics and finite rotations.
+
+    base: a dataclass of what a point is made of.  values: from a base and the equations that define letters, by number,
+    the value of each letter by name.  wide: the largest sizes at which an equation is judged; `errors` shrink with the
+    scale unless an equation names its own.  words: what the witness is, for the evidence.
+    """
+
+    base: type
+    values: Callable[[Any, Mapping[str, tuple[Relation, ...]]], Mapping[str, Any]]
+    wide: Any
+    errors: tuple[str, ...]
+    words: str = "finite rotations"
+
+    def at(self, seed: int, scale: float, small: tuple[str, ...], definitions: Mapping) -> Mapping[str, Any]:
+        """Values at a random point whose errors, or those of `small`, are `scale` times the wide ones."""
+        return self.values(draw(self.base, seed, scaled(self.wide, scale, small or self.errors)), definitions)
+
+
+@dataclass(frozen=True, eq=False)
+class Stated:
+    """What sizes hold for: sizes from which `count` points are drawn, or one point; `text` says it."""
+
+    at: Any
+    text: str
+    count: int = 1
+
+
+@dataclass(frozen=True, eq=False)
+class Paper:
+    """conditions: the paper's own numbers, for sizes.  point: where the numbers of an erratum are given.
+
+    evidence: what the ledger says of an equation beyond its status; findings: what was computed about the text beside.
+    """
+
+    name: str
+    reference: str
+    make_equations: Callable[[], tuple[Equation, ...]]
+    quantities: Callable[[], tuple[Quantity, ...]]
+    witness: Witness
+    conditions: Stated
+    point: Stated
+    evidence: Callable[[str], str]
+    findings: Callable[[], tuple[str, ...]]
+
+    @cached_property
+    def equations(self) -> tuple[Equation, ...]:
+        """All numbered equations, in the paper's order."""
+        return self.make_equations()
+
+    def equation(self, number: str) -> Equation:
+        """The equation of a number, with or without brackets.  Raises BoresightError with the right ones."""
+        for equation in self.equations:
+            if equation.number == number.strip("()"):
+                return equation
+        numbers = ", ".join(equation.number for equation in self.equations)
+        raise BoresightError(f"{self.name} has no equation {number!r}; it has {numbers}")
+
+    @cached_property
+    def definitions(self) -> dict[str, tuple[Relation, ...]]:
+        """What the paper's definitions say, by number, for the witness to take as given."""
+        return {equation.number: equation.read() for equation in self.equations if equation.defines}

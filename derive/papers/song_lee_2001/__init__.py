@@ -1,0 +1,1 @@
+"""Song and Lee 2001: transfer alignment by Euler-angle matching, equation by equation."""

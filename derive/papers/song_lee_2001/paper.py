@@ -1,0 +1,29 @@
+"""The paper as a value."""
+
+from boresight.derive.ledger.paper import Paper, Stated, Witness
+from boresight.derive.papers.song_lee_2001.consequences import evidence, findings
+from boresight.derive.papers.song_lee_2001.derived import equations
+from boresight.derive.papers.song_lee_2001.printed import quantities
+from boresight.derive.papers.song_lee_2001.witness import (
+    CONDITIONS,
+    CONDITIONS_TEXT,
+    ERRORS,
+    STATED,
+    STATED_TEXT,
+    Base,
+    Conditions,
+    values,
+)
+
+PAPER = Paper(
+    name="song-lee-2001",
+    reference="K. W. Song and S. J. Lee, The Kalman Filter Design for the Transfer Alignment by Euler Angle Matching, "
+    "Journal of Control, Automation and Systems Engineering, 2001",
+    make_equations=equations,
+    quantities=quantities,
+    witness=Witness(Base, values, Conditions(), ERRORS),
+    conditions=Stated(CONDITIONS, CONDITIONS_TEXT, 16),
+    point=Stated(STATED, STATED_TEXT),
+    evidence=evidence,
+    findings=findings,
+)
