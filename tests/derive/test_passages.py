@@ -31,7 +31,7 @@ class Sizes:
 def values(base, definitions):
     e, w = Matrix(base.error), Matrix(base.rate)
     C = finite_rotation((1, 2, 3))
-    e_x, e_y, e_z = e
+    e_x, e_y, _ = e
     return {"e": e, "w": w, "C": C, "D": finite_rotation(-e) * C, "I": eye(3), "s": e_x, "t": e_y, "r": e_x * e_y}
 
 
@@ -157,7 +157,7 @@ def test_a_definition_that_nothing_uses_is_refused_and_a_wrong_one_breaks_a_late
         ln.check_derivation(TOY, derivation(*lines("s + t")))
         with pytest.raises(BoresightError, match=r"toy \(1\), line 2, u r = .*differ"):
             ln.check_derivation(TOY, derivation(*lines("s - t")))
-        with pytest.raises(BoresightError, match="line 1, .*nothing uses u"):
+        with pytest.raises(BoresightError, match=r"line 1, .*nothing uses u"):
             ln.check_derivation(TOY, derivation(*lines("s + t")[:1]))
 
 
