@@ -180,21 +180,27 @@ def _exactly(relation: Relation, points: Iterable[Point]) -> LineVerdict:
 
 
 def _falls(relation: Relation, point, power: int) -> LineVerdict:
-    """Row by row: the remainder falls 2^power-fold when the errors are halved, twice; and what is claimed is not zero.
+    """Entry by entry: the remainder falls 2^power-fold when the errors are halved, twice.
 
-    A row of which neither side changes with the errors by less than that power is no statement; one row must be.
+    And what is stated is not zero: each row whose sides differ at all has an entry that changes with the errors by more
+    than the remainder does.
     """
     most, stated = SLACK / 2**power, False
     for seed in SEEDS:
         at = [point(seed, scale) for scale in SCALES]
-        rows = list(zip(*([middle(entry) for entry in residual(relation.sides, p)] for p in at), strict=True))
-        for k, row in enumerate(rows):
-            for larger, smaller in pairwise(map(abs, row)):
-                if larger > EXACT and smaller > most * larger:
-                    left = f"{mp.nstr(smaller / larger, 4)} of the difference in row {k + 1}"
-                    return LineVerdict(False, f"halving the errors leaves {left}")
+        left = zip(*([middle(entry) for entry in residual(relation.sides, p)] for p in at), strict=True)
         sides = list(zip(*(_entries(relation.sides[-1], p) for p in at), strict=True))
-        stated |= any(_moves(values, most) for values in sides)
+        columns = getattr(evaluate(relation.sides[-1], at[0]), "cols", 1)
+        moving = [any(_moves(v, most) for v in sides[i : i + columns]) for i in range(0, len(sides), columns)]
+        stated |= any(moving)
+        for k, remainders in enumerate(left):
+            row = k % len(sides) // columns
+            for larger, smaller in pairwise(map(abs, remainders)):
+                if larger > EXACT and smaller > most * larger:
+                    share = mp.nstr(smaller / larger, 4)
+                    return LineVerdict(False, f"halving the errors leaves {share} of the difference in row {row + 1}")
+                if larger > EXACT and not moving[row]:
+                    return LineVerdict(False, f"row {row + 1} states nothing of that order")
     if not stated:
         return LineVerdict(False, "the part that it states is zero")
     return LineVerdict(True, f"the remainder falls {2**power}-fold when the errors are halved")

@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import Any
 
 import mpmath as mp
-from sympy import Symbol
+from sympy import S, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.matrices import MatrixBase
 
@@ -189,7 +189,11 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
         return _said(all(_same(a, b) for a, b in pairwise(values)), passage)
     if passage.operation == "substitute":
         for row, letter in zip(passage.using, (*passage.letters, *[""] * len(passage.using)), strict=False):
-            point = point.changed(_given(paper, relation_of(row), letter, point))
+            free, point = point, point.changed(_given(paper, relation_of(row), letter, point))
+            if not any(_differ(side, free, point) for side in before.sides):
+                return LineVerdict(False, f"substitute: {row} changes nothing")
+    if before.sides == after.sides:
+        return LineVerdict(False, f"{passage.operation}: the line before says the same")
     sides = [_entries(value) for value in _carried(paper, passage, before, relation_of, point)]
     targets = [_entries(evaluate(side, point)) for side in after.sides]
     places = [next((i for i, side in enumerate(sides) if _same(side, target)), None) for target in targets]
@@ -258,7 +262,7 @@ def _vector(value, passage: Passage):
 
 _TAKE: dict[str, Callable] = {
     "transpose": lambda value, passage: value.T,
-    "invert": lambda value, passage: power(value, -1),
+    "invert": lambda value, passage: power(value, S.NegativeOne),
     "take the vector": _vector,
     "take the skew-symmetric part": lambda value, passage: (value - value.T) / 2,
     "take rows": lambda value, passage: Matrix([list(value[int(k) - 1, :]) for k in passage.using]),
@@ -283,6 +287,10 @@ def _given(paper: Paper, row: Relation, letter: str, point: Point) -> dict[str, 
         if isinstance(side, MatrixBase) and all(isinstance(entry, Symbol) for entry in side):
             return {entry.name: value for entry, value in zip(side, evaluate(other, point), strict=True)}
     raise ValueError("the row gives no letter: name the letter for which it is solved")
+
+
+def _differ(side, first: Point, second: Point) -> bool:
+    return not _same(*(_entries(evaluate(side, point)) for point in (first, second)))
 
 
 def _chained(lines: list[Relation], after: Relation, point: Point) -> LineVerdict:
