@@ -9,8 +9,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from boresight import BoresightError
-from boresight.derive.pages.latex import latex_name, latex_relation
-from boresight.derive.pages.page import (
+from boresight.derive.pages.blocks import (
     NAME,
     REFERENCE,
     Block,
@@ -23,6 +22,7 @@ from boresight.derive.pages.page import (
     Table,
     is_name,
 )
+from boresight.derive.pages.latex import latex_name, latex_relation
 
 PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \usepackage[margin=25mm]{geometry}

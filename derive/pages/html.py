@@ -8,8 +8,8 @@ from markupsafe import Markup, escape
 from sympy import Symbol
 
 from boresight.derive.ledger.equation import Quantity, Relation
+from boresight.derive.pages.blocks import NAME, REFERENCE, Form, Formulas, Page, Pair, Prose, is_name
 from boresight.derive.pages.mathml import mathml_relation
-from boresight.derive.pages.page import NAME, REFERENCE, Form, Formulas, Page, Pair, Prose, is_name
 
 
 def html_page(page: Page) -> str:

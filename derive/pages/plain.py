@@ -1,8 +1,10 @@
 """A page for the terminal: text in at most 100 columns."""
 
-from textwrap import fill, indent
+from collections.abc import Iterable
+from itertools import zip_longest
+from textwrap import fill, indent, wrap
 
-from boresight.derive.pages.page import Block, Form, Formulas, Page, Pair, Prose, Section, Table
+from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section, Table
 from boresight.derive.pages.text import columns, text_relation
 
 INDENT = 4  # of a formula
@@ -44,11 +46,20 @@ def _form(form: Form) -> str:
 
 
 def _table(block: Table) -> str:
-    """Columns as wide as their longest cell."""
+    """Columns as wide as their longest cell, but for the one of prose, which wraps where the line would be too long."""
     rows = [block.head, *(tuple(map(_cell, row)) for row in block.rows)]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    lines = ("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) for row in rows)
-    return indent("\n".join(line.rstrip() for line in lines), " " * INDENT)
+    if block.prose is not None:
+        others = sum(widths) - widths[block.prose] + 2 * (len(widths) - 1)
+        widths[block.prose] = max(20, min(widths[block.prose], columns() - INDENT - others))
+    lines = [line for row in rows for line in _wrapped(row, widths)]
+    return indent("\n".join(lines), " " * INDENT)
+
+
+def _wrapped(row: Iterable[str], widths: list[int]) -> list[str]:
+    cells = [wrap(cell, width) or [""] for cell, width in zip(row, widths, strict=True)]
+    lines = zip_longest(*cells, fillvalue="")
+    return ["  ".join(f"{part:{w}}" for part, w in zip(line, widths, strict=True)).rstrip() for line in lines]
 
 
 def _cell(cell: str | tuple[Form, ...]) -> str:

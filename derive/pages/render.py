@@ -6,7 +6,8 @@ from types import MappingProxyType
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Derivation, Equation
 from boresight.derive.ledger.paper import Paper
-from boresight.derive.pages.page import Functions, Page, derivation_page, equations_page, paper_page
+from boresight.derive.pages.blocks import Page
+from boresight.derive.pages.page import Functions, derivation_page, equations_page, paper_page
 
 FORMATS = ("text", "latex", "html")
 NONE: Functions = MappingProxyType({})

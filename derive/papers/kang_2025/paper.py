@@ -2,7 +2,7 @@
 
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.papers.kang_2025.consequences import evidence, findings
-from boresight.derive.papers.kang_2025.derived import equations
+from boresight.derive.papers.kang_2025.derived import STRUCTURE, equations, letters
 from boresight.derive.papers.kang_2025.printed import quantities
 from boresight.derive.papers.kang_2025.witness import (
     CONDITIONS,
@@ -42,4 +42,6 @@ PAPER = Paper(
         "test_functions_are_the_derived_forms": "3 4 5",
         "test_grades_of_the_code_table": "6",
     },
+    letters=letters,
+    structure=STRUCTURE,
 )

@@ -3,6 +3,8 @@
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.papers.kim_2018.consequences import evidence, findings
 from boresight.derive.papers.kim_2018.derived import equations
+from boresight.derive.papers.kim_2018.letters import STRUCTURE, letters
+from boresight.derive.papers.kim_2018.maps import MAPS, UNFLOWN
 from boresight.derive.papers.kim_2018.printed import quantities
 from boresight.derive.papers.kim_2018.witness import (
     CONDITIONS,
@@ -43,4 +45,8 @@ PAPER = Paper(
         "test_delay_column_of_6_doubles_a_level_delay_and_does_not_see_a_vertical_one": "6",
         "test_first_order_transition_drops_four_orders_more_at_1_hz_than_at_100_hz": "12",
     },
+    letters=letters,
+    structure=STRUCTURE,
+    maps=MAPS,
+    unflown=UNFLOWN,
 )
