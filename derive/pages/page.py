@@ -151,7 +151,7 @@ def shown_steps(derivation: Derivation) -> list[tuple[str, tuple[Relation, ...],
 def _done(step: Step | Line) -> str:
     """The operation, from which line and with which others: the line before needs no name."""
     if isinstance(step, Step) or step.passage is None:
-        return step.name
+        return step.name.replace("first-order", "first order")
     of, using = step.passage.of, step.passage.using
     return step.name + f" {_row(of)}" * bool(of) + (", with " + " and ".join(map(_row, using)) if using else "")
 
@@ -162,11 +162,12 @@ def _row(name: str) -> str:
 
 def _claimed(step: Step | Line) -> str:
     claim = None if isinstance(step, Step) else step.claim
-    if claim is None or claim.kind in ("exact", "definition", "identity"):
-        return "" if claim is None else claim.kind
+    if claim is None:
+        return ""
     small = f" in {', '.join(claim.small)}" if claim.small else ""
     order = {"order": f"through order {claim.order}", "first-order": "first order"}.get(claim.kind, claim.kind)
-    return order + small.replace("_", " ") + f", {claim.condition}" * bool(claim.condition)
+    text = order + small.replace("_", " ") + f", {claim.condition}" * bool(claim.condition)
+    return "" if text == _done(step) else text
 
 
 def notation(paper: Paper) -> Table:
@@ -176,7 +177,7 @@ def notation(paper: Paper) -> Table:
     """
     letters = (*paper.quantities(), *paper.letters())
     rows: dict[str, list[Form]] = {}
-    for quantity in letters:
+    for quantity in {quantity.symbol.name: quantity for quantity in reversed(letters)}.values():
         if quantity.function or quantity.kind == "block":
             continue
         form = Form(Relation((quantity.symbol,)), letters)

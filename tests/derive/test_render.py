@@ -174,7 +174,8 @@ def test_the_table_of_notation_has_every_letter_and_splits_off_its_unit(name):
     table = notation(paper(name))
     shown = [form.relation.sides[0].name for letters, _, _ in table.rows for form in letters]
     assert len(shown) == len(set(shown))
-    assert set(shown) == {q.symbol.name for q in paper(name).quantities() if not q.function and q.kind != "block"}
+    letters = (*paper(name).quantities(), *paper(name).letters())
+    assert set(shown) == {q.symbol.name for q in letters if not q.function and q.kind != "block"}
     assert not [meaning for _, meaning, _ in table.rows if re.search(r", (rad|m|s|1)(/s)?$", meaning)]
 
 
