@@ -32,7 +32,7 @@ GLYPHS = {
     "\\" + word: lookup(f"GREEK {size} LETTER {word.upper().replace('LAMBDA', 'LAMDA')}")
     for size, words in (("SMALL", GREEK.split()), ("CAPITAL", map(str.capitalize, GREEK.split())))
     for word in words
-} | {r"\partial": "∂"}
+} | {r"\partial": "∂", r"\varphi": "ϕ"}
 ACCENTS = {r"\hat": "hat", r"\dot": "dot", r"\bar": "bar", r"\overline": "bar", r"\check": "check"}
 NAMED = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp"}
 SIGNS = {
@@ -218,12 +218,25 @@ def node_tokens(root: Node) -> Row:
 def _row(node: Node) -> Row:
     if node.text:
         raise RefusedError(f"text stands in <{node.tag}>")
-    return _digits_joined(token for child in node.children for token in _tokens(child))
+    return _fenced(_digits_joined(token for child in node.children for token in _tokens(child)))
+
+
+def _fenced(row: Row) -> Row:
+    """A table with the brackets that a matrix has; it must have them."""
+    result: list[Token] = []
+    for i, (kind, what) in enumerate(row):
+        if kind == "rows":
+            if (row[i - 1 : i], row[i + 1 : i + 2]) != ((("sign", "["),), (("sign", "]"),)):
+                raise RefusedError("a table without brackets")
+            result[-1] = ("table", what)
+        elif not (i and row[i - 1][0] == "rows"):
+            result.append((kind, what))
+    return tuple(result)
 
 
 def _tokens(node: Node) -> Row:
     tag, parts = node.tag, node.children
-    if tag in ("mrow", "mstyle"):
+    if tag == "mrow":
         return _row(node)
     if tag in ("mi", "mn", "mo"):
         if parts or not node.text:
@@ -232,7 +245,7 @@ def _tokens(node: Node) -> Row:
     if tag == "msqrt":
         return (("root", _row(node)),)
     if tag == "mtable":
-        return (("table", tuple(tuple(map(_cell, _only(row, "mtr"))) for row in _only(node, "mtable"))),)
+        return (("rows", tuple(tuple(map(_cell, _only(row, "mtr"))) for row in _only(node, "mtable"))),)
     if COUNT.get(tag) != len(parts):
         raise RefusedError(f"<{tag}> of {len(parts)}")
     rows = [_tokens(part) for part in parts]
@@ -439,7 +452,7 @@ def _row_matrix(columns: Line) -> int:
 def _text_token(rest: str, names: list[str]) -> tuple[str, Token | None]:
     """The text of the next token and the token, which is None for a space."""
     for name in names:
-        if rest.startswith(name) and not re.match(r"[\w']|" + HATS, rest[len(name) :]):
+        if rest.startswith(name) and not re.match(rf"(?!_\{{)[\w']|{HATS}", rest[len(name) :]):
             return name, ("letter", name)
     for pattern, kind in TEXT.items():
         if match := re.match(rf"(?:{pattern})(?!{HATS})", rest):
@@ -514,7 +527,7 @@ def name_tokens(name: str) -> Row:
 
 def _base_tokens(base: str) -> Row:
     tokens: list[Token] = []
-    for word in re.findall(rf"[A-Za-z]+|[^A-Za-z](?:{HATS})*|.", normalize("NFD", base)):
+    for word in re.findall(rf"[A-Za-z]{HATS}+|[A-Za-z]+(?!{HATS})|.{HATS}*", normalize("NFD", base)):
         d, rest = word[:1], word[1:]
         if "\\" + word in GLYPHS:
             tokens.append(("glyph", GLYPHS["\\" + word]))
@@ -524,8 +537,6 @@ def _base_tokens(base: str) -> Row:
             tokens += [("glyph", letter) for letter in word if letter not in HAT]
             for hat in (letter for letter in word if letter in HAT):
                 tokens[-1:] = [("accent", (HAT[hat], tuple(tokens[-1:])))]
-        elif word in HAT and tokens:
-            tokens[-1:] = [("accent", (HAT[word], tuple(tokens[-1:])))]
         elif word[0].isdigit():
             tokens.append(("number", word))
         elif word in ("'", "(", ")", "-", "+", "→"):
@@ -630,7 +641,7 @@ class Formula:
 
     def side(self) -> Any:
         value = self.sum()
-        return ("<", value, self.sum()) if self.take("<") else value
+        return Broken("<", (value, self.sum())) if self.take("<") else value
 
     def sum(self) -> Any:
         value = self.product() if not self.take("-") else times(-1, self.product())
@@ -729,17 +740,15 @@ class Formula:
         return 0, None
 
     def letter(self) -> str | None:
+        """The name of the letter that stands here, which is taken; none if it is the head of a function."""
         if self.row[self.at][0] == "letter":
             name = self.spelled.text[self.row[self.at][1]]
-            if name in self.values.functions:
-                return None
-            self.at += 1
-            return name
+            self.at += name not in self.values.functions
+            return None if name in self.values.functions else name
         size, names = self.longest_match(self.spelled.letters)
-        if not size:
-            return None
+        head, _ = self.longest_match(self.spelled.functions)
         self.at += size
-        if self.ahead("(", "["):  # with arguments it is another one
+        if not size or head > size or self.ahead("(", "["):
             self.at -= size
             return None
         meant = [name for name in names if name in self.meant] or [names[-1]]
@@ -748,14 +757,12 @@ class Formula:
         return meant[0]
 
     def head(self) -> str | None:
+        """The name of the function whose arguments follow."""
         if self.row[self.at][0] == "letter":
             self.at += 1
             return self.spelled.text[self.row[self.at - 1][1]]
         size, name = self.longest_match(self.spelled.functions)
         self.at += size
-        if size and not self.ahead("(", "["):
-            self.at -= size
-            return None
         return name
 
     def arguments(self) -> list:
@@ -853,27 +860,41 @@ def shape(value: Any) -> tuple[int, int] | None:
     return (value.rows, value.cols) if isinstance(value, Matrix) else None
 
 
+@dataclass(frozen=True)
+class Broken:
+    """What does not fit together and so has no value, though its parts have."""
+
+    operation: str
+    parts: tuple
+
+
 def plus(a: Any, b: Any) -> Any:
     a, b = number(a), number(b)
-    _no_blocks(a, b)
-    if shape(a) != shape(b):
-        raise RefusedError(f"a sum of {shape(a)} and {shape(b)}")
+    if _broken(a, b) or shape(a) != shape(b):
+        return Broken("+", (a, b))
     return a + b
 
 
 def times(a: Any, b: Any) -> Any:
-    _no_blocks(a, b)
-    if shape(a) == shape(b) == (4, 1):
-        return quaternion(a, b)
-    if isinstance(a, Matrix) and isinstance(b, Matrix) and a.cols != b.rows:
-        raise RefusedError(f"a product of {shape(a)} and {shape(b)}")
-    return a * b
+    if isinstance(b, Broken) and not isinstance(a, Matrix | Broken):
+        first, *others = b.parts
+        return Broken(b.operation, (times(a, first), *(times(a, x) if b.operation == "+" else x for x in others)))
+    if _broken(a, b) or (isinstance(a, Matrix) and isinstance(b, Matrix) and not _chained(a, b)):
+        return Broken("*", (a, b))
+    return quaternion(a, b) if shape(a) == shape(b) == (4, 1) else a * b
+
+
+def _chained(a: Matrix, b: Matrix) -> bool:
+    return a.cols == b.rows or shape(a) == shape(b) == (4, 1)
+
+
+def _broken(*values: Any) -> bool:
+    return any(isinstance(value, Broken) for value in values)
 
 
 def divided(a: Any, b: Any) -> Any:
     b = number(b)
-    _no_blocks(a, b)
-    if isinstance(b, Matrix):
+    if isinstance(b, Matrix) or _broken(a, b):
         raise RefusedError("divided by a matrix")
     return exact(a) / exact(b)
 
@@ -883,7 +904,7 @@ def exact(value: Any) -> Any:
 
 
 def root(value: Any) -> Any:
-    if isinstance(number(value), Matrix):
+    if isinstance(number(value), Matrix | Broken):
         raise RefusedError("the root of a matrix")
     return sqrt(number(value))
 
@@ -903,8 +924,9 @@ def turning(value: Any) -> Matrix:
 
 
 def raised(value: Any, power: Any) -> Any:
-    _no_blocks(value)
     value = number(value)
+    if _broken(value):
+        raise RefusedError("a power of what has no value")
     if power in ("T", "∨"):
         if not isinstance(value, Matrix) or (power == "∨" and shape(value) != (3, 3)):
             raise RefusedError(f"{power} of a number")
@@ -922,22 +944,12 @@ def raised(value: Any, power: Any) -> Any:
     return result.inv() if isinstance(result, Matrix) else divided(1, result)
 
 
-@dataclass(frozen=True)
-class Blocks:
-    """A matrix whose blocks do not fit: it has no value, but each block has."""
-
-    rows: tuple
-
-
-def _no_blocks(*values: Any) -> None:
-    if any(isinstance(value, Blocks | tuple) for value in values):
-        raise RefusedError("blocks that do not fit")
-
-
 def assembled(rows: list[list]) -> Any:
     """A matrix of numbers or of blocks, of which a 0 has any shape."""
     if len({len(row) for row in rows}) > 1:
         raise RefusedError("the rows of a matrix are not equally long")
+    if any(_broken(*row) for row in rows):
+        raise RefusedError("an entry has no value")
     sizes = [[shape(value) for value in row] for row in rows]
     if not any(size for row in sizes for size in row):
         return Matrix(rows)
@@ -952,7 +964,7 @@ def assembled(rows: list[list]) -> Any:
     paired = [list(zip(a, b, strict=True)) for a, b in zip(sizes, rows, strict=True)]
     heights, widths = extents(paired, 0), extents(zip(*paired, strict=True), 1)
     if heights is None or widths is None:
-        return Blocks(tuple(map(tuple, rows)))
+        return Broken(f"{len(rows)} rows", tuple(value for row in rows for value in row))
     result = zeros(sum(heights), sum(widths))
     for i, row in enumerate(rows):
         for j, value in enumerate(row):
@@ -975,12 +987,9 @@ FUNCTIONS: dict[str, Callable] = {
 def equal(a: Any, b: Any) -> bool:
     """Whether two values are the same, as far as the balls can tell."""
     a, b = number(a), number(b)
-    if isinstance(a, tuple) or isinstance(b, tuple):
-        return type(a) is type(b) and all(equal(x, y) for x, y in zip(a[1:], b[1:], strict=True))
-    if isinstance(a, Blocks) or isinstance(b, Blocks):
-        if type(a) is not type(b) or [len(row) for row in a.rows] != [len(row) for row in b.rows]:
-            return False
-        return all(equal(x, y) for r, s in zip(a.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True))
+    if _broken(a) or _broken(b):
+        same = isinstance(a, Broken) and isinstance(b, Broken) and a.operation == b.operation
+        return same and len(a.parts) == len(b.parts) and all(map(equal, a.parts, b.parts))
     if shape(a) != shape(b):
         return False
     pairs = zip(a, b, strict=True) if isinstance(a, Matrix) else [(a, b)]

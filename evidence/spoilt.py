@@ -1,14 +1,14 @@
 """Formulas as they are shown against what was judged, at free random numbers; and every single change of a formula."""
 
 import random
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
-from itertools import product
+from functools import cached_property, reduce
+from itertools import pairwise, product
 from typing import Any
 
 from flint import arb
-from sympy import Symbol
+from sympy import Add, MatAdd, MatMul, Mul, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.matrices import MatrixBase
 
@@ -20,7 +20,7 @@ from boresight.derive.pages.mathml import mathml_relation
 from boresight.derive.pages.text import text_relation
 from boresight.derive.papers import PAPERS, paper
 from boresight.evidence.read_back import (
-    Blocks,
+    Broken,
     Formula,
     RefusedError,
     Row,
@@ -29,15 +29,16 @@ from boresight.evidence.read_back import (
     equal,
     latex_tokens,
     mathml_tokens,
+    plus,
     spelling,
-    text_name,
     text_tokens,
+    times,
 )
 
 DIGITS = 30
-WRITERS = {"latex": latex_relation, "mathml": mathml_relation, "text": text_relation}
+WRITERS: dict[str, Callable[..., str]] = {"latex": latex_relation, "mathml": mathml_relation, "text": text_relation}
 INNER = {"Σ", "norm", "entry", "row", "E", *OPERATORS}  # functions that have a sign of their own
-SHAPES: tuple[tuple[int, ...], ...] = ((3, 3), (3,), (4, 4), (4,), (15, 15), (15,))
+SHAPES: tuple[tuple[int, ...], ...] = ((3, 3), (3,), (4, 4), (4,), (15, 15), (15,), ())
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +70,7 @@ class Shown:
         """The values of the sides, and the free values of the letters at which they were computed."""
         shapes: dict[str, tuple[int, ...]] = {q.symbol.name: q.shape for q in self.quantities if not q.function}
         unknown = [name for name in self.symbols if name not in shapes]
-        choices = [((),) if self.symbols[name].is_commutative else SHAPES for name in unknown]
+        choices = [SHAPES[:: -1 if self.symbols[name].is_commutative else 1] for name in unknown]
         failed: Exception = ValueError()
         with digits(DIGITS):
             for found in product(*choices):
@@ -79,7 +80,7 @@ class Shown:
                 except (ValueError, TypeError) as error:
                     failed = error
                     continue
-                if not unknown or all(alike(a, b) for a, b in zip(sides, sides[1:], strict=False)):
+                if not unknown or all(alike(a, b) for a, b in pairwise(sides)):
                     return sides, values
         raise failed
 
@@ -129,7 +130,10 @@ def free(shapes: Mapping[str, tuple[int, ...]], heads: Mapping[str, bool], prese
     letters = {name: drawn(shape) for name, shape in shapes.items()}
     samples = tuple({**letters, **{name: drawn(shapes[name]) for name in present}} for _ in range(3))
     scattered = {name: (drawn(shapes[name]), drawn(shapes[name])) for name in present}
-    functions = {name: linear(name, (6,) if name == "samples" else () if commutes else (3, 3)) for name, commutes in heads.items()}
+    functions = {
+        name: linear(name, (6,) if name == "samples" else () if commutes else (3, 3))
+        for name, commutes in heads.items()
+    }
     return Values(letters, functions, samples, scattered)
 
 
@@ -155,27 +159,42 @@ def judged_value(side: Any, values: Values) -> Any:
         "Σ": lambda given: [{**given, **sample} for sample in values.samples],
         "entry": lambda M, i, j: M[int(i) - 1, int(j) - 1], "row": lambda *numbers: Matrix([list(numbers)]),
     })  # fmt: skip
+    return _in_parts(side, point)
+
+
+def _in_parts(side: Any, point: Point) -> Any:
+    """The value, or what has one where the print does not fit together."""
+    if side.is_Relational:
+        return Broken("<", tuple(evaluate(argument, point) for argument in side.args))
     try:
-        if side.is_Relational:
-            return "<", evaluate(side.lhs, point), evaluate(side.rhs, point)
         return evaluate(side, point)
     except ValueError:
-        if not isinstance(side, MatrixBase):
+        if isinstance(side, MatrixBase):
+            return Broken(f"{side.rows} rows", tuple(evaluate(cell, point) for cell in children(side)))
+        if not isinstance(side, Add | MatAdd | Mul | MatMul):
             raise
-        cells = [evaluate(cell, point) for cell in children(side)]
-        return Blocks(tuple(tuple(cells[i : i + side.cols]) for i in range(0, len(cells), side.cols)))
+        parts = (_in_parts(argument, point) for argument in side.args)
+        return reduce(plus if isinstance(side, Add | MatAdd) else times, parts)
+
+
+def rendered(shown: Shown, form: str) -> str:
+    """As the pages have it; text is 94 columns wide, for it is indented."""
+    return WRITERS[form](shown.relation, shown.quantities, *([94] if form == "text" else []))
 
 
 def of_paper(name: str) -> list[Shown]:
     """Every formula of a paper, once."""
-    one = paper(name)
-    letters = tuple({q.symbol.name + "(" * q.function: q for q in (*one.quantities(), *one.letters())}.values())
     found: dict[Relation, Shown] = {}
-    for equation in one.equations:
+    for equation in paper(name).equations:
         steps = (relation for step in equation.derivation.steps for relation in step.formulas)
-        for kind, relations in (("printed", equation.printed), ("read", equation.read()), ("derived", equation.derived), ("line", steps)):
+        for kind, relations in (
+            ("printed", equation.printed),
+            ("read", equation.read()),
+            ("derived", equation.derived),
+            ("line", steps),
+        ):
             for relation in relations:
-                found.setdefault(relation, Shown(f"{name} ({equation.number}) {kind}", relation, letters))
+                found.setdefault(relation, Shown(f"{name} ({equation.number}) {kind}", relation, equation.alphabet))
     return list(found.values())
 
 

@@ -92,11 +92,11 @@ def _text_equation(equation: Equation, entry: Entry) -> str:
         head,
         "=" * len(head),
         "printed" + (" and derived" if same else ""),
-        _text_relations(equation.printed, equation.quantities),
+        _text_relations(equation.printed, equation.alphabet),
     ]
     if not same:
-        parts += ["derived", _text_relations(equation.derived, equation.quantities)]
-    parts += _text_steps(equation.derivation, equation.quantities)
+        parts += ["derived", _text_relations(equation.derived, equation.alphabet)]
+    parts += _text_steps(equation.derivation, equation.alphabet)
     parts.append(_wrapped(f"evidence: {entry.evidence}.", 2))
     if entry.note:
         parts.append(_wrapped(f"note: {entry.note}", 2))
@@ -162,8 +162,8 @@ def _latex_equation(equation: Equation, entry: Entry) -> str:
         rf"\textbf{{Printed}}, source line {_lines(equation)}:",
         "\n".join(rf"\fitted{{{display.rstrip(', ')}}}" for display in _displays(equation)),
         r"\textbf{Derived}:",
-        _latex_shown(equation.derived, equation.quantities),
-        *_latex_steps(equation.derivation, equation.quantities),
+        _latex_shown(equation.derived, equation.alphabet),
+        *_latex_steps(equation.derivation, equation.alphabet),
     ]
     parts.append(rf"\textbf{{Evidence}}: {_tex(entry.evidence)}.")
     if entry.note:
@@ -233,7 +233,7 @@ def _html_steps(derivation: Derivation, quantities: Iterable[Quantity]) -> str:
 
 
 def _html_equation(equation: Equation, entry: Entry) -> str:
-    letters = equation.quantities
+    letters = equation.alphabet
     note = f"<p>Note: {escape(entry.note)}</p>" if entry.note else ""
     return (
         f'<section id="eq-{escape(equation.number)}"><h2>({escape(equation.number)}) '
