@@ -65,7 +65,7 @@ def derivation_page(title: str, derivation: Derivation) -> Page:
 
 def equation_section(paper: Paper, equation: Equation, functions: Functions) -> Section:
     """What is judged, the print against what follows, the evidence, the steps; then who uses and who holds it."""
-    entry, letters = entry_of(paper, equation), (*equation.quantities, *paper.letters())
+    entry, letters = entry_of(paper, equation), equation.alphabet
     blocks: list[Block] = [*forms(equation, entry, letters), *evidence(paper, equation, entry)]
     if entry.note:
         blocks.append(Prose(entry.note, "Note"))
@@ -87,16 +87,14 @@ def forms(equation: Equation, entry: Entry, letters: tuple[Quantity, ...]) -> li
     printed, derived = equation.printed, equation.derived
     if not found:
         more = derived[len(printed) :]
-        blocks: list[Block] = [
-            Formulas(_forms(printed, equation.quantities), "printed and derived", _displays(equation))
-        ]
+        blocks: list[Block] = [Formulas(_forms(printed, equation.alphabet), "printed and derived", _displays(equation))]
         return blocks + ([Formulas(_forms(more, letters), "derived with it")] if more else [])
     if entry.status == "erratum":  # what is only read otherwise is no slip: the note says it
         found = differences(equation.read(), derived)
     elif not equation.readings:
-        left = Formulas(_forms(printed, equation.quantities), "printed", _displays(equation))
+        left = Formulas(_forms(printed, equation.alphabet), "printed", _displays(equation))
         return [Pair(left, Formulas(_forms(derived, letters), "derived"))]
-    left = Formulas(_forms(printed, equation.quantities, marks(printed, found, "printed")), "printed")
+    left = Formulas(_forms(printed, equation.alphabet, marks(printed, found, "printed")), "printed")
     return [Pair(left, Formulas(_forms(derived, letters, marks(derived, found, "derived")), "derived"))]
 
 
