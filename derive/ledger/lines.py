@@ -14,7 +14,17 @@ import mpmath as mp
 from sympy import Function
 
 from boresight import BoresightError
-from boresight.derive.ledger.equation import Claim, Derivation, Equation, Line, Passage, Quantity, Relation, total
+from boresight.derive.ledger.equation import (
+    Claim,
+    Derivation,
+    Equation,
+    Line,
+    Passage,
+    Quantity,
+    Reading,
+    Relation,
+    total,
+)
 from boresight.derive.ledger.evaluate import Point, evaluate, residual
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.judge import EXACT, FULL, SEEDS, names, witness_point
@@ -268,6 +278,9 @@ def build(
         one = written[number]
         more = dict(one.more)
         more["defines"] = tuple(symbols[name] for name in more.get("defines", ()))
+        more["readings"] = tuple(
+            Reading(symbols[printed], symbols[meant], why) for printed, meant, why in more.get("readings", ())
+        )
         form = read(latex, letters_of(number) if letters_of else quantities)
         if one.as_vector:
             vee = Function("vee", commutative=False)

@@ -5,7 +5,7 @@ are free: the operation is done to the numbers of the line before, and what resu
 after, side by side.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -19,9 +19,10 @@ from boresight.derive.ledger.equation import Equation, Line, Passage, Relation
 from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate, multiplied, power, residual, solve
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.lines import LineVerdict
-from boresight.derive.ledger.numbers import Matrix, digits, exact, middle
+from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, middle, zeros
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
+from boresight.derive.ledger.witness import quaternion, rotation_vector
 
 Replaced = dict[int, Relation]  # other relations of steps, by index
 
@@ -115,6 +116,21 @@ def take_entry(row: int, column: int, of: str = "") -> Passage:
     return Passage("take an entry", of, (str(row), str(column)))
 
 
+def take_rotation_vector(of: str = "") -> Passage:
+    """Of rotations by less than half a turn their rotation vectors."""
+    return Passage("take the rotation vector", of)
+
+
+def take_quaternion(of: str = "") -> Passage:
+    """Of rotations their quaternions; q and -q are one."""
+    return Passage("take the quaternion", of)
+
+
+def put(expressions: Mapping[str, str], of: str) -> Passage:
+    """What holds for any values of some letters holds for these, by the letters' own LaTeX."""
+    return Passage("put", of, (), tuple(expressions), tuple(expressions.values()))
+
+
 def solve_for(letter: str, of: str = "") -> Passage:
     """The line before, linear in the letter, gives it."""
     return Passage("solve", of, (), (letter,))
@@ -196,6 +212,8 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
         return LineVerdict(False, f"{passage.operation}: the line before says the same")
     sides = [_entries(value) for value in _carried(paper, passage, before, relation_of, point)]
     targets = [_entries(evaluate(side, point)) for side in after.sides]
+    if passage.operation == "take the quaternion":
+        targets = [[-part for part in target] if target[0] < 0 else target for target in targets]
     places = [next((i for i, side in enumerate(sides) if _same(side, target)), None) for target in targets]
     if None in places:
         return _said(False, passage, f"side {places.index(None) + 1} does not follow")
@@ -222,6 +240,12 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
         sign = 1 if name == "add line" else -1
         other = [evaluate(side, point) for side in relation_of(passage.using[0]).sides]
         return [a + b * sign for a, b in zip((values[0], values[-1]), (other[0], other[-1]), strict=True)]
+    if name == "put":
+        given = {
+            letter.name: evaluate(_expression(paper, text), point)
+            for letter, text in zip(_symbols(paper, passage.letters), passage.with_, strict=True)
+        }
+        return [evaluate(side, point.changed(given)) for side in before.sides]
     if name == "expand":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
 
@@ -260,7 +284,18 @@ def _vector(value, passage: Passage):
     return OPERATORS["vee"](value)
 
 
+def _of_rotation(take: Callable) -> Callable:
+    def taken(value, passage: Passage):
+        if max(abs(middle(entry)) for entry in value * value.T - eye(value.rows)) > SAME:
+            raise ValueError("a side is no rotation")
+        return take(value)
+
+    return taken
+
+
 _TAKE: dict[str, Callable] = {
+    "take the rotation vector": _of_rotation(rotation_vector),
+    "take the quaternion": _of_rotation(quaternion),
     "transpose": lambda value, passage: value.T,
     "invert": lambda value, passage: power(value, S.NegativeOne),
     "take the vector": _vector,
@@ -280,7 +315,8 @@ def _given(paper: Paper, row: Relation, letter: str, point: Point) -> dict[str, 
         return solve((row,), {symbol.name: paper.letter(symbol.name).shape or 1}, point.values)
     for side, other in ((row.sides[0], row.sides[-1]), (row.sides[-1], row.sides[0])):
         if isinstance(side, Symbol):
-            return {side.name: evaluate(other, point)}
+            shape = paper.letter(side.name).shape
+            return {side.name: zeros(*(*shape, 1)[:2]) if shape and other == 0 else evaluate(other, point)}
         if isinstance(side, AppliedUndef) and side.func.__name__ not in OPERATORS:
             value = evaluate(other, point)
             return {side.func.__name__: lambda *arguments, value=value: value}
