@@ -14,17 +14,7 @@ import mpmath as mp
 from sympy import Function
 
 from boresight import BoresightError
-from boresight.derive.ledger.equation import (
-    Claim,
-    Derivation,
-    Equation,
-    Line,
-    Passage,
-    Quantity,
-    Reading,
-    Relation,
-    total,
-)
+from boresight.derive.ledger.equation import Claim, Derivation, Equation, Line, Passage, Quantity, Relation, total
 from boresight.derive.ledger.evaluate import Point, evaluate, residual
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.judge import EXACT, FULL, SEEDS, names, witness_point
@@ -48,9 +38,9 @@ def first_order(*small: str) -> Claim:
     return Claim("first-order", small)
 
 
-def of_order(order: int, part: str) -> Claim:
-    """Right through this order in one part, a step or a delay."""
-    return Claim("order", (part,), order)
+def of_order(order: int, *small: str) -> Claim:
+    """Right through this order in these parts together; in the equation's own if none is named."""
+    return Claim("order", small, order)
 
 
 def limit(*small: str) -> Claim:
@@ -59,7 +49,7 @@ def limit(*small: str) -> Claim:
 
 
 def approximately(dropped: str, condition: str, *small: str) -> Claim:
-    """Right, exactly or to first order in the parts `small` if any, with the LaTeX term `dropped` on the right side."""
+    """Right, exactly or to first order in the parts `small` if any, with the term `dropped` (LaTeX) on its right."""
     return Claim("approximation", small, dropped=dropped, condition=condition)
 
 
@@ -165,7 +155,7 @@ def _judged(paper: Paper, equation: Equation, claim: Claim, relation: Relation, 
     if claim.kind == "approximation":
         (dropped,) = read((claim.dropped,), (*paper.quantities(), *paper.letters()))
         (term,) = dropped.sides
-        whole = Relation((relation.sides[0], total(relation.sides[-1], term)))
+        whole = Relation((relation.sides[0], *(total(side, term) for side in relation.sides[1:])))
         verdict = _falls(whole, point, 2) if claim.small else _exactly(whole, (point(seed, FULL) for seed in SEEDS))
         if _exactly(relation, (point(seed, FULL) for seed in SEEDS)).holds:
             return LineVerdict(False, "nothing is dropped")
@@ -192,8 +182,7 @@ def _exactly(relation: Relation, points: Iterable[Point]) -> LineVerdict:
 def _falls(relation: Relation, point, power: int) -> LineVerdict:
     """Entry by entry: the remainder falls 2^power-fold when the errors are halved, twice.
 
-    And what is stated is not zero: each row whose sides differ at all has an entry that changes with the errors by more
-    than the remainder does.
+    And what is stated is not zero: each row whose sides differ at all has an entry that falls more slowly than that.
     """
     most, stated = SLACK / 2**power, False
     for seed in SEEDS:
@@ -222,9 +211,8 @@ def _entries(side, point: Point) -> list:
 
 
 def _moves(values: tuple, most) -> bool:
-    """Whether an entry has a part that falls more slowly than what is dropped."""
-    first, second = abs(values[0] - values[1]), abs(values[1] - values[2])
-    return abs(values[0]) > EXACT if first <= EXACT else second > most * first
+    """Whether an entry falls more slowly than what is dropped, or not at all."""
+    return abs(values[0]) > EXACT and abs(values[1]) > most * abs(values[0])
 
 
 def _size(paper: Paper, term, given: tuple) -> str:
@@ -278,9 +266,6 @@ def build(
         one = written[number]
         more = dict(one.more)
         more["defines"] = tuple(symbols[name] for name in more.get("defines", ()))
-        more["readings"] = tuple(
-            Reading(symbols[printed], symbols[meant], why) for printed, meant, why in more.get("readings", ())
-        )
         form = read(latex, letters_of(number) if letters_of else quantities)
         if one.as_vector:
             vee = Function("vee", commutative=False)
@@ -318,6 +303,7 @@ def check_derivation(paper: Paper, equation: Equation) -> None:
             raise BoresightError(f"{where}: {verdict.why}")
         if step.claim is not None and step.claim.kind == "definition":
             letter = step.relation.sides[0]
-            later = [s.relation for s in steps[index + 1 :] if isinstance(s, Line) and s.relation is not None]
-            if letter.name not in names(later):
+            later = range(index + 1, len(steps))
+            used = names([relation for i in later for relation in steps[i].formulas])
+            if letter.name not in used and not any(index in equation.derivation.taken(i) for i in later):
                 raise BoresightError(f"{where}: nothing uses {letter}")

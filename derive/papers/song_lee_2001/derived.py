@@ -1,11 +1,12 @@
 """The numbered equations as they are printed, each beside its derivation."""
 
 from functools import cache
+from unicodedata import normalize
 
 from sympy import ImmutableMatrix, Matrix, eye
 from sympy.simplify.fu import TR2i
 
-from boresight.derive.ledger.equation import Equation, total
+from boresight.derive.ledger.equation import Equation, Reading, total
 from boresight.derive.ledger.lines import (
     EXACT_LINE,
     IDENTITY,
@@ -21,10 +22,10 @@ from boresight.derive.ledger.passages import (
     add,
     chain,
     differentiate,
+    elsewhere,
     expand,
     multiply,
     multiply_out,
-    put,
     rearrange,
     substitute,
     subtract_line,
@@ -147,6 +148,12 @@ def _error_of(letter: str, name: str) -> Derived:
     return derived(prose(why), unit="rad", defines=(name,), leads_to=("5", "17"))
 
 
+def _dropped_hat(name: str, why: str) -> Reading:
+    known = {quantity.symbol.name: quantity.symbol for quantity in quantities()}
+    hat = name + "\u0302" if name[0] == "Δ" else name.replace("μ", "μ\u0302")
+    return Reading(known[name], known[normalize("NFC", hat)], f"{why}: a dropped hat")
+
+
 def _row(i: int, word: str) -> Derived:
     letter, name = TRUE[i - 1], "φθψ"[i - 1]
     measured = rf"{HAT_B[i - 1]} - {HAT_R[i - 1]} - {GAP_HAT[i - 1]}"
@@ -157,10 +164,7 @@ def _row(i: int, word: str) -> Derived:
         line(f"{Z} = {modelled}", first_order(), f"row {i} of (19): a {word} matching", take_rows(i, of="(19)")),
         line(f"{Z} = {measured} = {modelled}", first_order(), "both say what it is", chain("1", "2"), result=True),
         unit="rad",
-        readings=(
-            (f"Δ{name}", f"Δ{name}\u0302", "(16) subtracts the computed difference, and the true one is not known: "
-             "a dropped hat"),
-        ),
+        readings=(_dropped_hat(f"Δ{name}", "(16) subtracts the computed difference, and the true one is not known"),),
     )  # fmt: skip
 
 
@@ -332,7 +336,8 @@ WRITTEN: dict[str, Derived] = {
         line(rf"C_b^n = {attitude_of(TRUE_B)}", EXACT_LINE, "the slave's angles are those of its attitude"),
         line(rf"{attitude_of(TRUE_B)} = C_r^n + {CHANGE_R}", first_order("mu"),
              "(5) from the master's attitude to the slave's: the differences take the place of the errors",
-             put(dict(zip((*HAT, "C_b^n", *TRUE, *ERROR), (*TRUE_B, "C_r^n", *TRUE_R, *GAP), strict=True)), of="(5)")),
+             elsewhere(dict(zip((*HAT, "C_b^n", *TRUE, *ERROR), (*TRUE_B, "C_r^n", *TRUE_R, *GAP), strict=True)),
+                       of="(5)")),
         line(rf"C_r^n (I + [\mu^r \times]) = C_r^n + {CHANGE_R}", first_order("mu"), "both are C_b2n",
              chain("2", "3", "4")),
         line(rf"C_r^n [\mu^r \times] = {CHANGE_R}", first_order("mu"), "C_r2n stands on both sides", add("-C_r^n")),
@@ -372,7 +377,7 @@ WRITTEN: dict[str, Derived] = {
              "the computed differences lead to the axes r turned by the estimate: this says what they are"),
         line(rf"{column(*GAP_HAT)} = \flown{{euler_D_mu}} {MU_HAT}", first_order(),
              "(15) with the estimate in place of the true misalignment",
-             put(dict(zip((*GAP, r"\mu_x", r"\mu_y", r"\mu_z"),
+             elsewhere(dict(zip((*GAP, r"\mu_x", r"\mu_y", r"\mu_z"),
                           (*GAP_HAT, r"\hat{\mu}_x", r"\hat{\mu}_y", r"\hat{\mu}_z"), strict=True)), of="(15)"),
              result=True),
         unit="rad", leads_to=("19",), small=("mu", "mu_error"),
@@ -381,7 +386,7 @@ WRITTEN: dict[str, Derived] = {
     # (9), (15) and (18) in (17).
     "19": derived(
         line(rf"{D_B} = \flown{{H_eps}} {EPS}", first_order(), "(9) for the slave",
-             put(dict(zip((*TRUE, *ERROR), (*TRUE_B, *ERROR_B), strict=True)), of="(9)")),
+             elsewhere(dict(zip((*TRUE, *ERROR), (*TRUE_B, *ERROR_B), strict=True)), of="(9)")),
         line(rf"Z = \flown{{H_eps}} {EPS} + {column(*TRUE_B)} - {column(*TRUE_R)} - {column(*GAP_HAT)} - {D_R}",
              first_order(), "it is the first term of (17)", substitute("1", of="(17)")),
         line(rf"{column(*TRUE_B)} = {column(*TRUE_R)} + {column(*GAP)}", EXACT_LINE, "what (14) says of the slave",
@@ -500,10 +505,7 @@ WRITTEN: dict[str, Derived] = {
         line(r"\hat{\mu}^r(k^+) = \flown{corrected_mu}", EXACT_LINE,
              "the true misalignment is the estimate less its error", add(r"\mu^r(k^-)"), result=True),
         unit="rad",
-        readings=(
-            ("μ(k+)", "μ\u0302(k+)", "the text says that the estimate is renewed: a dropped hat"),
-            ("μ(k-)", "μ\u0302(k-)", "the text says that the estimate is renewed: a dropped hat"),
-        ),
+        readings=tuple(_dropped_hat(name, "the text says that the estimate is renewed") for name in ("μ(k+)", "μ(k-)")),
         note="The sign of δμ is wrong, for the true misalignment is the estimate less its error. Reading δμ as μ - μ̂ "
         "would save this sign and refute (19), with which the text's definition agrees.",
     ),

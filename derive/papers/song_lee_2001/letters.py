@@ -4,9 +4,7 @@ from functools import cache
 from typing import Any
 from unicodedata import normalize
 
-from sympy import Symbol
-
-from boresight.derive.ledger.equation import Quantity
+from boresight.derive.ledger.equation import Quantity, letter
 from boresight.derive.ledger.free import of, rotation
 from boresight.derive.ledger.numbers import eye, norm
 from boresight.derive.ledger.witness import attitude, finite_rotation, quaternion, rate, skew, vector
@@ -17,18 +15,17 @@ def letters() -> tuple[Quantity, ...]:
     """Every letter of the steps, as in printed.quantities."""
     table: list[Quantity] = []
 
-    def add(name, latex, kind, meaning, shape=(), function=False):
-        symbol = Symbol(normalize("NFC", name), commutative=shape == (), real=True if shape == () else None)
-        table.append(Quantity(symbol, latex, kind, meaning, shape, function))
+    def add(*row) -> None:
+        table.append(letter(*row))
 
     for i, axis in enumerate(("first", "second", "third"), 1):
         add(f"R_{i}", f"R_{i}", "function", f"rotation by an angle about the {axis} axis", (3, 3), True)
     turned = "the axes of roll, pitch and yaw as columns, of the pitch, in the axes"
     add("A_3", "A_3", "function", f"{turned} that the yaw has turned", (3, 3), True)
     add("A_1", "A_1", "function", f"{turned} before the roll", (3, 3), True)
-    for letter, tex, word in (("φ", r"\phi", "roll"), ("θ", r"\theta", "pitch"), ("ψ", r"\psi", "yaw")):
-        add(f"∂C/∂{letter}", rf"\frac{{\partial C_b^n}}{{\partial{tex}}}", "3x3", f"change with the {word}", (3, 3))
-        add(f"u_{letter}", f"u_{tex}", "vector", f"axis about which the {word} turns, in n", (3,))
+    for angle, tex, word in (("φ", r"\phi", "roll"), ("θ", r"\theta", "pitch"), ("ψ", r"\psi", "yaw")):
+        add(f"∂C/∂{angle}", rf"\frac{{\partial C_b^n}}{{\partial{tex}}}", "3x3", f"change with the {word}", (3, 3))
+        add(f"u_{angle}", f"u_{tex}", "vector", f"axis about which the {word} turns, in n", (3,))
     for name, latex, meaning in (
         ("C_r2n", "C_r^n", "true attitude of the master"),
         ("C_n2r", "C_n^r", "true attitude of the master: n to r"),
@@ -109,9 +106,9 @@ def _structure() -> dict[str, Any]:
         rules[name] = of("|".join(f"{name}_{axis}" for axis in "xyz"), vector)
     for name, of_vector in (("E", "ε"), ("B", "β"), ("Ω_in_n", "ω_in_n"), ("E\u0307", "ε\u0307")):
         rules[name] = of(of_vector, skew)
-    for i, (letter, word) in enumerate((("φ", "roll"), ("θ", "pitch"), ("ψ", "yaw"))):
-        rules[f"∂C/∂{letter}"] = of("φ|θ|ψ", change(i))
-        rules[f"u_{letter}"] = of("θ|ψ", axis(i))
+    for i, (angle, word) in enumerate((("φ", "roll"), ("θ", "pitch"), ("ψ", "yaw"))):
+        rules[f"∂C/∂{angle}"] = of("φ|θ|ψ", change(i))
+        rules[f"u_{angle}"] = of("θ|ψ", axis(i))
         rules[f"Z_{word}"] = of("Z", _component(i))
     rules["ε_o"] = of("ε", norm)
     rules |= {"ΔQ": of("C_n'2n", quaternion), "ΔQ(k)": of("E", lambda E: quaternion(E.exp()))}
