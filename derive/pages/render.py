@@ -76,6 +76,13 @@ def _chosen(paper: Paper, number: str | None) -> tuple[list[Equation], list[Entr
     return chosen, [entry_of(paper, equation) for equation in chosen]
 
 
+def _letters(equation: Equation) -> tuple[Quantity, ...]:
+    """Those of the print and of the steps."""
+    from boresight.derive.papers import paper
+
+    return (*equation.quantities, *paper(equation.paper).letters())
+
+
 # ---- Text ----------------------------------------------------------------------------------------------------------
 
 
@@ -96,7 +103,7 @@ def _text_equation(equation: Equation, entry: Entry) -> str:
     ]
     if not same:
         parts += ["derived", _text_relations(equation.derived, equation.quantities)]
-    parts += _text_steps(equation.derivation, equation.quantities)
+    parts += _text_steps(equation.derivation, _letters(equation))
     parts.append(_wrapped(f"evidence: {entry.evidence}.", 2))
     if entry.note:
         parts.append(_wrapped(f"note: {entry.note}", 2))
@@ -163,7 +170,7 @@ def _latex_equation(equation: Equation, entry: Entry) -> str:
         "\n".join(rf"\fitted{{{display.rstrip(', ')}}}" for display in _displays(equation)),
         r"\textbf{Derived}:",
         _latex_shown(equation.derived, equation.quantities),
-        *_latex_steps(equation.derivation, equation.quantities),
+        *_latex_steps(equation.derivation, _letters(equation)),
     ]
     parts.append(rf"\textbf{{Evidence}}: {_tex(entry.evidence)}.")
     if entry.note:
@@ -233,7 +240,7 @@ def _html_steps(derivation: Derivation, quantities: Iterable[Quantity]) -> str:
 
 
 def _html_equation(equation: Equation, entry: Entry) -> str:
-    letters = equation.quantities
+    letters = _letters(equation)
     note = f"<p>Note: {escape(entry.note)}</p>" if entry.note else ""
     return (
         f'<section id="eq-{escape(equation.number)}"><h2>({escape(equation.number)}) '

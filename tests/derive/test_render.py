@@ -19,7 +19,7 @@ def test_terminal_shows_print_derivation_steps_and_evidence_within_its_width(col
     monkeypatch.setenv("COLUMNS", str(columns))
     text = render(PAPER, "9")
     assert text.startswith("song-lee-2001 (9)  erratum: letter, transcription  [source line 74]")
-    for piece in ("printed", "cos(φ)", "derived", "cos(ψ)", "1. invert:", "evidence: ", "note: Origin transcription"):
+    for piece in ("printed", "cos(φ)", "derived", "cos(ψ)", "2. multiply:", "evidence: ", "note: Origin transcription"):
         assert piece in text
     assert max(map(len, text.splitlines())) <= columns
 
