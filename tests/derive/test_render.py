@@ -33,7 +33,7 @@ def test_terminal_shows_print_derivation_steps_and_evidence_in_100_columns_at_mo
         "cos(›φ‹)",
         "derived",
         "cos(›ψ‹)",
-        "1. invert",
+        "2. multiply",
         "Evidence: ",
         "Note: Origin transcription",
     ):
