@@ -45,9 +45,9 @@ def math(form: Form) -> Markup:
 
 def pieces(mathml: str) -> list[str]:
     """A formula cut before each =, + and - that stands in no bracket and not behind another, and before a matrix."""
-    whole = parseString(mathml).documentElement
+    (whole,) = parseString(mathml).childNodes
     row = whole.firstChild
-    if row is None or row.nodeName != "mrow" or row.hasAttribute("class"):
+    if not isinstance(row, Element) or row.tagName != "mrow" or row.hasAttribute("class"):
         return [mathml]
     cuts: list[list[Element]] = [[]]
     depth, last = 0, "="
