@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping
-from xml.dom.minidom import Element, parseString
+from xml.dom.minidom import Element, Text, parseString
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
@@ -51,10 +51,8 @@ def pieces(mathml: str) -> list[str]:
         return [mathml]
     cuts: list[list[Element]] = [[]]
     depth, last = 0, "="
-    for item in list(row.childNodes):
-        text = (
-            item.firstChild.data if item.nodeName == "mo" else "matrix" if item.getElementsByTagName("mtable") else ""
-        )
+    for item in (child for child in list(row.childNodes) if isinstance(child, Element)):
+        text = _glyph(item)
         if depth == 0 and last not in SIGNS and (text in SIGNS or (text == "matrix" and last == TIMES)):
             cuts.append([])
         if text in SIGNS and not cuts[-1] and len(cuts) > 1:
@@ -65,6 +63,13 @@ def pieces(mathml: str) -> list[str]:
     inside = ("".join(item.toxml() for item in cut) for cut in cuts)
     head = mathml[: mathml.index(">") + 1]
     return [f"{head}{content}</math>" for content in inside]
+
+
+def _glyph(item: Element) -> str:
+    """Of an operator what it shows; whether the rest is a matrix."""
+    if item.tagName == "mo":
+        return "".join(part.data for part in item.childNodes if isinstance(part, Text))
+    return "matrix" if item.getElementsByTagName("mtable") else ""
 
 
 SIGNS, TIMES = ("=", "+", "−", "<", "≤"), "\u2062"
