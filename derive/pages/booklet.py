@@ -124,7 +124,7 @@ def pieces(latex: str) -> list[str]:
 
 def _table(block: Table) -> str:
     columns = "@{}" + "".join(
-        r">{\raggedright}p{.55\linewidth}" if i == block.prose else "l" for i in range(len(block.head))
+        r">{\raggedright\arraybackslash}p{.55\linewidth}" if i == block.prose else "l" for i in range(len(block.head))
     )
     rows = [" & ".join(rf"\textbf{{{tex(cell)}}}" for cell in block.head) + r" \\ \hline\endhead"]
     rows += [" & ".join(map(_cell, row)) + r" \\" for row in block.rows]
