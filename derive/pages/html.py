@@ -14,20 +14,28 @@ from boresight.derive.pages.mathml import mathml_relation
 
 
 def html_page(page: Page) -> str:
+    return _rendered("page.html.j2", page)
+
+
+def html_cell(page: Page) -> str:
+    """What a notebook shows: the sections alone, without a page around them."""
+    return _rendered("cell.html.j2", page)
+
+
+def _rendered(template: str, page: Page) -> str:
     loader = PackageLoader("boresight.derive.pages")
     environment = Environment(loader=loader, autoescape=True, undefined=StrictUndefined, keep_trailing_newline=True)
-    anchors = page.anchors
 
     def written(block: Prose) -> Markup:
         if block.code:
             return Markup(", ").join(Markup("<code>{}</code>").format(name) for name in block.text.split(", "))
-        return prose(block.text, anchors, page.letters)
+        return prose(block.text, page.anchors, page.letters)
 
     environment.filters |= {
         "math": math,
         "prose": written,
         "cell": cell,
-        "short": lambda section: section.title.removeprefix(f"{page.title} "),
+        "short": lambda title: title.removeprefix(f"{page.title} "),
         "first_word": lambda text: re.split(r"\W", text)[0],
     }
     environment.tests |= {
@@ -35,7 +43,7 @@ def html_page(page: Page) -> str:
         "formulas": lambda block: isinstance(block, Formulas),
         "pair": lambda block: isinstance(block, Pair),
     }
-    return environment.get_template("page.html.j2").render(page=page)
+    return environment.get_template(template).render(page=page)
 
 
 def math(form: Form) -> Markup:

@@ -241,3 +241,13 @@ def test_a_wrong_number_or_format_lists_the_right_ones(arguments, message):
 @pytest.mark.parametrize("format", ["text", "latex", "html"])
 def test_a_derivation_of_no_paper_is_a_page_too(format):
     assert "angular momentum" in " ".join(render_derivation("Delay", derivation(), format).split())
+
+
+def test_a_notebook_shows_an_equation_and_a_derivation():
+    equation = PAPER.equation("9")
+    cell = Page(equation._repr_html_())
+    assert not cell.open and not cell.wrong and len(cell.slips) == 12
+    assert equation._repr_latex_().count(r"\psi") == 7
+    shown = Page(derivation()._repr_html_())
+    assert not shown.open and not shown.wrong
+    assert derivation()._repr_latex_().startswith("$$")
