@@ -120,6 +120,11 @@ def take_entry(row: int, column: int, of: str = "") -> Passage:
     return Passage("take an entry", of, (str(row), str(column)))
 
 
+def find_minimum(direction: str = "", of: str = "") -> Passage:
+    """The line before, of which the left is the rate of a cost, is zero at the minimum, whatever the direction."""
+    return Passage("find the minimum", of, (), (direction,) if direction else ())
+
+
 def solve_for(letter: str, of: str = "") -> Passage:
     """The line before, linear in the letter, gives it."""
     return Passage("solve", of, (), (letter,))
@@ -194,6 +199,8 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
         return _said(all(_same(a, b) for a, b in pairwise(values)), passage.operation)
     if before.sides == after.sides:
         return LineVerdict(False, f"{passage.operation}: the line before says the same")
+    if passage.operation == "find the minimum":
+        return _said(_multiple(_gradient(paper, passage, before, point), _difference(after, point)), passage.operation)
     if passage.operation == "substitute":
         rows = list(zip_longest(passage.using, passage.letters, fillvalue=""))
         verdict = _substituted(paper, rows, before, after, relation_of, point)
@@ -202,6 +209,26 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
                 return LineVerdict(False, f"substitute: it follows without {row}")
         return verdict
     return _follows(_carried(paper, passage, before, relation_of, point), after, point, passage.operation)
+
+
+def _gradient(paper: Paper, passage: Passage, before: Relation, point: Point) -> list:
+    """The right side, and along each unit of the direction."""
+    if not isinstance(before.sides[0], Symbol):
+        raise ValueError(f"{before.sides[0]} is no letter of a rate")
+    if not passage.letters:
+        return _entries(evaluate(before.sides[-1], point))
+    (direction,) = _symbols(paper, passage.letters)
+    units = [Matrix([int(i == j) for j in range(3)]) for i in range(*paper.letter(direction.name).shape)]
+    rates = (evaluate(before.sides[-1], point.changed({direction.name: unit})) for unit in units)
+    return [entry for rate in rates for entry in _entries(rate)]
+
+
+def _multiple(a: list, b: list) -> bool:
+    """Whether one is a number times the other, and neither is zero."""
+    k = max(range(len(a)), key=lambda i: abs(middle(a[i])))
+    if len(a) != len(b) or _same(a, [0] * len(a)) or _same([b[k]], [0]):
+        return False
+    return _same([entry * b[k] / a[k] for entry in a], b)
 
 
 def _substituted(
@@ -253,9 +280,9 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
         return [evaluate(side, point.changed({x: point.values[x] * 0 for x in letters})) for side in before.sides]
     if name == "say it of another":
-        others = [evaluate(_expression(paper, text), point) for text in passage.with_]
-        named = [symbol.name for symbol in _symbols(paper, passage.letters)]
-        return [evaluate(side, point.changed(dict(zip(named, others, strict=True)))) for side in before.sides]
+        others = [_expression(paper, text) for text in passage.with_]
+        said = before.replaced(dict(zip(_symbols(paper, passage.letters), others, strict=True)))
+        return [evaluate(side, point) for side in said.sides]
     if name == "differentiate":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
         rates = [evaluate(_expression(paper, rate), point) for rate in passage.with_]
