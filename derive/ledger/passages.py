@@ -19,9 +19,10 @@ from boresight.derive.ledger.equation import Equation, Line, Passage, Relation
 from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate, multiplied, power, residual, solve
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.lines import LineVerdict
-from boresight.derive.ledger.numbers import Matrix, digits, exact, middle
+from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, middle, zeros
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
+from boresight.derive.ledger.witness import quaternion, rotation_vector
 
 Replaced = dict[int, Relation]  # other relations of steps, by index
 
@@ -99,7 +100,7 @@ def differentiate(rates: dict[str, str], of: str = "") -> Passage:
 
 def elsewhere(letters: dict[str, str], of: str = "") -> Passage:
     """The same of another time, point or quantity: other letters, all at once, stand in the place of these."""
-    return Passage("say it of another", of, (), tuple(letters), tuple(letters.values()))
+    return Passage("carry over", of, (), tuple(letters), tuple(letters.values()))
 
 
 def take_vector(of: str = "") -> Passage:
@@ -113,16 +114,26 @@ def take_skew_part(of: str = "") -> Passage:
 
 def take_rows(*numbers: int, of: str = "") -> Passage:
     """Rows of the sides, counted from 1."""
-    return Passage("take rows", of, tuple(map(str, numbers)))
+    return Passage("take rows", of, with_=tuple(map(str, numbers)))
 
 
 def take_entry(row: int, column: int, of: str = "") -> Passage:
-    return Passage("take an entry", of, (str(row), str(column)))
+    return Passage("take an entry", of, with_=(str(row), str(column)))
 
 
 def find_minimum(direction: str = "", of: str = "") -> Passage:
     """The line before, of which the left is the rate of a cost, is zero at the minimum, whatever the direction."""
     return Passage("find the minimum", of, (), (direction,) if direction else ())
+
+
+def take_rotation_vector(of: str = "") -> Passage:
+    """Of rotations by less than half a turn their rotation vectors."""
+    return Passage("take the rotation vector", of)
+
+
+def take_quaternion(of: str = "") -> Passage:
+    """Of rotations their quaternions; q and -q are one."""
+    return Passage("take the quaternion", of)
 
 
 def solve_for(letter: str, of: str = "") -> Passage:
@@ -243,6 +254,8 @@ def _follows(values: list, after: Relation, point: Point, operation: str) -> Lin
     """Whether each side of the line after is one of the values, and not all of them are the same one."""
     sides = [_entries(value) for value in values]
     targets = [_entries(evaluate(side, point)) for side in after.sides]
+    if operation == "take the quaternion":
+        targets = [[-part for part in target] if target[0] < 0 else target for target in targets]
     places = [next((i for i, side in enumerate(sides) if _same(side, target)), None) for target in targets]
     if None in places:
         return _said(False, operation, f"side {places.index(None) + 1} does not follow")
@@ -279,7 +292,7 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
     if name == "leave out":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
         return [evaluate(side, point.changed({x: point.values[x] * 0 for x in letters})) for side in before.sides]
-    if name == "say it of another":
+    if name == "carry over":
         others = [_expression(paper, text) for text in passage.with_]
         said = before.replaced(dict(zip(_symbols(paper, passage.letters), others, strict=True)))
         return [evaluate(side, point) for side in said.sides]
@@ -311,13 +324,24 @@ def _vector(value, passage: Passage):
     return OPERATORS["vee"](value)
 
 
+def _of_rotation(take: Callable) -> Callable:
+    def taken(value, passage: Passage):
+        if max(abs(middle(entry)) for entry in value * value.T - eye(value.rows)) > SAME:
+            raise ValueError("a side is no rotation")
+        return take(value)
+
+    return taken
+
+
 _TAKE: dict[str, Callable] = {
+    "take the rotation vector": _of_rotation(rotation_vector),
+    "take the quaternion": _of_rotation(quaternion),
     "transpose": lambda value, passage: value.T,
     "invert": lambda value, passage: power(value, S.NegativeOne),
     "take the vector": _vector,
     "take the skew-symmetric part": lambda value, passage: (value - value.T) / 2,
-    "take rows": lambda value, passage: Matrix([list(value[int(k) - 1, :]) for k in passage.using]),
-    "take an entry": lambda value, passage: value[int(passage.using[0]) - 1, int(passage.using[1]) - 1],
+    "take rows": lambda value, passage: Matrix([list(value[int(k) - 1, :]) for k in passage.with_]),
+    "take an entry": lambda value, passage: value[int(passage.with_[0]) - 1, int(passage.with_[1]) - 1],
 }
 
 
@@ -331,7 +355,8 @@ def _given(paper: Paper, row: Relation, letter: str, point: Point) -> dict[str, 
         return solve((row,), {symbol.name: paper.letter(symbol.name).shape or 1}, point.values)
     for side, other in ((row.sides[0], row.sides[-1]), (row.sides[-1], row.sides[0])):
         if isinstance(side, Symbol):
-            return {side.name: evaluate(other, point)}
+            shape = paper.letter(side.name).shape
+            return {side.name: zeros(*(*shape, 1)[:2]) if shape and other == 0 else evaluate(other, point)}
         if isinstance(side, AppliedUndef) and side.func.__name__ not in OPERATORS:
             value = evaluate(other, point)
             return {side.func.__name__: lambda *arguments, value=value: value}
