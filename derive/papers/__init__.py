@@ -1,4 +1,4 @@
-"""The papers and our own derivations, by the names that the ledger gives them; each is imported when it is asked for."""
+"""The papers and our own derivations, by the names that the ledger gives them; imported when asked for."""
 
 from typing import TYPE_CHECKING
 

@@ -23,7 +23,7 @@ def closed(tau, omega, roll, pitch, phase, relation=0, **more):
 
 
 def averaged(**samples):
-    """The random letters, as E takes them, whose second moments are those of samples over time; their means are zero."""
+    """Letters of no mean and the second moments of samples over time, as E takes them."""
     count = exact(len(next(iter(samples.values()))))
 
     def number(value):
