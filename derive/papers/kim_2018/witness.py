@@ -22,6 +22,7 @@ from boresight.derive.ledger.witness import (
     degrees,
     finite_rotation,
     quaternion,
+    rotation_vector,
     skew,
     uniform,
     vector,
