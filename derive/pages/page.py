@@ -164,7 +164,7 @@ def _claimed(step: Step | Line) -> str:
         return ""
     small = f" in {', '.join(claim.small)}" if claim.small else ""
     order = {"order": f"through order {claim.order}", "first-order": "first order"}.get(claim.kind, claim.kind)
-    text = order + small.replace("_", " ") + f", {claim.condition}" * bool(claim.condition)
+    text = order + re.sub(r"(?<=\w\w)_(?=\w\w)", " ", small) + f", {claim.condition}" * bool(claim.condition)
     return "" if text == _done(step) else text
 
 
@@ -175,7 +175,7 @@ def notation(paper: Paper) -> Table:
     """
     letters = (*paper.quantities(), *paper.letters())
     rows: dict[str, list[Form]] = {}
-    for quantity in {quantity.symbol.name: quantity for quantity in reversed(letters)}.values():
+    for quantity in {quantity.symbol.name: quantity for quantity in letters}.values():
         if quantity.function or quantity.kind == "block":
             continue
         form = Form(Relation((quantity.symbol,)), letters)
