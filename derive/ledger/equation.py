@@ -83,7 +83,7 @@ class Passage:
 
     of: the line it begins from, by its number in the derivation, or an equation of the paper as "(8)" or "(9).2"; the
     line before if empty.  using: the lines and equations that the operation takes in.  with_: LaTeX of a factor, or of
-    a letter's rate by the letter's own LaTeX; letters: LaTeX of the letters that it is about.
+    a letter's rate by the letter's own LaTeX, or numbers of rows; letters: LaTeX of the letters that it is about.
     """
 
     operation: str
@@ -133,10 +133,11 @@ class Derivation:
         return latex_cell([relation for step in self.steps for relation in step.formulas], ())
 
     def _repr_html_(self) -> str:
+        from boresight.derive.pages.blocks import Page, Section
         from boresight.derive.pages.html import html_cell
-        from boresight.derive.pages.page import derivation_page
+        from boresight.derive.pages.page import steps
 
-        return html_cell(derivation_page("", self))
+        return html_cell(Page("", (Section("", steps(self, ())),)))
 
     def before(self, index: int) -> int:
         """The index of the line before step `index`.  Raises ValueError if there is none."""
