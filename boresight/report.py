@@ -86,7 +86,7 @@ def sentence(entry: dict[str, str], conditions: str) -> str:
         return f"It {first}." if entry["status"] == "definition" else f"{first[0].upper()}{first[1:].split(' at ')[0]}."
     origin, *own = re.split(r"(?<=\.) ", entry["note"])
     if " for " in origin:
-        return f"It prints {origin.split(': ')[1]}."
+        return f"It prints {origin.split(': ')[1].split(' (')[0]}."
     return f"I{first[1:]}." if first.startswith("it has no meaning") or not own else own[0]
 
 
