@@ -128,7 +128,7 @@ def lost_mark(difference: Difference) -> tuple[str, str] | None:
     if difference.kind == "shape" and isinstance(a, Symbol) and isinstance(b, Symbol):
         return f"{x} for {y}", "digits"
     if difference.kind == "structure" and not isinstance(a, Relation) and not isinstance(b, Relation):
-        if getattr(b, "func", None) == NORM and b.args[0] == a:
+        if NORM(a) == b:
             return "a pair of bars", "lost"
         if _written(a) == _written(b):
             return "a pair of brackets", "lost"
@@ -143,9 +143,10 @@ def _without_one(longer: str, shorter: str) -> bool:
 
 
 def _written(expression) -> Counter:
-    """The letters, numbers and sums that are written in it: brackets move them, and neither add one nor take it away."""
+    """The letters, numbers and sums that are written in it: brackets move them, and neither add one nor take one."""
     inside = children(expression)
-    own = [Add] if isinstance(expression, Add | MatAdd) else [] if inside or expression in (1, -1) else [expression]
+    own: list = [Add] if isinstance(expression, Add | MatAdd) else []
+    own += [] if inside or expression in (1, -1) else [expression]
     return sum((_written(part) for part in inside), Counter(own))
 
 
