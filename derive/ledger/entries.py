@@ -18,12 +18,14 @@ from itertools import zip_longest
 import mpmath as mp
 
 from boresight import BoresightError
+from boresight.derive.ledger.carried import check_maps
 from boresight.derive.ledger.decisions import decisions
 from boresight.derive.ledger.differences import differences
 from boresight.derive.ledger.differences import origin as origin_of
 from boresight.derive.ledger.equation import Equation
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate, residual
 from boresight.derive.ledger.judge import EXACT, SEEDS, judge, largest_residual
+from boresight.derive.ledger.lines import check_derivation
 from boresight.derive.ledger.numbers import Matrix, digits, middle
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.witness import draw
@@ -88,6 +90,8 @@ def entry_of(paper: Paper, equation: Equation) -> Entry:
 
 
 def _entry(paper: Paper, equation: Equation) -> Entry:
+    check_derivation(paper, equation)
+    check_maps(paper, equation.number)
     ours = judge(paper, equation, equation.derived)
     if ours.status == "refuted":
         raise BoresightError(

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from itertools import pairwise
 from typing import Any
 
 import mpmath as mp
@@ -73,8 +72,12 @@ def judge_at(
             for relation in relations:
                 fall = falls(relation, at, 2)
                 if fall.why:
-                    return Verdict("refuted", fall.why, fall.empty)
-                order |= fall.remains
+                    return Verdict("refuted", fall.why)
+                changes = _changes(relation, at) if fall.rows else []
+                for row in sorted(fall.rows):
+                    if not changes[min(row, len(changes) - 1)]:  # a lone 0 has one row
+                        return Verdict("refuted", f"row {row + 1} has no part of first order", True)
+                order |= bool(fall.rows)
             order = order or largest_residual(relations, point(seed, FULL)) > EXACT
         except (ValueError, KeyError, ZeroDivisionError) as error:
             return Verdict("refuted", f"it has no meaning: {error.args[0] if error.args else error}", True)
@@ -83,54 +86,37 @@ def judge_at(
 
 @dataclass(frozen=True)
 class Fall:
-    """How a remainder falls: why not as asked for, and whether anything remains.
-
-    empty: what fails is that a row which has a remainder states nothing of that order.
-    """
+    """How a remainder falls: why not as asked for, and the rows in which there is one."""
 
     why: str = ""
-    remains: bool = False
-    empty: bool = False
+    rows: frozenset[int] = frozenset()
 
 
 def falls(relation: Relation, at: Sequence[Point], power: int) -> Fall:
-    """Entry by entry: the remainder falls 2^power-fold when the errors are halved, twice; `at`: points of SCALES.
-
-    And each row whose sides differ at all states something: see `moving`.
-    """
+    """Whether each entry's remainder falls 2^power-fold when the errors are halved, twice; `at`: points of SCALES."""
     columns = getattr(evaluate(relation.sides[-1], at[0]), "cols", 1)
-    size, rows, worst = 0, set(), SLACK / 2**power
+    rows, most = set(), SLACK / 2**power
     larger = [abs(near(entry)) for entry in residual(relation.sides, at[0])]
+    size = len(larger) // (len(relation.sides) - 1)
     for point in at[1:]:
         smaller = [abs(near(entry)) for entry in residual(relation.sides, point)]
-        size = len(smaller) // (len(relation.sides) - 1)
         for k, (before, after) in enumerate(zip(larger, smaller, strict=True)):
             if before > EXACT:
                 rows.add(k % size // columns)
-                if after > worst * before:
-                    share = mp.nstr(mp.mpf(after / before), 4)
-                    return Fall(f"halving the errors leaves {share} of the difference in row {k % size // columns + 1}")
+                if after > most * before:
+                    share, row = mp.nstr(mp.mpf(after / before), 4), k % size // columns + 1
+                    return Fall(f"halving the errors leaves {share} of the difference in row {row}")
         larger = smaller
-    if rows:
-        states = moving(relation, at, power)
-        for row in sorted(rows):
-            if not states[min(row, len(states) - 1)]:  # a lone 0 has one row
-                return Fall(f"row {row + 1} states nothing of that order", True, True)
-    return Fall("", bool(rows))
+    return Fall("", frozenset(rows))
 
 
-def moving(relation: Relation, at: Sequence[Point], power: int) -> list[bool]:
-    """Of each row of the last side, whether an entry changes with the errors by more than what is dropped."""
-    values = [evaluate(relation.sides[-1], point) for point in at]
+def _changes(relation: Relation, at: Sequence[Point]) -> list[bool]:
+    """Of each row of the last side, whether an entry has a part of first order: what it changes by halves."""
+    values: list[Any] = [evaluate(relation.sides[-1], point) for point in at]
     columns = getattr(values[0], "cols", 1)
     entries = [[middle(entry) for entry in (v if isinstance(v, Matrix) else [v])] for v in values]
-    found = [_moves(entry, SLACK / 2**power) for entry in zip(*entries, strict=True)]
+    found = [abs(b - c) > abs(a - b) * SLACK / 4 for a, b, c in zip(*entries, strict=True)]
     return [any(found[i : i + columns]) for i in range(0, len(found), columns)]
-
-
-def _moves(values: Sequence, most: float) -> bool:
-    first, second = (abs(a - b) for a, b in pairwise(values))
-    return abs(values[0]) > EXACT if first <= EXACT else second > most * first
 
 
 def _judge_definition(paper: Paper, equation: Equation, relations: tuple[Relation, ...]) -> Verdict:

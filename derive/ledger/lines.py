@@ -17,7 +17,7 @@ from boresight import BoresightError
 from boresight.derive.ledger.equation import Claim, Derivation, Equation, Line, Passage, Quantity, Relation, total
 from boresight.derive.ledger.evaluate import Point, evaluate, residual
 from boresight.derive.ledger.free import free_point
-from boresight.derive.ledger.judge import EXACT, FULL, SCALES, SEEDS, falls, moving, names, witness_point
+from boresight.derive.ledger.judge import EXACT, FULL, SCALES, SEEDS, SLACK, falls, names, witness_point
 from boresight.derive.ledger.numbers import Matrix, middle
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
@@ -34,9 +34,9 @@ def first_order(*small: str) -> Claim:
     return Claim("first-order", small)
 
 
-def of_order(order: int, part: str) -> Claim:
-    """Right through this order in one part, a step or a delay."""
-    return Claim("order", (part,), order)
+def of_order(order: int, *small: str) -> Claim:
+    """Right through this order in these parts together; in the equation's own if none is named."""
+    return Claim("order", small, order)
 
 
 def limit(*small: str) -> Claim:
@@ -45,7 +45,7 @@ def limit(*small: str) -> Claim:
 
 
 def approximately(dropped: str, condition: str, *small: str) -> Claim:
-    """Right, exactly or to first order in the parts `small` if any, with the LaTeX term `dropped` on the right side."""
+    """Right, exactly or to first order in the parts `small` if any, with the term `dropped` (LaTeX) on its right."""
     return Claim("approximation", small, dropped=dropped, condition=condition)
 
 
@@ -151,7 +151,7 @@ def _judged(paper: Paper, equation: Equation, claim: Claim, relation: Relation, 
     if claim.kind == "approximation":
         (dropped,) = read((claim.dropped,), (*paper.quantities(), *paper.letters()))
         (term,) = dropped.sides
-        whole = Relation((relation.sides[0], total(relation.sides[-1], term)))
+        whole = Relation((relation.sides[0], *(total(side, term) for side in relation.sides[1:])))
         verdict = _falls(whole, point, 2) if claim.small else _exactly(whole, (point(seed, FULL) for seed in SEEDS))
         if _exactly(relation, (point(seed, FULL) for seed in SEEDS)).holds:
             return LineVerdict(False, "nothing is dropped")
@@ -176,14 +176,23 @@ def _exactly(relation: Relation, points: Iterable[Point]) -> LineVerdict:
 
 
 def _falls(relation: Relation, point, power: int) -> LineVerdict:
-    """As `falls` has it at all seeds, and what is stated is not zero."""
+    """As `falls` has it at all seeds; and each row whose sides differ at all states something of that order."""
     stated = False
     for seed in SEEDS:
         at = [point(seed, scale) for scale in SCALES]
         fall = falls(relation, at, power)
-        stated |= any(moving(relation, at, power))
         if fall.why:
             return LineVerdict(False, fall.why)
+        sides = list(zip(*(_entries(relation.sides[-1], p) for p in at), strict=True))
+        columns = getattr(evaluate(relation.sides[-1], at[0]), "cols", 1)
+        states = [
+            any(_moves(entry, SLACK / 2**power) for entry in sides[i : i + columns])
+            for i in range(0, len(sides), columns)
+        ]
+        stated |= any(states)
+        for row in sorted(fall.rows):
+            if not states[min(row, len(states) - 1)]:
+                return LineVerdict(False, f"row {row + 1} states nothing of that order")
     if not stated:
         return LineVerdict(False, "the part that it states is zero")
     return LineVerdict(True, f"the remainder falls {2**power}-fold when the errors are halved")
@@ -192,6 +201,11 @@ def _falls(relation: Relation, point, power: int) -> LineVerdict:
 def _entries(side, point: Point) -> list:
     value: Any = evaluate(side, point)
     return [middle(entry) for entry in (value if isinstance(value, Matrix) else [value])]
+
+
+def _moves(values: tuple, most) -> bool:
+    """Whether an entry falls more slowly than what is dropped, or not at all."""
+    return abs(values[0]) > EXACT and abs(values[1]) > most * abs(values[0])
 
 
 def _size(paper: Paper, term, given: tuple) -> str:
@@ -283,6 +297,7 @@ def check_derivation(paper: Paper, equation: Equation) -> None:
             raise BoresightError(f"{where}: {verdict.why}")
         if step.claim is not None and step.claim.kind == "definition":
             letter = step.relation.sides[0]
-            later = [s.relation for s in steps[index + 1 :] if isinstance(s, Line) and s.relation is not None]
-            if letter.name not in names(later):
+            later = range(index + 1, len(steps))
+            used = names([relation for i in later for relation in steps[i].formulas])
+            if letter.name not in used and not any(index in equation.derivation.taken(i) for i in later):
                 raise BoresightError(f"{where}: nothing uses {letter}")
