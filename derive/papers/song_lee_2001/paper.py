@@ -3,6 +3,7 @@
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.papers.song_lee_2001.consequences import evidence, findings
 from boresight.derive.papers.song_lee_2001.derived import equations
+from boresight.derive.papers.song_lee_2001.letters import STRUCTURE, letters
 from boresight.derive.papers.song_lee_2001.printed import quantities
 from boresight.derive.papers.song_lee_2001.witness import (
     CONDITIONS,
@@ -26,4 +27,6 @@ PAPER = Paper(
     point=Stated(STATED, STATED_TEXT),
     evidence=evidence,
     findings=findings,
+    letters=letters,
+    structure=STRUCTURE,
 )
