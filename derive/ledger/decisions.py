@@ -13,7 +13,18 @@ from sympy.matrices.exceptions import ShapeError
 
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Equation, Meaning, Relation
-from boresight.derive.ledger.judge import SEEDS, Sense, Verdict, judge, judge_at, meant, names, witness_point
+from boresight.derive.ledger.judge import (
+    SCALES,
+    SEEDS,
+    Sense,
+    Verdict,
+    falls,
+    judge,
+    judge_at,
+    meant,
+    names,
+    witness_point,
+)
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import plain, read
 
@@ -30,9 +41,11 @@ class Decisions:
         """Whether the status is robust, in a sentence."""
         if self.depends:
             return f"It depends on a decision: {'; '.join(self.depends)}."
-        if not self.tried:
+        if not self.taken:
             return "Robust: nothing of it is decided by hand."
-        return f"Robust: none of {self.tried} neighbours gives another status."
+        if not self.tried:
+            return "Robust: no decision could be made otherwise with a meaning."
+        return f"Robust: none of {self.tried} other decisions gives another status."
 
 
 def decisions(paper: Paper, equation: Equation, verdict: Verdict) -> Decisions:
@@ -107,11 +120,14 @@ def _needed(paper: Paper, equation: Equation) -> tuple[str, ...]:
     own = _small(paper, equation)
     if len(own) == 1:
         return own
-    return tuple(
-        part
-        for part in own
-        if _judge_small(paper, equation, (other for other in own if other != part)).status == "refuted"
-    )
+    relations = meant(equation, equation.read(), tuple(meaning.senses[0] for meaning in equation.meanings))
+
+    def refutes(part: str) -> bool:
+        small = tuple(other for other in own if other != part)
+        at = [witness_point(paper, SEEDS[0], scale, small) for scale in SCALES[:2]]
+        return any(falls(relation, at, 2).why for relation in relations)
+
+    return tuple(part for part in own if refutes(part))
 
 
 def _misprinted(paper: Paper, equation: Equation) -> Iterator[Equation]:
@@ -144,16 +160,23 @@ def _broken(paper: Paper, equation: Equation, sense: Sense) -> tuple[str, ...]:
 
 
 def _taken(paper: Paper, equation: Equation, verdict: Verdict, needed: tuple[str, ...]) -> Iterator[str]:
-    if equation.small and verdict.status != "exact":
-        yield f"Small: {_listed(_word(paper, part) for part in equation.small)}."
-    if needed:
-        words = [_word(paper, part) for part in needed]
-        yield f"What is dropped is of second order in {_listed(words)}."
+    small = equation.small or paper.witness.errors
+    words = _listed(_word(paper, part) for part in small) if equation.small else "all errors"
+    if set(needed) == set(small):
+        yield f"Small: {words}; what is dropped is of second order in {'them' if len(small) > 1 else 'it'}."
+    elif needed:
+        dropped = _listed(_word(paper, part) for part in needed)
+        yield f"Small: {words}; what is dropped is of second order in {dropped}."
+    elif verdict.status == "refuted" and not verdict.empty and not equation.defines:
+        yield f"Small: {words}."
     for reading in equation.readings:
         yield f"{reading.printed} is read as {reading.meant}: {reading.why}."
     for spelling, letter, rivals in _spelled(paper, equation):
-        alike = f", and not {' or '.join(map(str, rivals))}, which is spelled alike" if rivals else ""
-        yield f"{spelling} is {letter}{alike}."
+        others = " or ".join(map(str, rivals))
+        if others:
+            yield f"{spelling} is {letter} here, and not {others}, which is spelled alike."
+        elif spelling != str(letter):
+            yield f"{spelling} is {letter}."
     for convention in equation.conventions:
         yield f"{convention}."
     for meaning in equation.meanings:
@@ -167,8 +190,10 @@ def _taken(paper: Paper, equation: Equation, verdict: Verdict, needed: tuple[str
 def _meaning(paper: Paper, equation: Equation, meaning: Meaning) -> Iterator[str]:
     sense, *others = meaning.senses
     source = f"{meaning.said} says it" if meaning.said else "the paper leaves it open"
-    count = f"{len(others)} other meanings" if len(others) > 3 else " or ".join(words for words, _ in others)
-    yield f"It is taken that {sense[0]} ({source}), and not that {count}." if others else f"{sense[0]} ({source})."
+    if len(others) > 1:
+        yield f"It is taken that {sense[0]} ({source}); {len(others)} other meanings are tried."
+    else:
+        yield f"It is taken that {sense[0]} ({source}), and not that {others[0][0]}."
     broken = _broken(paper, equation, sense)
     if broken:
         yield f"With that meaning {_listed(broken)} would not hold."
@@ -206,7 +231,7 @@ def _spelled(paper: Paper, equation: Equation) -> list[tuple[str, object, tuple]
         except BoresightError:
             same = False
         if not same:
-            found.append((_text(spelling), quantity.symbol, tuple(rivals)))
+            found.append((_text(quantity.latex), quantity.symbol, tuple(rivals)))
     return found
 
 
@@ -224,4 +249,4 @@ def _text(latex: str) -> str:
         except KeyError:
             return ""
 
-    return re.sub(r"\\([A-Za-z]+)", greek, latex.replace(r"\times", "x")).translate(str.maketrans("", "", "{}^"))
+    return re.sub(r"\\([A-Za-z]+)", greek, latex.replace(r"\times", "x")).translate(str.maketrans("", "", "{} "))

@@ -37,6 +37,7 @@ UNITS = {
     "m/s": (mp.mpf(1), "m/s"),
     "m/s^2": (mp.mpf(1), "m/s^2"),
     "1": (mp.mpf(1), ""),
+    "SI": (mp.mpf(1), "in SI units of the entry"),
 }
 
 
@@ -116,8 +117,8 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
             found = f"I{verdict.why[1:]}." if verdict.empty or not equation.note else re.split(r"(?<=\.) ", notes[1])[0]
     elif status == "definition" and equation.introduces:
         what = ", ".join(symbol.name for symbol in equation.introduces)
-        evidence = f"gives {what} its meaning; the witness makes it so, and both sides agree to 28 digits"
-        found = f"It gives {what} its meaning."
+        evidence = f"both sides agree to 28 digits because the witness makes {what} so"
+        found = f"It gives {what} {'its' if len(equation.introduces) == 1 else 'their'} meaning."
     elif status == "definition":
         evidence = "holds in every equation that uses " + ", ".join(symbol.name for symbol in equation.defines)
         found = f"It {evidence}."

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
+from unicodedata import normalize
 
 import mpmath as mp
 from sympy import Symbol
@@ -58,6 +59,7 @@ def meant(equation: Equation, relations: Iterable[Relation], senses: Iterable[Se
 @cache
 def _substitute(quantities: tuple, name: str, latex: str) -> tuple[Symbol, Any]:
     (relation,) = read((latex,), quantities)
+    name = normalize("NFC", name)
     return next(q.symbol for q in quantities if q.symbol.name == name), relation.sides[0]
 
 
