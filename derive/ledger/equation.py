@@ -177,6 +177,7 @@ class Equation:
     leads_to: the equations which, as the text says, are made from this one.
     small: the errors, parts of the witness's conditions, in which it is of first order; all of them if empty.
     unit: of all rows, or of each row of one side of the relations in turn.
+    quantities: the letters of the print; step_letters: what more the derivation needs.
     """
 
     paper: str
@@ -196,6 +197,12 @@ class Equation:
     unit: str | tuple[str, ...] = ""
     small: tuple[str, ...] = ()
     quantities: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
+    step_letters: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
+
+    @property
+    def alphabet(self) -> tuple[Quantity, ...]:
+        """The letters in which it and its derivation are shown; of one letter's spellings the last is written."""
+        return (*self.quantities, *self.step_letters)
 
     @property
     def numbered(self) -> bool:

@@ -34,7 +34,7 @@ from boresight.derive.ledger.passages import (
     take_rows,
     take_vector,
 )
-from boresight.derive.mechanics.rotation import dcm_from_euler
+from boresight.derive.mechanics.rotation import TINY_SQUARE, dcm_from_euler
 from boresight.derive.papers.song_lee_2001.letters import letters
 from boresight.derive.papers.song_lee_2001.printed import PRINTED, quantities
 from boresight.derive.papers.song_lee_2001.results import (
@@ -74,9 +74,13 @@ def flown() -> dict[str, object]:
 
     euler = phi, theta, psi = s("φ θ ψ")
     euler_b, euler_r = s("φ_b θ_b ψ_b"), s("φ_r θ_r ψ_r")
+    # The functions take components: beside them stand the length of ε, and what keeps a root from zero.
+    (length, tiny), turn = s("ε_o τ"), s("Δq_0 Δq_1 Δq_2 Δq_3")
     mu, eps, omega = s("μ_x μ_y μ_z"), s("ε_n ε_e ε_d"), s("ω_n ω_e ω_d")
     C, H = dcm_from_euler(*euler), measurement_matrix(euler_b, euler_r)
     before, missed = s("μ̂(k-) δμ(k)")
+    quaternion = error_quaternion(eps)
+    corrected = corrected_quaternion(s("q̂_0 q̂_1 q̂_2 q̂_3"), eps).subs(dict(zip(quaternion, turn, strict=True)))
     found = {
         "C_b2n": layout(C),
         "noise": layout(attitude_noise_matrix(C)),
@@ -93,8 +97,8 @@ def flown() -> dict[str, object]:
         "H_eps": layout(H[:, :3]),
         "H_mu": layout(-H[:, 3:]),
         "F": ImmutableMatrix(attitude_error_matrix(omega)),
-        "quaternion": ImmutableMatrix(error_quaternion(eps)),
-        "corrected_quaternion": ImmutableMatrix(corrected_quaternion(s("q̂_0 q̂_1 q̂_2 q̂_3"), eps)),
+        "quaternion": ImmutableMatrix(quaternion.subs(TINY_SQUARE, tiny).subs(sum(part**2 for part in eps), length**2)),
+        "corrected_quaternion": ImmutableMatrix(corrected),
         # The function's own terms, in the order of the page.
         "corrected_mu": total(*sorted(corrected_misalignment(before, missed).args, key=lambda term: term != before)),
     }
@@ -494,7 +498,7 @@ WRITTEN: dict[str, Derived] = {
         line(r"\Delta Q_b^n = \begin{bmatrix} 1 \\ \frac{\epsilon_n}{2} \\ \frac{\epsilon_e}{2} \\ "
              r"\frac{\epsilon_d}{2} \end{bmatrix}", FIRST, "its limit",
              expand(r"\epsilon_n", r"\epsilon_e", r"\epsilon_d", of="2")),
-        line(r"\Delta Q_b^n = \flown{quaternion}", EXACT_LINE, "the function that flies adds 1e-30 under the root"),
+        line(r"\Delta Q_b^n = \flown{quaternion}", EXACT_LINE, "the function that flies adds τ, 1e-30, under the root"),
         unit="1", leads_to=("24",),
         note="The label ΔQ_b2n is that of a rotation from n' to n; it changes no number.",
     ),
@@ -508,7 +512,8 @@ WRITTEN: dict[str, Derived] = {
         line(r"\hat{Q}_b^n(k^+) = \Delta Q_b^n(k) \hat{Q}_b^n(k^-)", EXACT_LINE,
              "a product of rotations is the product of the quaternions, the last rotation on the left",
              take_quaternion(), result=True),
-        line(r"\hat{Q}_b^n(k^+) = \flown{corrected_quaternion}", EXACT_LINE, "the function that flies"),
+        line(r"\Delta Q_b^n(k) \hat{Q}_b^n(k^-) = \flown{corrected_quaternion}", EXACT_LINE,
+             "the function that flies, with its quaternion of ε by (23)"),
         unit="1",
     ),
     # The correction of the misalignment: dmu = mu_hat - mu says that the error is taken off.
