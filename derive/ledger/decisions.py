@@ -45,6 +45,8 @@ class Decisions:
             return "Robust: nothing of it is decided by hand."
         if not self.tried:
             return "Robust: no decision could be made otherwise with a meaning."
+        if self.tried == 1:
+            return "Robust: the one other decision gives the same status."
         return f"Robust: none of {self.tried} other decisions gives another status."
 
 

@@ -643,7 +643,7 @@ def equations() -> tuple[Equation, ...]:
     )
     add(
         "Ω_n",
-        [Relation((one("Ω_n"), samples(n, one("index"), n + N - 1)))],
+        [Relation((one("Ω_n"), samples(n, one("index"), total(n, N, S.NegativeOne))))],
         [("count", (), "N samples from the n-th on end at n + N - 1; the print has N - n, none from n = N on")],
         defines=s("Ω_n"),
         leads_to=("31", "32"),
