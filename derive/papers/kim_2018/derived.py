@@ -647,7 +647,7 @@ def equations() -> tuple[Equation, ...]:
         [("count", (), "N samples from the n-th on end at n + N - 1; the print has N - n, none from n = N on")],
         defines=s("Ω_n"),
         leads_to=("31", "32"),
-        note="(31) and (32) divide by N, so N samples are meant. The index is k there and l here: a label.",
+        note="N samples are meant, for (31) and (32) divide by N. The index is k there and l here: a label.",
     )
     return tuple(result)
 
