@@ -33,11 +33,17 @@ PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \setlength{\parskip}{4pt plus 2pt}
 \setlength{\emergencystretch}{3em}
 \renewcommand{\arraystretch}{1.25}
+\setlength{\extrarowheight}{2pt}
 \setcounter{MaxMatrixCols}{30}
 \setcounter{secnumdepth}{0}
 \raggedbottom
 % Where print and derivation differ.
 \newcommand{\slip}[1]{\textcolor{wrong}{\underline{#1}}}
+% No heading at the foot of a page: a new one begins if less than this is left.
+\newcommand{\room}[1]{\par\begingroup\dimen0=\pagegoal\advance\dimen0 by -\pagetotal
+\ifdim#1>\dimen0 \newpage\fi\endgroup}
+% A fraction within a matrix is as large as another.
+\let\frac\dfrac
 % A formula is a paragraph of pieces that breaks between them.  A piece wider than the line is made smaller.
 \newsavebox{\piecebox}
 \newcommand{\piece}[1]{\sbox{\piecebox}{$\displaystyle #1$}%
@@ -55,7 +61,7 @@ def latex_page(page: Page) -> str:
     parts += [tex(text) + r"\par" for text in page.lead]
     parts += [r"\tableofcontents"] if len(page.sections) > 1 else []
     parts += [_section(section, "section", page) for section in page.front]
-    parts += [r"\section{Equations}"] if page.front else []
+    parts += [r"\room{16\baselineskip}\section{Equations}"] if page.front else []
     parts += [_section(section, "subsection" if page.front else "section", page) for section in page.sections]
     parts += [_section(section, "section", page) for section in page.back]
     return "\n".join([*parts, r"\end{document}", ""])
@@ -63,7 +69,8 @@ def latex_page(page: Page) -> str:
 
 def _section(section: Section, level: str, page: Page) -> str:
     title = tex(section.title.removeprefix(f"{page.title} ")) + rf"\quad {section.status}" * bool(section.status)
-    head = [rf"\{level}{{{title}}}"] if section.title else []
+    room = 16 if any(isinstance(block, Table) for block in section.blocks) else 9
+    head = [rf"\room{{{room}\baselineskip}}\{level}{{{title}}}"] if section.title else []
     anchor = [rf"\label{{{section.anchor}}}"] if section.anchor else []
     source = [rf"{{\small {section.source}}}\par\nobreak"] if section.source else []
     return "\n".join([*head, *anchor, *source, *(_block(block, page) for block in section.blocks), ""])
@@ -117,7 +124,7 @@ def pieces(latex: str) -> list[str]:
 
 def _table(block: Table) -> str:
     columns = "@{}" + "".join(
-        r">{\raggedright}p{.55\linewidth}" if i == block.prose else "l" for i in range(len(block.head))
+        r">{\raggedright\arraybackslash}p{.55\linewidth}" if i == block.prose else "l" for i in range(len(block.head))
     )
     rows = [" & ".join(rf"\textbf{{{tex(cell)}}}" for cell in block.head) + r" \\ \hline\endhead"]
     rows += [" & ".join(map(_cell, row)) + r" \\" for row in block.rows]
@@ -148,7 +155,7 @@ def tex(text: str, anchors: Mapping[str, str] = MappingProxyType({})) -> str:
 
 def _plain(text: str) -> str:
     text = re.sub(r"([&%$#{}_])", r"\\\1", text).replace("--", "-{}-")
-    return re.sub(r"\^(-?\d+)?", lambda found: rf"$^{{{found[1]}}}$" if found[1] else r"\^{}", text)
+    return re.sub(r"\^(-?\d+|T\b)?", lambda found: rf"$^{{{found[1]}}}$" if found[1] else r"\^{}", text)
 
 
 def pdf_from_latex(document: str) -> bytes:

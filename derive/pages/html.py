@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping
+from xml.dom.minidom import Element, Text, parseString
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
@@ -38,7 +39,40 @@ def html_page(page: Page) -> str:
 
 
 def math(form: Form) -> Markup:
-    return Markup(mathml_relation(form.relation, form.quantities, form.marks))
+    """The formula as pieces between which a line may end."""
+    return Markup("<wbr>".join(pieces(mathml_relation(form.relation, form.quantities, form.marks))))
+
+
+def pieces(mathml: str) -> list[str]:
+    """A formula cut before each =, + and - that stands in no bracket and not behind another, and before a matrix."""
+    (whole,) = parseString(mathml).childNodes
+    row = whole.firstChild
+    if not isinstance(row, Element) or row.tagName != "mrow" or row.hasAttribute("class"):
+        return [mathml]
+    cuts: list[list[Element]] = [[]]
+    depth, last = 0, "="
+    for item in (child for child in list(row.childNodes) if isinstance(child, Element)):
+        text = _glyph(item)
+        if depth == 0 and last not in SIGNS and (text in SIGNS or (text == "matrix" and last == TIMES)):
+            cuts.append([])
+        if text in SIGNS and not cuts[-1] and len(cuts) > 1:
+            item.setAttribute("form", "infix")
+        depth += (text in ("(", "[")) - (text in (")", "]"))
+        cuts[-1].append(item)
+        last = text
+    inside = ("".join(item.toxml() for item in cut) for cut in cuts)
+    head = mathml[: mathml.index(">") + 1]
+    return [f"{head}{content}</math>" for content in inside]
+
+
+def _glyph(item: Element) -> str:
+    """Of an operator what it shows; whether the rest is a matrix."""
+    if item.tagName == "mo":
+        return "".join(part.data for part in item.childNodes if isinstance(part, Text))
+    return "matrix" if item.getElementsByTagName("mtable") else ""
+
+
+SIGNS, TIMES = ("=", "+", "−", "<", "≤"), "\u2062"
 
 
 def cell(value: str | tuple[Form, ...]) -> str:

@@ -24,7 +24,7 @@ def _section(paper: Paper, one: Map) -> Section:
     rows = tuple(_row(paper, kind, row) for kind, listed in kinds.items() for row in listed)
     blocks: tuple[Block, ...] = (
         Table(("", "paper", "times", "ours", "why"), rows, prose=4),
-        Prose(f"With these {numbers} are the model's own matrices and residuals."),
+        Prose(f"With these {numbers} are what the model makes: its matrices, residuals and functions."),
     )
     return Section(f"In C: {one.model().name}", blocks)
 

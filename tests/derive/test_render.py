@@ -3,6 +3,7 @@
 import ast
 import re
 import shutil
+from html import unescape
 from html.parser import HTMLParser
 from unicodedata import combining
 
@@ -15,9 +16,8 @@ from boresight.derive.pages.booklet import pdf_from_latex, pieces
 from boresight.derive.pages.latex import latex_relation
 from boresight.derive.pages.mathml import mathml_relation
 from boresight.derive.pages.page import notation
-from boresight.derive.pages.render import render, render_derivation
+from boresight.derive.pages.render import render
 from boresight.derive.papers import PAPERS, paper
-from boresight.derive.papers.kang_2025.delay_error import derivation
 
 PAPER = paper("song-lee-2001")
 needs_pdflatex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
@@ -90,7 +90,7 @@ class Page(HTMLParser):
         self.ids += [attrs["id"]] if "id" in attrs else []
         self.links += [attrs["href"]] if "href" in attrs else []
         assert "src" not in attrs
-        if tag not in ("meta", "br"):
+        if tag not in ("meta", "wbr"):
             self.open.append(tag)
         if attrs.get("class") == "slip":
             self.slips.append(len(self.open))
@@ -146,11 +146,13 @@ def test_formulas_of_a_page_are_those_of_the_writers():
     """So that what the writers' tests read back is what is shown."""
     one, equation = paper("kim-2018"), paper("kim-2018").equation("11")
     html, latex = render(one, "11", "html"), render(one, "11", "latex")
+    html = re.sub("</math><wbr><math[^>]*>", "", html.replace(' form="infix"', ""))
     shown = re.sub(r"\\piece\{(?:\{\})?|\}%\n", " ", latex)
     for step in equation.derivation.steps:
         for relation in step.formulas:
             letters = equation.alphabet
-            assert mathml_relation(relation, letters) in html
+            row = re.sub("^<math[^>]*>(?:<mrow>)?|(?:</mrow>)?</math>$", "", mathml_relation(relation, letters))
+            assert unescape(row) in html
             assert re.sub(r"\s", "", latex_relation(relation, letters)) in re.sub(r"\s", "", shown)
 
 
@@ -237,4 +239,5 @@ def test_a_wrong_number_or_format_lists_the_right_ones(arguments, message):
 
 @pytest.mark.parametrize("format", ["text", "latex", "html"])
 def test_a_derivation_of_no_paper_is_a_page_too(format):
-    assert "angular momentum" in " ".join(render_derivation("Delay", derivation(), format).split())
+    page = " ".join(render(paper("delay-error"), "2", format).split())
+    assert "angular momentum" in page and "derived here" in page and "printed" not in page

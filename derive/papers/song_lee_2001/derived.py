@@ -138,6 +138,10 @@ BETA, MU, MU_HAT, D_MU = (
 )
 STATES = column(r"\epsilon_n", r"\epsilon_e", r"\epsilon_d", r"\delta\mu_x", r"\delta\mu_y", r"\delta\mu_z")
 X = column(*(f"X_{i}" for i in range(1, 7)))
+# The matrices of the six states, as they are derived and as the model has them.
+STATE_MATRIX = r"\begin{bmatrix} -\Omega_{in}^n & 0 \\ 0 & 0 I \end{bmatrix}"
+STATE_NOISE = r"\begin{bmatrix} -C_b^n \\ 0 I \end{bmatrix}"
+STATES_MEASURED = r"\begin{bmatrix} -A_3(\theta_b)^{-1} R_3(\psi_b)^T & -A_1(\theta_r)^{-1} R_1(\phi_r) \end{bmatrix}"
 COMPUTED, CHANGE = attitude_of(HAT), change_of(TRUE, ERROR)
 BY_ESTIMATE = tuple(f"{angle} + {gap}" for angle, gap in zip(TRUE_R, GAP_HAT, strict=True))
 CHANGE_R = change_of(TRUE_R, GAP)
@@ -428,6 +432,7 @@ WRITTEN: dict[str, Derived] = {
         line(rf"\flown{{H}} {X} = "
              rf"\flown{{H_eps}} {EPS} - \flown{{H_mu}} {D_MU}", EXACT_LINE, "H is that of the states",
              substitute("9", of="8"), result=True),
+        line(rf"\flown{{H}} = {STATES_MEASURED}", IDENTITY, "and these are its blocks, by the turns and their axes"),
         unit="rad", leads_to=("26", "27", "28"),
     ),
     "δμ": derived(
@@ -477,6 +482,9 @@ WRITTEN: dict[str, Derived] = {
         line(r"\delta\dot{\mu}^r = \dot{\hat{\mu}}^r - \dot{\mu}^r", EXACT_LINE, "by time", differentiate({
             r"\delta\mu^r": r"\delta\dot{\mu}^r", r"\hat{\mu}^r": r"\dot{\hat{\mu}}^r", r"\mu^r": r"\dot{\mu}^r"})),
         line(r"\delta\dot{\mu}^r = 0", EXACT_LINE, "both are constant", substitute("1", "2"), result=True),
+        line(r"\begin{bmatrix} \dot{\epsilon}^n \\ \delta\dot{\mu}^r \end{bmatrix} = "
+             rf"{STATE_MATRIX} \begin{{bmatrix}} \epsilon^n \\ \delta\mu^r \end{{bmatrix}} + "
+             rf"{STATE_NOISE} \delta\omega^b", first_order("euler_error", "gyro_error"), "(20) over (21): F and G"),
         unit="rad/s",
     ),
     "22": derived(

@@ -4,6 +4,7 @@ from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.papers.song_lee_2001.consequences import evidence, findings
 from boresight.derive.papers.song_lee_2001.derived import equations
 from boresight.derive.papers.song_lee_2001.letters import STRUCTURE, letters
+from boresight.derive.papers.song_lee_2001.maps import MAPS, UNFLOWN
 from boresight.derive.papers.song_lee_2001.printed import quantities
 from boresight.derive.papers.song_lee_2001.witness import (
     CONDITIONS,
@@ -31,6 +32,8 @@ PAPER = Paper(
     findings=findings,
     letters=letters,
     structure=STRUCTURE,
+    maps=MAPS,
+    unflown=UNFLOWN,
     conventions=(
         "n is north, east, down; b and r are the axes of slave and master: front, right, down.",
         "φ, θ, ψ are roll, pitch and yaw: C_b2n(φ, θ, ψ) = Rz(ψ) Ry(θ) Rx(φ).",
