@@ -10,6 +10,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache, reduce
 from html.parser import HTMLParser
+from itertools import takewhile
 from typing import Any
 from unicodedata import combining, lookup, normalize
 
@@ -146,11 +147,19 @@ class _Latex:
 def _digits_joined(tokens: Iterable[Token]) -> Row:
     result: list[Token] = []
     for kind, what in tokens:
+        if kind in ("up", "down") and kind in _scripts(result):
+            raise RefusedError("two scripts at one place")
         if kind == "number" and result and result[-1][0] == "number":
             result[-1] = ("number", result[-1][1] + what)
         else:
             result.append((kind, what))
     return tuple(_scripts_in_order(result))
+
+
+def _scripts(tokens: list[Token]) -> list[str]:
+    """The kinds of the scripts that the last sign has so far."""
+    kinds = [kind for kind, _ in tokens]
+    return list(takewhile(("up", "down").__contains__, reversed(kinds)))
 
 
 def _scripts_in_order(tokens: list[Token]) -> list[Token]:
@@ -628,7 +637,7 @@ class Formula:
         self.at = 0
         self.matrices: list = []  # the values of those that are written out, so that no 0 hides an entry
 
-    def whole(self, row: Row, rule: Callable[["Formula"], Any]) -> Any:
+    def inside(self, row: Row, rule: Callable[["Formula"], Any]) -> Any:
         inner = Formula(row, self.spelled, self.values, self.meant)
         inner.matrices = self.matrices
         value = rule(inner)
@@ -745,15 +754,15 @@ class Formula:
                 raise RefusedError(f"{what} is no number")
             return int(what)
         if kind == "fraction":
-            return divided(self.whole(what[0], Formula.sum), self.whole(what[1], Formula.sum))
+            return divided(self.inside(what[0], Formula.sum), self.inside(what[1], Formula.sum))
         if kind == "root":
-            return root(self.whole(what, Formula.sum))
+            return root(whole(self.inside(what, Formula.sum)))
         if kind == "named":
             return self.elementary(what)
         if kind == "upright" and what == (("glyph", "E"),):
             return self.expectation()
         if kind == "table":
-            self.matrices.append(assembled([[self.whole(cell, Formula.sum) for cell in row] for row in what]))
+            self.matrices.append(assembled([[self.inside(cell, Formula.sum) for cell in row] for row in what]))
             return self.matrices[-1]
         if kind == "sum":
             return self.over_samples(what)
@@ -819,11 +828,12 @@ class Formula:
             value = self.sum()
             self.need(")")
         else:
-            found = self.letter() if self.at < len(self.row) else None
+            bare = self.at < len(self.row) and self.row[self.at][0] in ("glyph", "accent")
+            found = self.letter() if bare else None
             if found is None:
                 raise RefusedError(f"{name} of nothing")
             value = self.values.letters[found]
-        value = FUNCTIONS[name](value)
+        value = FUNCTIONS[name](whole(value))
         return value if power is None else raised(value, power)
 
     def expectation(self) -> Any:
@@ -864,7 +874,7 @@ class Formula:
         if sign == "‖":
             value = self.sum()
             self.need("‖")
-            return norm(value)
+            return norm(whole(value))
         if sign == "[":
             value = turning(self.product())
             self.need("×")
@@ -915,6 +925,13 @@ def times(a: Any, b: Any) -> Any:
     return quaternion(a, b) if shape(a) == shape(b) == (4, 1) else a * b
 
 
+def whole(value: Any) -> Any:
+    """The value, which must be one."""
+    if _broken(value):
+        raise RefusedError("it has no value")
+    return number(value)
+
+
 def _chained(a: Matrix, b: Matrix) -> bool:
     return a.cols == b.rows or shape(a) == shape(b) == (4, 1)
 
@@ -937,9 +954,9 @@ def exact(value: Any) -> Any:
 
 
 def root(value: Any) -> Any:
-    if isinstance(number(value), Matrix | Broken):
+    if isinstance(value, Matrix):
         raise RefusedError("the root of a matrix")
-    return sqrt(number(value))
+    return sqrt(value)
 
 
 def quaternion(p: Matrix, q: Matrix) -> Matrix:
@@ -957,9 +974,7 @@ def turning(value: Any) -> Matrix:
 
 
 def raised(value: Any, power: Any) -> Any:
-    value = number(value)
-    if _broken(value):
-        raise RefusedError("a power of what has no value")
+    value = whole(value)
     if power in ("T", "∨"):
         if not isinstance(value, Matrix) or (power == "∨" and shape(value) != (3, 3)):
             raise RefusedError(f"{power} of a number")
@@ -1026,4 +1041,9 @@ def equal(a: Any, b: Any) -> bool:
     if shape(a) != shape(b):
         return False
     pairs = zip(a, b, strict=True) if isinstance(a, Matrix) else [(a, b)]
-    return all(arb(x).overlaps(arb(y)) and arb(x).is_finite() for x, y in pairs)
+    return all(_same(arb(x), arb(y)) for x, y in pairs)
+
+
+def _same(x: arb, y: arb) -> bool:
+    """Whether they agree to 12 digits at least; a ball that is too wide to tell does not."""
+    return bool(x.overlaps(y) and (x - y).rad() < 1e-12 * (1 + abs(y.mid())))

@@ -352,6 +352,7 @@ def _spanned(node: Node, spans: dict[int, tuple[int, int]], start: int) -> str:
 
 REFUSED, UNEQUAL = "refused", "unequal"
 SAME, BRACKET = "the same signs", "a bracket that changes nothing"
+EVEN = "a minus that changes no value"
 VALUE = "the same value"
 
 
@@ -365,13 +366,15 @@ def outcome(shown: Shown, form: str, text: str, changed: str) -> str:
     before, after = shown.tokens(form, text), shown.tokens(form, changed)
     if before == after:
         return SAME
-    return BRACKET if _bare(before) == _bare(after) else VALUE
+    if _without("()", before) == _without("()", after):
+        return BRACKET
+    return EVEN if _without("()-", before) == _without("()-", after) else VALUE
 
 
-def _bare(row: Any) -> Any:
-    """The row and those in it without brackets."""
+def _without(signs: str, row: Any) -> Any:
+    """The row and those in it without some signs."""
     if isinstance(row, tuple):
-        return tuple(_bare(part) for part in row if part not in (("sign", "("), ("sign", ")")))
+        return tuple(_without(signs, part) for part in row if part not in [("sign", sign) for sign in signs])
     return row
 
 
@@ -405,6 +408,6 @@ def spoilt(of: Derivations, out: Path) -> dict[str, dict[str, Any]]:
         found[form] = {
             "formulas": len(formulas), "marked": marked, "wrong": wrong, "tried": outcomes.total(),
             "refused": outcomes[REFUSED], "unequal": outcomes[UNEQUAL],
-            "same": {reason: outcomes[reason] for reason in (SAME, BRACKET)}, "left": left,
+            "same": {reason: outcomes[reason] for reason in (SAME, BRACKET, EVEN)}, "left": left,
         }  # fmt: skip
     return found

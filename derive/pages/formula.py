@@ -135,7 +135,7 @@ class Writer:
     LESS = "<"
 
     def _terms(self, expression, at: Place) -> list[tuple[str, str]]:
-        """Of a sum or a single term: the sign before each term, and its text; a mark holds the sign too."""
+        """Of a sum or a single term: the sign before each term, and its text; a mark holds a minus too."""
         terms, level = [(expression, at)], COMPARED
         if isinstance(expression, Add | MatAdd):
             terms, level = [(argument, (*at, i)) for i, argument in enumerate(expression.args)], PRODUCT
@@ -145,7 +145,8 @@ class Writer:
             sign = ("-" if minus else "+") if result else ""
             text = self.minus(text) if minus and not result else text
             if place in self.marks:
-                text, sign = f"{self.OPEN_MARK}{sign}{' ' * bool(sign)}{text}{self.CLOSE_MARK}", ""
+                text = f"{'- ' * (sign == '-')}{text}"
+                text, sign = f"{self.OPEN_MARK}{text}{self.CLOSE_MARK}", sign.strip("-")
             result.append((sign, text))
         return result
 
