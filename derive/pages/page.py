@@ -7,6 +7,7 @@ from dataclasses import replace
 from boresight.derive.ledger.differences import Place, differences, marks
 from boresight.derive.ledger.entries import Entry, entry_of, findings
 from boresight.derive.ledger.equation import Derivation, Equation, Line, Quantity, Relation, Step
+from boresight.derive.ledger.lines import count_steps
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section, Table
 from boresight.derive.pages.maps import sections as maps
@@ -20,7 +21,7 @@ def paper_page(paper: Paper, functions: Functions) -> Page:
     page = equations_page(paper.name, [(paper, e) for e in paper.equations], functions)
     return replace(
         page,
-        lead=(f"{paper.reference}.", f"{len(entries)} equations: {counts(entries)}."),
+        lead=(f"{paper.reference}.", f"{len(entries)} equations: {counts(entries)}; {count_steps(paper.equations)}."),
         front=(
             Section("Conventions", (*map(Prose, (*CONVENTIONS, *paper.conventions)), *STATUSES)),
             Section("Notation", (notation(paper),)),
