@@ -83,7 +83,7 @@ class Passage:
 
     of: the line it begins from, by its number in the derivation, or an equation of the paper as "(8)" or "(9).2"; the
     line before if empty.  using: the lines and equations that the operation takes in.  with_: LaTeX of a factor, or of
-    a letter's rate by the letter's own LaTeX; letters: LaTeX of the letters that it is about.
+    a letter's rate by the letter's own LaTeX, or numbers of rows; letters: LaTeX of the letters that it is about.
     """
 
     operation: str
