@@ -462,7 +462,8 @@ WRITTEN: dict[str, Derived] = {
         line(r"\dot{\hat{\mu}}^r = 0", EXACT_LINE, "between corrections so is its estimate, by the filter's own rule"),
         line(r"\delta\mu^r = \hat{\mu}^r - \mu^r", EXACT_LINE, "the text under (19)"),
         line(r"\delta\dot{\mu}^r = \dot{\hat{\mu}}^r - \dot{\mu}^r", EXACT_LINE, "both sides change with time",
-             differentiate({r"\delta\mu^r": r"\delta\dot{\mu}^r", r"\hat{\mu}^r": r"\dot{\hat{\mu}}^r", r"\mu^r": r"\dot{\mu}^r"})),
+             differentiate({r"\delta\mu^r": r"\delta\dot{\mu}^r", r"\hat{\mu}^r": r"\dot{\hat{\mu}}^r",
+                            r"\mu^r": r"\dot{\mu}^r"})),
         line(r"\delta\dot{\mu}^r = 0", EXACT_LINE, "both are constant", substitute("1", "2"), result=True),
         line(r"\begin{bmatrix} \dot{\epsilon}^n \\ \delta\dot{\mu}^r \end{bmatrix} = "
              rf"{STATE_MATRIX} \begin{{bmatrix}} \epsilon^n \\ \delta\mu^r \end{{bmatrix}} + "
