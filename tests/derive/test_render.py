@@ -34,7 +34,7 @@ def test_terminal_shows_print_derivation_steps_and_evidence_in_100_columns_at_mo
         "derived",
         "cos(›ψ‹)",
         "2. multiply",
-        "Evidence: ",
+        "As printed: ",
         "Note: Origin transcription",
     ):
         assert piece in text
@@ -138,8 +138,18 @@ def test_every_erratum_is_marked_where_print_and_derivation_differ_in_every_form
 )
 def test_the_slip_is_what_is_marked(number, printed, derived):
     before, after = render(PAPER, number).split("derived\n")[:2]
-    for part, letter in ((before, printed), (after.split("Evidence")[0], derived)):
+    for part, letter in ((before, printed), (after.split("As printed")[0], derived)):
         assert set(re.findall("›(.*?)‹", part)) == {letter}
+
+
+@pytest.mark.parametrize("format", ["text", "latex", "html"])
+def test_the_numbers_of_an_erratum_are_the_stated_errors_the_print_and_the_derivation(format):
+    """(9) gives the slave's angle errors, which are stated: 0.1, -0.2 and 0.3 deg."""
+    page = re.sub(r"<[^>]*>|[&$\\]|[a-z]*\{.*?\}", " ", render(PAPER, "9", format).replace("</td>", " "))
+    rows = re.findall(r"(-?\d+\.\d+) +(-?\d+\.\d+) +(-?\d+\.\d+) +arcmin", page)
+    assert [float(true) / 60 for true, *_ in rows] == pytest.approx([0.1, -0.2, 0.3], rel=1e-4)
+    for true, printed, derived in rows:
+        assert abs(float(derived) - float(true)) < 0.01 * abs(float(true)) < abs(float(printed) - float(true))
 
 
 def test_formulas_of_a_page_are_those_of_the_writers():
