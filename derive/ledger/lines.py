@@ -281,7 +281,7 @@ def build(
         form = read(latex, letters_of(number) if letters_of else quantities)
         if one.as_vector:
             vee = Function("vee", commutative=False)
-            form = tuple(Relation((r.sides[0], vee(r.sides[1]), *r.sides[2:])) for r in form)
+            form = tuple(replace(r, sides=(r.sides[0], vee(r.sides[1]), *r.sides[2:])) for r in form)
         steps = read_lines(one.lines, (*quantities, *letters), flown)
         equation = Equation(
             paper=paper,
