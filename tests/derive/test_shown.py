@@ -82,6 +82,13 @@ def test_a_tree_of_any_kind_is_shown_as_it_is_evaluated(sides, form):
         assert side == sides[0] or not shown.holds(form, rendered(other, form))
 
 
+def test_factors_stand_as_on_the_page_though_sympy_sorts_them():
+    shown = found("kim-2018", "(9) printed")
+    assert rendered(shown, "text").startswith("δl̇ = (ρ_e⋅tan(L)/cos(L) - ρ_n/((R_E + h)⋅cos(L))⋅R_EE)⋅δL - ρ_n/(")
+    seawave = rendered(found("kang-2025", "(6) printed"), "latex")
+    assert seawave == r"Seawave = asin\left(2 \, \pi \, f \, t\right)"
+
+
 def test_names_of_a_model_are_shown_as_letters():
     relation = Relation((Symbol("omega_ie"), Symbol("R_N") * Symbol("tau") * Symbol("dphi_n")))
     assert WRITERS["latex"](relation, ()) == r"\omega_{ie} = R_{N} \, \delta \phi_{n} \, \tau"
