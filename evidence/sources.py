@@ -55,9 +55,10 @@ class Derivations:
 
     @property
     def sources(self) -> list[Path]:
-        """What its results depend on: all that derives and shows, and what reads it back."""
+        """What its results depend on: all that derives and shows, and what judges it."""
         root = Path(__file__).resolve().parent
-        return [*sorted((root.parent / "derive").rglob("*.py")), root / "read_back.py", root / "spoilt.py"]
+        judges = (root / f"{name}.py" for name in ("read_back", "spoilt", "steps"))
+        return [*sorted((root.parent / "derive").rglob("*.py")), *judges]
 
 
 @dataclass(frozen=True)

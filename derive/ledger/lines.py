@@ -300,6 +300,24 @@ def build(
     return tuple(result)
 
 
+@dataclass(frozen=True)
+class Steps:
+    """How many steps a paper's derivations have; how many are evaluated, and how many are prose."""
+
+    steps: int
+    evaluated: int
+    prose: int
+
+    def __str__(self) -> str:
+        return f"steps: {self.steps}, evaluated {self.evaluated}, prose {self.prose}"
+
+
+def count_steps(equations: Iterable[Equation]) -> Steps:
+    steps = [step for equation in equations for step in equation.derivation.steps]
+    evaluated = sum(isinstance(step, Line) and step.claim is not None for step in steps)
+    return Steps(len(steps), evaluated, sum(not step.formulas for step in steps))
+
+
 def check_derivation(paper: Paper, equation: Equation) -> None:
     """Raises BoresightError at the first line or passage that does not hold, and at a definition that nothing uses."""
     from boresight.derive.ledger.passages import judge_passage
