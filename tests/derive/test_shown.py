@@ -6,7 +6,7 @@ from functools import cache
 from textwrap import dedent
 
 import pytest
-from sympy import Function, ImmutableMatrix, S, Symbol, cos, symbols
+from sympy import Function, ImmutableMatrix, Rational, S, Symbol, cos, symbols
 
 from boresight.derive.ledger.equation import Relation, column, negative, product, total
 from boresight.derive.pages.blocks import Form, Formulas, Page, Section
@@ -89,6 +89,7 @@ skew, cross, vee, exp, mean = (Function(name, commutative=False) for name in ("s
         (A, product(A, (a + b) / c, B), product(A**-1, B), (A + B) ** -1, A**2),
         (A, exp(negative(skew(v))), product(skew(v), skew(w)), skew(total(v, w))),
         (v, cross(v, w), total(v, negative(cross(product(A, v), w))), product(A, cross(v, w)), vee(A)),
+        (A, product(Rational(-2, 3), A, B), product(A, Rational(5, 7)), negative(product(A, B))),
         (A, mean(product(A, B, A)), product(mean(A), mean(B))),
         (v, column(a, b + c, -b), product(ImmutableMatrix([[a, b, 0], [b, -c, 1], [0, 0, a / b]]), v)),
     ],
