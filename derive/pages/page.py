@@ -129,7 +129,7 @@ def evidence(paper: Paper, equation: Equation, entry: Entry) -> list[Block]:
         return [Prose(sentences(judged), "Evidence"), *([Prose(sentences(own), "Sizes")] if own else [])]
     why = judged.partition(f"; at {paper.point.text}")[0]
     blocks: list[Block] = [
-        Prose(f"{sentences(why)} In numbers, at {paper.point.text}:", "As printed"),
+        Prose(f"{sentences(why)} In numbers at {paper.point.text}:", "As printed"),
         _numbers(paper, equation),
     ]
     return blocks + ([Prose(sentences(own), "What it does")] if own else [])
