@@ -7,7 +7,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from boresight.derive.papers import PAPERS
+from boresight.derive.papers import DERIVATIONS, PAPERS
 from boresight.runtime.manifest import GENERATED, read_manifest
 
 LIBM = re.compile(r"BS_(SIN|COS|ATAN2)\(")
@@ -49,7 +49,7 @@ class Folder:
 
 @dataclass(frozen=True)
 class Derivations:
-    """One paper: its equations, their derivations, and how they are shown."""
+    """One paper, or one derivation of our own: its equations, their steps, and how they are shown."""
 
     name: str
 
@@ -120,7 +120,7 @@ class Source:
 
 
 def derivations() -> list[Derivations]:
-    return [Derivations(name) for name in PAPERS]
+    return [Derivations(name) for name in (*PAPERS, *DERIVATIONS)]
 
 
 def folders() -> list[Folder]:
