@@ -74,8 +74,7 @@ def flown() -> dict[str, object]:
 
     euler = phi, theta, psi = s("φ θ ψ")
     euler_b, euler_r = s("φ_b θ_b ψ_b"), s("φ_r θ_r ψ_r")
-    # The functions take components: beside them stand the length of ε, and what keeps a root from zero.
-    (length, tiny), turn = s("ε_o τ"), s("Δq_0 Δq_1 Δq_2 Δq_3")
+    turn = s("Δq_0 Δq_1 Δq_2 Δq_3")
     mu, eps, omega = s("μ_x μ_y μ_z"), s("ε_n ε_e ε_d"), s("ω_n ω_e ω_d")
     C, H = dcm_from_euler(*euler), measurement_matrix(euler_b, euler_r)
     before, missed = s("μ̂(k-) δμ(k)")
@@ -97,7 +96,7 @@ def flown() -> dict[str, object]:
         "H_eps": layout(H[:, :3]),
         "H_mu": layout(-H[:, 3:]),
         "F": ImmutableMatrix(attitude_error_matrix(omega)),
-        "quaternion": ImmutableMatrix(quaternion.subs(TINY_SQUARE, tiny).subs(sum(part**2 for part in eps), length**2)),
+        "quaternion": ImmutableMatrix(quaternion.subs(TINY_SQUARE, 0)),
         "corrected_quaternion": ImmutableMatrix(corrected),
         # The function's own terms, in the order of the page.
         "corrected_mu": total(*sorted(corrected_misalignment(before, missed).args, key=lambda term: term != before)),
@@ -510,7 +509,8 @@ WRITTEN: dict[str, Derived] = {
         line(r"\Delta Q_b^n = \begin{bmatrix} 1 \\ \frac{\epsilon_n}{2} \\ \frac{\epsilon_e}{2} \\ "
              r"\frac{\epsilon_d}{2} \end{bmatrix}", FIRST, "its limit",
              expand(r"\epsilon_n", r"\epsilon_e", r"\epsilon_d", of="2")),
-        line(r"\Delta Q_b^n = \flown{quaternion}", EXACT_LINE, "the function that flies adds τ, 1e-30, under the root"),
+        line(r"\Delta Q_b^n = \flown{quaternion}", EXACT_LINE,
+             "the function that flies, which adds 1e-30 under the root"),
         unit="1", leads_to=("24",),
         note="The label ΔQ_b2n is that of a rotation from n' to n; it changes no number.",
     ),
