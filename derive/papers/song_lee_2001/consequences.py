@@ -12,7 +12,7 @@ from boresight.derive.papers.song_lee_2001 import results as paper
 from boresight.derive.papers.song_lee_2001.printed import AXES, TABLE_1, TABLE_1_COUNTS
 from boresight.derive.papers.song_lee_2001.witness import DEGREE
 
-_IN_THE_LOOP = "; in the loop: boresight study euler-table --switch as-printed-26-28"
+_IN_THE_LOOP = "in the loop: boresight study euler-table --switch as-printed-26-28"
 
 
 def evidence(number: str) -> str:
@@ -26,7 +26,7 @@ def evidence(number: str) -> str:
         return (
             "with the slave's angles for the master's missing ones, as the text under (28) has it, the error of the "
             f"computed difference goes from {ours} to {theirs} (master level, 3 deg per axis): about as large, of the "
-            "other sign, and above the noise of 1 arcmin, where the text calls it negligible" + _IN_THE_LOOP
+            "other sign, and above the noise of 1 arcmin, where the text calls it negligible; " + _IN_THE_LOOP
         )
     if number in ("8", "9"):
         return _IN_THE_LOOP
