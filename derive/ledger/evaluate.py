@@ -56,7 +56,7 @@ def _evaluate(expression, point: Point) -> Value:
         return fmpq(int(expression.p), int(expression.q))
     if isinstance(expression, MatrixBase):
         rows, columns = expression.shape
-        return _assembled([[evaluate(expression[i, j], point) for j in range(columns)] for i in range(rows)])
+        return assembled([[evaluate(expression[i, j], point) for j in range(columns)] for i in range(rows)])
     if isinstance(expression, AppliedUndef) and expression.func.__name__ == "Σ":
         # The world's Σ gives the letters at each sample.
         parts = [evaluate(expression.args[0], Point(values)) for values in point.values["Σ"](point.values)]
@@ -104,8 +104,9 @@ def _expected(expression, point: Point):
     """
     middle = evaluate(expression, point)
     result = middle
+    used = {symbol.name for symbol in expression.free_symbols}
     for name, columns in point.values["random"].items():
-        for column in columns:
+        for column in columns if name in used else ():
             for sign in (1, -1):
                 moved = point.changed({name: point.values[name] + column * sign})
                 result = _sum(result, (evaluate(expression, moved) - middle) / 2)
@@ -121,7 +122,7 @@ def _bounded(value, limit):
     return value
 
 
-def _assembled(rows) -> Matrix:
+def assembled(rows) -> Matrix:
     """A matrix of numbers, or of blocks; a lone 0 is a block of zeros.  Raises ValueError if they do not fit."""
     if not any(isinstance(entry, Matrix) for row in rows for entry in row):
         return Matrix(rows)

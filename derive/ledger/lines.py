@@ -264,7 +264,7 @@ def build(
     result = []
     for number, (lines, latex) in printed.items():
         one = written[number]
-        more = dict(one.more)
+        more = {"unit": "1", **one.more}
         more["defines"] = tuple(symbols[name] for name in more.get("defines", ()))
         form = read(latex, letters_of(number) if letters_of else quantities)
         if one.as_vector:

@@ -19,7 +19,7 @@ from boresight.derive.ledger.equation import Equation, Line, Passage, Relation
 from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate, multiplied, power, residual, solve
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.lines import LineVerdict
-from boresight.derive.ledger.numbers import Matrix, digits, exact, middle
+from boresight.derive.ledger.numbers import Matrix, digits, exact, middle, sqrt, zeros
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
 
@@ -118,6 +118,26 @@ def take_rows(*numbers: int, of: str = "") -> Passage:
 
 def take_entry(row: int, column: int, of: str = "") -> Passage:
     return Passage("take an entry", of, (str(row), str(column)))
+
+
+def stack(first: str, *others: str) -> Passage:
+    """The lines over one another: their first sides, and their last ones."""
+    return Passage("stack", first, others)
+
+
+def take_root(of: str = "") -> Passage:
+    """The positive square root of each side."""
+    return Passage("take the root", of)
+
+
+def identify(letter: str, of: str = "") -> Passage:
+    """Both sides are equal whatever the letter, a vector, is: so are their derivatives by its components, a matrix."""
+    return Passage("identify", of, (), (letter,))
+
+
+def minimise(letter: str, of: str = "") -> Passage:
+    """Where the last side is least, its derivatives by the components of the letter are zero."""
+    return Passage("minimise", of, (), (letter,))
 
 
 def solve_for(letter: str, of: str = "") -> Passage:
@@ -242,6 +262,13 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
         sign = 1 if name == "add line" else -1
         other = [evaluate(side, point) for side in relation_of(passage.using[0]).sides]
         return [a + b * sign for a, b in zip((values[0], values[-1]), (other[0], other[-1]), strict=True)]
+    if name == "stack":
+        rows = [before, *(relation_of(row) for row in passage.using)]
+        return [Matrix([e for row in rows for e in _entries(evaluate(row.sides[i], point))]) for i in (0, -1)]
+    if name in ("identify", "minimise"):
+        (letter,) = (symbol.name for symbol in _symbols(paper, passage.letters))
+        slopes = [_jacobian(side, letter, point) for side in before.sides]
+        return slopes if name == "identify" else [slopes[-1].T, slopes[-1].T * 0]
     if name == "expand":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
 
@@ -267,6 +294,17 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
     return [_TAKE[name](value, passage) for value in values]
 
 
+def _jacobian(side, letter: str, point: Point) -> Matrix:
+    """The derivative by the components of a letter, a column for each."""
+    at, columns = point.values[letter], []
+    for i in range(at.rows):
+        unit = at * 0
+        unit[i, 0] = STEP
+        up, down = (_entries(evaluate(side, point.changed({letter: at + unit * sign}))) for sign in (1, -1))
+        columns.append([(a - b) / (2 * STEP) for a, b in zip(up, down, strict=True)])
+    return Matrix([list(row) for row in zip(*columns, strict=True)])
+
+
 def _series(function: Callable, order: int):
     """The Taylor polynomial in s at 0 through `order` (1 or 2), at s = 1."""
     up, down = function(STEP), function(-STEP)
@@ -285,6 +323,7 @@ def _vector(value, passage: Passage):
 
 
 _TAKE: dict[str, Callable] = {
+    "take the root": lambda value, passage: sqrt(value),
     "transpose": lambda value, passage: value.T,
     "invert": lambda value, passage: power(value, S.NegativeOne),
     "take the vector": _vector,
@@ -304,7 +343,8 @@ def _given(paper: Paper, row: Relation, letter: str, point: Point) -> dict[str, 
         return solve((row,), {symbol.name: paper.letter(symbol.name).shape or 1}, point.values)
     for side, other in ((row.sides[0], row.sides[-1]), (row.sides[-1], row.sides[0])):
         if isinstance(side, Symbol):
-            return {side.name: evaluate(other, point)}
+            shape = paper.letter(side.name).shape
+            return {side.name: zeros(*(*shape, 1)[:2]) if other == 0 and shape else evaluate(other, point)}
         if isinstance(side, AppliedUndef) and side.func.__name__ not in OPERATORS:
             value = evaluate(other, point)
             return {side.func.__name__: lambda *arguments, value=value: value}
