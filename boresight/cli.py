@@ -34,6 +34,7 @@ def completed(*sources: Callable[[], list[str]]) -> Callable[[str], list[str]]:
     return lambda incomplete: [name for source in sources for name in source() if name.startswith(incomplete)]
 
 
+FORMATS = ["text", "latex", "html", "pdf"]
 STUDIES = ["azimuth-hold", "euler-table", "float-covariance", "sea-state"]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document and nothing else.")]
 Out = Annotated[Path | None, typer.Option("-o", "--out", help="Folder for results.")]
@@ -135,33 +136,37 @@ def show(
             autocompletion=completed(model_names, paper_names, lambda: ["delay-error"]),
         ),
     ],
-    equation: Annotated[str | None, typer.Argument(help="Number of an equation; all if left out.")] = None,
+    number: Annotated[str | None, typer.Argument(metavar="NUMBER", help="Of one equation; all if left out.")] = None,
     form: Annotated[
         str,
         typer.Option(
             "--format",
             help="text, latex, html or pdf.",
-            autocompletion=completed(lambda: ["text", "latex", "html", "pdf"]),
+            autocompletion=completed(lambda: FORMATS),
         ),
     ] = "text",
     out: Annotated[Path | None, typer.Option("-o", "--out", help="File to write; needed for pdf.")] = None,
 ) -> None:
     """The derivation of a paper's or a model's equations, by steps."""
     from boresight import terminal
-    from boresight.derive.pages import render as r
-    from boresight.derive.papers import paper
 
     one_of(name, [*paper_names(), *model_names(), "delay-error"], "paper or model")
-    one_of(form, [*r.FORMATS, "pdf"], "format")
+    one_of(form, FORMATS, "format")
     if form == "pdf" and out is None:
         raise BoresightError("a pdf needs a file to go to; add -o FILE.pdf")
     kind = "latex" if form == "pdf" else form
-    if name == "delay-error":
-        text = delay_error(equation, kind)
+    if name in paper_names():
+        from boresight.kept_ledger import page
+
+        text = page(name, number and number.strip("()"), kind, terminal.columns())
     else:
-        text = r.render(paper(name), equation, kind) if name in paper_names() else model_equations(name, equation, kind)
-    if out is not None:
-        write(out, r.pdf_from_latex(text) if form == "pdf" else text.encode())
+        text = delay_error(number, kind) if name == "delay-error" else model_equations(name, number, kind)
+    if form == "pdf" and out is not None:
+        from boresight.derive.pages.booklet import pdf_from_latex
+
+        write(out, pdf_from_latex(text))
+    elif out is not None:
+        write(out, text.encode())
     elif form == "text":
         terminal.page_text(text)
     else:
@@ -180,22 +185,21 @@ def delay_error(number: str | None, form: str) -> str:
 def model_equations(name: str, number: str | None, form: str) -> str:
     """The equations that a model refers to, as `song-lee-2001 (19)`, in one of the formats."""
     from boresight.codegen.generate import load_model
-    from boresight.derive.ledger.entries import ledger
     from boresight.derive.pages.render import render_equations
     from boresight.derive.papers import paper
+    from boresight.kept_ledger import functions
 
     model = load_model(name)
     named = {*model.equations, *(e for part in (*model.measurements, *model.functions) for e in part.equations)}
-    known = {
-        f"{e.paper} ({e.number})": (e, entry)
-        for one in (paper(name) for name in sorted({text.split(" ")[0] for text in named}))
-        for e, entry in zip(one.equations, ledger(one), strict=True)
-    }
-    chosen = [known[key] for key in known if key in named and number in (None, known[key][0].number)]
+    if not named:
+        raise BoresightError(f"{name} is made from no paper's equations; 'boresight models {name}' prints what it has")
+    papers = [paper(name) for name in sorted({text.split(" ")[0] for text in named})]
+    known = [(one, e) for one in papers for e in one.equations if f"{e.paper} ({e.number})" in named]
+    chosen = [(one, e) for one, e in known if number in (None, e.number)]
     if not chosen:
-        raise BoresightError(f"{name} does not stand on ({number}), but on {', '.join(k for k in known if k in named)}")
-    named_equations, entries = zip(*chosen, strict=True)
-    return render_equations(f"{model.name}: {model.title}", named_equations, entries, form)
+        listed = ", ".join(f"{e.paper} ({e.number})" for _, e in known)
+        raise BoresightError(f"{name} is not made from an equation {number}, but from {listed}")
+    return render_equations(f"{model.name}: {model.title}", chosen, form, functions())
 
 
 def write(path: Path, content: bytes) -> None:

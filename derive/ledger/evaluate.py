@@ -9,7 +9,7 @@ from math import prod
 from typing import Any
 
 from flint import arb, fmpq
-from sympy import Add, Function, MatAdd, MatMul, Mul, Pow, StrictLessThan, Symbol, cos, sin, tan
+from sympy import Add, Function, MatAdd, MatMul, Mul, Pow, StrictLessThan, Symbol, atan2, cos, sin, tan
 from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
@@ -22,7 +22,12 @@ DIGITS = 60  # of which cancellation leaves the 28 that are asked for, and the b
 
 Value = Any  # a fraction, a ball or a Matrix
 
-_ELEMENTARY: dict[type[Function], Callable] = {sin: numbers.sin, cos: numbers.cos, tan: numbers.tan}
+_ELEMENTARY: dict[type[Function], Callable] = {
+    sin: numbers.sin,
+    cos: numbers.cos,
+    tan: numbers.tan,
+    atan2: numbers.atan2,
+}
 
 
 @dataclass(frozen=True)

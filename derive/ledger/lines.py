@@ -280,6 +280,7 @@ def build(
             derived=form,
             derivation=Derivation(steps),
             quantities=quantities,
+            step_letters=letters,
             **more,
         )
         results = tuple(step.relation for step in steps if step.result and step.relation is not None)

@@ -19,9 +19,10 @@ from boresight.derive.ledger.equation import Equation, Line, Passage, Relation
 from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate, multiplied, power, residual, solve
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.lines import LineVerdict
-from boresight.derive.ledger.numbers import Matrix, digits, exact, middle, sqrt, zeros
+from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, middle, sqrt, zeros
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
+from boresight.derive.ledger.witness import quaternion, rotation_vector
 
 Replaced = dict[int, Relation]  # other relations of steps, by index
 
@@ -140,6 +141,16 @@ def minimise(letter: str, of: str = "") -> Passage:
     return Passage("minimise", of, (), (letter,))
 
 
+def take_rotation_vector(of: str = "") -> Passage:
+    """Of rotations by less than half a turn their rotation vectors."""
+    return Passage("take the rotation vector", of)
+
+
+def take_quaternion(of: str = "") -> Passage:
+    """Of rotations their quaternions; q and -q are one."""
+    return Passage("take the quaternion", of)
+
+
 def solve_for(letter: str, of: str = "") -> Passage:
     """The line before, linear in the letter, gives it."""
     return Passage("solve", of, (), (letter,))
@@ -236,6 +247,8 @@ def _follows(values: list, after: Relation, point: Point, operation: str) -> Lin
     """Whether each side of the line after is one of the values, and not all of them are the same one."""
     sides = [_entries(value) for value in values]
     targets = [_entries(evaluate(side, point)) for side in after.sides]
+    if operation == "take the quaternion":
+        targets = [[-part for part in target] if target[0] < 0 else target for target in targets]
     places = [next((i for i, side in enumerate(sides) if _same(side, target)), None) for target in targets]
     if None in places:
         return _said(False, operation, f"side {places.index(None) + 1} does not follow")
@@ -322,8 +335,19 @@ def _vector(value, passage: Passage):
     return OPERATORS["vee"](value)
 
 
+def _of_rotation(take: Callable) -> Callable:
+    def taken(value, passage: Passage):
+        if max(abs(middle(entry)) for entry in value * value.T - eye(value.rows)) > SAME:
+            raise ValueError("a side is no rotation")
+        return take(value)
+
+    return taken
+
+
 _TAKE: dict[str, Callable] = {
     "take the root": lambda value, passage: sqrt(value),
+    "take the rotation vector": _of_rotation(rotation_vector),
+    "take the quaternion": _of_rotation(quaternion),
     "transpose": lambda value, passage: value.T,
     "invert": lambda value, passage: power(value, S.NegativeOne),
     "take the vector": _vector,
@@ -344,7 +368,7 @@ def _given(paper: Paper, row: Relation, letter: str, point: Point) -> dict[str, 
     for side, other in ((row.sides[0], row.sides[-1]), (row.sides[-1], row.sides[0])):
         if isinstance(side, Symbol):
             shape = paper.letter(side.name).shape
-            return {side.name: zeros(*(*shape, 1)[:2]) if other == 0 and shape else evaluate(other, point)}
+            return {side.name: zeros(*(*shape, 1)[:2]) if shape and other == 0 else evaluate(other, point)}
         if isinstance(side, AppliedUndef) and side.func.__name__ not in OPERATORS:
             value = evaluate(other, point)
             return {side.func.__name__: lambda *arguments, value=value: value}

@@ -67,6 +67,7 @@ def letters():
     return (
         *(letter(*one, (3,)) for one in vectors),
         *(letter(*one, (3, 3)) for one in matrices),
+        letter("I", "I", "identity", "identity, which the print calls eye(3)", (3, 3)),
         letter("φ", r"\varphi", "angle", "how far the wheel has turned, rad"),
     )
 
