@@ -62,14 +62,11 @@ def equations() -> tuple[Equation, ...]:
 
 
 def column(*rows: str) -> str:
+    """A matrix of these rows, whose cells are apart by &."""
     return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
 
 
-def blocks(*rows: str) -> str:
-    """Rows of cells apart by &."""
-    return column(*rows)
-
-
+# fmt: off
 # ---- 2.1 Transfer alignment ------------------------------------------------------------------------------------------
 
 
@@ -80,12 +77,12 @@ def transfer(named: Mapping[str, Symbol]) -> dict[str, Derived]:
     phi_x, spun, turn = r"[\phi^n \times]", r"[\hat{\omega}_{in}^c \times]", r"\hat{C}_b^c C_n^b"
     coriolis = r"(2 \omega_{ie}^n + \hat{\omega}_{en}^c)"
     rates = column(r"\dot{\delta v}^n", r"\dot{\psi}^n", r"\dot{\theta}", r"\dot{\Delta t}")
-    F = blocks(
+    F = column(
         r"-(2 [\omega_{ie}^n \times] + [\omega_{en}^n \times]) & [f^n \times] & 0_{3 \times 4}",
         r"0_{3 \times 3} & -([\omega_{ie}^n \times] + [\omega_{en}^n \times]) & 0_{3 \times 4}",
         r"0_{4 \times 3} & 0_{4 \times 3} & 0_{4 \times 4}",
     )
-    H = blocks(
+    H = column(
         r"I_{3 \times 3} & 0_{3 \times 3} & 0_{3 \times 3} & \dot{v}^n",
         r"0_{3 \times 3} & I_{3 \times 3} & -C_r^n & d",
     )
@@ -95,213 +92,88 @@ def transfer(named: Mapping[str, Symbol]) -> dict[str, Derived]:
     three = r"\vee(\hat{C}_r^n \hat{C}_b^r \hat{C}_n^b)"
     return {
         "1": derived(
-            line(
-                "X = " + column(r"\delta v^n", r"\phi^n", r"\theta", r"\Delta t"),
-                EXACT_LINE,
-                "velocity and attitude error of the slave, error of the mounting, delay; the order of F and H",
-            ),
-            defines=("X",),
-            leads_to=("3", "6"),
-            note="Section 2.1 says that φ is the attitude error of the psi model; (8) has the letter for the phi model.",
+            line("X = " + column(r"\delta v^n", r"\phi^n", r"\theta", r"\Delta t"), EXACT_LINE,
+                 "velocity and attitude error of the slave, error of the mounting, delay; the order of F and H"),
+            defines=("X",), leads_to=("3", "6"),
+            note="Section 2.1 says that φ is the attitude error of the psi model; "
+            "(8) has the letter for the phi model.",
         ),
         # the psi model: both errors against the axes c at the computed position
         "2": derived(
-            line(
-                r"\hat{f}^b = f^b",
-                approximately(r"\delta f^b", "the filter has noise for errors of the sensors"),
-                "the sensors are taken as perfect, the accelerometers and the gyros",
-            ),
-            line(
-                r"\hat{g}^n = g^n",
-                approximately(r"\delta g^n", "the position is known; the filter has no state for its error"),
-                "gravity is taken at the right place",
-            ),
-            line(
-                rf"\dot{{\hat{{v}}}}^c = \hat{{C}}_b^c f^b + g^n - {coriolis} \times \hat{{v}}^n",
-                EXACT_LINE,
-                "the computer integrates Newton's law with its own attitude and velocity",
-            ),
-            line(
-                r"\dot{v}^n = C_b^n f^b + g^n - (2 \omega_{ie}^n + \omega_{en}^n) \times v^n",
-                EXACT_LINE,
-                "Newton's law in the true axes",
-            ),
-            line(
-                r"\delta v^n = \hat{v}^n - C_n^c v^n",
-                EXACT_LINE,
-                "the velocity error is against the true velocity carried into the computer's axes c",
-            ),
-            line(
-                r"\dot{\delta v}^n = \dot{\hat{v}}^c - \dot{C}_n^c v^n - C_n^c \dot{v}^n",
-                EXACT_LINE,
-                "by time; so no error of a rate remains",
-                differentiate(
-                    {
-                        r"\delta v^n": r"\dot{\delta v}^n",
-                        r"\hat{v}^n": r"\dot{\hat{v}}^c",
-                        "C_n^c": r"\dot{C}_n^c",
-                        "v^n": r"\dot{v}^n",
-                    }
-                ),
-            ),
+            line(r"\hat{f}^b = f^b", approximately(r"\delta f^b", "the filter has noise for errors of the sensors"),
+                 "the sensors are taken as perfect, the accelerometers and the gyros"),
+            line(r"\hat{g}^n = g^n", approximately(r"\delta g^n",
+                 "the position is known; the filter has no state for its error"),
+                 "gravity is taken at the right place"),
+            line(rf"\dot{{\hat{{v}}}}^c = \hat{{C}}_b^c f^b + g^n - {coriolis} \times \hat{{v}}^n", EXACT_LINE,
+                 "the computer integrates Newton's law with its own attitude and velocity"),
+            line(r"\dot{v}^n = C_b^n f^b + g^n - (2 \omega_{ie}^n + \omega_{en}^n) \times v^n", EXACT_LINE,
+                 "Newton's law in the true axes"),
+            line(r"\delta v^n = \hat{v}^n - C_n^c v^n", EXACT_LINE,
+                 "the velocity error is against the true velocity carried into the computer's axes c"),
+            line(r"\dot{\delta v}^n = \dot{\hat{v}}^c - \dot{C}_n^c v^n - C_n^c \dot{v}^n", EXACT_LINE,
+                 "by time; so no error of a rate remains", differentiate({r"\delta v^n": r"\dot{\delta v}^n",
+                 r"\hat{v}^n": r"\dot{\hat{v}}^c", "C_n^c": r"\dot{C}_n^c", "v^n": r"\dot{v}^n"})),
             line("C_n^c = I", EXACT_LINE, "the axes c lie where the computer believes to be, which is right now"),
-            line(
-                r"\dot{C}_n^c = C_n^c [\omega_{en}^n \times] - [\hat{\omega}_{en}^c \times] C_n^c",
-                EXACT_LINE,
-                "both turn against the Earth, each by its own transport rate",
-            ),
-            line(
-                r"\dot{\delta v}^n = \hat{C}_b^c f^b - C_b^n f^b"
-                rf" - {coriolis} \times \hat{{v}}^n + (2 \omega_{{ie}}^n + \omega_{{en}}^n) \times v^n"
-                r" - (\omega_{en}^n - \hat{\omega}_{en}^c) \times v^n",
-                EXACT_LINE,
-                "gravity cancels",
-                substitute("7", "3", "4", "8", of="6"),
-            ),
-            line(
-                rf"\dot{{\delta v}}^n = (\hat{{C}}_b^c - C_b^n) f^b - {coriolis} \times \delta v^n",
-                EXACT_LINE,
-                "the velocities together are the error",
-                substitute("7", "5"),
-            ),
-            line(
-                rf"\hat{{C}}_b^c = \exp(-{phi_x}) C_n^c C_b^n",
-                EXACT_LINE,
-                "the attitude errs by ψ, which the paper writes φ, against c",
-            ),
-            line(
-                rf"\dot{{\delta v}}^n = (\exp(-{phi_x}) - I) C_b^n f^b - {coriolis} \times \delta v^n",
-                EXACT_LINE,
-                "with this attitude",
-                substitute("7", "11", of="10"),
-            ),
-            line(
-                rf"\dot{{\delta v}}^n = -{phi_x} C_b^n f^b - {coriolis} \times \delta v^n",
-                psi,
-                "a small rotation",
-                expand(r"\phi^n"),
-            ),
+            line(r"\dot{C}_n^c = C_n^c [\omega_{en}^n \times] - [\hat{\omega}_{en}^c \times] C_n^c", EXACT_LINE,
+                 "both turn against the Earth, each by its own transport rate"),
+            line(r"\dot{\delta v}^n = \hat{C}_b^c f^b - C_b^n f^b"
+                 rf" - {coriolis} \times \hat{{v}}^n + (2 \omega_{{ie}}^n + \omega_{{en}}^n) \times v^n"
+                 r" - (\omega_{en}^n - \hat{\omega}_{en}^c) \times v^n", EXACT_LINE, "gravity cancels",
+                 substitute("7", "3", "4", "8", of="6")),
+            line(rf"\dot{{\delta v}}^n = (\hat{{C}}_b^c - C_b^n) f^b - {coriolis} \times \delta v^n", EXACT_LINE,
+                 "the velocities together are the error", substitute("7", "5")),
+            line(rf"\hat{{C}}_b^c = \exp(-{phi_x}) C_n^c C_b^n", EXACT_LINE,
+                 "the attitude errs by ψ, which the paper writes φ, against c"),
+            line(rf"\dot{{\delta v}}^n = (\exp(-{phi_x}) - I) C_b^n f^b - {coriolis} \times \delta v^n", EXACT_LINE,
+                 "with this attitude", substitute("7", "11", of="10")),
+            line(rf"\dot{{\delta v}}^n = -{phi_x} C_b^n f^b - {coriolis} \times \delta v^n", psi, "a small rotation",
+                 expand(r"\phi^n")),
             line("f^n = C_b^n f^b", EXACT_LINE, "the specific force in n"),
             line(rf"-{phi_x} f^n = [f^n \times] \phi^n", IDENTITY, "-ψ x f = f x ψ: the sign of the print is right"),
-            line(
-                r"\hat{\omega}_{en}^c = \omega_{en}^n",
-                limit("velocity_error"),
-                "the computed rate errs by the velocity error alone, and stands before an error",
-            ),
-            line(
-                rf"\dot{{\delta v}}^n = -{phi_x} f^n - (2 \omega_{{ie}}^n + \omega_{{en}}^n) \times \delta v^n",
-                both,
-                "products of errors are dropped",
-                substitute("14", "16", of="13"),
-            ),
-            line(
-                r"\dot{\delta v}^n = -(2 [\omega_{ie}^n \times] + [\omega_{en}^n \times]) \delta v^n"
-                r" + [f^n \times] \phi^n",
-                both,
-                "as the print has it",
-                multiply_out("15"),
-                result=True,
-            ),
-            line(
-                rf"{turn} C_c^n = \exp(-{phi_x})", EXACT_LINE, "line 11 alone", multiply(right="C_n^b C_c^n", of="11")
-            ),
+            line(r"\hat{\omega}_{en}^c = \omega_{en}^n", limit("velocity_error"),
+                 "the computed rate errs by the velocity error alone, and stands before an error"),
+            line(rf"\dot{{\delta v}}^n = -{phi_x} f^n - (2 \omega_{{ie}}^n + \omega_{{en}}^n) \times \delta v^n",
+                 both, "products of errors are dropped", substitute("14", "16", of="13")),
+            line(r"\dot{\delta v}^n = -(2 [\omega_{ie}^n \times] + [\omega_{en}^n \times]) \delta v^n"
+                 r" + [f^n \times] \phi^n", both, "as the print has it", multiply_out("15"), result=True),
+            line(rf"{turn} C_c^n = \exp(-{phi_x})", EXACT_LINE, "line 11 alone",
+                 multiply(right="C_n^b C_c^n", of="11")),
             line(rf"{turn} C_c^n = I - {phi_x}", psi, "a small rotation", expand(r"\phi^n")),
-            line(
-                rf"\dot{{\hat{{C}}}}_b^c C_n^b C_c^n + \hat{{C}}_b^c \dot{{C}}_n^b C_c^n + {turn} \dot{{C}}_c^n"
-                r" = -[\dot{\psi}^n \times]",
-                both,
-                "by time",
-                differentiate(
-                    {
-                        r"\hat{C}_b^c": r"\dot{\hat{C}}_b^c",
-                        "C_b^n": r"\dot{C}_b^n",
-                        "C_n^c": r"\dot{C}_n^c",
-                        r"\phi^n": r"\dot{\psi}^n",
-                    }
-                ),
-            ),
-            line(
-                r"\dot{C}_b^n = C_b^n [\omega_{ib}^b \times] - [\omega_{in}^n \times] C_b^n",
-                EXACT_LINE,
-                "the body turns by its rate, and n by its own",
-            ),
-            line(
-                rf"\dot{{\hat{{C}}}}_b^c = \hat{{C}}_b^c [\omega_{{ib}}^b \times] - {spun} \hat{{C}}_b^c",
-                EXACT_LINE,
-                "the computer turns its attitude by what it measures, and c by the rate that it knows",
-            ),
-            line(
-                r"\hat{\omega}_{in}^c = \omega_{in}^n - \omega_{en}^n + \hat{\omega}_{en}^c",
-                EXACT_LINE,
-                "the Earth's rate is known with the position",
-            ),
-            line(
-                rf"{turn} {spun} - {spun} {turn} = -[\dot{{\psi}}^n \times]",
-                both,
-                "the rate of the body cancels; c is n now",
-                substitute("7", "24", "22", "23", "8", of="21"),
-            ),
-            line(
-                rf"(I - {phi_x}) {spun} - {spun} (I - {phi_x}) = -[\dot{{\psi}}^n \times]",
-                both,
-                "with the small rotation",
-                substitute("7", "20", letters=("", r"\hat{C}_b^c")),
-            ),
-            line(
-                rf"{spun} {phi_x} - {phi_x} {spun} = [(\hat{{\omega}}_{{in}}^c \times \phi^n) \times]",
-                IDENTITY,
-                "of two skew-symmetric matrices",
-            ),
-            line(
-                r"[(\hat{\omega}_{in}^c \times \phi^n) \times] = -[\dot{\psi}^n \times]",
-                both,
-                "the rates alone cancel",
-                multiply_out("27", of="26"),
-            ),
+            line(rf"\dot{{\hat{{C}}}}_b^c C_n^b C_c^n + \hat{{C}}_b^c \dot{{C}}_n^b C_c^n + {turn} \dot{{C}}_c^n"
+                 r" = -[\dot{\psi}^n \times]", both, "by time", differentiate({r"\hat{C}_b^c": r"\dot{\hat{C}}_b^c",
+                 "C_b^n": r"\dot{C}_b^n", "C_n^c": r"\dot{C}_n^c", r"\phi^n": r"\dot{\psi}^n"})),
+            line(r"\dot{C}_b^n = C_b^n [\omega_{ib}^b \times] - [\omega_{in}^n \times] C_b^n", EXACT_LINE,
+                 "the body turns by its rate, and n by its own"),
+            line(rf"\dot{{\hat{{C}}}}_b^c = \hat{{C}}_b^c [\omega_{{ib}}^b \times] - {spun} \hat{{C}}_b^c",
+                 EXACT_LINE, "the computer turns its attitude by what it measures, and c by the rate that it knows"),
+            line(r"\hat{\omega}_{in}^c = \omega_{in}^n - \omega_{en}^n + \hat{\omega}_{en}^c", EXACT_LINE,
+                 "the Earth's rate is known with the position"),
+            line(rf"{turn} {spun} - {spun} {turn} = -[\dot{{\psi}}^n \times]", both,
+                 "the rate of the body cancels; c is n now", substitute("7", "24", "22", "23", "8", of="21")),
+            line(rf"(I - {phi_x}) {spun} - {spun} (I - {phi_x}) = -[\dot{{\psi}}^n \times]", both,
+                 "with the small rotation", substitute("7", "20", letters=("", r"\hat{C}_b^c"))),
+            line(rf"{spun} {phi_x} - {phi_x} {spun} = [(\hat{{\omega}}_{{in}}^c \times \phi^n) \times]", IDENTITY,
+                 "of two skew-symmetric matrices"),
+            line(r"[(\hat{\omega}_{in}^c \times \phi^n) \times] = -[\dot{\psi}^n \times]", both,
+                 "the rates alone cancel", multiply_out("27", of="26")),
             line(r"\hat{\omega}_{in}^c \times \phi^n = -\dot{\psi}^n", both, "of both matrices", take_vector()),
-            line(
-                r"\hat{\omega}_{in}^c = \omega_{ie}^n + \omega_{en}^n",
-                limit("velocity_error"),
-                "as in line 16",
-            ),
-            line(
-                r"([\omega_{ie}^n \times] + [\omega_{en}^n \times]) \phi^n = -\dot{\psi}^n",
-                both,
-                "products of errors are dropped",
-                substitute("30", of="29"),
-            ),
-            line(
-                r"\dot{\psi}^n = -([\omega_{ie}^n \times] + [\omega_{en}^n \times]) \phi^n",
-                both,
-                "so the attitude error stands still in inertial space",
-                solve_for(r"\dot{\psi}^n"),
-                result=True,
-            ),
+            line(r"\hat{\omega}_{in}^c = \omega_{ie}^n + \omega_{en}^n", limit("velocity_error"), "as in line 16"),
+            line(r"([\omega_{ie}^n \times] + [\omega_{en}^n \times]) \phi^n = -\dot{\psi}^n", both,
+                 "products of errors are dropped", substitute("30", of="29")),
+            line(r"\dot{\psi}^n = -([\omega_{ie}^n \times] + [\omega_{en}^n \times]) \phi^n", both,
+                 "so the attitude error stands still in inertial space", solve_for(r"\dot{\psi}^n"), result=True),
             line(r"\dot{\theta} = 0", EXACT_LINE, "the mounting is rigid", result=True),
             line(r"\dot{\Delta t} = 0", EXACT_LINE, "the delay is constant", result=True),
-            unit="m/s^2",
-            readings=(
-                Reading(
-                    named["φ̇"],
-                    named["ψ̇"],
-                    "the text over (1) names the psi model; as the phi model the row lacks δω_in_n",
-                ),
-            ),
-            leads_to=("3",),
+            unit="m/s^2", readings=(Reading(named["φ̇"], named["ψ̇"],
+            "the text over (1) names the psi model; as the phi model the row lacks δω_in_n"),), leads_to=("3",),
         ),
         "3": derived(
             line(rf"\dot{{X}} = {rates}", EXACT_LINE, "in the order of (1)"),
-            line(
-                r"\dot{X} = "
-                + column(
-                    r"-(2 [\omega_{ie}^n \times] + [\omega_{en}^n \times]) \delta v^n + [f^n \times] \phi^n",
-                    r"-([\omega_{ie}^n \times] + [\omega_{en}^n \times]) \phi^n",
-                    r"0_{4 \times 3} \theta",
-                ),
-                both,
-                "the four rows of (2)",
-                substitute("(2)", "(2).2", "(2).3", "(2).4"),
-            ),
+            line(r"\dot{X} = "
+                 + column(r"-(2 [\omega_{ie}^n \times] + [\omega_{en}^n \times]) \delta v^n + [f^n \times] \phi^n",
+                 r"-([\omega_{ie}^n \times] + [\omega_{en}^n \times]) \phi^n", r"0_{4 \times 3} \theta"), both,
+                 "the four rows of (2)", substitute("(2)", "(2).2", "(2).3", "(2).4")),
             line(rf"\dot{{X}} = {F} X", both, "X is taken out to the right", multiply_out()),
             line(r"\dot{X} = F X", both, "F is what makes the rates of the states, to first order"),
             line(rf"F X = {F} X", both, "both are the rates", chain("3", "4")),
@@ -310,162 +182,78 @@ def transfer(named: Mapping[str, Symbol]) -> dict[str, Derived]:
         ),
         # the measurement of the transfer alignment
         "4": derived(
-            line(
-                r"Z_v(k) = \hat{v}_{SINS}^n - \hat{v}_{MINS}^n", EXACT_LINE, "the measurement, computed less reported"
-            ),
+            line(r"Z_v(k) = \hat{v}_{SINS}^n - \hat{v}_{MINS}^n", EXACT_LINE,
+                 "the measurement, computed less reported"),
             line(r"\hat{v}_{SINS}^n = v^n + \delta v^n", EXACT_LINE, "the slave's velocity errs"),
-            line(
-                r"\hat{v}_{MINS}^n = v_{old}^n + \Delta v_{MINS}",
-                EXACT_LINE,
-                "the master's velocity is as old as its attitude in (5), and errs",
-            ),
+            line(r"\hat{v}_{MINS}^n = v_{old}^n + \Delta v_{MINS}", EXACT_LINE,
+                 "the master's velocity is as old as its attitude in (5), and errs"),
             line(r"v_{old}^n = v^n - \dot{v}^n \Delta t", of_order(1, "delay"), "to first order in the delay"),
             line(r"\nu_v(k) = -\Delta v_{MINS}", EXACT_LINE, "the noise is that of the master"),
-            line(
-                r"Z_v(k) = (v^n + \delta v^n) - (v^n - \dot{v}^n \Delta t + \Delta v_{MINS})",
-                first_order("delay"),
-                "both velocities",
-                substitute("2", "4", "3", of="1"),
-            ),
-            line(
-                r"Z_v(k) = \delta v^n + \dot{v}^n \Delta t + \nu_v(k)",
-                first_order("delay"),
-                "the true velocity cancels",
-                substitute("5", letters=(r"\Delta v_{MINS}",)),
-            ),
-            line(
-                r"Z_v(k) = \hat{v}_{SINS}^n - \hat{v}_{MINS}^n"
-                r" = (v^n + \delta v^n) - (v^n - \dot{v}^n \Delta t + \Delta v_{MINS})"
-                r" = \delta v^n + \dot{v}^n \Delta t + \nu_v(k)",
-                first_order("delay"),
-                "in one",
-                chain("1", "6", "7"),
-                result=True,
-            ),
-            unit="m/s",
-            leads_to=("6",),
+            line(r"Z_v(k) = (v^n + \delta v^n) - (v^n - \dot{v}^n \Delta t + \Delta v_{MINS})", first_order("delay"),
+                 "both velocities", substitute("2", "4", "3", of="1")),
+            line(r"Z_v(k) = \delta v^n + \dot{v}^n \Delta t + \nu_v(k)", first_order("delay"),
+                 "the true velocity cancels", substitute("5", letters=(r"\Delta v_{MINS}",))),
+            line(r"Z_v(k) = \hat{v}_{SINS}^n - \hat{v}_{MINS}^n"
+                 r" = (v^n + \delta v^n) - (v^n - \dot{v}^n \Delta t + \Delta v_{MINS})"
+                 r" = \delta v^n + \dot{v}^n \Delta t + \nu_v(k)", first_order("delay"), "in one",
+                 chain("1", "6", "7"), result=True),
+            unit="m/s", leads_to=("6",),
             note="The line leaves out the delay, for which (6) has a column. If the delay were part of Δv_MINS, (4) "
             "would define it and stand, but then no column of the delay could stand in the first row of (6).",
         ),
         "5": derived(
-            line(
-                rf"Z_{{dcm}}(k) = {three}",
-                EXACT_LINE,
-                "components pass from n to b by the slave, from b to r by the mounting, from r to n by the master",
-            ),
+            line(rf"Z_{{dcm}}(k) = {three}", EXACT_LINE,
+                 "components pass from n to b by the slave, from b to r by the mounting, from r to n by the master"),
             line(r"\hat{C}_b^r = \exp(-[\theta \times]) C_b^r", EXACT_LINE, "the mounting errs by θ"),
             line(rf"\hat{{C}}_n^b = C_n^b \exp({phi_x})", EXACT_LINE, "the slave errs by φ"),
-            line(
-                rf"\hat{{C}}_r^n = \exp([\nu_{{dcm}}(k) \times]) {late}",
-                EXACT_LINE,
-                "the master's attitude is old, and its own error is the noise",
-            ),
-            line(
-                rf"Z_{{dcm}}(k) = \vee(\exp([\nu_{{dcm}}(k) \times]) {late} \exp(-[\theta \times]) C_b^r C_n^b"
-                rf" \exp({phi_x}))",
-                EXACT_LINE,
-                "the product of three erring matrices",
-                substitute("2", "3", "4", of="1"),
-            ),
-            line(
-                rf"Z_{{dcm}}(k) = \vee({late} C_b^r C_n^b + [\nu_{{dcm}}(k) \times] {late} C_b^r C_n^b"
-                rf" - {late} [\theta \times] C_b^r C_n^b + {late} C_b^r C_n^b {phi_x})",
-                first_order("phi", "theta", "master_attitude_error"),
-                "multiplied out, one error in each term",
-                expand(r"\nu_{dcm}(k)", r"\theta", r"\phi^n"),
-            ),
+            line(rf"\hat{{C}}_r^n = \exp([\nu_{{dcm}}(k) \times]) {late}", EXACT_LINE,
+                 "the master's attitude is old, and its own error is the noise"),
+            line(rf"Z_{{dcm}}(k) = \vee(\exp([\nu_{{dcm}}(k) \times]) {late} \exp(-[\theta \times]) C_b^r C_n^b"
+                 rf" \exp({phi_x}))", EXACT_LINE, "the product of three erring matrices",
+                 substitute("2", "3", "4", of="1")),
+            line(rf"Z_{{dcm}}(k) = \vee({late} C_b^r C_n^b + [\nu_{{dcm}}(k) \times] {late} C_b^r C_n^b"
+                 rf" - {late} [\theta \times] C_b^r C_n^b + {late} C_b^r C_n^b {phi_x})",
+                 first_order("phi", "theta", "master_attitude_error"), "multiplied out, one error in each term",
+                 expand(r"\nu_{dcm}(k)", r"\theta", r"\phi^n")),
             line("C_r^n C_b^r = C_b^n", EXACT_LINE, "the slave stands on the master"),
             line("C_b^r C_n^b = C_n^r", EXACT_LINE, "so from b and back", multiply(left="C_n^r", right="C_n^b")),
-            line(
-                rf"Z_{{dcm}}(k) = \vee({late} C_n^r + [\nu_{{dcm}}(k) \times] {late} C_n^r"
-                rf" - {late} [\theta \times] C_n^r + {late} C_n^r {phi_x})",
-                first_order("phi", "theta", "master_attitude_error"),
-                "the master's attitude then, against now",
-                substitute("8", of="6", letters=("C_b^r",)),
-            ),
-            line(
-                rf"{late} [\theta \times] C_n^r = {late_theta} {late} C_n^r",
-                IDENTITY,
-                "a rotation turns the axis of a skew-symmetric matrix",
-            ),
-            line(
-                rf"Z_{{dcm}}(k) = \vee({late} C_n^r + [\nu_{{dcm}}(k) \times] {late} C_n^r"
-                rf" - {late_theta} {late} C_n^r + {late} C_n^r {phi_x})",
-                first_order("phi", "theta", "master_attitude_error"),
-                "so θ in the axes of n",
-                multiply_out("10", of="9"),
-            ),
-            line(
-                rf"{late} = {I_late} C_r^n",
-                of_order(1, "delay"),
-                "during the delay the master turns against n",
-            ),
-            line(
-                rf"{late} C_n^r = I - \Delta t [\omega_{{nr}}^n \times]",
-                of_order(1, "delay"),
-                "the turn alone",
-                multiply(right="C_n^r"),
-            ),
-            line(
-                rf"Z_{{dcm}}(k) = \vee({I_late} + [\nu_{{dcm}}(k) \times] {I_late}"
-                rf" - {late_theta} {I_late} + {I_late} {phi_x})",
-                errors,
-                "with the turn of the delay",
-                substitute("13", of="11", letters=("C_n^r",)),
-            ),
-            line(
-                r"Z_{dcm}(k) = \vee(I - \Delta t [\omega_{nr}^n \times] + [\nu_{dcm}(k) \times]"
-                rf" - {late_theta} + {phi_x})",
-                errors,
-                "multiplied out; products of errors and delay are dropped, and the product is I + [Z x]",
-                expand(r"\Delta t", r"\nu_{dcm}(k)", r"\theta", r"\phi^n"),
-            ),
-            line(
-                rf"Z_{{dcm}}(k) = -\Delta t \omega_{{nr}}^n + \nu_{{dcm}}(k) - {late} \theta + \phi^n",
-                errors,
-                "the vectors of the matrices; I has none",
-                multiply_out(),
-            ),
-            line(
-                r"d = -\omega_{nr}^n",
-                EXACT_LINE,
-                "d, which the paper nowhere defines, is the rate of n against r",
-            ),
-            line(
-                rf"Z_{{dcm}}(k) = {three} = \phi^n - {late} \theta + d \Delta t + \nu_{{dcm}}(k)",
-                errors,
-                "with this d",
-                substitute("17", "16", of="1"),
-                result=True,
-            ),
-            as_vector=True,
-            unit="rad",
-            leads_to=("6",),
+            line(rf"Z_{{dcm}}(k) = \vee({late} C_n^r + [\nu_{{dcm}}(k) \times] {late} C_n^r"
+                 rf" - {late} [\theta \times] C_n^r + {late} C_n^r {phi_x})",
+                 first_order("phi", "theta", "master_attitude_error"), "the master's attitude then, against now",
+                 substitute("8", of="6", letters=("C_b^r",))),
+            line(rf"{late} [\theta \times] C_n^r = {late_theta} {late} C_n^r", IDENTITY,
+                 "a rotation turns the axis of a skew-symmetric matrix"),
+            line(rf"Z_{{dcm}}(k) = \vee({late} C_n^r + [\nu_{{dcm}}(k) \times] {late} C_n^r"
+                 rf" - {late_theta} {late} C_n^r + {late} C_n^r {phi_x})",
+                 first_order("phi", "theta", "master_attitude_error"), "so θ in the axes of n",
+                 multiply_out("10", of="9")),
+            line(rf"{late} = {I_late} C_r^n", of_order(1, "delay"), "during the delay the master turns against n"),
+            line(rf"{late} C_n^r = I - \Delta t [\omega_{{nr}}^n \times]", of_order(1, "delay"), "the turn alone",
+                 multiply(right="C_n^r")),
+            line(rf"Z_{{dcm}}(k) = \vee({I_late} + [\nu_{{dcm}}(k) \times] {I_late}"
+                 rf" - {late_theta} {I_late} + {I_late} {phi_x})", errors, "with the turn of the delay",
+                 substitute("13", of="11", letters=("C_n^r",))),
+            line(r"Z_{dcm}(k) = \vee(I - \Delta t [\omega_{nr}^n \times] + [\nu_{dcm}(k) \times]"
+                 rf" - {late_theta} + {phi_x})", errors,
+                 "multiplied out; products of errors and delay are dropped, and the product is I + [Z x]",
+                 expand(r"\Delta t", r"\nu_{dcm}(k)", r"\theta", r"\phi^n")),
+            line(rf"Z_{{dcm}}(k) = -\Delta t \omega_{{nr}}^n + \nu_{{dcm}}(k) - {late} \theta + \phi^n", errors,
+                 "the vectors of the matrices; I has none", multiply_out()),
+            line(r"d = -\omega_{nr}^n", EXACT_LINE, "d, which the paper nowhere defines, is the rate of n against r"),
+            line(rf"Z_{{dcm}}(k) = {three} = \phi^n - {late} \theta + d \Delta t + \nu_{{dcm}}(k)", errors,
+                 "with this d", substitute("17", "16", of="1"), result=True),
+            as_vector=True, unit="rad", leads_to=("6",),
             note="The product of three matrices is set equal to a vector: read as the vector of its skew-symmetric "
             "part. δt is the Δt of (1).",
         ),
         "6": derived(
-            line(
-                f"{measured} = "
-                + column(
-                    r"\delta v^n + \dot{v}^n \Delta t + \nu_v(k)",
-                    rf"\phi^n - {late} \theta + d \Delta t + \nu_{{dcm}}(k)",
-                ),
-                errors,
-                "(4) and (5), as derived",
-                stack("(4)", "(5)"),
-            ),
+            line(f"{measured} = " + column(r"\delta v^n + \dot{v}^n \Delta t + \nu_v(k)",
+                 rf"\phi^n - {late} \theta + d \Delta t + \nu_{{dcm}}(k)"), errors, "(4) and (5), as derived",
+                 stack("(4)", "(5)")),
             line(rf"{late} = C_r^n", limit("delay"), "it stands before an error"),
-            line(
-                f"{measured} = "
-                + column(
-                    r"\delta v^n + \dot{v}^n \Delta t + \nu_v(k)",
-                    r"\phi^n - C_r^n \theta + d \Delta t + \nu_{dcm}(k)",
-                ),
-                errors,
-                "the product of delay and error is dropped",
-                substitute("2", of="1"),
-            ),
+            line(f"{measured} = " + column(r"\delta v^n + \dot{v}^n \Delta t + \nu_v(k)",
+                 r"\phi^n - C_r^n \theta + d \Delta t + \nu_{dcm}(k)"), errors,
+                 "the product of delay and error is dropped", substitute("2", of="1")),
             line(f"{measured} = {H} X + {noise}", errors, "in the order of (1)", multiply_out()),
             line(f"{measured} = H X + {noise}", errors, "H is what the measurements see of the states"),
             line(f"H X + {noise} = {H} X + {noise}", errors, "both are the measurements", chain("4", "5")),
@@ -487,9 +275,10 @@ def hold(named: Mapping[str, Symbol]) -> dict[str, Derived]:
     phi_x, in_x, gyro_x = r"[\phi^n \times]", r"[\omega_{in}^n \times]", r"[\delta \omega_{ib}^b \times]"
     coordinates = column(r"\delta \dot{l}", r"\delta \dot{L}", r"\delta \dot{h}")
     coriolis = r"2 [\omega_{ie}^n \times] + [\omega_{en}^n \times]"
-    F = blocks(
+    F = column(
         "A_p & A_v & 0 & 0 & 0",
-        rf"W_g + [v^n \times] (2 W_{{ie}} + W_{{ep}}) & [v^n \times] W_{{ev}} - ({coriolis}) & [f^n \times] & 0 & C_b^n",
+        rf"W_g + [v^n \times] (2 W_{{ie}} + W_{{ep}}) & [v^n \times] W_{{ev}} - ({coriolis})"
+        r" & [f^n \times] & 0 & C_b^n",
         r"W_{ie} + W_{ep} & W_{ev} & -([\omega_{ie}^n \times] + [\omega_{en}^n \times]) & -C_b^n & 0",
         r"0_{3 \times 3} & 0 & 0 & 0 & 0",
         r"0_{3 \times 3} & 0 & 0 & 0 & 0",
@@ -499,359 +288,179 @@ def hold(named: Mapping[str, Symbol]) -> dict[str, Derived]:
     return {
         "7": derived(
             line(r"\delta \omega_{ie}^n = W_{ie} x_p", errors, "the Earth's axis leans with the latitude"),
-            line(
-                r"\delta \omega_{en}^n = W_{ep} x_p + W_{ev} x_v",
-                errors,
-                "the transport rate depends on place and velocity",
-            ),
+            line(r"\delta \omega_{en}^n = W_{ep} x_p + W_{ev} x_v", errors,
+                 "the transport rate depends on place and velocity"),
             line(r"\delta g^n = W_g x_p", errors, "gravity depends on the place"),
             line(r"\delta f^b = x_{Ab} + w_f", EXACT_LINE, "an accelerometer errs by its bias and by noise"),
             line(r"\delta \omega_{ib}^b = x_{Cb} + w_\omega", EXACT_LINE, "and so does a gyro"),
-            line(
-                r"A_p = "
-                + blocks(
-                    r"0 & \frac{\rho_n \tan L}{\cos L} - \frac{\rho_n}{(R_E + h) \cos L} R_{EE}"
-                    r" & -\frac{\rho_n}{(R_E + h) \cos L}",
-                    r"0 & \frac{\rho_e}{(R_N + h)} R_{NN} & \frac{\rho_e}{(R_N + h)}",
-                    "0 & 0 & 0",
-                ),
-                DEFINITION,
-                "the columns of (9) by position",
-            ),
-            line(
-                r"A_v = " + blocks(r"\frac{1}{(R_E + h) \cos L} & 0 & 0", r"0 & \frac{1}{(R_N + h)} & 0", "0 & 0 & 1"),
-                DEFINITION,
-                "the columns of (9) by velocity",
-            ),
-            line(
-                f"{coordinates} = "
-                + column(
-                    r"(\frac{\rho_n \tan L}{\cos L} - \frac{\rho_n}{(R_E + h) \cos L} R_{EE}) \delta L"
-                    r" - \frac{\rho_n}{(R_E + h) \cos L} \delta h + \frac{1}{(R_E + h) \cos L} \delta v_e",
-                    r"\frac{\rho_e}{(R_N + h)} R_{NN} \delta L + \frac{\rho_e}{(R_N + h)} \delta h"
-                    r" + \frac{1}{(R_N + h)} \delta v_n",
-                    r"\delta v_u",
-                ),
-                errors,
-                "the rows of (9)",
-                stack("(9)", "(9).2", "(9).3"),
-            ),
-            line(
-                f"{coordinates} = A_p x_p + A_v x_v",
-                errors,
-                "in the order of (8)",
-                substitute("6", "7"),
-            ),
-            line(
-                r"\delta \dot{v}^n = (W_g + [v^n \times] (2 W_{ie} + W_{ep})) x_p"
-                rf" + ([v^n \times] W_{{ev}} - ({coriolis})) x_v + [f^n \times] x_\phi + C_b^n (x_{{Ab}} + w_f)",
-                errors,
-                "(10) with the states in it; -δω x v = v x δω",
-                substitute("1", "2", "3", "4", of="(10)"),
-            ),
-            line(
-                r"\dot{\phi}^n = (W_{ie} + W_{ep}) x_p + W_{ev} x_v"
-                r" - ([\omega_{ie}^n \times] + [\omega_{en}^n \times]) x_\phi - C_b^n (x_{Cb} + w_\omega)",
-                errors,
-                "(11) with the states in it",
-                substitute("1", "2", "5", of="(11)"),
-            ),
-            line(
-                r"\dot{x}_k = "
-                + column(
-                    r"\delta \dot{l}",
-                    r"\delta \dot{L}",
-                    r"\delta \dot{h}",
-                    r"\delta \dot{v}^n",
-                    r"\dot{\phi}^n",
-                    r"0_{3 \times 3} x_{Cb}",
-                    r"0_{3 \times 3} x_{Ab}",
-                ),
-                EXACT_LINE,
-                "the biases are random constants",
-            ),
-            line(
-                rf"\dot{{x}}_k = {F} x_k + {noise}",
-                errors,
-                "the states are taken out to the right",
-                substitute("9", "10", "11"),
-            ),
-            line(
-                r"\dot{x}_k = F_k x_k + w_k",
-                errors,
-                "F_k is the derivative of the exact rates (9) to (11) by the states, w_k what the sensors' noise adds",
-                result=True,
-            ),
-            line(
-                rf"F_k x_k + w_k = {F} x_k + {noise}",
-                errors,
-                "both are the rates",
-                chain("13", "14"),
-            ),
+            line(r"A_p = " + column(r"0 & \frac{\rho_n \tan L}{\cos L} - \frac{\rho_n}{(R_E + h) \cos L} R_{EE}"
+                 r" & -\frac{\rho_n}{(R_E + h) \cos L}",
+                 r"0 & \frac{\rho_e}{(R_N + h)} R_{NN} & \frac{\rho_e}{(R_N + h)}", "0 & 0 & 0"), DEFINITION,
+                 "the columns of (9) by position"),
+            line(r"A_v = " + column(r"\frac{1}{(R_E + h) \cos L} & 0 & 0", r"0 & \frac{1}{(R_N + h)} & 0",
+                 "0 & 0 & 1"), DEFINITION, "the columns of (9) by velocity"),
+            line(f"{coordinates} = "
+                 + column(r"(\frac{\rho_n \tan L}{\cos L} - \frac{\rho_n}{(R_E + h) \cos L} R_{EE}) \delta L"
+                 r" - \frac{\rho_n}{(R_E + h) \cos L} \delta h + \frac{1}{(R_E + h) \cos L} \delta v_e",
+                 r"\frac{\rho_e}{(R_N + h)} R_{NN} \delta L + \frac{\rho_e}{(R_N + h)} \delta h"
+                 r" + \frac{1}{(R_N + h)} \delta v_n", r"\delta v_u"), errors, "the rows of (9)",
+                 stack("(9)", "(9).2", "(9).3")),
+            line(f"{coordinates} = A_p x_p + A_v x_v", errors, "in the order of (8)", substitute("6", "7")),
+            line(r"\delta \dot{v}^n = (W_g + [v^n \times] (2 W_{ie} + W_{ep})) x_p"
+                 rf" + ([v^n \times] W_{{ev}} - ({coriolis})) x_v + [f^n \times] x_\phi + C_b^n (x_{{Ab}} + w_f)",
+                 errors, "(10) with the states in it; -δω x v = v x δω", substitute("1", "2", "3", "4", of="(10)")),
+            line(r"\dot{\phi}^n = (W_{ie} + W_{ep}) x_p + W_{ev} x_v"
+                 r" - ([\omega_{ie}^n \times] + [\omega_{en}^n \times]) x_\phi - C_b^n (x_{Cb} + w_\omega)", errors,
+                 "(11) with the states in it", substitute("1", "2", "5", of="(11)")),
+            line(r"\dot{x}_k = " + column(r"\delta \dot{l}", r"\delta \dot{L}", r"\delta \dot{h}",
+                 r"\delta \dot{v}^n", r"\dot{\phi}^n", r"0_{3 \times 3} x_{Cb}", r"0_{3 \times 3} x_{Ab}"),
+                 EXACT_LINE, "the biases are random constants"),
+            line(rf"\dot{{x}}_k = {F} x_k + {noise}", errors, "the states are taken out to the right",
+                 substitute("9", "10", "11")),
+            line(r"\dot{x}_k = F_k x_k + w_k", errors,
+                 "F_k is the derivative of the exact rates (9) to (11) by the states, w_k what the sensors' noise adds",
+                 result=True),
+            line(rf"F_k x_k + w_k = {F} x_k + {noise}", errors, "both are the rates", chain("13", "14")),
             line(rf"F_k = {F}", EXACT_LINE, "whatever the states are", identify("x_k")),
             line(rf"F_k x_k = {F} x_k", EXACT_LINE, "of these states", multiply(right="x_k")),
             line(rf"w_k = {noise}", EXACT_LINE, "the rest of line 15", subtract_line("17", of="15")),
-            leads_to=("12",),
-            note="The rate of a continuous system with the index of a step: a label.",
+            leads_to=("12",), note="The rate of a continuous system with the index of a step: a label.",
         ),
         "8": derived(
-            line(
-                "x = " + column("x_p", "x_v", r"x_\phi", "x_{Cb}", "x_{Ab}"),
-                EXACT_LINE,
-                "the order of the states, which F_k and H_k share",
-            ),
+            line("x = " + column("x_p", "x_v", r"x_\phi", "x_{Cb}", "x_{Ab}"), EXACT_LINE,
+                 "the order of the states, which F_k and H_k share"),
             line(r"x_p = [\delta l \ \delta L \ \delta h]^T", EXACT_LINE, "errors of longitude, latitude, height"),
             line(r"x_v = [\delta v_e \ \delta v_n \ \delta v_u]^T", EXACT_LINE, "errors of the velocity"),
             line(r"x_\phi = [\phi_e \ \phi_n \ \phi_u]^T", EXACT_LINE, "errors of the attitude"),
-            defines=("x",),
-            leads_to=("7",),
+            defines=("x",), leads_to=("7",),
         ),
         "9": derived(
-            line(
-                r"\dot{l} = \frac{v_e}{(R_E + h) \cos L}",
-                EXACT_LINE,
-                "a velocity over the radius of its circle; R_E is the transverse radius",
-            ),
+            line(r"\dot{l} = \frac{v_e}{(R_E + h) \cos L}", EXACT_LINE,
+                 "a velocity over the radius of its circle; R_E is the transverse radius"),
             line(r"\dot{L} = \frac{v_n}{R_N + h}", EXACT_LINE, "R_N is the radius of the meridian"),
             line(r"\dot{h} = v_u", EXACT_LINE, "the height is along the vertical"),
-            line(
-                r"\partial_L \dot{l} = \frac{v_e \tan L}{(R_E + h) \cos L} - \frac{v_e}{(R_E + h)^2 \cos L} R_{EE}",
-                EXACT_LINE,
-                "by latitude, also through the radius, whose slope is R_EE = dR_E/dL",
-                differentiate({r"\dot{l}": r"\partial_L \dot{l}", "L": "1", "R_E": "R_{EE}"}, of="1"),
-            ),
-            line(
-                r"\partial_h \dot{l} = -\frac{v_e}{(R_E + h)^2 \cos L}",
-                EXACT_LINE,
-                "by height",
-                differentiate({r"\dot{l}": r"\partial_h \dot{l}", "h": "1"}, of="1"),
-            ),
-            line(
-                r"\partial_v \dot{l} = \frac{1}{(R_E + h) \cos L}",
-                EXACT_LINE,
-                "by velocity",
-                differentiate({r"\dot{l}": r"\partial_v \dot{l}", "v_e": "1"}, of="1"),
-            ),
-            line(
-                r"\partial_L \dot{L} = -\frac{v_n}{(R_N + h)^2} R_{NN}",
-                EXACT_LINE,
-                "by latitude, through the radius alone, whose slope is R_NN = dR_N/dL",
-                differentiate({r"\dot{L}": r"\partial_L \dot{L}", "R_N": "R_{NN}"}, of="2"),
-            ),
-            line(
-                r"\partial_h \dot{L} = -\frac{v_n}{(R_N + h)^2}",
-                EXACT_LINE,
-                "by height",
-                differentiate({r"\dot{L}": r"\partial_h \dot{L}", "h": "1"}, of="2"),
-            ),
-            line(
-                r"\partial_v \dot{L} = \frac{1}{R_N + h}",
-                EXACT_LINE,
-                "by velocity",
-                differentiate({r"\dot{L}": r"\partial_v \dot{L}", "v_n": "1"}, of="2"),
-            ),
-            line(
-                r"\delta \dot{l} = \partial_L \dot{l} \delta L + \partial_h \dot{l} \delta h"
-                r" + \partial_v \dot{l} \delta v_e",
-                first_order(*slow),
-                "the computed rate less the true one, to first order",
-            ),
-            line(
-                r"\delta \dot{L} = \partial_L \dot{L} \delta L + \partial_h \dot{L} \delta h"
-                r" + \partial_v \dot{L} \delta v_n",
-                first_order(*slow),
-                "and of the latitude",
-            ),
+            line(r"\partial_L \dot{l} = \frac{v_e \tan L}{(R_E + h) \cos L} - \frac{v_e}{(R_E + h)^2 \cos L} R_{EE}",
+                 EXACT_LINE, "by latitude, also through the radius, whose slope is R_EE = dR_E/dL",
+                 differentiate({r"\dot{l}": r"\partial_L \dot{l}", "L": "1", "R_E": "R_{EE}"}, of="1")),
+            line(r"\partial_h \dot{l} = -\frac{v_e}{(R_E + h)^2 \cos L}", EXACT_LINE, "by height",
+                 differentiate({r"\dot{l}": r"\partial_h \dot{l}", "h": "1"}, of="1")),
+            line(r"\partial_v \dot{l} = \frac{1}{(R_E + h) \cos L}", EXACT_LINE, "by velocity",
+                 differentiate({r"\dot{l}": r"\partial_v \dot{l}", "v_e": "1"}, of="1")),
+            line(r"\partial_L \dot{L} = -\frac{v_n}{(R_N + h)^2} R_{NN}", EXACT_LINE,
+                 "by latitude, through the radius alone, whose slope is R_NN = dR_N/dL",
+                 differentiate({r"\dot{L}": r"\partial_L \dot{L}", "R_N": "R_{NN}"}, of="2")),
+            line(r"\partial_h \dot{L} = -\frac{v_n}{(R_N + h)^2}", EXACT_LINE, "by height",
+                 differentiate({r"\dot{L}": r"\partial_h \dot{L}", "h": "1"}, of="2")),
+            line(r"\partial_v \dot{L} = \frac{1}{R_N + h}", EXACT_LINE, "by velocity",
+                 differentiate({r"\dot{L}": r"\partial_v \dot{L}", "v_n": "1"}, of="2")),
+            line(r"\delta \dot{l} = \partial_L \dot{l} \delta L + \partial_h \dot{l} \delta h"
+                 r" + \partial_v \dot{l} \delta v_e", first_order(*slow),
+                 "the computed rate less the true one, to first order"),
+            line(r"\delta \dot{L} = \partial_L \dot{L} \delta L + \partial_h \dot{L} \delta h"
+                 r" + \partial_v \dot{L} \delta v_n", first_order(*slow), "and of the latitude"),
             line(r"\rho_n = \frac{v_e}{R_E + h}", EXACT_LINE, "the component north of ω_en_n"),
             line(r"\rho_e = -\frac{v_n}{R_N + h}", EXACT_LINE, "the component east of ω_en_n"),
-            line(
-                r"\delta \dot{l} = (\frac{\rho_n \tan L}{\cos L} - \frac{\rho_n}{(R_E + h) \cos L} R_{EE}) \delta L"
-                r" - \frac{\rho_n}{(R_E + h) \cos L} \delta h + \frac{1}{(R_E + h) \cos L} \delta v_e",
-                first_order(*slow),
-                "ρ_n for the velocity east",
-                substitute("12", "4", "5", "6", of="10"),
-                result=True,
-            ),
-            line(
-                r"\delta \dot{L} = \frac{\rho_e}{(R_N + h)} R_{NN} \delta L + \frac{\rho_e}{(R_N + h)} \delta h"
-                r" + \frac{1}{(R_N + h)} \delta v_n",
-                first_order(*slow),
-                "ρ_e for the velocity north",
-                substitute("13", "7", "8", "9", of="11"),
-                result=True,
-            ),
-            line(
-                r"\delta \dot{h} = \delta v_u",
-                EXACT_LINE,
-                "the height's rate depends on nothing else",
-                differentiate({r"\dot{h}": r"\delta \dot{h}", "v_u": r"\delta v_u"}, of="3"),
-                result=True,
-            ),
-            unit="rad/s",
-            leads_to=("7",),
+            line(r"\delta \dot{l} = (\frac{\rho_n \tan L}{\cos L} - \frac{\rho_n}{(R_E + h) \cos L} R_{EE}) \delta L"
+                 r" - \frac{\rho_n}{(R_E + h) \cos L} \delta h + \frac{1}{(R_E + h) \cos L} \delta v_e",
+                 first_order(*slow), "ρ_n for the velocity east", substitute("12", "4", "5", "6", of="10"),
+                 result=True),
+            line(r"\delta \dot{L} = \frac{\rho_e}{(R_N + h)} R_{NN} \delta L + \frac{\rho_e}{(R_N + h)} \delta h"
+                 r" + \frac{1}{(R_N + h)} \delta v_n", first_order(*slow), "ρ_e for the velocity north",
+                 substitute("13", "7", "8", "9", of="11"), result=True),
+            line(r"\delta \dot{h} = \delta v_u", EXACT_LINE, "the height's rate depends on nothing else",
+                 differentiate({r"\dot{h}": r"\delta \dot{h}", "v_u": r"\delta v_u"}, of="3"), result=True),
+            unit="rad/s", leads_to=("7",),
             note="It has three slips: ρ_e for ρ_n in the first term, R_E for R_N and the sign of δh in the row of the "
             "latitude. ρ is not defined in the text; no choice of ρ_e and ρ_n among +-v_n/(R_N+h) and +-v_e/(R_E+h) "
             "saves them.",
         ),
         # the phi model
         "10": derived(
-            line(
-                r"\dot{v}^n = C_b^n f^b + g^n - (2 \omega_{ie}^n + \omega_{en}^n) \times v^n",
-                EXACT_LINE,
-                "the exact rate of the velocity, for the true state",
-            ),
-            line(
-                r"\dot{\hat{v}}^n = \hat{C}_b^n \hat{f}^b + \hat{g}^n"
-                r" - (2 \hat{\omega}_{ie}^n + \hat{\omega}_{en}^n) \times \hat{v}^n",
-                EXACT_LINE,
-                "and for the computed state",
-            ),
+            line(r"\dot{v}^n = C_b^n f^b + g^n - (2 \omega_{ie}^n + \omega_{en}^n) \times v^n", EXACT_LINE,
+                 "the exact rate of the velocity, for the true state"),
+            line(r"\dot{\hat{v}}^n = \hat{C}_b^n \hat{f}^b + \hat{g}^n"
+                 r" - (2 \hat{\omega}_{ie}^n + \hat{\omega}_{en}^n) \times \hat{v}^n", EXACT_LINE,
+                 "and for the computed state"),
             line(r"\delta \dot{v}^n = \dot{\hat{v}}^n - \dot{v}^n", EXACT_LINE, "the error is computed less true"),
             line(rf"\hat{{C}}_b^n = \exp(-{phi_x}) C_b^n", EXACT_LINE, "the attitude errs by φ"),
             line(r"\hat{f}^b = f^b + \delta f^b", EXACT_LINE, "the accelerometers err by δf_b"),
             line(r"\hat{g}^n = g^n + \delta g^n", EXACT_LINE, "gravity is where one believes to be"),
             line(r"\hat{\omega}_{ie}^n = \omega_{ie}^n + \delta \omega_{ie}^n", EXACT_LINE, "so is the Earth's rate"),
-            line(
-                r"\hat{\omega}_{en}^n = \omega_{en}^n + \delta \omega_{en}^n",
-                EXACT_LINE,
-                "the transport rate is of the computed state",
-            ),
+            line(r"\hat{\omega}_{en}^n = \omega_{en}^n + \delta \omega_{en}^n", EXACT_LINE,
+                 "the transport rate is of the computed state"),
             line(r"\hat{v}^n = v^n + \delta v^n", EXACT_LINE, "and so is the velocity"),
-            line(
-                rf"\delta \dot{{v}}^n = \exp(-{phi_x}) C_b^n (f^b + \delta f^b) - C_b^n f^b + \delta g^n"
-                r" - (2 (\omega_{ie}^n + \delta \omega_{ie}^n) + \omega_{en}^n + \delta \omega_{en}^n)"
-                r" \times (v^n + \delta v^n) + (2 \omega_{ie}^n + \omega_{en}^n) \times v^n",
-                EXACT_LINE,
-                "one less the other; gravity cancels",
-                substitute("4", "5", "6", "7", "8", "9", "1", "2", of="3"),
-            ),
-            line(
-                rf"\delta \dot{{v}}^n = -{phi_x} C_b^n f^b + C_b^n \delta f^b + \delta g^n"
-                r" - (2 \delta \omega_{ie}^n + \delta \omega_{en}^n) \times v^n"
-                r" - (2 \omega_{ie}^n + \omega_{en}^n) \times \delta v^n",
-                errors,
-                "products of errors are dropped",
-                expand(r"\phi^n", r"\delta f^b", r"\delta \omega_{ie}^n", r"\delta \omega_{en}^n", r"\delta v^n"),
-            ),
+            line(rf"\delta \dot{{v}}^n = \exp(-{phi_x}) C_b^n (f^b + \delta f^b) - C_b^n f^b + \delta g^n"
+                 r" - (2 (\omega_{ie}^n + \delta \omega_{ie}^n) + \omega_{en}^n + \delta \omega_{en}^n)"
+                 r" \times (v^n + \delta v^n) + (2 \omega_{ie}^n + \omega_{en}^n) \times v^n", EXACT_LINE,
+                 "one less the other; gravity cancels", substitute("4", "5", "6", "7", "8", "9", "1", "2", of="3")),
+            line(rf"\delta \dot{{v}}^n = -{phi_x} C_b^n f^b + C_b^n \delta f^b + \delta g^n"
+                 r" - (2 \delta \omega_{ie}^n + \delta \omega_{en}^n) \times v^n"
+                 r" - (2 \omega_{ie}^n + \omega_{en}^n) \times \delta v^n", errors, "products of errors are dropped",
+                 expand(r"\phi^n", r"\delta f^b", r"\delta \omega_{ie}^n", r"\delta \omega_{en}^n", r"\delta v^n")),
             line("f^n = C_b^n f^b", EXACT_LINE, "the specific force in n"),
             line(rf"-{phi_x} f^n = [f^n \times] \phi^n", IDENTITY, "-φ x f = f x φ: all signs of the print are right"),
-            line(
-                r"\delta \dot{v}^n = [f^n \times] \phi^n - (2 [\omega_{ie}^n \times] + [\omega_{en}^n \times]) \delta v^n"
-                r" - (2 [\delta \omega_{ie}^n \times] + [\delta \omega_{en}^n \times]) v^n + \delta g^n"
-                r" + C_b^n \delta f^b",
-                errors,
-                "in the order of the print",
-                substitute("12", of="11"),
-                result=True,
-            ),
-            unit="m/s^2",
-            leads_to=("7",),
+            line(rf"\delta \dot{{v}}^n = -{phi_x} f^n + C_b^n \delta f^b + \delta g^n"
+                 r" - (2 \delta \omega_{ie}^n + \delta \omega_{en}^n) \times v^n"
+                 r" - (2 \omega_{ie}^n + \omega_{en}^n) \times \delta v^n", errors, "with the specific force",
+                 substitute("12", of="11")),
+            line(rf"\delta \dot{{v}}^n = [f^n \times] \phi^n - ({coriolis}) \delta v^n"
+                 r" - (2 [\delta \omega_{ie}^n \times] + [\delta \omega_{en}^n \times]) v^n + \delta g^n"
+                 r" + C_b^n \delta f^b", errors, "in the order of the print", multiply_out("13"), result=True),
+            unit="m/s^2", leads_to=("7",),
         ),
         "11": derived(
-            line(
-                rf"\dot{{C}}_b^n = C_b^n [\omega_{{ib}}^b \times] - {in_x} C_b^n",
-                EXACT_LINE,
-                "the exact kinematics, for the true attitude",
-            ),
-            line(
-                r"\dot{\hat{C}}_b^n = \hat{C}_b^n [\hat{\omega}_{ib}^b \times] - [\hat{\omega}_{in}^n \times] \hat{C}_b^n",
-                EXACT_LINE,
-                "and for the computed one",
-            ),
-            line(
-                r"\delta \omega_{in}^n = \delta \omega_{ie}^n + \delta \omega_{en}^n",
-                EXACT_LINE,
-                "the Earth's rate errs, and the transport rate",
-            ),
-            line(
-                r"\hat{\omega}_{in}^n = \omega_{in}^n + \delta \omega_{in}^n",
-                EXACT_LINE,
-                "the computer turns its axes by the rate of where it believes to be and how it believes to move",
-            ),
+            line(rf"\dot{{C}}_b^n = C_b^n [\omega_{{ib}}^b \times] - {in_x} C_b^n", EXACT_LINE,
+                 "the exact kinematics, for the true attitude"),
+            line(r"\dot{\hat{C}}_b^n = \hat{C}_b^n [\hat{\omega}_{ib}^b \times]"
+                 r" - [\hat{\omega}_{in}^n \times] \hat{C}_b^n",
+                 EXACT_LINE, "and for the computed one"),
+            line(r"\delta \omega_{in}^n = \delta \omega_{ie}^n + \delta \omega_{en}^n", EXACT_LINE,
+                 "the Earth's rate errs, and the transport rate"),
+            line(r"\hat{\omega}_{in}^n = \omega_{in}^n + \delta \omega_{in}^n", EXACT_LINE,
+                 "the computer turns its axes by the rate of where it believes to be and how it believes to move"),
             line(r"\hat{\omega}_{ib}^b = \omega_{ib}^b + \delta \omega_{ib}^b", EXACT_LINE, "the gyros err"),
             line(rf"\hat{{C}}_b^n = \exp(-{phi_x}) C_b^n", EXACT_LINE, "the attitude errs by φ"),
             line(rf"\hat{{C}}_b^n = (I - {phi_x}) C_b^n", phi, "a small rotation", expand(r"\phi^n")),
-            line(
-                rf"\dot{{\hat{{C}}}}_b^n = -[\dot{{\phi}}^n \times] C_b^n + (I - {phi_x}) \dot{{C}}_b^n",
-                errors,
-                "by time",
-                differentiate(
-                    {r"\hat{C}_b^n": r"\dot{\hat{C}}_b^n", r"\phi^n": r"\dot{\phi}^n", "C_b^n": r"\dot{C}_b^n"}
-                ),
-            ),
-            line(
-                rf"(I - {phi_x}) C_b^n [(\omega_{{ib}}^b + \delta \omega_{{ib}}^b) \times]"
-                rf" - [(\omega_{{in}}^n + \delta \omega_{{in}}^n) \times] (I - {phi_x}) C_b^n"
-                rf" = -[\dot{{\phi}}^n \times] C_b^n + (I - {phi_x}) (C_b^n [\omega_{{ib}}^b \times] - {in_x} C_b^n)",
-                errors,
-                "both kinematics",
-                substitute("4", "5", "7", "1", "2"),
-            ),
-            line(
-                rf"C_b^n [\omega_{{ib}}^b \times] - {in_x} C_b^n + C_b^n {gyro_x} - [\delta \omega_{{in}}^n \times] C_b^n"
-                rf" - {phi_x} C_b^n [\omega_{{ib}}^b \times] + {in_x} {phi_x} C_b^n"
-                rf" = -[\dot{{\phi}}^n \times] C_b^n + C_b^n [\omega_{{ib}}^b \times] - {in_x} C_b^n"
-                rf" - {phi_x} C_b^n [\omega_{{ib}}^b \times] + {phi_x} {in_x} C_b^n",
-                errors,
-                "multiplied out; products of errors are dropped",
-                expand(r"\phi^n", r"\dot{\phi}^n", r"\delta \omega_{ib}^b", r"\delta \omega_{in}^n"),
-            ),
-            line(
-                rf"-[\dot{{\phi}}^n \times] C_b^n = {in_x} {phi_x} C_b^n - {phi_x} {in_x} C_b^n"
-                rf" - [\delta \omega_{{in}}^n \times] C_b^n + C_b^n {gyro_x}",
-                errors,
-                "what stands on both sides is left out",
-                rearrange(),
-            ),
-            line(
-                rf"-[\dot{{\phi}}^n \times] = {in_x} {phi_x} - {phi_x} {in_x}"
-                rf" - [\delta \omega_{{in}}^n \times] + C_b^n {gyro_x} C_n^b",
-                errors,
-                "from the right with the inverse of C_b2n",
-                multiply(right="C_n^b"),
-            ),
-            line(
-                rf"{in_x} {phi_x} - {phi_x} {in_x} = [(\omega_{{in}}^n \times \phi^n) \times]",
-                IDENTITY,
-                "of two skew-symmetric matrices",
-            ),
-            line(
-                rf"C_b^n {gyro_x} C_n^b = [(C_b^n \delta \omega_{{ib}}^b) \times]",
-                IDENTITY,
-                "a rotation turns the axis of a skew-symmetric matrix",
-            ),
-            line(
-                r"-[\dot{\phi}^n \times] = [(\omega_{in}^n \times \phi^n - \delta \omega_{in}^n"
-                r" + C_b^n \delta \omega_{ib}^b) \times]",
-                errors,
-                "one matrix on each side",
-                multiply_out("13", "14", of="12"),
-            ),
-            line(
-                r"-\dot{\phi}^n = \omega_{in}^n \times \phi^n - \delta \omega_{in}^n + C_b^n \delta \omega_{ib}^b",
-                errors,
-                "δω_in_n turns the computed axes away just as the gyro's error turns the body, with the opposite sign",
-                take_vector(),
-            ),
+            line(rf"\dot{{\hat{{C}}}}_b^n = -[\dot{{\phi}}^n \times] C_b^n + (I - {phi_x}) \dot{{C}}_b^n", errors,
+                 "by time", differentiate({r"\hat{C}_b^n": r"\dot{\hat{C}}_b^n", r"\phi^n": r"\dot{\phi}^n",
+                 "C_b^n": r"\dot{C}_b^n"})),
+            line(rf"(I - {phi_x}) C_b^n [(\omega_{{ib}}^b + \delta \omega_{{ib}}^b) \times]"
+                 rf" - [(\omega_{{in}}^n + \delta \omega_{{in}}^n) \times] (I - {phi_x}) C_b^n"
+                 rf" = -[\dot{{\phi}}^n \times] C_b^n + (I - {phi_x}) (C_b^n [\omega_{{ib}}^b \times] - {in_x} C_b^n)",
+                 errors, "both kinematics", substitute("4", "5", "7", "1", "2")),
+            line(rf"C_b^n [\omega_{{ib}}^b \times] - {in_x} C_b^n + C_b^n {gyro_x}"
+                 rf" - [\delta \omega_{{in}}^n \times] C_b^n - {phi_x} C_b^n [\omega_{{ib}}^b \times] + {in_x} {phi_x} C_b^n"
+                 rf" = -[\dot{{\phi}}^n \times] C_b^n + C_b^n [\omega_{{ib}}^b \times] - {in_x} C_b^n"
+                 rf" - {phi_x} C_b^n [\omega_{{ib}}^b \times] + {phi_x} {in_x} C_b^n", errors,
+                 "multiplied out; products of errors are dropped",
+                 expand(r"\phi^n", r"\dot{\phi}^n", r"\delta \omega_{ib}^b", r"\delta \omega_{in}^n")),
+            line(rf"-[\dot{{\phi}}^n \times] C_b^n = {in_x} {phi_x} C_b^n - {phi_x} {in_x} C_b^n"
+                 rf" - [\delta \omega_{{in}}^n \times] C_b^n + C_b^n {gyro_x}", errors,
+                 "what stands on both sides is left out", rearrange()),
+            line(rf"-[\dot{{\phi}}^n \times] = {in_x} {phi_x} - {phi_x} {in_x}"
+                 rf" - [\delta \omega_{{in}}^n \times] + C_b^n {gyro_x} C_n^b", errors,
+                 "from the right with the inverse of C_b2n", multiply(right="C_n^b")),
+            line(rf"{in_x} {phi_x} - {phi_x} {in_x} = [(\omega_{{in}}^n \times \phi^n) \times]", IDENTITY,
+                 "of two skew-symmetric matrices"),
+            line(rf"C_b^n {gyro_x} C_n^b = [(C_b^n \delta \omega_{{ib}}^b) \times]", IDENTITY,
+                 "a rotation turns the axis of a skew-symmetric matrix"),
+            line(r"-[\dot{\phi}^n \times] = [(\omega_{in}^n \times \phi^n - \delta \omega_{in}^n"
+                 r" + C_b^n \delta \omega_{ib}^b) \times]", errors, "one matrix on each side",
+                 multiply_out("13", "14", of="12")),
+            line(r"-\dot{\phi}^n = \omega_{in}^n \times \phi^n - \delta \omega_{in}^n + C_b^n \delta \omega_{ib}^b",
+                 errors,
+                 "δω_in_n turns the computed axes away just as the gyro's error turns the body, with the opposite sign",
+                 take_vector()),
             line(r"\omega_{in}^n = \omega_{ie}^n + \omega_{en}^n", EXACT_LINE, "the Earth turns, and n on it"),
-            line(
-                r"-\dot{\phi}^n = ([\omega_{ie}^n \times] + [\omega_{en}^n \times]) \phi^n"
-                r" - (\delta \omega_{ie}^n + \delta \omega_{en}^n) + C_b^n \delta \omega_{ib}^b",
-                errors,
-                "with both parts of each rate",
-                substitute("3", "17", of="16"),
-            ),
-            line(
-                r"\dot{\phi}^n = -([\omega_{ie}^n \times] + [\omega_{en}^n \times]) \phi^n"
-                r" + (\delta \omega_{ie}^n + \delta \omega_{en}^n) - C_b^n \delta \omega_{ib}^b",
-                errors,
-                "the sign turned",
-                multiply(left="-1"),
-                result=True,
-            ),
-            unit="rad/s",
-            leads_to=("7",),
-            note="With the printed sign a computed velocity turns the level the wrong way, and Schuler's loop diverges.",
+            line(r"-\dot{\phi}^n = ([\omega_{ie}^n \times] + [\omega_{en}^n \times]) \phi^n"
+                 r" - (\delta \omega_{ie}^n + \delta \omega_{en}^n) + C_b^n \delta \omega_{ib}^b", errors,
+                 "with both parts of each rate", substitute("3", "17", of="16")),
+            line(r"\dot{\phi}^n = -([\omega_{ie}^n \times] + [\omega_{en}^n \times]) \phi^n"
+                 r" + (\delta \omega_{ie}^n + \delta \omega_{en}^n) - C_b^n \delta \omega_{ib}^b", errors,
+                 "the sign turned", multiply(left="-1"), result=True),
+            unit="rad/s", leads_to=("7",),
+            note="With the printed sign a computed velocity turns the level the wrong way, "
+            "and Schuler's loop diverges.",
         ),
     }
 
@@ -866,10 +475,11 @@ def azimuth() -> dict[str, Derived]:
     step = r"\Phi_{k-1}"
     left = rf"({step} \xi_{{k-1}} + \eta_{{k-1}} - x_k^-)"
     grown = rf"({step} (\xi_{{k-1}} - x_{{k-1}}^+) + \eta_{{k-1}})"
-    phi_matrix = blocks(r"0 & -\phi_u & \phi_n", r"\phi_u & 0 & -\phi_e", r"-\phi_n & \phi_e & 0")
+    phi_matrix = column(r"0 & -\phi_u & \phi_n", r"\phi_u & 0 & -\phi_e", r"-\phi_n & \phi_e & 0")
+    entries = column(r"1 & \phi_u & -\phi_n", r"-\phi_u & 1 & \phi_e", r"\phi_n & -\phi_e & 1")
     in_p, in_b = column("X^p", "Y^p", "Z^p"), column("X^b", "Y^b", "Z^b")
-    H_v = blocks(r"0_{3 \times 3} & I_{3 \times 3} & 0_{3 \times 9}")
-    H = blocks(
+    H_v = column(r"0_{3 \times 3} & I_{3 \times 3} & 0_{3 \times 9}")
+    H = column(
         r"0_{3 \times 3} & I_{3 \times 3} & 0_{3 \times 3} & 0_{3 \times 6}",
         r"0_{1 \times 3} & 0_{1 \times 3} & 0 \ 0 \ 1 & 0_{1 \times 6}",
     )
@@ -878,201 +488,98 @@ def azimuth() -> dict[str, Derived]:
     return {
         "12": derived(
             line(r"\Phi_k = \exp(F_k \Delta T)", EXACT_LINE, "F_k is held constant over the step"),
-            line(
-                r"\Phi_k = I_{15 \times 15} + F_k \Delta T",
-                first_order("step"),
-                "to first order in ΔT; what is dropped is in the evidence",
-                expand(r"\Delta T"),
-                result=True,
-            ),
+            line(r"\Phi_k = I_{15 \times 15} + F_k \Delta T", first_order("step"),
+                 "to first order in ΔT; what is dropped is in the evidence", expand(r"\Delta T"), result=True),
             readings=(Reading(S.One, _letter("I_15x15"), "a number beside a matrix: the identity is meant"),),
-            leads_to=("13", "14"),
-            small=("step",),
+            leads_to=("13", "14"), small=("step",),
         ),
         "13": derived(
-            line(
-                rf"x_k^- = \mathrm{{E}}[{step} \xi_{{k-1}} + \eta_{{k-1}}]",
-                EXACT_LINE,
-                "the prediction is the mean of the errors after one step, with the exact Φ",
-            ),
-            line(
-                rf"x_k^- = {step} \mathrm{{E}}[\xi_{{k-1}}] + \mathrm{{E}}[\eta_{{k-1}}]",
-                EXACT_LINE,
-                "the expectation is linear",
-                multiply_out(),
-            ),
+            line(rf"x_k^- = \mathrm{{E}}[{step} \xi_{{k-1}} + \eta_{{k-1}}]", EXACT_LINE,
+                 "the prediction is the mean of the errors after one step, with the exact Φ"),
+            line(rf"x_k^- = {step} \mathrm{{E}}[\xi_{{k-1}}] + \mathrm{{E}}[\eta_{{k-1}}]", EXACT_LINE,
+                 "the expectation is linear", multiply_out()),
             line(r"\mathrm{E}[\xi_{k-1}] = x_{k-1}^+", EXACT_LINE, "the estimate before is their mean"),
             line(r"\mathrm{E}[\eta_{k-1}] = 0", EXACT_LINE, "the noise has none"),
-            line(
-                rf"x_k^- = {step} x_{{k-1}}^+",
-                EXACT_LINE,
-                "the errors without noise over one step",
-                substitute("3", "4", of="2", letters=(r"\xi_{k-1}", r"\eta_{k-1}")),
-            ),
+            line(rf"x_k^- = {step} x_{{k-1}}^+", EXACT_LINE, "the errors without noise over one step",
+                 substitute("3", "4", of="2", letters=(r"\xi_{k-1}", r"\eta_{k-1}")), result=True),
             leads_to=("25",),
         ),
         "14": derived(
-            line(
-                rf"P_k^- = \mathrm{{E}}[{left} {left}^T]",
-                EXACT_LINE,
-                "the square of what (13) and the noise leave",
-            ),
+            line(rf"P_k^- = \mathrm{{E}}[{left} {left}^T]", EXACT_LINE, "the square of what (13) and the noise leave"),
             line(r"\mathrm{E}[\eta_{k-1}] = 0", EXACT_LINE, "the noise has no mean"),
-            line(r"\mathrm{E}[\xi_{k-1}] = x_{k-1}^+", EXACT_LINE, "the estimate before is the mean"),
-            line(
-                rf"P_k^- = \mathrm{{E}}[{grown} {grown}^T]",
-                EXACT_LINE,
-                "the prediction is that of (13)",
-                substitute("(13)", of="1"),
-            ),
-            line(
-                rf"P_k^- = {step} \mathrm{{E}}[(\xi_{{k-1}} - x_{{k-1}}^+) (\xi_{{k-1}} - x_{{k-1}}^+)^T] {step}^T"
-                r" + \mathrm{E}[\eta_{k-1} \eta_{k-1}^T]",
-                EXACT_LINE,
-                "the noise knows nothing of the errors before",
-                substitute("2", letters=(r"\eta_{k-1}",)),
-            ),
-            line(
-                rf"{P_after} = \mathrm{{E}}[(\xi_{{k-1}} - x_{{k-1}}^+) (\xi_{{k-1}} - x_{{k-1}}^+)^T]",
-                EXACT_LINE,
-                "the covariance before",
-            ),
+            line(rf"P_k^- = \mathrm{{E}}[{grown} {grown}^T]", EXACT_LINE, "the prediction is that of (13)",
+                 substitute("(13)", of="1")),
+            line(rf"P_k^- = {step} \mathrm{{E}}[(\xi_{{k-1}} - x_{{k-1}}^+) (\xi_{{k-1}} - x_{{k-1}}^+)^T] {step}^T"
+                 r" + \mathrm{E}[\eta_{k-1} \eta_{k-1}^T]", EXACT_LINE,
+                 "the noise knows nothing of the errors before", substitute("2", of="3", letters=(r"\eta_{k-1}",))),
+            line(rf"{P_after} = \mathrm{{E}}[(\xi_{{k-1}} - x_{{k-1}}^+) (\xi_{{k-1}} - x_{{k-1}}^+)^T]", EXACT_LINE,
+                 "the covariance before"),
             line(r"Q_k = \mathrm{E}[\eta_{k-1} \eta_{k-1}^T]", EXACT_LINE, "Q is what the noise gathers over a step"),
-            line(
-                rf"P_k^- = {step} {P_after} {step}^T + Q_k",
-                EXACT_LINE,
-                "with both covariances",
-                substitute("6", "7", of="5"),
-                result=True,
-            ),
-            line(
-                rf"\dot{{P}}_{{k-1}} = F_k {P_after} + {P_after} F_k^T + W",
-                EXACT_LINE,
-                "in a short step, for noise of density W",
-            ),
+            line(rf"P_k^- = {step} {P_after} {step}^T + Q_k", EXACT_LINE, "with both covariances",
+                 substitute("5", "6", of="4"), result=True),
+            line(rf"\dot{{P}}_{{k-1}} = F_k {P_after} + {P_after} F_k^T + W", EXACT_LINE,
+                 "in a short step, for noise of density W"),
             leads_to=("24",),
         ),
         "15": derived(
-            line(
-                r"z_k = [v_e + \delta v_e \ v_n + \delta v_n \ v_u + \delta v_u \ \phi_u]^T",
-                EXACT_LINE,
-                "(22) with the errors of the velocity",
-                substitute("(28)", "(28).2", "(28).3", of="(22)", letters=(r"\hat{v}_e", r"\hat{v}_n", r"\hat{v}_u")),
-            ),
-            line(
-                r"H_k x_k = [\delta v_e \ \delta v_n \ \delta v_u \ \phi_u]^T",
-                EXACT_LINE,
-                "H_k is what the measurement sees of the states",
-            ),
-            line(
-                r"\nu_k = [v_e \ v_n \ v_u \ 0]^T",
-                EXACT_LINE,
-                "what the true velocity really is, where it is called zero, is the noise; also for (16), (17)",
-            ),
-            line(
-                r"H_k x_k + \nu_k = [v_e + \delta v_e \ v_n + \delta v_n \ v_u + \delta v_u \ \phi_u]^T",
-                EXACT_LINE,
-                "row by row",
-                add_line("3", of="2"),
-            ),
+            line(r"z_k = [v_e + \delta v_e \ v_n + \delta v_n \ v_u + \delta v_u \ \phi_u]^T", EXACT_LINE,
+                 "(22) with the errors of the velocity", substitute("(28)", "(28).2", "(28).3", of="(22)",
+                 letters=(r"\hat{v}_e", r"\hat{v}_n", r"\hat{v}_u"))),
+            line(r"H_k x_k = [\delta v_e \ \delta v_n \ \delta v_u \ \phi_u]^T", EXACT_LINE,
+                 "H_k is what the measurement sees of the states"),
+            line(r"\nu_k = [v_e \ v_n \ v_u \ 0]^T", EXACT_LINE,
+                 "what the true velocity really is, where it is called zero, is the noise; also for (16), (17)"),
+            line(r"H_k x_k + \nu_k = [v_e + \delta v_e \ v_n + \delta v_n \ v_u + \delta v_u \ \phi_u]^T",
+                 EXACT_LINE, "row by row", add_line("3", of="2")),
             line(r"z_k = H_k x_k + \nu_k", EXACT_LINE, "in one", chain("1", "4"), result=True),
-            line(
-                r"z_v = H_v x_k + \nu_z",
-                EXACT_LINE,
-                "the rows of the velocity alone",
-                take_rows(1, 2, 3),
-                result=True,
-            ),
+            line(r"z_v = H_v x_k + \nu_z", EXACT_LINE, "the rows of the velocity alone", take_rows(1, 2, 3),
+                 result=True),
             leads_to=("16", "22"),
         ),
         "16": derived(
-            line(
-                r"z_v = v^n + \delta v^n",
-                EXACT_LINE,
-                "computed less true velocity, which is zero at rest",
-            ),
-            defines=("z_v",),
-            leads_to=("17",),
+            line(r"z_v = v^n + \delta v^n", EXACT_LINE, "computed less true velocity, which is zero at rest"),
+            defines=("z_v",), leads_to=("17",),
         ),
         "17": derived(
             line(r"z_v = v^n + \delta v^n", EXACT_LINE, "v̂ = v + δv"),
-            line(
-                rf"z_v = v^n + {H_v} x_k",
-                EXACT_LINE,
-                "after position and velocity, nine states of (8) remain",
-                multiply_out(),
-            ),
+            line(rf"z_v = v^n + {H_v} x_k", EXACT_LINE, "after position and velocity, nine states of (8) remain",
+                 multiply_out()),
             line(r"H_v x_k + \nu_z = v^n + " + rf"{H_v} x_k", EXACT_LINE, "beside (15)", chain("(15).2", "2")),
             line(f"H_v = {H_v}", EXACT_LINE, "whatever the states are", identify("x_k"), result=True),
             line(r"H_v = \flown{zero_velocity_matrix}", EXACT_LINE, "the function that flies", multiply_out()),
             note=twenty_four,
         ),
         "18": derived(
-            line(
-                rf"C_b^p = \exp(-{phi_x}) C_b^n",
-                EXACT_LINE,
-                "p is n turned by φ: components turn by -φ",
-            ),
+            line(rf"C_b^p = \exp(-{phi_x}) C_b^n", EXACT_LINE, "p is n turned by φ: components turn by -φ"),
             line(rf"C_b^p = (I - {phi_x}) C_b^n", phi, "the error is small", expand(r"\phi^n")),
             line(f"{in_p} = C_b^p {in_b}", EXACT_LINE, "components pass from b to p"),
             line(f"{in_p} = (I - {phi_x}) (C_b^n {in_b})", phi, "with the small rotation", substitute("2")),
             line(f"{phi_x} = {phi_matrix}", IDENTITY, "the matrix of a vector"),
             line(f"{in_p} = (I - {phi_matrix}) (C_b^n {in_b})", phi, "entry by entry", multiply_out("5", of="4")),
-            line(
-                f"{in_p} = (I - {phi_matrix}) (C_b^n {in_b}) = C_b^p {in_b}",
-                phi,
-                "in one",
-                chain("3", "6"),
-                result=True,
-            ),
+            line(f"{in_p} = (I - {phi_matrix}) (C_b^n {in_b}) = C_b^p {in_b}", phi, "in one", chain("3", "6"),
+                 result=True),
             leads_to=("19",),
         ),
         "19": derived(
-            line(
-                rf"C_b^p = \exp(-{phi_x}) C_b^n",
-                EXACT_LINE,
-                "p is n turned by φ: components turn by -φ",
-            ),
+            line(rf"C_b^p = \exp(-{phi_x}) C_b^n", EXACT_LINE, "p is n turned by φ: components turn by -φ"),
             line(rf"C_b^p = (I - {phi_x}) C_b^n", phi, "the error is small", expand(r"\phi^n")),
             line(rf"\check{{\Phi}} = {phi_x}", EXACT_LINE, "by its name"),
-            line(
-                r"C_b^p = (I - \check{\Phi}) C_b^n",
-                phi,
-                "so",
-                substitute("3", of="2"),
-                result=True,
-            ),
-            line(
-                rf"\check{{\Phi}} = {phi_matrix}",
-                EXACT_LINE,
-                "the matrix of a vector",
-                multiply_out(of="3"),
-                result=True,
-            ),
+            line(r"C_b^p = (I - \check{\Phi}) C_b^n", phi, "so", substitute("3", of="2"), result=True),
+            line(rf"\check{{\Phi}} = {phi_matrix}", EXACT_LINE, "the matrix of a vector", multiply_out(of="3"),
+                 result=True),
             leads_to=("20",),
         ),
         "20": derived(
-            line(
-                rf"{reference} = (I - \check{{\Phi}}) C_b^n \overline{{C}}_n^b",
-                phi,
-                "(19) from the right by the attitude of the transfer alignment",
-                multiply(right=r"\overline{C}_n^b", of="(19)"),
-            ),
+            line(rf"{reference} = (I - \check{{\Phi}}) C_b^n \overline{{C}}_n^b", phi,
+                 "(19) from the right by the attitude of the transfer alignment",
+                 multiply(right=r"\overline{C}_n^b", of="(19)")),
             line(r"C_b^n \overline{C}_n^b = I", EXACT_LINE, "the reference is right"),
-            line(
-                rf"{reference} = I - \check{{\Phi}}",
-                phi,
-                "the bracket is all of I - Φ̌, and the factor before it is one too many",
-                substitute("2", of="1", letters=(r"\overline{C}_n^b",)),
-            ),
-            line(
-                rf"{reference} = (I - \check{{\Phi}}) C_b^n \overline{{C}}_n^b = "
-                + blocks(r"1 & \phi_u & -\phi_n", r"-\phi_u & 1 & \phi_e", r"\phi_n & -\phi_e & 1"),
-                phi,
-                "entry by entry",
-                substitute("(19).2", "2", of="1", letters=("", r"\overline{C}_n^b")),
-                result=True,
-            ),
+            line(rf"{reference} = I - \check{{\Phi}}", phi,
+                 "the bracket is all of I - Φ̌, and the factor before it is one too many",
+                 substitute("2", of="1", letters=(r"\overline{C}_n^b",))),
+            line(f"{reference} = {entries}", phi, "entry by entry", substitute("(19).2")),
+            line(rf"{reference} = (I - \check{{\Phi}}) C_b^n \overline{{C}}_n^b = {entries}", phi, "in one",
+                 chain("1", "4"), result=True),
             leads_to=("21",),
             note="The factor I - Φ̌ is one too many, for the matrix behind it is that factor. The tag (20) is at the "
             "end of a block whose last row the text calls (21).",
@@ -1080,37 +587,22 @@ def azimuth() -> dict[str, Derived]:
         "21": derived(
             line(f"{reference}(1,2) = \\phi_u", phi, "of (20)", take_entry(1, 2, of="(20)")),
             line(f"{reference}(2,1) = -\\phi_u", phi, "of (20)", take_entry(2, 1, of="(20)")),
-            line(
-                rf"{reference}(1,2) - {reference}(2,1) = 2 \phi_u",
-                of_order(2, "phi"),
-                "the skew-symmetric part has no second order in φ",
-                subtract_line("2", of="1"),
-            ),
-            line(
-                rf"\phi_u = ({reference}(1,2) - {reference}(2,1))/2",
-                of_order(2, "phi"),
-                "the mean of both",
-                multiply(left=r"\frac{1}{2}"),
-                result=True,
-            ),
-            unit="rad",
-            leads_to=("22",),
+            line(rf"{reference}(1,2) - {reference}(2,1) = 2 \phi_u", of_order(2, "phi"),
+                 "the skew-symmetric part has no second order in φ", subtract_line("2", of="1")),
+            line(rf"\phi_u = ({reference}(1,2) - {reference}(2,1))/2", of_order(2, "phi"), "the mean of both",
+                 multiply(left=r"\frac{1}{2}"), result=True),
+            unit="rad", leads_to=("22",),
             note="The true C_b2n is not known to the filter; with it the second entry is 0 and the half of φ_u "
             "remains. An error of the reference enters with its full size, constant in time.",
         ),
         "22": derived(
             line("z_k = " + column("z_v", r"\phi_u"), EXACT_LINE, "(16), and the azimuth error of (21)"),
-            defines=("z",),
-            leads_to=("23",),
+            defines=("z",), leads_to=("23",),
         ),
         "23": derived(
             line("z_k = " + column(r"v^n + \delta v^n", r"\phi_u"), EXACT_LINE, "the velocity and φ_u"),
-            line(
-                rf"z_k = {column('v^n', '0')} + {H} x_k",
-                EXACT_LINE,
-                "after the attitude, six states of (8) remain",
-                multiply_out(),
-            ),
+            line(rf"z_k = {column('v^n', '0')} + {H} x_k", EXACT_LINE,
+                 "after the attitude, six states of (8) remain", multiply_out()),
             line(rf"H_k x_k + \nu_k = {column('v^n', '0')} + {H} x_k", EXACT_LINE, "beside (15)", chain("(15)", "2")),
             line(f"H_k = {H}", EXACT_LINE, "whatever the states are", identify("x_k"), result=True),
             line(r"H_k = \flown{hold_measurement_matrix}", EXACT_LINE, "the function that flies", multiply_out()),
@@ -1142,118 +634,48 @@ def update(named: Mapping[str, Symbol]) -> dict[str, Derived]:
     angle = column(r"\phi_e", r"\phi_n", r"\phi_u")
     return {
         "24": derived(
-            line(
-                rf"P_k^+ = {information}^{{-1}}",
-                EXACT_LINE,
-                "information of prediction and of measurement add",
-            ),
+            line(rf"P_k^+ = {information}^{{-1}}", EXACT_LINE, "information of prediction and of measurement add"),
             line(rf"K_k = P_k^+ {seen}", EXACT_LINE, "the gain of least squares, (25)"),
-            line(
-                rf"{information} P_k^- H_k^T = {seen} {innovation}",
-                IDENTITY,
-                "both are H' + H' R^-1 H P H'",
-            ),
-            line(
-                rf"P_k^- H_k^T {innovation}^{{-1}} = {information}^{{-1}} {seen}",
-                IDENTITY,
-                "the lemma of matrix inversion",
-                multiply(left=rf"{information}^{{-1}}", right=rf"{innovation}^{{-1}}"),
-            ),
+            line(rf"{information} P_k^- H_k^T = {seen} {innovation}", IDENTITY, "both are H' + H' R^-1 H P H'"),
+            line(rf"P_k^- H_k^T {innovation}^{{-1}} = {information}^{{-1}} {seen}", IDENTITY,
+                 "the lemma of matrix inversion",
+                 multiply(left=rf"{information}^{{-1}}", right=rf"{innovation}^{{-1}}")),
             line(rf"K_k = {information}^{{-1}} {seen}", EXACT_LINE, "with this covariance", substitute("1", of="2")),
-            line(
-                rf"K_k = P_k^- H_k^T {innovation}^{{-1}}",
-                EXACT_LINE,
-                "by the lemma",
-                multiply_out("4"),
-                result=True,
-            ),
-            leads_to=("25", "26"),
-            note="H without its index k: a label.",
+            line(rf"K_k = P_k^- H_k^T {innovation}^{{-1}}", EXACT_LINE, "by the lemma", multiply_out("4"),
+                 result=True),
+            leads_to=("25", "26"), note="H without its index k: a label.",
         ),
         "25": derived(
-            line(
-                rf"J = {move}^T (P_k^-)^{{-1}} {move} + {rest}^T R^{{-1}} {rest}",
-                DEFINITION,
-                "the squares of x - x(k-) and of z - H x, each weighted by its covariance",
-            ),
-            line(
-                rf"2 (P_k^-)^{{-1}} {move} - 2 {seen} {rest} = 0",
-                EXACT_LINE,
-                "the estimate is where they are least",
-                minimise("x_k^+"),
-            ),
-            line(
-                rf"(P_k^-)^{{-1}} {move} - {seen} {rest} = 0",
-                EXACT_LINE,
-                "half of it",
-                multiply(left=r"\frac{1}{2}"),
-            ),
-            line(
-                rf"{information} {move} = {seen} {residual}",
-                EXACT_LINE,
-                "z - H x(k+) is the innovation less H of the correction",
-                rearrange(),
-            ),
-            line(
-                rf"x_k^+ - x_k^- = {information}^{{-1}} {seen} {residual}",
-                EXACT_LINE,
-                "solved",
-                multiply(left=rf"{information}^{{-1}}"),
-            ),
-            line(
-                rf"x_k^+ - x_k^- = K_k {residual}",
-                EXACT_LINE,
-                "the gain of (24)",
-                substitute("(24)"),
-            ),
-            line(
-                r"x_k^+ = x_k^- + K_k (z_k - H_k x_k^-)",
-                EXACT_LINE,
-                "measured less predicted: the sign is right",
-                add("x_k^-"),
-                result=True,
-            ),
-            leads_to=("27", "28", "29"),
-            note="The sign is right: the residual is measured less predicted.",
+            line(rf"J = {move}^T (P_k^-)^{{-1}} {move} + {rest}^T R^{{-1}} {rest}", DEFINITION,
+                 "the squares of x - x(k-) and of z - H x, each weighted by its covariance"),
+            line(rf"2 (P_k^-)^{{-1}} {move} - 2 {seen} {rest} = 0", EXACT_LINE,
+                 "the estimate is where they are least", minimise("x_k^+")),
+            line(rf"(P_k^-)^{{-1}} {move} - {seen} {rest} = 0", EXACT_LINE, "half of it",
+                 multiply(left=r"\frac{1}{2}")),
+            line(rf"{information} {move} = {seen} {residual}", EXACT_LINE,
+                 "z - H x(k+) is the innovation less H of the correction", rearrange()),
+            line(rf"x_k^+ - x_k^- = {information}^{{-1}} {seen} {residual}", EXACT_LINE, "solved",
+                 multiply(left=rf"{information}^{{-1}}")),
+            line(rf"x_k^+ - x_k^- = K_k {residual}", EXACT_LINE, "the gain of (24)", substitute("(24)")),
+            line(r"x_k^+ = x_k^- + K_k (z_k - H_k x_k^-)", EXACT_LINE, "measured less predicted: the sign is right",
+                 add("x_k^-"), result=True),
+            leads_to=("27", "28", "29"), note="The sign is right: the residual is measured less predicted.",
         ),
         "26": derived(
-            line(
-                rf"P_k^+ = \mathrm{{E}}[{wrong} {wrong}^T]",
-                EXACT_LINE,
-                "the square of what (25) leaves of an error of which H x and noise are measured",
-            ),
-            line(
-                rf"P_k^+ = \mathrm{{E}}[{split} {split}^T]",
-                EXACT_LINE,
-                "what is left, and what is added",
-                multiply_out(),
-            ),
+            line(rf"P_k^+ = \mathrm{{E}}[{wrong} {wrong}^T]", EXACT_LINE,
+                 "the square of what (25) leaves of an error of which H x and noise are measured"),
+            line(rf"P_k^+ = \mathrm{{E}}[{split} {split}^T]", EXACT_LINE, "what is left, and what is added",
+                 multiply_out()),
             line(r"\mathrm{E}[\upsilon_k] = 0", EXACT_LINE, "the noise has no mean"),
-            line(
-                r"P_k^- = \mathrm{E}[(\xi_k - x_k^-) (\xi_k - x_k^-)^T]",
-                EXACT_LINE,
-                "the predicted covariance",
-            ),
+            line(r"P_k^- = \mathrm{E}[(\xi_k - x_k^-) (\xi_k - x_k^-)^T]", EXACT_LINE, "the predicted covariance"),
             line(r"R = \mathrm{E}[\upsilon_k \upsilon_k^T]", EXACT_LINE, "and that of the noise"),
-            line(
-                rf"P_k^+ = {kept} P_k^- {kept}^T + K_k R K_k^T",
-                EXACT_LINE,
-                "Joseph's form, right with any gain: the noise knows nothing of the error",
-                substitute("3", "4", "5", of="2", letters=(r"\upsilon_k", "", "")),
-            ),
-            line(
-                r"P_k^+ = [I_{15 \times 15} - K_k H_k] P_k^-",
-                EXACT_LINE,
-                "with the gain of (24) alone, for which K (H P H' + R) = P H'",
-                substitute("(24)"),
-                result=True,
-            ),
-            line(
-                rf"P_k^+ = {information}^{{-1}}",
-                EXACT_LINE,
-                "which is the information of (24)",
-                substitute("(24)", of="6"),
-            ),
+            line(rf"P_k^+ = {kept} P_k^- {kept}^T + K_k R K_k^T", EXACT_LINE,
+                 "Joseph's form, right with any gain: the noise knows nothing of the error",
+                 substitute("3", "4", "5", of="2", letters=(r"\upsilon_k", "", ""))),
+            line(r"P_k^+ = [I_{15 \times 15} - K_k H_k] P_k^-", EXACT_LINE,
+                 "with the gain of (24) alone, for which K (H P H' + R) = P H'", substitute("(24)"), result=True),
+            line(rf"P_k^+ = {information}^{{-1}}", EXACT_LINE, "which is the information of (24)",
+                 substitute("(24)", of="6")),
         ),
         "27": derived(
             line(r"\delta l = \hat{l} - l", EXACT_LINE, "error = computed - true"),
@@ -1262,9 +684,8 @@ def update(named: Mapping[str, Symbol]) -> dict[str, Derived]:
             line(r"L = \hat{L} - \delta L", EXACT_LINE, "so it is taken off", rearrange(), result=True),
             line(r"\delta h = \hat{h} - h", EXACT_LINE, "and of the height"),
             line(r"h = \hat{h} - \delta h", EXACT_LINE, "so it is taken off", rearrange(), result=True),
-            defines=("δl", "δL", "δh"),
-            readings=(Reading(named["δ"], named["δl"], "a dropped letter, as its two neighbours show"),),
-            leads_to=("9",),
+            defines=("δl", "δL", "δh"), readings=(Reading(named["δ"], named["δl"],
+            "a dropped letter, as its two neighbours show"),), leads_to=("9",),
         ),
         "28": derived(
             *(
@@ -1281,43 +702,25 @@ def update(named: Mapping[str, Symbol]) -> dict[str, Derived]:
                     ),
                 )
             ),
-            defines=("δv_e", "δv_n", "δv_u"),
-            leads_to=("9", "10"),
+            defines=("δv_e", "δv_n", "δv_u"), leads_to=("9", "10"),
         ),
         "29": derived(
-            line(
-                r"\Delta Q = \hat{Q} - Q",
-                EXACT_LINE,
-                "ΔQ is an error to be taken off, as in (27), no rotation to be multiplied with",
-            ),
+            line(r"\Delta Q = \hat{Q} - Q", EXACT_LINE,
+                 "ΔQ is an error to be taken off, as in (27), no rotation to be multiplied with"),
             line(r"Q = \hat{Q} - \Delta Q", EXACT_LINE, "so it is taken off", rearrange(), result=True),
-            line(
-                r"\hat{Q} = V Q",
-                EXACT_LINE,
-                "(19) with quaternions: the computed attitude is the true one turned by -φ, which is V",
-            ),
+            line(r"\hat{Q} = V Q", EXACT_LINE,
+                 "(19) with quaternions: the computed attitude is the true one turned by -φ, which is V"),
             line(r"V^* \hat{Q} = Q", EXACT_LINE, "turned back", multiply(left="V^*")),
             line(r"\Delta Q = \hat{Q} - V^* \hat{Q}", EXACT_LINE, "of the computed attitude", substitute("4", of="1")),
-            line(
-                r"V^* = " + column("1", r"\frac{1}{2} \phi^n"),
-                phi,
-                "half the angle, of which the cosine is 1 to first order",
-            ),
-            line(
-                rf"\Delta Q = -\frac{{1}}{{2}} {beside} \hat{{Q}}",
-                phi,
-                "a quaternion with 0 beside φ is left",
-                substitute("6", of="5"),
-            ),
-            line(
-                rf"\Delta Q = -\frac{{1}}{{2}} \flown{{quaternion_error}} {angle}",
-                phi,
-                "the product with a quaternion from the right, whose first column meets the 0",
-                multiply_out(),
-                result=True,
-            ),
-            note="Three slips: the first column of the matrix, which only a fourth component 0 before φ could meet; the "
-            "product where the sum belongs; and, if the product stays, the sign, for a rotation that takes the error "
+            line(r"V^* = " + column("1", r"\frac{1}{2} \phi^n"), phi,
+                 "half the angle, of which the cosine is 1 to first order"),
+            line(rf"\Delta Q = -\frac{{1}}{{2}} {beside} \hat{{Q}}", phi, "a quaternion with 0 beside φ is left",
+                 substitute("6", of="5")),
+            line(rf"\Delta Q = -\frac{{1}}{{2}} \flown{{quaternion_error}} {angle}", phi,
+                 "the product with a quaternion from the right, whose first column meets the 0", multiply_out(),
+                 result=True),
+            note="Three slips: the first column of the matrix, which only a fourth component 0 before φ could meet; "
+            "the product where the sum belongs; and, if the product stays, the sign, for a rotation that takes the error "
             "out is [1, +φ/2]. An exact rotation is Song-Lee (23), (24).",
         ),
     }
@@ -1331,73 +734,37 @@ def detector() -> dict[str, Derived]:
     apart = r"(y_k^a - \bar{y}_n^a)"
     return {
         "30": derived(
-            line(
-                r"y_k^a = s_k^a(\theta) + \nu_k^a",
-                EXACT_LINE,
-                "what the accelerometers show is what acts on them, and noise",
-            ),
+            line(r"y_k^a = s_k^a(\theta) + \nu_k^a", EXACT_LINE,
+                 "what the accelerometers show is what acts on them, and noise"),
             line(r"y_k^w = s_k^\omega(\theta) + \nu_k^\omega", EXACT_LINE, "and so with the gyros"),
-            defines=("y_k", "s_k", "ν_y"),
-            leads_to=("31", "32"),
+            defines=("y_k", "s_k", "ν_y"), leads_to=("31", "32"),
         ),
         "31": derived(
-            line(
-                rf"S_a = {total} ({apart} {apart}^T)",
-                DEFINITION,
-                "the covariance of the accelerometers over the window",
-            ),
-            line(
-                "T_a^2 = S_a(1,1) + S_a(2,2) + S_a(3,3)",
-                EXACT_LINE,
-                "the moving deviation, from the trace of that covariance",
-            ),
-            line(
-                rf"T_a^2 = {total} \|y_k^a - \bar{{y}}_n^a\|^2",
-                EXACT_LINE,
-                "the trace of v v' is the square of v",
-                substitute("1"),
-            ),
-            line(
-                rf"T_a = \sqrt{{{total} \|y_k^a - \bar{{y}}_n^a\|^2}} < \gamma_a",
-                EXACT_LINE,
-                "at rest it is small",
-                take_root(),
-                result=True,
-            ),
+            line(rf"S_a = {total} ({apart} {apart}^T)", DEFINITION,
+                 "the covariance of the accelerometers over the window"),
+            line("T_a^2 = S_a(1,1) + S_a(2,2) + S_a(3,3)", EXACT_LINE,
+                 "the moving deviation, from the trace of that covariance"),
+            line(rf"T_a^2 = {total} \|y_k^a - \bar{{y}}_n^a\|^2", EXACT_LINE, "the trace of v v' is the square of v",
+                 substitute("1")),
+            line(rf"T_a = \sqrt{{{total} \|y_k^a - \bar{{y}}_n^a\|^2}} < \gamma_a", EXACT_LINE,
+                 "at rest it is small", take_root(), result=True),
             unit="m/s^2",
             note="The text over (31) says twice that the angular rate is used, for its mean and for its deviation; its "
             "own argument, and the superscript a of (31), want the deviation of the acceleration.",
         ),
         "32": derived(
-            line(rf"\bar{{y}}_n^w = {total} y_k^w", DEFINITION, "the mean of the gyros over the window"),
-            line(
-                r"T_w = \|\bar{y}_n^w\|",
-                EXACT_LINE,
-                "its length: a vector is not less than a number, and its components may be negative",
-            ),
-            line(
-                rf"T_w = \|{total} y_k^w\| < \gamma_w",
-                EXACT_LINE,
-                "at rest it is small",
-                substitute("1"),
-                result=True,
-            ),
+            line(rf"\bar{{y}}_n^w = {total} y_k^w", EXACT_LINE, "the mean of the gyros over the window"),
+            line(r"T_w = \|\bar{y}_n^w\|", EXACT_LINE,
+                 "its length: a vector is not less than a number, and its components may be negative"),
+            line(rf"T_w = \|{total} y_k^w\| < \gamma_w", EXACT_LINE, "at rest it is small", substitute("1"),
+                 result=True),
             line("N = m - n + 1", EXACT_LINE, "samples from the n-th to the m-th"),
             line("m = n + N - 1", EXACT_LINE, "the last of them", solve_for("m")),
             line(r"\Omega_n = \{n \leq \ell \leq m\}", EXACT_LINE, "the window"),
-            line(
-                r"\Omega_n = \{n \leq \ell \leq n + N - 1\}",
-                EXACT_LINE,
-                "the print has N - n of them, none from n = N on",
-                substitute("5"),
-                result=True,
-            ),
-            line(
-                rf"\bar{{y}}_n^a = {total} y_k^a",
-                EXACT_LINE,
-                "the mean of the accelerometers",
-                result=True,
-            ),
+            line(r"\Omega_n = \{n \leq \ell \leq n + N - 1\}", EXACT_LINE,
+                 "N samples from the n-th on; the print has N - n of them, none from n = N on", substitute("5"),
+                 result=True),
+            line(rf"\bar{{y}}_n^a = {total} y_k^a", EXACT_LINE, "the mean of the accelerometers", result=True),
             unit="rad/s",
             note="w stands for ω, l for k: labels. At rest T_w is the Earth's rate and the bias, not zero.",
         ),

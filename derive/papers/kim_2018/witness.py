@@ -308,8 +308,8 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         given |= dict(zip(names.split("|"), parts, strict=True))
     vectors = {"v": "v_n", "δv": "velocity_error", "φ": "phi", "θ": "theta", "Δv_MINS": "master_velocity_error",
                "x_p": "position_error", "x_v": "velocity_error", "x_φ": "phi", "x_Cb": "gyro_bias",
-               "x_Ab": "accel_bias", "ν_z": "v_n", "s_a": "f_b", "f_b": "f_b", "s_w": "omega_ib_b", "ω_ib_b": "omega_ib_b",
-               "w_f": "accel_noise", "w_ω": "gyro_noise"}  # fmt: skip
+               "x_Ab": "accel_bias", "ν_z": "v_n", "s_a": "f_b", "f_b": "f_b", "s_w": "omega_ib_b",
+               "ω_ib_b": "omega_ib_b", "w_f": "accel_noise", "w_ω": "gyro_noise"}  # fmt: skip
     given |= {name: Matrix(getattr(base, part)) for name, part in vectors.items()}
 
     def defined(number: str, **unknown: int) -> Callable:
@@ -332,7 +332,7 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         ("y_k|s_k|ν_y", defined("30", y_k=6, s_k=6, ν_y=6)),
         ("y_a|y_w", lambda a: [a["y_k"][0:3, 0], a["y_k"][3:6, 0]]),
         ("ν_a|ν_w", lambda a: _noise(base, NOW)),
-        ("T_a|T_w|ȳ_a|γ_a|γ_w", lambda a: _detector(base)),
+        ("T_a|T_w|ȳ_a|ȳ_w|γ_a|γ_w", lambda a: _detector(base)),
         ("δl̇|δL̇|δḣ", position_error_rates),
         ("ẋ_k|w_k|δv̇|φ̇|δv̇_c|ψ̇|Ẋ", lambda a: _error_rates(base)),
         (RATES, lambda a: _rates(base)),
@@ -697,5 +697,5 @@ def _detector(base: Base) -> list:
     pairs = [(i, j) for i in range(WINDOW_OF) for j in range(WINDOW_OF)]
     spread = sqrt(sum(norm(a[i] - a[j]) ** 2 for i, j in pairs) / 2) / WINDOW_OF
     mean = sqrt(sum((w[i].T * w[j])[0] for i, j in pairs)) / WINDOW_OF
-    center = vector(*(sum(v[i] for v in a) / WINDOW_OF for i in range(3)))
-    return [spread, mean, center, 10 * spread, 10 * mean]
+    centers = [vector(*(sum(v[i] for v in record) / WINDOW_OF for i in range(3))) for record in (a, w)]
+    return [spread, mean, *centers, 10 * spread, 10 * mean]
