@@ -105,16 +105,18 @@ OPERATORS: dict[str, Callable] = {
 def _expected(expression, point: Point):
     """The expectation of what is at most quadratic in the random letters, from their second moments, exactly.
 
-    point.values["random"] has, by letter, the columns of a root of its covariance; the letters' means are their values.
+    point.values["random"] has, by letter or by letters together, the columns of a root of their covariance; the means
+    are the letters' values, but for those in point.values["mean"].
     """
-    middle = evaluate(expression, point)
-    result = middle
+    middle = point.changed(point.values.get("mean", {}))
+    result = evaluate(expression, middle)
     used = {symbol.name for symbol in expression.free_symbols}
-    for name, columns in point.values["random"].items():
-        for column in columns if name in used else ():
+    for names, columns in point.values["random"].items():
+        names, columns = (names, columns) if isinstance(names, tuple) else ((names,), [(one,) for one in columns])
+        for column in columns if used.intersection(names) else ():
             for sign in (1, -1):
-                moved = point.changed({name: point.values[name] + column * sign})
-                result = _sum(result, (evaluate(expression, moved) - middle) / 2)
+                moved = {name: middle.values[name] + part * sign for name, part in zip(names, column, strict=True)}
+                result = _sum(result, (evaluate(expression, middle.changed(moved)) - evaluate(expression, middle)) / 2)
     return result
 
 

@@ -100,7 +100,7 @@ def differentiate(rates: dict[str, str], of: str = "") -> Passage:
 
 def elsewhere(letters: dict[str, str], of: str = "") -> Passage:
     """The same of another time, point or quantity: other letters, all at once, stand in the place of these."""
-    return Passage("say it of another", of, (), tuple(letters), tuple(letters.values()))
+    return Passage("carry over", of, (), tuple(letters), tuple(letters.values()))
 
 
 def take_vector(of: str = "") -> Passage:
@@ -114,11 +114,16 @@ def take_skew_part(of: str = "") -> Passage:
 
 def take_rows(*numbers: int, of: str = "") -> Passage:
     """Rows of the sides, counted from 1."""
-    return Passage("take rows", of, tuple(map(str, numbers)))
+    return Passage("take rows", of, with_=tuple(map(str, numbers)))
 
 
 def take_entry(row: int, column: int, of: str = "") -> Passage:
-    return Passage("take an entry", of, (str(row), str(column)))
+    return Passage("take an entry", of, with_=(str(row), str(column)))
+
+
+def find_minimum(direction: str = "", of: str = "") -> Passage:
+    """The line before, of which the left is the rate of a cost, is zero at the minimum, whatever the direction."""
+    return Passage("find the minimum", of, (), (direction,) if direction else ())
 
 
 def stack(first: str, *others: str) -> Passage:
@@ -225,6 +230,8 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
         return _said(all(_same(a, b) for a, b in pairwise(values)), passage.operation)
     if before.sides == after.sides:
         return LineVerdict(False, f"{passage.operation}: the line before says the same")
+    if passage.operation == "find the minimum":
+        return _said(_multiple(_gradient(paper, passage, before, point), _difference(after, point)), passage.operation)
     if passage.operation == "substitute":
         rows = list(zip_longest(passage.using, passage.letters, fillvalue=""))
         verdict = _substituted(paper, rows, before, after, relation_of, point)
@@ -233,6 +240,26 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
                 return LineVerdict(False, f"substitute: it follows without {row}")
         return verdict
     return _follows(_carried(paper, passage, before, relation_of, point), after, point, passage.operation)
+
+
+def _gradient(paper: Paper, passage: Passage, before: Relation, point: Point) -> list:
+    """The right side, and along each unit of the direction."""
+    if not isinstance(before.sides[0], Symbol):
+        raise ValueError(f"{before.sides[0]} is no letter of a rate")
+    if not passage.letters:
+        return _entries(evaluate(before.sides[-1], point))
+    (direction,) = _symbols(paper, passage.letters)
+    units = [Matrix([int(i == j) for j in range(3)]) for i in range(*paper.letter(direction.name).shape)]
+    rates = (evaluate(before.sides[-1], point.changed({direction.name: unit})) for unit in units)
+    return [entry for rate in rates for entry in _entries(rate)]
+
+
+def _multiple(a: list, b: list) -> bool:
+    """Whether one is a number times the other, and neither is zero."""
+    k = max(range(len(a)), key=lambda i: abs(middle(a[i])))
+    if len(a) != len(b) or _same(a, [0] * len(a)) or _same([b[k]], [0]):
+        return False
+    return _same([entry * b[k] / a[k] for entry in a], b)
 
 
 def _substituted(
@@ -292,10 +319,10 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
     if name == "leave out":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
         return [evaluate(side, point.changed({x: point.values[x] * 0 for x in letters})) for side in before.sides]
-    if name == "say it of another":
-        others = [evaluate(_expression(paper, text), point) for text in passage.with_]
-        named = [symbol.name for symbol in _symbols(paper, passage.letters)]
-        return [evaluate(side, point.changed(dict(zip(named, others, strict=True)))) for side in before.sides]
+    if name == "carry over":
+        others = [_expression(paper, text) for text in passage.with_]
+        said = before.replaced(dict(zip(_symbols(paper, passage.letters), others, strict=True)))
+        return [evaluate(side, point) for side in said.sides]
     if name == "differentiate":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
         rates = [evaluate(_expression(paper, rate), point) for rate in passage.with_]
@@ -352,8 +379,8 @@ _TAKE: dict[str, Callable] = {
     "invert": lambda value, passage: power(value, S.NegativeOne),
     "take the vector": _vector,
     "take the skew-symmetric part": lambda value, passage: (value - value.T) / 2,
-    "take rows": lambda value, passage: Matrix([list(value[int(k) - 1, :]) for k in passage.using]),
-    "take an entry": lambda value, passage: value[int(passage.using[0]) - 1, int(passage.using[1]) - 1],
+    "take rows": lambda value, passage: Matrix([list(value[int(k) - 1, :]) for k in passage.with_]),
+    "take an entry": lambda value, passage: value[int(passage.with_[0]) - 1, int(passage.with_[1]) - 1],
 }
 
 

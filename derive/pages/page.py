@@ -53,14 +53,10 @@ def equations_page(title: str, chosen: Iterable[tuple[Paper, Equation]], functio
         title,
         shown,
         back=(Section("Conditions", notes, "conditions"),) if notes else (),
-        anchors={f"({e.number})": anchor(e) for _, e in chosen} if len(letters) == 1 else {},
+        anchors=({f"({e.number})": anchor(e) for _, e in chosen} if len(letters) == 1 else {})
+        | dict.fromkeys(numbered.values(), "conditions"),
         letters=tuple(quantity for one in letters for quantity in (*one.quantities(), *one.letters())),
     )
-
-
-def derivation_page(title: str, derivation: Derivation) -> Page:
-    """A derivation that belongs to no equation of a paper."""
-    return Page(title, (Section("", steps(derivation, ())),))
 
 
 def equation_section(paper: Paper, equation: Equation, functions: Functions) -> Section:
@@ -77,6 +73,7 @@ def equation_section(paper: Paper, equation: Equation, functions: Functions) -> 
     blocks.append(Prose(", ".join((*HELD, file, *own) if own else HELD), "Held by", code=True))
     first, last = equation.lines
     source = f"source line {first}" if first == last else f"source lines {first} to {last}"
+    source = source if equation.latex else "derived here"
     title = f"{equation.paper} ({equation.number})"
     return Section(title, tuple(blocks), anchor(equation), status(entry), source)
 
@@ -87,7 +84,8 @@ def forms(equation: Equation, entry: Entry, letters: tuple[Quantity, ...]) -> li
     printed, derived = equation.printed, equation.derived
     if not found:
         more = derived[len(printed) :]
-        blocks: list[Block] = [Formulas(_forms(printed, equation.alphabet), "printed and derived", _displays(equation))]
+        label = "printed and derived" if equation.latex else "derived"
+        blocks: list[Block] = [Formulas(_forms(printed, equation.alphabet), label, _displays(equation))]
         return blocks + ([Formulas(_forms(more, letters), "derived with it")] if more else [])
     if entry.status == "erratum":  # what is only read otherwise is no slip: the note says it
         found = differences(equation.read(), derived)

@@ -4,10 +4,10 @@ from collections.abc import Iterable
 from types import MappingProxyType
 
 from boresight import BoresightError
-from boresight.derive.ledger.equation import Derivation, Equation
+from boresight.derive.ledger.equation import Equation
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.pages.blocks import Page
-from boresight.derive.pages.page import Functions, derivation_page, equations_page, paper_page
+from boresight.derive.pages.page import Functions, equations_page, paper_page
 
 FORMATS = ("text", "latex", "html")
 NONE: Functions = MappingProxyType({})
@@ -29,11 +29,6 @@ def render_equations(
 ) -> str:
     """Equations of one or more papers, in one of FORMATS."""
     return write(equations_page(title, chosen, functions), format)
-
-
-def render_derivation(title: str, derivation: Derivation, format: str) -> str:
-    """A derivation that belongs to no equation of a paper, in one of FORMATS."""
-    return write(derivation_page(title, derivation), format)
 
 
 def write(page: Page, format: str) -> str:

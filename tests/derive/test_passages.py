@@ -71,6 +71,9 @@ def follows(before, passage, after, *others):
     return ps.judge_passage(TOY, equation, len(equation.derivation.steps) - 1).holds
 
 
+B, O, D = "\\begin{bmatrix} ", " \\\\ ", " \\end{bmatrix}"
+
+
 @pytest.mark.parametrize(
     ("before", "passage", "right", "wrong", "others"),
     [
@@ -96,6 +99,17 @@ def follows(before, passage, after, *others):
         ("M = C [w \\times] C^T", ps.take_vector(), "p = C w", "p = C^T w", []),
         ("D = C", ps.take_skew_part(), "(D - D^T)/2 = (C - C^T)/2", "(D - D^T)/2 = (C + C^T)/2", []),
         ("D = C", ps.take_entry(1, 2), "D(1,2) = C(1,2)", "D(1,2) = C(2,1)", []),
+        (
+            "p = e",
+            ps.stack("1", "2"),
+            B + "p " + O + "w" + D + " = " + B + "e" + O + "C e" + D,
+            B + "p" + O + "w" + D + " = " + B + "C e" + O + "e" + D,
+            ["p = e", "w = C e"],
+        ),
+        ("u^2 = s^2 t^2", ps.take_root(), "u = s t", "u = s t^2", []),
+        ("D p = C p", ps.identify("p"), "D = C", "D = C^T", []),
+        ("D p + w = C p + e", ps.identify("p"), "D = C", "w = e", []),
+        ("u = (w - e)^T (w - e)", ps.minimise("w"), "2 w - 2 e = 0", "2 w + 2 e = 0", []),
         ("p = C w", ps.solve_for("w"), "w = C^T p", "w = C p", []),
         ("s t + r = u", ps.solve_for("t"), "t = (u - r)/s", "t = (u + r)/s", []),
     ],

@@ -429,7 +429,8 @@ def hold(named: Mapping[str, Symbol]) -> dict[str, Derived]:
                  rf" = -[\dot{{\phi}}^n \times] C_b^n + (I - {phi_x}) (C_b^n [\omega_{{ib}}^b \times] - {in_x} C_b^n)",
                  errors, "both kinematics", substitute("4", "5", "7", "1", "2")),
             line(rf"C_b^n [\omega_{{ib}}^b \times] - {in_x} C_b^n + C_b^n {gyro_x}"
-                 rf" - [\delta \omega_{{in}}^n \times] C_b^n - {phi_x} C_b^n [\omega_{{ib}}^b \times] + {in_x} {phi_x} C_b^n"
+                 rf" - [\delta \omega_{{in}}^n \times] C_b^n - {phi_x} C_b^n [\omega_{{ib}}^b \times]"
+                 rf" + {in_x} {phi_x} C_b^n"
                  rf" = -[\dot{{\phi}}^n \times] C_b^n + C_b^n [\omega_{{ib}}^b \times] - {in_x} C_b^n"
                  rf" - {phi_x} C_b^n [\omega_{{ib}}^b \times] + {phi_x} {in_x} C_b^n", errors,
                  "multiplied out; products of errors are dropped",
@@ -720,8 +721,8 @@ def update(named: Mapping[str, Symbol]) -> dict[str, Derived]:
                  "the product with a quaternion from the right, whose first column meets the 0", multiply_out(),
                  result=True),
             note="Three slips: the first column of the matrix, which only a fourth component 0 before φ could meet; "
-            "the product where the sum belongs; and, if the product stays, the sign, for a rotation that takes the error "
-            "out is [1, +φ/2]. An exact rotation is Song-Lee (23), (24).",
+            "the product where the sum belongs; and, if the product stays, the sign, for a rotation that takes the "
+            "error out is [1, +φ/2]. An exact rotation is Song-Lee (23), (24).",
         ),
     }
 
