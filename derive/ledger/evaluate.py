@@ -1,7 +1,7 @@
 """The value of an expression at a point, where every letter has one."""
 
 from collections import ChainMap
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from functools import reduce
 from itertools import pairwise
@@ -110,14 +110,19 @@ def _expected(expression, point: Point):
     """
     middle = point.changed(point.values.get("mean", {}))
     result = evaluate(expression, middle)
-    used = {symbol.name for symbol in expression.free_symbols}
     for names, columns in point.values["random"].items():
         names, columns = (names, columns) if isinstance(names, tuple) else ((names,), [(one,) for one in columns])
-        for column in columns if used.intersection(names) else ():
+        for column in columns if _reads(expression, names, point) else ():
             for sign in (1, -1):
                 moved = {name: middle.values[name] + part * sign for name, part in zip(names, column, strict=True)}
                 result = _sum(result, (evaluate(expression, middle.changed(moved)) - evaluate(expression, middle)) / 2)
     return result
+
+
+def _reads(expression, names: Collection[str], point: Point) -> bool:
+    """Whether a letter of the expression is one of these, or follows one."""
+    follows = getattr(point.values, "follows", lambda name, letters: False)
+    return any(symbol.name in names or follows(symbol.name, names) for symbol in expression.free_symbols)
 
 
 def _bounded(value, limit):

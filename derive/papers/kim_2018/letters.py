@@ -39,7 +39,7 @@ SPELLED = {
     "I": "I",
     "Q_k": "Q_k",
     "Q_b2n": "Q",
-    "index": r"\ell",
+    "index": "i",
 }
 
 V3, M3, SCALAR = (3,), (3, 3), ()
