@@ -141,11 +141,6 @@ def identify(letter: str, of: str = "") -> Passage:
     return Passage("identify", of, (), (letter,))
 
 
-def minimise(letter: str, of: str = "") -> Passage:
-    """Where the last side is least, its derivatives by the components of the letter are zero."""
-    return Passage("minimise", of, (), (letter,))
-
-
 def take_rotation_vector(of: str = "") -> Passage:
     """Of rotations by less than half a turn their rotation vectors."""
     return Passage("take the rotation vector", of)
@@ -181,7 +176,7 @@ def _judged(paper: Paper, equation: Equation, index: int, passage: Passage, repl
     def relation_of(label: str) -> Relation:
         return _relation(paper, equation, index, label, replaced)
 
-    after = relation_of(str(index + 1))
+    after = replaced.get(index, equation.derivation.steps[index].formulas[0])
     if passage.operation == "chain":
         lines = [relation_of(row) for row in passage.using]
         return _all(_chained(lines, after, free_point(paper, seed)) for seed in SEEDS)
@@ -200,13 +195,11 @@ def _relation(paper: Paper, equation: Equation, index: int, label: str, replaced
     steps = equation.derivation.steps
     if label.startswith("("):
         number, _, part = label.removeprefix("(").partition(")")
-        if number == equation.number:
-            raise BoresightError(f"({number}) cannot stand on itself")
         derived = paper.equation(number).derived
         return derived[int(part.removeprefix(".")) - 1 if part else 0]
     if label:
         at = int(label) - 1
-        if not 0 <= at <= index:
+        if not 0 <= at < index:
             raise BoresightError(f"line {label} does not stand before line {index + 1}")
     else:
         at = equation.derivation.before(index)
@@ -214,6 +207,11 @@ def _relation(paper: Paper, equation: Equation, index: int, label: str, replaced
 
 
 def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, relation_of, point: Point) -> LineVerdict:
+    if passage.operation in ("rearrange", "find the minimum") and len(after.sides) != 2:
+        raise ValueError("the line has more than two sides")
+    for identity in passage.using if passage.operation == "multiply out" else ():
+        if not _same(_difference(relation_of(identity), point), [0] * len(_difference(relation_of(identity), point))):
+            raise ValueError(f"{identity} is no identity")
     if passage.operation == "rearrange":
         first, second = (_difference(relation, point) for relation in (before, after))
         holds = any(_same(first, [entry * sign for entry in second]) for sign in (1, -1))
@@ -249,7 +247,8 @@ def _gradient(paper: Paper, passage: Passage, before: Relation, point: Point) ->
     if not passage.letters:
         return _entries(evaluate(before.sides[-1], point))
     (direction,) = _symbols(paper, passage.letters)
-    units = [Matrix([int(i == j) for j in range(3)]) for i in range(*paper.letter(direction.name).shape)]
+    (size,) = paper.letter(direction.name).shape
+    units = [Matrix([int(i == j) for j in range(size)]) for i in range(size)]
     rates = (evaluate(before.sides[-1], point.changed({direction.name: unit})) for unit in units)
     return [entry for rate in rates for entry in _entries(rate)]
 
@@ -305,10 +304,9 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
     if name == "stack":
         rows = [before, *(relation_of(row) for row in passage.using)]
         return [Matrix([e for row in rows for e in _entries(evaluate(row.sides[i], point))]) for i in (0, -1)]
-    if name in ("identify", "minimise"):
+    if name == "identify":
         (letter,) = (symbol.name for symbol in _symbols(paper, passage.letters))
-        slopes = [_jacobian(side, letter, point) for side in before.sides]
-        return slopes if name == "identify" else [slopes[-1].T, slopes[-1].T * 0]
+        return [_jacobian(side, letter, point) for side in before.sides]
     if name == "expand":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
 
@@ -321,7 +319,11 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
         return [evaluate(side, point.changed({x: point.values[x] * 0 for x in letters})) for side in before.sides]
     if name == "carry over":
         others = [_expression(paper, text) for text in passage.with_]
-        said = before.replaced(dict(zip(_symbols(paper, passage.letters), others, strict=True)))
+        named = _symbols(paper, passage.letters)
+        for letter, other in zip(named, others, strict=True):
+            if isinstance(other, Symbol) and paper.letter(other.name).kind != paper.letter(letter.name).kind:
+                raise ValueError(f"{other} is another kind of quantity than {letter}")
+        said = before.replaced(dict(zip(named, others, strict=True)))
         return [evaluate(side, point) for side in said.sides]
     if name == "differentiate":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]

@@ -109,7 +109,6 @@ B, O, D = "\\begin{bmatrix} ", " \\\\ ", " \\end{bmatrix}"
         ("u^2 = s^2 t^2", ps.take_root(), "u = s t", "u = s t^2", []),
         ("D p = C p", ps.identify("p"), "D = C", "D = C^T", []),
         ("D p + w = C p + e", ps.identify("p"), "D = C", "w = e", []),
-        ("u = (w - e)^T (w - e)", ps.minimise("w"), "2 w - 2 e = 0", "2 w + 2 e = 0", []),
         ("p = C w", ps.solve_for("w"), "w = C^T p", "w = C p", []),
         ("s t + r = u", ps.solve_for("t"), "t = (u - r)/s", "t = (u + r)/s", []),
     ],

@@ -1,6 +1,7 @@
 """The numbered equations, each with its derivation: lines in the paper's letters and passages between them."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache
 
 from sympy import ImmutableMatrix, Matrix, S, Symbol, symbols
@@ -25,8 +26,8 @@ from boresight.derive.ledger.passages import (
     chain,
     differentiate,
     expand,
+    find_minimum,
     identify,
-    minimise,
     multiply,
     multiply_out,
     rearrange,
@@ -40,6 +41,7 @@ from boresight.derive.ledger.passages import (
     take_vector,
 )
 from boresight.derive.papers.kim_2018 import results
+from boresight.derive.papers.kim_2018.decided import DECIDED
 from boresight.derive.papers.kim_2018.letters import letters
 from boresight.derive.papers.kim_2018.printed import PRINTED, letters_of, quantities
 
@@ -48,7 +50,7 @@ NAME = "kim-2018"
 
 @cache
 def equations() -> tuple[Equation, ...]:
-    """The 32 numbered equations, in the paper's order."""
+    """The 32 numbered equations and one without a number, in the paper's order."""
     quaternion, units = symbols("q_:4", real=True), symbols("e n u")
     by_phi = results.quaternion_error(quaternion, units).jacobian(Matrix(units)) * -2
     flown: Mapping[str, object] = {
@@ -57,7 +59,8 @@ def equations() -> tuple[Equation, ...]:
         "hold_measurement_matrix": ImmutableMatrix(results.hold_measurement_matrix()),
     }
     named = {quantity.symbol.name: quantity.symbol for quantity in quantities()}
-    written = {**transfer(named), **hold(named), **azimuth(), **update(named), **detector()}
+    written = {**transfer(named), **hold(named), **azimuth(), **update(), **detector()}
+    written = {n: replace(one, more={**one.more, **DECIDED.get(n, {})}) for n, one in written.items()}
     return build(NAME, PRINTED, written, quantities(), letters(), flown, letters_of)
 
 
@@ -88,11 +91,15 @@ def transfer(named: Mapping[str, Symbol]) -> dict[str, Derived]:
     )
     measured, noise = column("Z_v(k)", "Z_{dcm}(k)"), column(r"\nu_v(k)", r"\nu_{dcm}(k)")
     late, I_late = r"C_r^n(k - \delta t)", r"(I - \Delta t [\omega_{nr}^n \times])"
+    sum_late, sum_now = (
+        column(r"\delta v^n + \dot{v}^n \Delta t + \nu_v(k)", rf"\phi^n - {C} \theta + d \Delta t + \nu_{{dcm}}(k)")
+        for C in (late, "C_r^n")
+    )
     late_theta = rf"[({late} \theta) \times]"
     three = r"\vee(\hat{C}_r^n \hat{C}_b^r \hat{C}_n^b)"
     return {
         "1": derived(
-            line("X = " + column(r"\delta v^n", r"\phi^n", r"\theta", r"\Delta t"), EXACT_LINE,
+            line("X = " + column(r"\delta v^n", r"\phi^n", r"\theta", r"\Delta t"), IDENTITY,
                  "velocity and attitude error of the slave, error of the mounting, delay; the order of F and H"),
             defines=("X",), leads_to=("3", "6"),
             note="Section 2.1 says that φ is the attitude error of the psi model; "
@@ -175,9 +182,9 @@ def transfer(named: Mapping[str, Symbol]) -> dict[str, Derived]:
                  r"-([\omega_{ie}^n \times] + [\omega_{en}^n \times]) \phi^n", r"0_{4 \times 3} \theta"), both,
                  "the four rows of (2)", substitute("(2)", "(2).2", "(2).3", "(2).4")),
             line(rf"\dot{{X}} = {F} X", both, "X is taken out to the right", multiply_out()),
-            line(r"\dot{X} = F X", both, "F is what makes the rates of the states, to first order"),
-            line(rf"F X = {F} X", both, "both are the rates", chain("3", "4")),
+            line(rf"F X = {F} X", both, "F is what makes the rates of the states, to first order"),
             line(rf"F = {F}", EXACT_LINE, "whatever the states are", identify("X"), result=True),
+            line(r"\dot{X} = F X", both, "so", substitute("5", of="3"), result=True),
             note="A vector of rates beside a vector is its cross product: the index 3x3 of (3) says so.",
         ),
         # the measurement of the transfer alignment
@@ -185,21 +192,10 @@ def transfer(named: Mapping[str, Symbol]) -> dict[str, Derived]:
             line(r"Z_v(k) = \hat{v}_{SINS}^n - \hat{v}_{MINS}^n", EXACT_LINE,
                  "the measurement, computed less reported"),
             line(r"\hat{v}_{SINS}^n = v^n + \delta v^n", EXACT_LINE, "the slave's velocity errs"),
-            line(r"\hat{v}_{MINS}^n = v_{old}^n + \Delta v_{MINS}", EXACT_LINE,
-                 "the master's velocity is as old as its attitude in (5), and errs"),
-            line(r"v_{old}^n = v^n - \dot{v}^n \Delta t", of_order(1, "delay"), "to first order in the delay"),
-            line(r"\nu_v(k) = -\Delta v_{MINS}", EXACT_LINE, "the noise is that of the master"),
-            line(r"Z_v(k) = (v^n + \delta v^n) - (v^n - \dot{v}^n \Delta t + \Delta v_{MINS})", first_order("delay"),
-                 "both velocities", substitute("2", "4", "3", of="1")),
-            line(r"Z_v(k) = \delta v^n + \dot{v}^n \Delta t + \nu_v(k)", first_order("delay"),
-                 "the true velocity cancels", substitute("5", letters=(r"\Delta v_{MINS}",))),
-            line(r"Z_v(k) = \hat{v}_{SINS}^n - \hat{v}_{MINS}^n"
-                 r" = (v^n + \delta v^n) - (v^n - \dot{v}^n \Delta t + \Delta v_{MINS})"
-                 r" = \delta v^n + \dot{v}^n \Delta t + \nu_v(k)", first_order("delay"), "in one",
-                 chain("1", "6", "7"), result=True),
+            line(r"Z_v(k) = \delta v^n - (\hat{v}_{MINS}^n - v^n)", EXACT_LINE,
+                 "what the velocities differ by; ν_v is minus all by which the master's errs", substitute("2", of="1")),
             unit="m/s", leads_to=("6",),
-            note="The line leaves out the delay, for which (6) has a column. If the delay were part of Δv_MINS, (4) "
-            "would define it and stand, but then no column of the delay could stand in the first row of (6).",
+            note="(6) has a column for the delay: there ν_v is the master's own error, and (4) would leave out v̇ Δt.",
         ),
         "5": derived(
             line(rf"Z_{{dcm}}(k) = {three}", EXACT_LINE,
@@ -247,17 +243,24 @@ def transfer(named: Mapping[str, Symbol]) -> dict[str, Derived]:
             "part. δt is the Δt of (1).",
         ),
         "6": derived(
-            line(f"{measured} = " + column(r"\delta v^n + \dot{v}^n \Delta t + \nu_v(k)",
-                 rf"\phi^n - {late} \theta + d \Delta t + \nu_{{dcm}}(k)"), errors, "(4) and (5), as derived",
-                 stack("(4)", "(5)")),
+            line(r"Z_v(k) = \hat{v}_{SINS}^n - \hat{v}_{MINS}^n", EXACT_LINE, "as (4) begins"),
+            line(r"\hat{v}_{SINS}^n = v^n + \delta v^n", EXACT_LINE, "the slave's velocity errs"),
+            line(r"\hat{v}_{MINS}^n = v_{old}^n + \Delta v_{MINS}", EXACT_LINE,
+                 "the master's velocity is as old as its attitude in (5), and errs"),
+            line(r"v_{old}^n = v^n - \dot{v}^n \Delta t", of_order(1, "delay"), "to first order in the delay"),
+            line(r"\nu_v(k) = -\Delta v_{MINS}", EXACT_LINE, "the noise is minus the master's own error"),
+            line(r"Z_v(k) = (v^n + \delta v^n) - (v^n - \dot{v}^n \Delta t + \Delta v_{MINS})", first_order("delay"),
+                 "both velocities", substitute("2", "4", "3", of="1")),
+            line(r"Z_v(k) = \delta v^n + \dot{v}^n \Delta t + \nu_v(k)", first_order("delay"),
+                 "the true velocity cancels", substitute("5", letters=(r"\Delta v_{MINS}",))),
+            line(f"{measured} = {sum_late}", errors, "this and (5), as derived", stack("7", "(5)")),
             line(rf"{late} = C_r^n", limit("delay"), "it stands before an error"),
-            line(f"{measured} = " + column(r"\delta v^n + \dot{v}^n \Delta t + \nu_v(k)",
-                 r"\phi^n - C_r^n \theta + d \Delta t + \nu_{dcm}(k)"), errors,
-                 "the product of delay and error is dropped", substitute("2", of="1")),
+            line(f"{measured} = {sum_now}", errors, "the product of delay and error is dropped",
+                 substitute("9", of="8")),
             line(f"{measured} = {H} X + {noise}", errors, "in the order of (1)", multiply_out()),
-            line(f"{measured} = H X + {noise}", errors, "H is what the measurements see of the states"),
-            line(f"H X + {noise} = {H} X + {noise}", errors, "both are the measurements", chain("4", "5")),
+            line(f"H X + {noise} = {H} X + {noise}", errors, "H is what the measurements see of the states"),
             line(f"H = {H}", EXACT_LINE, "whatever the states are", identify("X"), result=True),
+            line(f"{measured} = H X + {noise}", errors, "so", substitute("13", of="11"), result=True),
             note="Four slips: a column is lost between I and C_r2n, so that the blocks do not fit; f stands where the "
             "acceleration over the ground belongs, which is without gravity and Coriolis; its sign, and that of d, "
             "which (5) adds. If Δt is the error of an estimated delay, computed - true, the sign of f is right and "
@@ -327,11 +330,11 @@ def hold(named: Mapping[str, Symbol]) -> dict[str, Derived]:
             leads_to=("12",), note="The rate of a continuous system with the index of a step: a label.",
         ),
         "8": derived(
-            line("x = " + column("x_p", "x_v", r"x_\phi", "x_{Cb}", "x_{Ab}"), EXACT_LINE,
+            line("x = " + column("x_p", "x_v", r"x_\phi", "x_{Cb}", "x_{Ab}"), IDENTITY,
                  "the order of the states, which F_k and H_k share"),
-            line(r"x_p = [\delta l \ \delta L \ \delta h]^T", EXACT_LINE, "errors of longitude, latitude, height"),
-            line(r"x_v = [\delta v_e \ \delta v_n \ \delta v_u]^T", EXACT_LINE, "errors of the velocity"),
-            line(r"x_\phi = [\phi_e \ \phi_n \ \phi_u]^T", EXACT_LINE, "errors of the attitude"),
+            line(r"x_p = [\delta l \ \delta L \ \delta h]^T", IDENTITY, "errors of longitude, latitude, height"),
+            line(r"x_v = [\delta v_e \ \delta v_n \ \delta v_u]^T", IDENTITY, "errors of the velocity"),
+            line(r"x_\phi = [\phi_e \ \phi_n \ \phi_u]^T", IDENTITY, "errors of the attitude"),
             defines=("x",), leads_to=("7",),
         ),
         "9": derived(
@@ -620,7 +623,7 @@ def _letter(name: str) -> Symbol:
 # ---- 2.2.3 Update and feedback ---------------------------------------------------------------------------------------
 
 
-def update(named: Mapping[str, Symbol]) -> dict[str, Derived]:
+def update() -> dict[str, Derived]:
     phi = first_order("phi")
     seen = "H_k^T R^{-1}"
     information = rf"((P_k^-)^{{-1}} + {seen} H_k)"
@@ -629,8 +632,8 @@ def update(named: Mapping[str, Symbol]) -> dict[str, Derived]:
     move = r"(x_k^+ - x_k^-)"
     rest = r"(z_k - H_k x_k^+)"
     kept = r"(I_{15 \times 15} - K_k H_k)"
-    wrong = r"(x_k^- + K_k (H_k \xi_k + \upsilon_k - H_k x_k^-) - \xi_k)"
-    split = rf"({kept} (x_k^- - \xi_k) + K_k \upsilon_k)"
+    wrong = r"(x_k^- + K_k (H_k \xi_k + \zeta_k - H_k x_k^-) - \xi_k)"
+    split = rf"({kept} (x_k^- - \xi_k) + K_k \zeta_k)"
     beside = column("0", r"\phi^n")
     angle = column(r"\phi_e", r"\phi_n", r"\phi_u")
     return {
@@ -649,10 +652,10 @@ def update(named: Mapping[str, Symbol]) -> dict[str, Derived]:
         "25": derived(
             line(rf"J = {move}^T (P_k^-)^{{-1}} {move} + {rest}^T R^{{-1}} {rest}", DEFINITION,
                  "the squares of x - x(k-) and of z - H x, each weighted by its covariance"),
-            line(rf"2 (P_k^-)^{{-1}} {move} - 2 {seen} {rest} = 0", EXACT_LINE,
-                 "the estimate is where they are least", minimise("x_k^+")),
-            line(rf"(P_k^-)^{{-1}} {move} - {seen} {rest} = 0", EXACT_LINE, "half of it",
-                 multiply(left=r"\frac{1}{2}")),
+            line(rf"\dot{{J}} = 2 u^T ((P_k^-)^{{-1}} {move} - {seen} {rest})", DEFINITION,
+                 "as the estimate changes by u", differentiate({"J": r"\dot{J}", "x_k^+": "u"})),
+            line(rf"(P_k^-)^{{-1}} {move} - {seen} {rest} = 0", EXACT_LINE,
+                 "the estimate is where they are least", find_minimum("u")),
             line(rf"{information} {move} = {seen} {residual}", EXACT_LINE,
                  "z - H x(k+) is the innovation less H of the correction", rearrange()),
             line(rf"x_k^+ - x_k^- = {information}^{{-1}} {seen} {residual}", EXACT_LINE, "solved",
@@ -667,12 +670,12 @@ def update(named: Mapping[str, Symbol]) -> dict[str, Derived]:
                  "the square of what (25) leaves of an error of which H x and noise are measured"),
             line(rf"P_k^+ = \mathrm{{E}}[{split} {split}^T]", EXACT_LINE, "what is left, and what is added",
                  multiply_out()),
-            line(r"\mathrm{E}[\upsilon_k] = 0", EXACT_LINE, "the noise has no mean"),
+            line(r"\mathrm{E}[\zeta_k] = 0", EXACT_LINE, "the noise has no mean"),
             line(r"P_k^- = \mathrm{E}[(\xi_k - x_k^-) (\xi_k - x_k^-)^T]", EXACT_LINE, "the predicted covariance"),
-            line(r"R = \mathrm{E}[\upsilon_k \upsilon_k^T]", EXACT_LINE, "and that of the noise"),
+            line(r"R = \mathrm{E}[\zeta_k \zeta_k^T]", EXACT_LINE, "and that of the noise"),
             line(rf"P_k^+ = {kept} P_k^- {kept}^T + K_k R K_k^T", EXACT_LINE,
                  "Joseph's form, right with any gain: the noise knows nothing of the error",
-                 substitute("3", "4", "5", of="2", letters=(r"\upsilon_k", "", ""))),
+                 substitute("3", "4", "5", of="2", letters=(r"\zeta_k", "", ""))),
             line(r"P_k^+ = [I_{15 \times 15} - K_k H_k] P_k^-", EXACT_LINE,
                  "with the gain of (24) alone, for which K (H P H' + R) = P H'", substitute("(24)"), result=True),
             line(rf"P_k^+ = {information}^{{-1}}", EXACT_LINE, "which is the information of (24)",
@@ -685,8 +688,8 @@ def update(named: Mapping[str, Symbol]) -> dict[str, Derived]:
             line(r"L = \hat{L} - \delta L", EXACT_LINE, "so it is taken off", rearrange(), result=True),
             line(r"\delta h = \hat{h} - h", EXACT_LINE, "and of the height"),
             line(r"h = \hat{h} - \delta h", EXACT_LINE, "so it is taken off", rearrange(), result=True),
-            defines=("δl", "δL", "δh"), readings=(Reading(named["δ"], named["δl"],
-            "a dropped letter, as its two neighbours show"),), leads_to=("9",),
+            defines=("δl", "δL", "δh"), leads_to=("9",),
+            note="A letter is lost after δ; its two neighbours show it, and the text under (8) has it.",
         ),
         "28": derived(
             *(
@@ -711,9 +714,10 @@ def update(named: Mapping[str, Symbol]) -> dict[str, Derived]:
             line(r"Q = \hat{Q} - \Delta Q", EXACT_LINE, "so it is taken off", rearrange(), result=True),
             line(r"\hat{Q} = V Q", EXACT_LINE,
                  "(19) with quaternions: the computed attitude is the true one turned by -φ, which is V"),
-            line(r"V^* \hat{Q} = Q", EXACT_LINE, "turned back", multiply(left="V^*")),
-            line(r"\Delta Q = \hat{Q} - V^* \hat{Q}", EXACT_LINE, "of the computed attitude", substitute("4", of="1")),
-            line(r"V^* = " + column("1", r"\frac{1}{2} \phi^n"), phi,
+            line(r"\bar{V} \hat{Q} = Q", EXACT_LINE, "turned back", multiply(left=r"\bar{V}")),
+            line(r"\Delta Q = \hat{Q} - \bar{V} \hat{Q}", EXACT_LINE, "of the computed attitude",
+                 substitute("4", of="1")),
+            line(r"\bar{V} = " + column("1", r"\frac{1}{2} \phi^n"), phi,
                  "half the angle, of which the cosine is 1 to first order"),
             line(rf"\Delta Q = -\frac{{1}}{{2}} {beside} \hat{{Q}}", phi, "a quaternion with 0 beside φ is left",
                  substitute("6", of="5")),
@@ -759,14 +763,18 @@ def detector() -> dict[str, Derived]:
                  "its length: a vector is not less than a number, and its components may be negative"),
             line(rf"T_w = \|{total} y_k^w\| < \gamma_w", EXACT_LINE, "at rest it is small", substitute("1"),
                  result=True),
+            line(rf"\bar{{y}}_n^a = {total} y_k^a", EXACT_LINE, "the mean of the accelerometers", result=True),
+            unit="rad/s",
+            note="w stands for ω: a label. At rest T_w is the Earth's rate and the bias, not zero.",
+        ),
+        "Ω_n": derived(
             line("N = m - n + 1", EXACT_LINE, "samples from the n-th to the m-th"),
             line("m = n + N - 1", EXACT_LINE, "the last of them", solve_for("m")),
             line(r"\Omega_n = \{n \leq i \leq m\}", EXACT_LINE, "the window"),
             line(r"\Omega_n = \{n \leq i \leq n + N - 1\}", EXACT_LINE,
-                 "N samples from the n-th on; the print has N - n of them, none from n = N on", substitute("5"),
+                 "N samples from the n-th on; the print has N - n of them, none from n = N on", substitute("2"),
                  result=True),
-            line(rf"\bar{{y}}_n^a = {total} y_k^a", EXACT_LINE, "the mean of the accelerometers", result=True),
-            unit="rad/s",
-            note="w stands for ω, l for k: labels. At rest T_w is the Earth's rate and the bias, not zero.",
+            defines=("Ω_n",), leads_to=("31", "32"),
+            note="N samples are meant, for (31) and (32) divide by N. The index is k there and l here: a label.",
         ),
     }

@@ -10,7 +10,7 @@ from unicodedata import normalize
 
 from boresight.derive.ledger.equation import Quantity, letter
 from boresight.derive.ledger.evaluate import assembled
-from boresight.derive.ledger.free import of, positive, rotation
+from boresight.derive.ledger.free import of, positive, positive_number, rotation
 from boresight.derive.ledger.numbers import Matrix, exact, eye, norm, zeros
 from boresight.derive.ledger.witness import skew, vector
 from boresight.derive.papers.kim_2018.printed import quantities
@@ -132,16 +132,17 @@ ADDED: tuple[tuple[str, tuple[int, ...], tuple[tuple[str, str, str], ...]], ...]
         ("ξ_k", r"\xi_k", "the errors before the update, random: mean and covariance are the filter's"),
         ("η", r"\eta_{k-1}", "what white noise adds over the step, random"),
     )),
-    ("measurement", (4,), (("υ", r"\upsilon_k", "noise of the measurement, random"),)),
+    ("measurement", (4,), (("ζ", r"\zeta_k", "noise of the measurement, random"),)),
     ("15x15", (15, 15), (
         ("Ṗ", r"\dot{P}_{k-1}", "rate of the covariance at the step's start"),
         ("W", "W", "density of the process noise"),
     )),
     ("quaternion", (4,), (
         ("V", "V", "rotation by -φ"),
-        ("V*", "V^*", "its conjugate"),
+        ("V̄", r"\bar{V}", "its conjugate"),
     )),
-    ("cost", (1,), (("J", "J", "weighted squares"),)),
+    ("cost", (1,), (("J", "J", "weighted squares"), ("J̇", r"\dot{J}", "their rate of change along u"))),
+    ("direction", (15,), (("u", "u", "any change of the states"),)),
     ("spread", M3, (("S_a", "S_a", "covariance of the window, m^2/s^4"),)),
     ("turn", V3, (("ȳ_w", r"\bar{y}_n^w", "mean of the gyros over the window, rad/s"),)),
     ("count", SCALAR, (("m", "m", "last sample of a window"),)),
@@ -188,7 +189,7 @@ def moments(generator: Random) -> dict[str, list[Matrix]]:
     def root(size: int) -> list[Matrix]:
         return [Matrix([exact(generator.uniform(-1, 1)) for _ in range(size)]) for _ in range(size)]
 
-    return {"ξ_k-1": root(15), "ξ_k": root(15), "η": root(15), "υ": root(4)}
+    return {"ξ_k-1": root(15), "ξ_k": root(15), "η": root(15), "ζ": root(4)}
 
 
 def constant(value: Any) -> Callable[[Random], Any]:
@@ -229,8 +230,9 @@ def _structure() -> Iterator[tuple[str, Any]]:
         "R": positive(4),
         "Q̂_b2n": of("q_0|q_1|q_2|q_3", vector),
         "V": unit_quaternion,
-        "V*": of("V", conjugate),
+        "V̄": of("V", conjugate),
         "random": moments,
+        "T_a": positive_number,
         "N": constant(exact(3)),
         "n": constant(exact(2)),
         "γ_a": constant(exact(1000)),
