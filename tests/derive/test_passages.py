@@ -10,7 +10,7 @@ from boresight.derive.ledger import lines as ln
 from boresight.derive.ledger import passages as ps
 from boresight.derive.ledger.equation import Derivation, Equation, Quantity
 from boresight.derive.ledger.evaluate import DIGITS
-from boresight.derive.ledger.free import of, rotation
+from boresight.derive.ledger.free import of, positive_number, rotation
 from boresight.derive.ledger.numbers import Matrix, digits, eye
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.ledger.witness import finite_rotation, skew
@@ -54,7 +54,7 @@ TOY = Paper(
     point=Stated(None, ""),
     evidence=lambda number: "",
     findings=tuple,
-    structure={"C": rotation, "I": lambda generator: eye(3), "M": of("p", skew)},
+    structure={"C": rotation, "I": lambda generator: eye(3), "M": of("p", skew), "u": positive_number},
 )
 
 
@@ -106,7 +106,7 @@ B, O, D = "\\begin{bmatrix} ", " \\\\ ", " \\end{bmatrix}"
             B + "p" + O + "w" + D + " = " + B + "C e" + O + "e" + D,
             ["p = e", "w = C e"],
         ),
-        ("u^2 = s^2 t^2", ps.take_root(), "u = s t", "u = s t^2", []),
+        ("u^2 = 4", ps.take_root(), "u = 2", "u = 4", []),
         ("D p = C p", ps.identify("p"), "D = C", "D = C^T", []),
         ("D p + w = C p + e", ps.identify("p"), "D = C", "w = e", []),
         ("p = C w", ps.solve_for("w"), "w = C^T p", "w = C p", []),

@@ -280,12 +280,17 @@ def hold(named: Mapping[str, Symbol]) -> dict[str, Derived]:
     coriolis = r"2 [\omega_{ie}^n \times] + [\omega_{en}^n \times]"
     F = column(
         "A_p & A_v & 0 & 0 & 0",
-        rf"W_g + [v^n \times] (2 W_{{ie}} + W_{{ep}}) & [v^n \times] W_{{ev}} - ({coriolis})"
-        r" & [f^n \times] & 0 & C_b^n",
-        r"W_{ie} + W_{ep} & W_{ev} & -([\omega_{ie}^n \times] + [\omega_{en}^n \times]) & -C_b^n & 0",
+        r"A_{vp} & A_{vv} & [f^n \times] & 0 & C_b^n",
+        r"A_{\phi p} & W_{ev} & A_{\phi\phi} & -C_b^n & 0",
         r"0_{3 \times 3} & 0 & 0 & 0 & 0",
         r"0_{3 \times 3} & 0 & 0 & 0 & 0",
     )
+    by_position = column(
+        r"0 & \frac{\rho_n \tan L}{\cos L} - \frac{\rho_n}{(R_E + h) \cos L} R_{EE} & -\frac{\rho_n}{(R_E + h) \cos L}",
+        r"0 & \frac{\rho_e}{(R_N + h)} R_{NN} & \frac{\rho_e}{(R_N + h)}",
+        "0 & 0 & 0",
+    )
+    by_velocity = column(r"\frac{1}{(R_E + h) \cos L} & 0 & 0", r"0 & \frac{1}{(R_N + h)} & 0", "0 & 0 & 1")
     noise = column(r"0_{3 \times 3} w_f", "C_b^n w_f", r"-C_b^n w_\omega", r"0_{3 \times 3} w_f", r"0_{3 \times 3} w_f")
     slow = ("velocity_error", "position_error")
     return {
@@ -296,37 +301,32 @@ def hold(named: Mapping[str, Symbol]) -> dict[str, Derived]:
             line(r"\delta g^n = W_g x_p", errors, "gravity depends on the place"),
             line(r"\delta f^b = x_{Ab} + w_f", EXACT_LINE, "an accelerometer errs by its bias and by noise"),
             line(r"\delta \omega_{ib}^b = x_{Cb} + w_\omega", EXACT_LINE, "and so does a gyro"),
-            line(r"A_p = " + column(r"0 & \frac{\rho_n \tan L}{\cos L} - \frac{\rho_n}{(R_E + h) \cos L} R_{EE}"
-                 r" & -\frac{\rho_n}{(R_E + h) \cos L}",
-                 r"0 & \frac{\rho_e}{(R_N + h)} R_{NN} & \frac{\rho_e}{(R_N + h)}", "0 & 0 & 0"), DEFINITION,
-                 "the columns of (9) by position"),
-            line(r"A_v = " + column(r"\frac{1}{(R_E + h) \cos L} & 0 & 0", r"0 & \frac{1}{(R_N + h)} & 0",
-                 "0 & 0 & 1"), DEFINITION, "the columns of (9) by velocity"),
-            line(f"{coordinates} = "
-                 + column(r"(\frac{\rho_n \tan L}{\cos L} - \frac{\rho_n}{(R_E + h) \cos L} R_{EE}) \delta L"
-                 r" - \frac{\rho_n}{(R_E + h) \cos L} \delta h + \frac{1}{(R_E + h) \cos L} \delta v_e",
-                 r"\frac{\rho_e}{(R_N + h)} R_{NN} \delta L + \frac{\rho_e}{(R_N + h)} \delta h"
-                 r" + \frac{1}{(R_N + h)} \delta v_n", r"\delta v_u"), errors, "the rows of (9)",
-                 stack("(9)", "(9).2", "(9).3")),
-            line(f"{coordinates} = A_p x_p + A_v x_v", errors, "in the order of (8)", substitute("6", "7")),
-            line(r"\delta \dot{v}^n = (W_g + [v^n \times] (2 W_{ie} + W_{ep})) x_p"
-                 rf" + ([v^n \times] W_{{ev}} - ({coriolis})) x_v + [f^n \times] x_\phi + C_b^n (x_{{Ab}} + w_f)",
-                 errors, "(10) with the states in it; -δω x v = v x δω", substitute("1", "2", "3", "4", of="(10)")),
-            line(r"\dot{\phi}^n = (W_{ie} + W_{ep}) x_p + W_{ev} x_v"
-                 r" - ([\omega_{ie}^n \times] + [\omega_{en}^n \times]) x_\phi - C_b^n (x_{Cb} + w_\omega)", errors,
-                 "(11) with the states in it", substitute("1", "2", "5", of="(11)")),
+            line(f"{coordinates} = {by_position} x_p + {by_velocity} x_v", errors,
+                 "the rows of (9), in the order of (8)", stack("(9)", "(9).2", "(9).3")),
+            line(f"A_p = {by_position}", DEFINITION, "a name"),
+            line(f"A_v = {by_velocity}", DEFINITION, "a name"),
+            line(f"{coordinates} = A_p x_p + A_v x_v", errors, "with these names", substitute("7", "8", of="6")),
+            line(r"A_{vp} = W_g + [v^n \times] (2 W_{ie} + W_{ep})", DEFINITION, "what (10) has of the position"),
+            line(rf"A_{{vv}} = [v^n \times] W_{{ev}} - ({coriolis})", DEFINITION, "what it has of the velocity"),
+            line(r"\delta \dot{v}^n = A_{vp} x_p + A_{vv} x_v + [f^n \times] x_\phi + C_b^n (x_{Ab} + w_f)", errors,
+                 "(10) with the states in it; -δω x v = v x δω", substitute("1", "2", "3", "4", "10", "11", of="(10)")),
+            line(r"A_{\phi p} = W_{ie} + W_{ep}", DEFINITION, "what (11) has of the position"),
+            line(r"A_{\phi\phi} = -([\omega_{ie}^n \times] + [\omega_{en}^n \times])", DEFINITION,
+                 "what it has of the attitude"),
+            line(r"\dot{\phi}^n = A_{\phi p} x_p + W_{ev} x_v + A_{\phi\phi} x_\phi - C_b^n (x_{Cb} + w_\omega)",
+                 errors, "(11) with the states in it", substitute("1", "2", "5", "13", "14", of="(11)")),
             line(r"\dot{x}_k = " + column(r"\delta \dot{l}", r"\delta \dot{L}", r"\delta \dot{h}",
                  r"\delta \dot{v}^n", r"\dot{\phi}^n", r"0_{3 \times 3} x_{Cb}", r"0_{3 \times 3} x_{Ab}"),
                  EXACT_LINE, "the biases are random constants"),
             line(rf"\dot{{x}}_k = {F} x_k + {noise}", errors, "the states are taken out to the right",
-                 substitute("9", "10", "11")),
+                 substitute("9", "12", "15")),
             line(r"\dot{x}_k = F_k x_k + w_k", errors,
                  "F_k is the derivative of the exact rates (9) to (11) by the states, w_k what the sensors' noise adds",
                  result=True),
-            line(rf"F_k x_k + w_k = {F} x_k + {noise}", errors, "both are the rates", chain("13", "14")),
+            line(rf"F_k x_k + w_k = {F} x_k + {noise}", errors, "both are the rates", chain("17", "18")),
             line(rf"F_k = {F}", EXACT_LINE, "whatever the states are", identify("x_k")),
             line(rf"F_k x_k = {F} x_k", EXACT_LINE, "of these states", multiply(right="x_k")),
-            line(rf"w_k = {noise}", EXACT_LINE, "the rest of line 15", subtract_line("17", of="15")),
+            line(rf"w_k = {noise}", EXACT_LINE, "the rest of line 19", subtract_line("21", of="19")),
             leads_to=("12",), note="The rate of a continuous system with the index of a step: a label.",
         ),
         "8": derived(

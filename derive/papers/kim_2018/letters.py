@@ -10,7 +10,7 @@ from unicodedata import normalize
 
 from boresight.derive.ledger.equation import Quantity, letter
 from boresight.derive.ledger.evaluate import assembled
-from boresight.derive.ledger.free import of, positive, positive_number, rotation
+from boresight.derive.ledger.free import Kind, of, positive, positive_number, rotation
 from boresight.derive.ledger.numbers import Matrix, exact, eye, norm, zeros
 from boresight.derive.ledger.witness import skew, vector
 from boresight.derive.papers.kim_2018.printed import quantities
@@ -100,6 +100,12 @@ ADDED: tuple[tuple[str, tuple[int, ...], tuple[tuple[str, str, str], ...]], ...]
         ("W_ev", "W_{ev}", "transport rate by velocity, 1/m"),
     )),
     ("slope of gravity", M3, (("W_g", "W_g", "gravity by position"),)),
+    ("block of F", M3, (
+        ("A_vp", "A_{vp}", "rate of the velocity error by position"),
+        ("A_vv", "A_{vv}", "rate of the velocity error by velocity, 1/s"),
+        ("A_φp", r"A_{\phi p}", "rate of the attitude error by position, 1/s"),
+        ("A_φφ", r"A_{\phi\phi}", "rate of the attitude error by attitude, 1/s"),
+    )),
     ("slope of coordinates", M3, (
         ("A_p", "A_p", "rates of the coordinates by position, 1/s"),
         ("A_v", "A_v", "rates of the coordinates by velocity"),
@@ -178,9 +184,13 @@ def conjugate(q: Matrix) -> Matrix:
     return vector(q[0], -q[1], -q[2], -q[3])
 
 
-def unit_quaternion(generator: Random) -> Matrix:
+def drawn_quaternion(generator: Random) -> Matrix:
     q = Matrix([exact(generator.uniform(0.2, 1.2)) for _ in range(4)])
     return q / norm(q)
+
+
+unit_quaternion = Kind(drawn_quaternion, lambda q: abs(norm(q) - 1) < 1e-28)
+far_limit = Kind(lambda generator: exact(1000), lambda x: x > 0)
 
 
 def moments(generator: Random) -> dict[str, list[Matrix]]:
@@ -235,8 +245,8 @@ def _structure() -> Iterator[tuple[str, Any]]:
         "T_a": positive_number,
         "N": constant(exact(3)),
         "n": constant(exact(2)),
-        "γ_a": constant(exact(1000)),
-        "γ_w": constant(exact(1000)),
+        "γ_a": far_limit,
+        "γ_w": far_limit,
     }.items()
 
 
