@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
 from unicodedata import lookup
 
 from sympy.matrices.exceptions import ShapeError
@@ -210,6 +211,7 @@ def _listed(words: Iterable[str]) -> str:
     return f"{', '.join(first)} and {last}" if first else last
 
 
+@cache
 def _spelled(paper: Paper, equation: Equation) -> list[tuple[str, object, tuple]]:
     """The spellings of the print which are not those of its letters' own, or are those of others too.
 

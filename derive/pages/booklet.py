@@ -37,6 +37,8 @@ PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \setlength{\extrarowheight}{2pt}
 \setcounter{MaxMatrixCols}{30}
 \setcounter{secnumdepth}{0}
+\setlength{\LTpre}{2pt}
+\setlength{\LTpost}{4pt}
 \setlength{\columnsep}{2.5em}
 \raggedbottom
 % Where print and derivation differ.

@@ -10,6 +10,7 @@ from boresight.derive.ledger.differences import Place, differences, marks
 from boresight.derive.ledger.entries import LONG, Entry, apart, entry_of, findings, numbers_of
 from boresight.derive.ledger.equation import Derivation, Equation, Line, Quantity, Relation, Step
 from boresight.derive.ledger.evaluate import DIGITS
+from boresight.derive.ledger.lines import count_steps
 from boresight.derive.ledger.numbers import digits
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section, Table
@@ -24,7 +25,7 @@ def paper_page(paper: Paper, functions: Functions) -> Page:
     page = equations_page(paper.name, [(paper, e) for e in paper.equations], functions)
     return replace(
         page,
-        lead=(f"{paper.reference}.", f"{counted(paper.equations)}: {counts(entries)}."),
+        lead=(f"{paper.reference}.", f"{counted(paper.equations)}: {counts(entries)}; {count_steps(paper.equations)}."),
         front=(
             Section("Conventions", (*map(Prose, (*CONVENTIONS, *paper.conventions)), *STATUSES)),
             Section("Notation", (notation(paper),)),
@@ -128,7 +129,7 @@ def evidence(paper: Paper, equation: Equation, entry: Entry) -> list[Block]:
         return [Prose(sentences(judged), "Evidence"), *([Prose(sentences(own), "Sizes")] if own else [])]
     why = judged.partition(f"; at {paper.point.text}")[0]
     blocks: list[Block] = [
-        Prose(f"{sentences(why)} In numbers, at {paper.point.text}:", "As printed"),
+        Prose(f"{sentences(why)} In numbers at {paper.point.text}:", "As printed"),
         _numbers(paper, equation),
     ]
     return blocks + ([Prose(sentences(own), "What it does")] if own else [])

@@ -12,6 +12,7 @@ from conftest import ROOT
 
 from boresight import BoresightError
 from boresight.derive.ledger.differences import differences, marks
+from boresight.derive.ledger.lines import count_steps
 from boresight.derive.pages.booklet import pdf_from_latex, pieces
 from boresight.derive.pages.latex import latex_relation
 from boresight.derive.pages.mathml import mathml_relation
@@ -48,6 +49,7 @@ def test_a_page_holds_every_equation_once_and_ends_by_column_100(name, monkeypat
     one = paper(name)
     text = render(one)
     assert text.startswith(f"{name}\n") and one.reference in " ".join(text.split())
+    assert f"; {count_steps(one.equations)}." in " ".join(text.split())
     shown = re.findall(rf"^{name} (\(\d+\)|\w+)  ", text, re.MULTILINE)
     assert shown == [equation.label for equation in one.equations]
     assert max(sum(not combining(c) for c in line) for line in text.splitlines()) <= 100
@@ -55,7 +57,7 @@ def test_a_page_holds_every_equation_once_and_ends_by_column_100(name, monkeypat
 
 def test_the_counts_and_what_stands_beside_the_equations_are_shown():
     text = " ".join(render(PAPER).split())
-    assert "28 equations and 2 without a number: 4 exact, 8 first-order, 8 definition, 10 erratum." in text
+    assert "28 equations and 2 without a number: 4 exact, 8 first-order, 8 definition, 10 erratum; steps: " in text
     assert "Table 1: 13, 12, 21, 3 cells" in text
 
 
