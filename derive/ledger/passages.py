@@ -94,7 +94,7 @@ def leave_out(*letters: str, of: str = "") -> Passage:
 
 
 def differentiate(rates: dict[str, str], of: str = "") -> Passage:
-    """Each side by a parameter, on which the letters depend with these rates; both in LaTeX."""
+    """Each side by a parameter, on which the letters depend with these rates, letters or numbers; both in LaTeX."""
     return Passage("differentiate", of, (), tuple(rates), tuple(rates.values()))
 
 
@@ -241,6 +241,8 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
     if before.sides == after.sides:
         return LineVerdict(False, f"{passage.operation}: the line before says the same")
     if passage.operation == "substitute":
+        if len(passage.letters) > len(passage.using):
+            raise ValueError("more letters than rows are named")
         rows = list(zip_longest(passage.using, passage.letters, fillvalue=""))
         verdict = _substituted(paper, rows, before, after, relation_of, point)
         for k, (row, _) in enumerate(rows):
@@ -344,7 +346,11 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
         return [evaluate(side, point) for side in said.sides]
     if name == "differentiate":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
-        rates = [evaluate(_expression(paper, rate), point) for rate in passage.with_]
+        given = [_expression(paper, rate) for rate in passage.with_]
+        for latex, rate in zip(passage.with_, given, strict=True):
+            if not (isinstance(rate, Symbol) or rate.is_Number):
+                raise ValueError(f"{latex} is no letter: a line must say which rate it is")
+        rates = [evaluate(rate, point) for rate in given]
 
         def moved(t) -> Point:
             return point.changed({x: point.values[x] + r * t for x, r in zip(letters, rates, strict=True)})
