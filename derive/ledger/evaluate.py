@@ -109,13 +109,13 @@ def _expected(expression, point: Point):
     are the letters' values, but for those in point.values["mean"].
     """
     middle = point.changed(point.values.get("mean", {}))
-    result = evaluate(expression, middle)
+    result = mean = evaluate(expression, middle)
     for names, columns in point.values["random"].items():
         names, columns = (names, columns) if isinstance(names, tuple) else ((names,), [(one,) for one in columns])
         for column in columns if _reads(expression, names, point) else ():
             for sign in (1, -1):
                 moved = {name: middle.values[name] + part * sign for name, part in zip(names, column, strict=True)}
-                result = _sum(result, (evaluate(expression, middle.changed(moved)) - evaluate(expression, middle)) / 2)
+                result = _sum(result, (evaluate(expression, middle.changed(moved)) - mean) / 2)
     return result
 
 

@@ -95,19 +95,33 @@ class Free(Mapping):
         return Matrix(drawn) if letter.shape else drawn[0][0]
 
     def changed(self, values: Mapping[str, Any]) -> "Free":
-        kept = {name: value for name, value in self.made.items() if not self.follows(name, values)}
+        kept = dict(self.made)
+        for name in set[str]().union(*(_followers(self.paper, letter) for letter in values)):
+            kept.pop(name, None)
         return Free(self.paper, self.seed, {**self.changes, **values}, kept)
 
     def follows(self, name: str, letters: Collection[str]) -> bool:
         """Whether a letter is made of one of these."""
-        rule = self.paper.structure.get(name)
-        return isinstance(rule, Of) and any(one in letters or self.follows(one, letters) for one in rule.letters)
+        return not _made_of(self.paper, name).isdisjoint(letters)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.made)
 
     def __len__(self) -> int:
         return len(self.made)
+
+
+@cache
+def _made_of(paper: Paper, name: str) -> frozenset[str]:
+    """The letters that one is made of, and those which they are made of."""
+    rule = paper.structure.get(name)
+    letters = rule.letters if isinstance(rule, Of) else ()
+    return frozenset(letters).union(*(_made_of(paper, letter) for letter in letters))
+
+
+@cache
+def _followers(paper: Paper, letter: str) -> frozenset[str]:
+    return frozenset(name for name in paper.structure if letter in _made_of(paper, name))
 
 
 def _number(generator: random.Random):
