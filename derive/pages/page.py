@@ -10,7 +10,7 @@ from mpmath import nstr
 
 from boresight.derive.ledger.differences import Place, differences, marks
 from boresight.derive.ledger.entries import LONG, Entry, apart, entry_of, findings, numbers_of
-from boresight.derive.ledger.equation import Derivation, Equation, Line, Passage, Quantity, Relation, Step
+from boresight.derive.ledger.equation import Derivation, Equation, Line, Passage, Quantity, Relation
 from boresight.derive.ledger.evaluate import DIGITS
 from boresight.derive.ledger.lines import count_steps, judge_line
 from boresight.derive.ledger.numbers import digits
@@ -168,7 +168,7 @@ def dropped(paper: Paper, equation: Equation) -> dict[int, str]:
     """By step, the largest size of the term that an approximation drops, at the paper's own numbers."""
     found = {}
     for i, step in enumerate(equation.derivation.steps):
-        if isinstance(step, Line) and step.claim is not None and step.claim.kind == "approximation":
+        if step.claim is not None and step.claim.kind == "approximation":
             with digits(DIGITS):
                 found[i] = f"{judge_line(paper, equation, i).size} {equation.unit}".removesuffix(" 1")
     return found
@@ -191,9 +191,9 @@ def steps(
     return tuple(blocks)
 
 
-def _done(step: Step | Line, letters: tuple[Quantity, ...]) -> str:
+def _done(step: Line, letters: tuple[Quantity, ...]) -> str:
     """The operation, from which line, about which letters and with which other lines: the line before needs no name."""
-    if isinstance(step, Step) or step.passage is None:
+    if step.passage is None:
         return step.name.replace("first-order", "first order")
     of, using = step.passage.of, step.passage.using
     about = _about(step.passage, letters) if letters else ""
@@ -218,8 +218,8 @@ def _row(name: str) -> str:
     return name if name.startswith("(") else f"line {name}"
 
 
-def _claimed(step: Step | Line, parts: Mapping[str, str]) -> str:
-    claim = None if isinstance(step, Step) else step.claim
+def _claimed(step: Line, parts: Mapping[str, str]) -> str:
+    claim = step.claim
     if claim is None:
         return ""
     small = f" in {', '.join(parts.get(part, part.replace('_', ' ')) for part in claim.small)}" if claim.small else ""
