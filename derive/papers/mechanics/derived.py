@@ -226,8 +226,9 @@ def against_computed_velocity() -> Derived:
         line(r"\delta\dot{v}^c = f^n \times (\psi + \delta\theta) - (2 \omega_{ie}^n + \omega_{en}^n) \times "
              r"(\delta v^c - \delta\theta \times v^n) - (2 \omega_{ie}^n \times \delta\theta + \delta\omega_{en}^n) "
              r"\times v^n + \delta g^c - \delta\theta \times g^n + C_b^n \delta f^b + "
-             r"(\delta\omega_{en}^n - \omega_{en}^n \times \delta\theta) \times v^n + \delta\theta \times (f^n + g^n - (2 \omega_{ie}^n + \omega_{en}^n) "
-             r"\times v^n)", first_order(), "all by the errors against c",
+             r"(\delta\omega_{en}^n - \omega_{en}^n \times \delta\theta) \times v^n + "
+             r"\delta\theta \times (f^n + g^n - (2 \omega_{ie}^n + \omega_{en}^n) \times v^n)",
+             first_order(), "all by the errors against c",
              substitute("4", "5", "8", "3", "7", "6", "(phi-1)", of="2",
                         letters=(r"\delta\omega_{ie}^n", r"\delta g^n"))),
         line(r"\delta\dot{v}^c = f^n \times \psi - (2 \omega_{ie}^n + \omega_{en}^n) \times \delta v^c + \delta g^c "
