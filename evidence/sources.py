@@ -7,6 +7,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from boresight.derive.papers import DERIVATIONS, PAPERS
 from boresight.runtime.manifest import GENERATED, read_manifest
 
 LIBM = re.compile(r"BS_(SIN|COS|ATAN2)\(")
@@ -36,9 +37,28 @@ class Folder:
         """Of the files that the manifest lists, those below this folder whose path matches."""
         return [self.path / name for name in sorted(self.manifest["files"]) if Path(name).match(pattern)]
 
+    @property
+    def sources(self) -> list[Path]:
+        """What its results depend on."""
+        return self.files("src/*") + self.files("include/*") + self.files("selftest/*")
+
     @cached_property
     def units(self) -> list["Source"]:
         return [Source(self, path) for path in self.files("src/*.c")]
+
+
+@dataclass(frozen=True)
+class Derivations:
+    """One paper, or one derivation of our own: its equations, their steps, and how they are shown."""
+
+    name: str
+
+    @property
+    def sources(self) -> list[Path]:
+        """What its results depend on: all that derives and shows, and what judges it."""
+        root = Path(__file__).resolve().parent
+        judges = (root / f"{name}.py" for name in ("read_back", "spoilt", "steps"))
+        return [*sorted((root.parent / "derive").rglob("*.py")), *judges]
 
 
 @dataclass(frozen=True)
@@ -97,6 +117,10 @@ class Source:
     def calls_libm(self) -> bool:
         """Whether a function of the target's library takes part that need not be correctly rounded."""
         return any(LIBM.search(path.read_text()) for path in self.text if path.name != "boresight.h")
+
+
+def derivations() -> list[Derivations]:
+    return [Derivations(name) for name in (*PAPERS, *DERIVATIONS)]
 
 
 def folders() -> list[Folder]:

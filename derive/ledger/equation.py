@@ -41,13 +41,21 @@ def letter(
 
 @dataclass(frozen=True)
 class Relation:
-    """sides[0] = sides[1] = ...; two or more."""
+    """sides[0] = sides[1] = ...; two or more.
+
+    layout: of a product of scalars, which SymPy sorts, the factors as the page has them; each group is one fraction.
+    """
 
     sides: tuple
+    layout: Mapping = field(default_factory=dict, repr=False, compare=False)
 
     def replaced(self, mapping: Mapping) -> "Relation":
         """Each symbol of `mapping` replaced by another, the layout kept."""
-        return Relation(tuple(replaced(side, mapping) for side in self.sides))
+        layout = {
+            replaced(whole, mapping): tuple(tuple(replaced(factor, mapping) for factor in group) for group in groups)
+            for whole, groups in self.layout.items()
+        }
+        return Relation(tuple(replaced(side, mapping) for side in self.sides), layout)
 
 
 @dataclass(frozen=True)
@@ -127,6 +135,24 @@ class Derivation:
         """The lines that have a relation."""
         return tuple(step for step in self.steps if isinstance(step, Line) and step.relation is not None)
 
+    def _repr_latex_(self) -> str:
+        from boresight.derive.pages.booklet import latex_cell
+
+        return latex_cell([relation for step in self.steps for relation in step.formulas], ())
+
+    def _repr_html_(self) -> str:
+        from boresight.derive.pages.blocks import Page, Section
+        from boresight.derive.pages.html import html_cell
+        from boresight.derive.pages.page import steps
+
+        return html_cell(Page("", (Section("", steps(self, ())),)))
+
+    @property
+    def equations(self) -> set[str]:
+        """The numbers of the equations on which its passages stand, "8" of "(8)" and of "(8).2"."""
+        rows = (row for one in self.lines if one.passage for row in (one.passage.of, *one.passage.using))
+        return {row[1:].partition(")")[0] for row in rows if row.startswith("(")}
+
     def before(self, index: int) -> int:
         """The index of the line before step `index`.  Raises ValueError if there is none."""
         return max(i for i in range(index) if self.steps[i].formulas)
@@ -144,7 +170,7 @@ class Derivation:
 
 @dataclass(frozen=True)
 class Reading:
-    """How a letter that cannot be read literally is read, and why: a dropped hat, a label.  It changes no number."""
+    """Which of the things that a printed sign means in the paper is read, and why; docs/decisions/0008."""
 
     printed: Symbol
     meant: Symbol
@@ -152,15 +178,31 @@ class Reading:
 
 
 @dataclass(frozen=True)
+class Meaning:
+    """What letters are taken for that the paper leaves open, and what else they could be; docs/decisions/0008.
+
+    senses: in words, and by name the LaTeX of what the letters are in terms of others; a letter without LaTeX is what
+    the witness has for it.  The first sense is taken: what the text says, at `said`, or if it says nothing the one
+    with which the print stands, if there is one.
+    """
+
+    senses: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
+    said: str = ""
+
+
+@dataclass(frozen=True)
 class Equation:
-    """One numbered equation.
+    """One numbered equation, or a definition without a number under the letter that it defines.
 
     latex: each display of the source text, verbatim without its number; lines: where it stands there, counted from 1.
     printed: what `latex` says, symbol by symbol.  readings: what of it must be read otherwise to have a meaning at all.
     derived: what follows from the derivation, in the layout of the print.
-    defines: the symbols to which it gives their meaning, if it is a definition.
+    defines: the symbols to which it gives their meaning, if it is a definition that the witness takes as given.
+    introduces: those to which it gives their meaning by construction, where the witness makes them by itself.
+    meanings: what letters are taken for that the paper leaves open.  conventions: what else is read into the notation.
     leads_to: the equations which, as the text says, are made from this one.
     small: the errors, parts of the witness's conditions, in which it is of first order; all of them if empty.
+    unit: of all rows, or of each row of one side of the relations in turn.
     quantities: the letters of the print; step_letters: what more the derivation needs.
     """
 
@@ -173,9 +215,12 @@ class Equation:
     derivation: Derivation
     readings: tuple[Reading, ...] = ()
     defines: tuple[Symbol, ...] = ()
+    introduces: tuple[Symbol, ...] = ()
+    meanings: tuple[Meaning, ...] = ()
+    conventions: tuple[str, ...] = ()
     leads_to: tuple[str, ...] = ()
     note: str = ""
-    unit: str = ""
+    unit: str | tuple[str, ...] = ""
     small: tuple[str, ...] = ()
     quantities: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
     step_letters: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
@@ -185,12 +230,33 @@ class Equation:
         """The letters in which it and its derivation are shown; of one letter's spellings the last is written."""
         return (*self.quantities, *self.step_letters)
 
+    @property
+    def numbered(self) -> bool:
+        return self.number.isdigit()
+
+    @property
+    def label(self) -> str:
+        """(19), or the letter of a definition without a number."""
+        return f"({self.number})" if self.numbered else self.number
+
     def read(self) -> tuple[Relation, ...]:
         """The print after its readings."""
         if not self.readings:
             return self.printed
         mapping = {reading.printed: reading.meant for reading in self.readings}
         return tuple(relation.replaced(mapping) for relation in self.printed)
+
+    def _repr_latex_(self) -> str:
+        from boresight.derive.pages.booklet import latex_cell
+
+        return latex_cell(self.derived, self.alphabet)
+
+    def _repr_html_(self) -> str:
+        from boresight.derive.pages.html import html_cell
+        from boresight.derive.pages.page import equations_page
+        from boresight.derive.papers import paper
+
+        return html_cell(equations_page(self.paper, [(paper(self.paper), self)], {}))
 
 
 def matrix(rows) -> ImmutableMatrix:

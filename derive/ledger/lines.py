@@ -5,7 +5,7 @@ kinematics and never from the line; only a definition gives its letter the value
 """
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from itertools import pairwise
 from types import MappingProxyType
 from typing import Any
@@ -17,14 +17,10 @@ from boresight import BoresightError
 from boresight.derive.ledger.equation import Claim, Derivation, Equation, Line, Passage, Quantity, Relation, total
 from boresight.derive.ledger.evaluate import Point, evaluate, residual
 from boresight.derive.ledger.free import free_point
-from boresight.derive.ledger.judge import EXACT, FULL, SEEDS, names, witness_point
+from boresight.derive.ledger.judge import EXACT, FULL, SCALES, SEEDS, SLACK, falls, names, witness_point
 from boresight.derive.ledger.numbers import Matrix, middle
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
-
-SCALES = (1e-6, 5e-7, 2.5e-7)  # each half of the one before
-SLACK = mp.mpf("1.001")  # of the ratio that an order asks for: the next order is below 1e-6 of it
-
 
 # ---- Writing ---------------------------------------------------------------------------------------------------------
 
@@ -96,8 +92,14 @@ def judge_line(paper: Paper, equation: Equation, index: int, relation: Relation 
     one = equation.derivation.steps[index]
     assert isinstance(one, Line) and one.claim is not None and one.relation is not None
     relation = one.relation if relation is None else relation
+    unknown = {*one.claim.small} - {part.name for part in fields(paper.witness.base)}
+    if unknown:
+        return LineVerdict(False, f"the witness has no error {', '.join(sorted(unknown))}")
     try:
-        return _judged(paper, equation, one.claim, relation, _given(equation, index))
+        verdict = _judged(paper, equation, one.claim, relation, _given(equation, index))
+        if verdict.holds and one.claim.kind not in ("definition", "identity") and _holds_freely(paper, relation):
+            return LineVerdict(False, "it holds for any values of its letters: it is an identity")
+        return verdict
     except (ValueError, KeyError, ZeroDivisionError, BoresightError, TypeError) as error:
         return LineVerdict(False, f"it has no meaning: {error.args[0] if error.args else error}")
 
@@ -159,9 +161,19 @@ def _judged(paper: Paper, equation: Equation, claim: Claim, relation: Relation, 
         verdict = _falls(whole, point, 2) if claim.small else _exactly(whole, (point(seed, FULL) for seed in SEEDS))
         if _exactly(relation, (point(seed, FULL) for seed in SEEDS)).holds:
             return LineVerdict(False, "nothing is dropped")
-        return replace(verdict, size=_size(paper, term, given))
+        size, side = (_size(paper, part, given) for part in (term, relation.sides[0]))
+        if size > side / 100:
+            return LineVerdict(False, f"what is dropped, {mp.nstr(size, 3)}, is no small part of {mp.nstr(side, 3)}")
+        return replace(verdict, size=mp.nstr(size, 3))
     power = {"first-order": 2, "limit": 1}.get(claim.kind, claim.order + 1)
     return _falls(relation, point, power)
+
+
+def _holds_freely(paper: Paper, relation: Relation) -> bool:
+    try:
+        return _exactly(relation, (free_point(paper, seed) for seed in SEEDS)).holds
+    except (ValueError, KeyError, ZeroDivisionError):
+        return False
 
 
 def _known(name: str, point: Point) -> bool:
@@ -180,26 +192,23 @@ def _exactly(relation: Relation, points: Iterable[Point]) -> LineVerdict:
 
 
 def _falls(relation: Relation, point, power: int) -> LineVerdict:
-    """Entry by entry: the remainder falls 2^power-fold when the errors are halved, twice.
-
-    And what is stated is not zero: each row whose sides differ at all has an entry that falls more slowly than that.
-    """
-    most, stated = SLACK / 2**power, False
+    """As `falls` has it at all seeds; and each row whose sides differ at all states something of that order."""
+    stated = False
     for seed in SEEDS:
         at = [point(seed, scale) for scale in SCALES]
-        left = zip(*([middle(entry) for entry in residual(relation.sides, p)] for p in at), strict=True)
+        fall = falls(relation, at, power)
+        if fall.why:
+            return LineVerdict(False, fall.why)
         sides = list(zip(*(_entries(relation.sides[-1], p) for p in at), strict=True))
         columns = getattr(evaluate(relation.sides[-1], at[0]), "cols", 1)
-        moving = [any(_moves(v, most) for v in sides[i : i + columns]) for i in range(0, len(sides), columns)]
-        stated |= any(moving)
-        for k, remainders in enumerate(left):
-            row = k % len(sides) // columns
-            for larger, smaller in pairwise(map(abs, remainders)):
-                if larger > EXACT and smaller > most * larger:
-                    share = mp.nstr(smaller / larger, 4)
-                    return LineVerdict(False, f"halving the errors leaves {share} of the difference in row {row + 1}")
-                if larger > EXACT and not moving[row]:
-                    return LineVerdict(False, f"row {row + 1} states nothing of that order")
+        states = [
+            any(_moves(entry, SLACK / 2**power) for entry in sides[i : i + columns])
+            for i in range(0, len(sides), columns)
+        ]
+        stated |= any(states)
+        for row in sorted(fall.rows):
+            if not states[min(row, len(states) - 1)]:
+                return LineVerdict(False, f"row {row + 1} states nothing of that order")
     if not stated:
         return LineVerdict(False, "the part that it states is zero")
     return LineVerdict(True, f"the remainder falls {2**power}-fold when the errors are halved")
@@ -215,7 +224,8 @@ def _moves(values: tuple, most) -> bool:
     return abs(values[0]) > EXACT and abs(values[1]) > most * abs(values[0])
 
 
-def _size(paper: Paper, term, given: tuple) -> str:
+def _size(paper: Paper, term, given: tuple) -> mp.mpf:
+    """The largest entry at the paper's own numbers."""
     from boresight.derive.ledger.entries import paper_points
 
     worst = mp.mpf(0)
@@ -223,7 +233,7 @@ def _size(paper: Paper, term, given: tuple) -> str:
         for definition in given:
             point = point.changed({definition.sides[0].name: evaluate(definition.sides[-1], point)})
         worst = max(worst, *(abs(entry) for entry in _entries(term, point)))
-    return mp.nstr(worst, 3)
+    return worst
 
 
 # ---- Equations from lines --------------------------------------------------------------------------------------------
@@ -258,7 +268,7 @@ def build(
 
     The derived form is what the lines marked `result` say, and where none is, the print after its readings.
     What has no display is derived here, and its print is what is derived.
-    `defines` and the letters of readings are names, as the table of letters has them.
+    `defines`, `introduces` and the letters of readings are names, as the table of letters has them.
     letters_of: for the print of one number, where a letter means another thing than elsewhere.
     """
     symbols = {quantity.symbol.name: quantity.symbol for quantity in quantities if not quantity.function}
@@ -266,11 +276,12 @@ def build(
     for number, (lines, latex) in printed.items():
         one = written[number]
         more = dict(one.more)
-        more["defines"] = tuple(symbols[name] for name in more.get("defines", ()))
+        for field in ("defines", "introduces"):
+            more[field] = tuple(symbols[name] for name in more.get(field, ()))
         form = read(latex, letters_of(number) if letters_of else quantities)
         if one.as_vector:
             vee = Function("vee", commutative=False)
-            form = tuple(Relation((r.sides[0], vee(r.sides[1]), *r.sides[2:])) for r in form)
+            form = tuple(replace(r, sides=(r.sides[0], vee(r.sides[1]), *r.sides[2:])) for r in form)
         steps = read_lines(one.lines, (*quantities, *letters), flown)
         equation = Equation(
             paper=paper,
@@ -289,10 +300,30 @@ def build(
     return tuple(result)
 
 
+@dataclass(frozen=True)
+class Steps:
+    """How many steps a paper's derivations have; how many are evaluated, and how many are prose."""
+
+    steps: int
+    evaluated: int
+    prose: int
+
+    def __str__(self) -> str:
+        return f"steps: {self.steps}, evaluated {self.evaluated}, prose {self.prose}"
+
+
+def count_steps(equations: Iterable[Equation]) -> Steps:
+    steps = [step for equation in equations for step in equation.derivation.steps]
+    evaluated = sum(isinstance(step, Line) and step.claim is not None for step in steps)
+    return Steps(len(steps), evaluated, sum(not step.formulas for step in steps))
+
+
 def check_derivation(paper: Paper, equation: Equation) -> None:
     """Raises BoresightError at the first line or passage that does not hold, and at a definition that nothing uses."""
     from boresight.derive.ledger.passages import judge_passage
 
+    if equation.number in _stands_on(paper, equation):
+        raise BoresightError(f"{paper.name} ({equation.number}): its derivation stands on itself")
     steps = equation.derivation.steps
     for index, step in enumerate(steps):
         if not isinstance(step, Line) or step.relation is None:
@@ -309,3 +340,14 @@ def check_derivation(paper: Paper, equation: Equation) -> None:
             used = names([relation for i in later for relation in steps[i].formulas])
             if letter.name not in used and not any(index in equation.derivation.taken(i) for i in later):
                 raise BoresightError(f"{where}: nothing uses {letter}")
+
+
+def _stands_on(paper: Paper, equation: Equation) -> set[str]:
+    """The numbers of the equations on which a derivation stands, and those on which theirs do."""
+    found: set[str] = set()
+    left = [equation]
+    while left:
+        new = left.pop().derivation.equations - found
+        found |= new
+        left += [paper.equation(number) for number in new]
+    return found

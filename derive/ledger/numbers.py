@@ -75,6 +75,9 @@ class Matrix:
     def inv(self) -> "Matrix":
         return Matrix(self.balls.inv())
 
+    def det(self) -> Any:
+        return self.balls.det()
+
     def solve(self, right: "Matrix") -> "Matrix":
         """The x of self x = right.  Raises ZeroDivisionError where the balls do not determine it."""
         return Matrix(self.balls.solve(right.balls))
@@ -148,6 +151,11 @@ def middle(value: Any) -> mp.mpf:
     """
     man, exp = _judged(value).man_exp()
     return mp.mp.make_mpf(from_man_exp(int(man), int(exp)))
+
+
+def near(value: Any) -> float:
+    """The middle of a ball as a float.  Raises as `middle` does."""
+    return float(_judged(value))
 
 
 def largest(values: Iterable[Any]) -> mp.mpf:

@@ -8,6 +8,7 @@ a \\times b, \\exp(A), \\vee(A), \\mathrm{E}[A], and \\flown{name}: the matrix o
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from types import MappingProxyType
 
 from sympy import Function, Integer, Mul, S, StrictLessThan, cos, sin, sqrt, tan
@@ -24,7 +25,7 @@ OPERATORS = {
     r"\vee": Function("vee", commutative=False),
     r"\mathrm{E}": Function("E", commutative=False),
 }
-SUM = r"\sum_{k\in\Omega_n}"
+SUM_LATEX, SUM, SUM_OVER = r"\sum_{k\in\Omega_n}", Function("Σ"), "Ω_n"
 ENTRY = re.compile(r"\((\d),(\d)\)")
 ENDS = (
     "=",
@@ -55,14 +56,14 @@ def read(
     Raises BoresightError at the first piece of LaTeX that is neither structure nor a quantity of the table.
     """
     joined: list[str] = []
-    for text in (_plain(row) for display in displays for row in _rows(display)):
+    for text in (plain(row) for display in displays for row in _rows(display)):
         if joined and text[0] in "=+-":
             joined[-1] += text
         else:
             joined.append(text)
     # A letter with arguments is a letter of its own: \\hat{C}_b^n(...) beside \\hat{C}_b^n.
     table = {
-        _plain(quantity.latex) + mark: quantity
+        plain(quantity.latex) + mark: quantity
         for quantity in quantities
         for mark in (("(", "[") if quantity.function else ("",))
     }
@@ -86,7 +87,8 @@ def _rows(display: str) -> Iterator[str]:
     yield row
 
 
-def _plain(latex: str) -> str:
+@cache
+def plain(latex: str) -> str:
     """LaTeX without what only sets it: spaces, the sizes of brackets and matrices, the two shapes of epsilon."""
     latex = re.sub(r"(\[[^\[\]]*;[^\[\]]*\])", r"\1^T", latex)  # [a; b; c] as in MATLAB: a column
     latex = re.sub(r"(?<!\\)\\ |\\quad", ";", latex)  # [a \ b \ c]^T: the spaces separate
@@ -110,6 +112,7 @@ class _Reader:
         self.text, self.table, self.flown, self.at = text, table, flown, 0
         # The longest letter first: \hat{\phi}_b before \hat{\phi}.
         self.letters = sorted(table, key=len, reverse=True)
+        self.layout: dict = {}
 
     def ahead(self, *tokens: str) -> bool:
         return self.text.startswith(tokens, self.at)
@@ -135,7 +138,7 @@ class _Reader:
             sides.append(StrictLessThan(side, self.sum(), evaluate=False) if self.take("<") else side)
         if self.at < len(self.text):
             self.refuse()
-        return Relation(tuple(sides))
+        return Relation(tuple(sides), self.layout)
 
     def sum(self):
         terms = [_minus(self.product()) if self.take("-") else self.product()]
@@ -152,7 +155,7 @@ class _Reader:
         while self.at < len(self.text) and not self.ahead(*ENDS):
             entry = ENTRY.match(self.text, self.at)
             if self.take("/"):
-                factors[-1] = factors[-1] / self.factor()
+                factors[-1] = self.divided(factors[-1], self.factor())
             elif self.take(r"\times"):
                 factors = [CROSS(product(*factors), self.factor())]
             elif entry:
@@ -161,9 +164,28 @@ class _Reader:
             else:
                 factors.append(self.factor())
         try:
-            return product(*factors)
+            whole = product(*factors)
         except ShapeError:  # the page has it so: it is read, and has no value
             return as_written(Mul, factors)
+        if len(factors) > 1:
+            self.keep(whole, [group for factor in factors for group in self.groups(factor)])
+        return whole
+
+    def groups(self, expression) -> tuple:
+        return self.layout.get(expression, ((expression,),))
+
+    def keep(self, whole, groups) -> None:
+        """Note how the page has a product of scalars."""
+        if isinstance(whole, Mul) and whole.is_commutative:
+            self.layout[whole] = tuple(groups)
+
+    def divided(self, above, below):
+        if not above.is_commutative and not below.is_number:
+            return product(above, below**-1)
+        whole = above / below
+        over, under = (tuple(factor for group in self.groups(part) for factor in group) for part in (above, below))
+        self.keep(whole, [(*over, *(factor**-1 for factor in under))])
+        return whole
 
     def factor(self):
         for name in self.letters:
@@ -176,7 +198,7 @@ class _Reader:
             if self.take(name):
                 return function(self.factor())
         if self.take(r"\frac"):
-            return self.group("{", "}") / self.group("{", "}")
+            return self.divided(self.group("{", "}"), self.group("{", "}"))
         if self.take(r"\sqrt"):
             return sqrt(self.group("{", "}"))
         if self.take(r"\begin{bmatrix}"):
@@ -190,8 +212,8 @@ class _Reader:
         for name, function in OPERATORS.items():
             if self.take(name):
                 return function(self.group("[", "]") if self.ahead("[") else self.group("(", ")"))
-        if self.take(SUM):
-            return Function("Σ")(self.product())
+        if self.take(SUM_LATEX):
+            return SUM(self.product())
         if self.ahead(r"\|"):
             return self.power(Function("norm")(self.group(r"\|", r"\|")))
         if self.take(r"\{"):

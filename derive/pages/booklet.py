@@ -4,11 +4,12 @@ import re
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 
 from boresight import BoresightError
+from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.pages.blocks import (
     NAME,
     REFERENCE,
@@ -26,7 +27,7 @@ from boresight.derive.pages.latex import latex_name, latex_relation
 
 PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \usepackage[margin=25mm]{geometry}
-\usepackage{amsmath,amssymb,array,longtable,graphicx,xcolor}
+\usepackage{amsmath,amssymb,array,longtable,multicol,graphicx,xcolor}
 \usepackage[hidelinks]{hyperref}
 \definecolor{wrong}{HTML}{B00020}
 \setlength{\parindent}{0pt}
@@ -36,9 +37,12 @@ PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \setlength{\extrarowheight}{2pt}
 \setcounter{MaxMatrixCols}{30}
 \setcounter{secnumdepth}{0}
+\setlength{\LTpre}{2pt}
+\setlength{\LTpost}{4pt}
+\setlength{\columnsep}{2.5em}
 \raggedbottom
 % Where print and derivation differ.
-\newcommand{\slip}[1]{\textcolor{wrong}{\underline{#1}}}
+\newcommand{\slip}[1]{\textcolor{wrong}{\underline{{}#1}}}
 % No heading at the foot of a page: a new one begins if less than this is left.
 \newcommand{\room}[1]{\par\begingroup\dimen0=\pagegoal\advance\dimen0 by -\pagetotal
 \ifdim#1>\dimen0 \newpage\fi\endgroup}
@@ -59,7 +63,8 @@ def latex_page(page: Page) -> str:
     """Of several sections with their contents; equations are subsections where something stands before them."""
     parts = [PREAMBLE, rf"\begin{{center}}\LARGE\bfseries {tex(page.title)}\end{{center}}"]
     parts += [tex(text) + r"\par" for text in page.lead]
-    parts += [r"\tableofcontents"] if len(page.sections) > 1 else []
+    contents = r"\begin{multicols}{2}\tableofcontents\end{multicols}"
+    parts += [contents] if len(page.sections) > 1 else []
     parts += [_section(section, "section", page) for section in page.front]
     parts += [r"\room{16\baselineskip}\section{Equations}"] if page.front else []
     parts += [_section(section, "subsection" if page.front else "section", page) for section in page.sections]
@@ -104,6 +109,12 @@ def _latex(form: Form) -> str:
 def _formula(latex: str) -> str:
     lines = (rf"\piece{{{piece}}}%" for piece in pieces(latex))
     return "\n".join([r"\begin{formula}", *lines, r"\end{formula}"])
+
+
+def latex_cell(relations: Iterable[Relation], letters: tuple[Quantity, ...]) -> str:
+    """What a notebook shows: relations, one below the other."""
+    rows = r" \\ ".join(latex_relation(relation, letters) for relation in relations)
+    return rf"$$\begin{{gathered}} {rows} \end{{gathered}}$$"
 
 
 def pieces(latex: str) -> list[str]:
@@ -159,13 +170,13 @@ def _plain(text: str) -> str:
 
 
 def pdf_from_latex(document: str) -> bytes:
-    """A LaTeX document compiled by pdflatex in a folder of its own, twice for its contents."""
+    """A LaTeX document compiled by pdflatex in a folder of its own, three times for the pages of its contents."""
     if shutil.which("pdflatex") is None:
         raise BoresightError("pdflatex is not installed: install texlive-latex-recommended, or use --format html")
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "document.tex").write_text(document, encoding="utf-8")
         command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "document.tex"]
-        for _ in range(2 if r"\tableofcontents" in document else 1):
+        for _ in range(3 if r"\tableofcontents" in document else 1):
             run = subprocess.run(command, cwd=folder, capture_output=True, timeout=120, check=False)
         made = Path(folder) / "document.pdf"
         if run.returncode or not made.exists():

@@ -3,7 +3,7 @@
 A place in a relation is the tuple of indices that lead to it: of the side, then of `children` at each node.
 """
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
 from itertools import groupby
 
 from sympy import Add, Expr, Float, MatAdd, MatMul, MatPow, Mul, Pow, Rational, S, StrictLessThan, Symbol
@@ -32,14 +32,15 @@ class Writer:
     def __init__(self, quantities: Iterable[Quantity], marks: Collection[Place]):
         self.letters = {q.symbol.name + "(" * q.function: q.latex for q in quantities}
         self.marks = frozenset(marks)
+        self.layout: Mapping = {}
 
     def pieces(self, relation: Relation) -> list[tuple[str, str]]:
         """The terms of the chain, each with what stands before it: =, +, - or, at the start, nothing."""
         result: list[tuple[str, str]] = []
+        self.layout = relation.layout
         for i, side in enumerate(relation.sides):
-            signs = [("-" if minus else "+", text) for minus, text in self._terms(side, (i,))]
-            head = signs[0][1] if signs[0][0] == "+" else self.minus(signs[0][1])
-            terms = [("=" * bool(i), head), *signs[1:]]
+            (_, first), *others = self._terms(side, (i,))
+            terms = [("=" * bool(i), first), *others]
             if (i,) in self.marks and isinstance(side, Add | MatAdd):
                 terms[0] = (terms[0][0], self.OPEN_MARK + terms[0][1])
                 terms[-1] = (terms[-1][0], terms[-1][1] + self.CLOSE_MARK)
@@ -118,9 +119,7 @@ class Writer:
         if isinstance(expression, MatrixBase):
             return self._matrix(expression, at)
         if isinstance(expression, Add | MatAdd):
-            (minus, text), *rest = self._terms(expression, at)
-            text = self.minus(text) if minus else text
-            return text + "".join(f" {'-' if minus else '+'} {term}" for minus, term in rest), SUM
+            return " ".join(part for term in self._terms(expression, at) for part in term if part), SUM
         if isinstance(expression, Mul | MatMul):
             minus, text, level = self._product(expression, at)
             return (self.minus(text), SUM) if minus else (text, level)
@@ -137,23 +136,30 @@ class Writer:
 
     LESS = "<"
 
-    def _terms(self, expression, at: Place) -> list[tuple[bool, str]]:
-        """Of a sum or a single term: whether it is subtracted, and its text."""
-        if not isinstance(expression, Add | MatAdd):
-            return [self._term(expression, at, COMPARED)]
-        return [self._term(argument, (*at, i), PRODUCT) for i, argument in enumerate(expression.args)]
+    def _terms(self, expression, at: Place) -> list[tuple[str, str]]:
+        """Of a sum or a single term: the sign before each term, and its text; a mark holds a minus too."""
+        terms, level = [(expression, at)], COMPARED
+        if isinstance(expression, Add | MatAdd):
+            terms, level = [(argument, (*at, i)) for i, argument in enumerate(expression.args)], PRODUCT
+        result: list[tuple[str, str]] = []
+        for term, place in terms:
+            minus, text = self._term(term, place, level)
+            sign = ("-" if minus else "+") if result else ""
+            text = self.minus(text) if minus and not result else text
+            if place in self.marks:
+                text = f"{'- ' * (sign == '-')}{text}"
+                text, sign = f"{self.OPEN_MARK}{text}{self.CLOSE_MARK}", sign.strip("-")
+            result.append((sign, text))
+        return result
 
     def _term(self, expression, at: Place, level: int) -> tuple[bool, str]:
+        """Whether it is negative, and the text of the rest."""
         if isinstance(expression, Rational) and expression < 0:
-            minus, text = True, self._written(-expression, at)[0]
-        elif isinstance(expression, Mul | MatMul):
+            return True, self._written(-expression, at)[0]
+        if isinstance(expression, Mul | MatMul):
             minus, text, _ = self._product(expression, at)
-        else:
-            minus, text = False, self.hold(self._written(expression, at), level)
-        if at in self.marks:
-            # Its sign is part of what is marked: the mark of a term that is subtracted begins before the minus.
-            return False, self.OPEN_MARK + (self.minus(text) if minus else text) + self.CLOSE_MARK
-        return minus, text
+            return minus, text
+        return False, self.hold(self._written(expression, at), level)
 
     def _product(self, expression, at: Place) -> tuple[bool, str, int]:
         """Whether it is negative, the text of the rest, and how strongly that holds together.
@@ -166,9 +172,16 @@ class Writer:
             first = -expression.args[0]
             factors[:1] = [(first, factors[0][1])] if first != 1 else []
         texts: list[Piece] = []
-        for scalar, run in groupby(factors, lambda factor: _is_scalar(factor[0])):
-            listed = list(run)
-            texts += self._fraction(listed) if scalar else [self.write(*factor) for factor in listed]
+        groups = self.layout.get(expression) or (minus and self.layout.get(-expression))
+        if groups:
+            minus &= expression not in self.layout
+            at_factor = dict(factors)
+            for group in groups:
+                texts += self._fraction([(factor, at_factor.get(factor, (*at, -1))) for factor in group])
+        else:
+            for scalar, run in groupby(factors, lambda factor: _is_scalar(factor[0])):
+                listed = list(run)
+                texts += self._fraction(listed) if scalar else [self.write(*factor) for factor in listed]
         if len(texts) == 1:
             return minus, self.hold(texts[0], PRODUCT), max(texts[0][1], PRODUCT)
         last = len(texts) - 1

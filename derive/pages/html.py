@@ -6,28 +6,36 @@ from xml.dom.minidom import Element, Text, parseString
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
-from sympy import Symbol
 
 from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.pages.blocks import NAME, REFERENCE, Form, Formulas, Page, Pair, Prose, is_name
-from boresight.derive.pages.mathml import mathml_relation
+from boresight.derive.pages.latex import latex_name
+from boresight.derive.pages.mathml import mathml, mathml_relation
 
 
 def html_page(page: Page) -> str:
+    return _rendered("page.html.j2", page)
+
+
+def html_cell(page: Page) -> str:
+    """What a notebook shows: the sections alone, without a page around them."""
+    return _rendered("cell.html.j2", page)
+
+
+def _rendered(template: str, page: Page) -> str:
     loader = PackageLoader("boresight.derive.pages")
     environment = Environment(loader=loader, autoescape=True, undefined=StrictUndefined, keep_trailing_newline=True)
-    anchors = page.anchors
 
     def written(block: Prose) -> Markup:
         if block.code:
             return Markup(", ").join(Markup("<code>{}</code>").format(name) for name in block.text.split(", "))
-        return prose(block.text, anchors, page.letters)
+        return prose(block.text, page.anchors, page.letters)
 
     environment.filters |= {
         "math": math,
         "prose": written,
-        "cell": cell,
-        "short": lambda section: section.title.removeprefix(f"{page.title} "),
+        "cell": lambda value: prose(value, {}, page.letters) if isinstance(value, str) else letters(value),
+        "short": lambda title: title.removeprefix(f"{page.title} "),
         "first_word": lambda text: re.split(r"\W", text)[0],
     }
     environment.tests |= {
@@ -35,20 +43,26 @@ def html_page(page: Page) -> str:
         "formulas": lambda block: isinstance(block, Formulas),
         "pair": lambda block: isinstance(block, Pair),
     }
-    return environment.get_template("page.html.j2").render(page=page)
+    return environment.get_template(template).render(page=page)
 
 
 def math(form: Form) -> Markup:
     """The formula as pieces between which a line may end."""
-    return Markup("<wbr>".join(pieces(mathml_relation(form.relation, form.quantities, form.marks))))
+    whole = mathml_relation(form.relation, form.quantities, form.marks)
+    return Markup("<wbr>".join(map(spaced, pieces(whole.replace("&#x2061;", APPLY).replace("&#x2062;", TIMES)))))
 
 
-def pieces(mathml: str) -> list[str]:
+def spaced(formula: str) -> str:
+    """Browsers set nothing between factors, and nothing between a function and an argument without brackets."""
+    return re.sub(rf"<mo>({TIMES}|{APPLY}(?!</mo>(?:<mrow>)?<mo[^>]*>\())</mo>", r'<mo rspace=".15em">\1</mo>', formula)
+
+
+def pieces(formula: str) -> list[str]:
     """A formula cut before each =, + and - that stands in no bracket and not behind another, and before a matrix."""
-    (whole,) = parseString(mathml).childNodes
+    (whole,) = parseString(formula).childNodes
     row = whole.firstChild
     if not isinstance(row, Element) or row.tagName != "mrow" or row.hasAttribute("class"):
-        return [mathml]
+        return [formula]
     cuts: list[list[Element]] = [[]]
     depth, last = 0, "="
     for item in (child for child in list(row.childNodes) if isinstance(child, Element)):
@@ -61,7 +75,7 @@ def pieces(mathml: str) -> list[str]:
         cuts[-1].append(item)
         last = text
     inside = ("".join(item.toxml() for item in cut) for cut in cuts)
-    head = mathml[: mathml.index(">") + 1]
+    head = formula[: formula.index(">") + 1]
     return [f"{head}{content}</math>" for content in inside]
 
 
@@ -72,11 +86,12 @@ def _glyph(item: Element) -> str:
     return "matrix" if item.getElementsByTagName("mtable") else ""
 
 
-SIGNS, TIMES = ("=", "+", "−", "<", "≤"), "\u2062"
+SIGNS = ("=", "+", "−", "<", "≤")
+APPLY, TIMES = "\u2061", "\u2062"
 
 
-def cell(value: str | tuple[Form, ...]) -> str:
-    return value if isinstance(value, str) else Markup(", ").join(dict.fromkeys(map(math, value)))
+def letters(forms: tuple[Form, ...]) -> Markup:
+    return Markup(", ").join(dict.fromkeys(map(math, forms)))
 
 
 def prose(text: str, anchors: Mapping[str, str], letters: tuple[Quantity, ...]) -> Markup:
@@ -88,9 +103,14 @@ def prose(text: str, anchors: Mapping[str, str], letters: tuple[Quantity, ...]) 
         if name in anchors:
             made = Markup('<a href="#{}">{}</a>').format(anchors[name], name)
         elif name[0] != "(" and is_name(name):
-            made = math(Form(Relation((symbols.get(name) or Symbol(name),)), letters))
+            known = symbols.get(name)
+            made = math(Form(Relation((known,)), letters)) if known else Markup(mathml(latex_name(name)))
         else:
             continue
-        parts += [escape(text[end : found.start()]), made]
+        parts += [_plain(text[end : found.start()]), made]
         end = found.end()
-    return Markup("").join([*parts, escape(text[end:])])
+    return Markup("").join([*parts, _plain(text[end:])])
+
+
+def _plain(text: str) -> Markup:
+    return Markup(re.sub(r"\^(-?\d+|T\b)", r"<sup>\1</sup>", str(escape(text))))

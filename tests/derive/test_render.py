@@ -12,6 +12,7 @@ from conftest import ROOT
 
 from boresight import BoresightError
 from boresight.derive.ledger.differences import differences, marks
+from boresight.derive.ledger.lines import count_steps
 from boresight.derive.pages.booklet import pdf_from_latex, pieces
 from boresight.derive.pages.latex import latex_relation
 from boresight.derive.pages.mathml import mathml_relation
@@ -34,7 +35,7 @@ def test_terminal_shows_print_derivation_steps_and_evidence_in_100_columns_at_mo
         "derived",
         "cos(›ψ‹)",
         "2. multiply",
-        "Evidence: ",
+        "As printed: ",
         "Note: Origin transcription",
     ):
         assert piece in text
@@ -48,14 +49,15 @@ def test_a_page_holds_every_equation_once_and_ends_by_column_100(name, monkeypat
     one = paper(name)
     text = render(one)
     assert text.startswith(f"{name}\n") and one.reference in " ".join(text.split())
-    shown = re.findall(rf"^{name} \((\d+)\)", text, re.MULTILINE)
-    assert shown == [equation.number for equation in one.equations]
+    assert f"; {count_steps(one.equations)}." in " ".join(text.split())
+    shown = re.findall(rf"^{name} (\(\d+\)|\w+)  ", text, re.MULTILINE)
+    assert shown == [equation.label for equation in one.equations]
     assert max(sum(not combining(c) for c in line) for line in text.splitlines()) <= 100
 
 
 def test_the_counts_and_what_stands_beside_the_equations_are_shown():
-    text = render(PAPER)
-    assert "28 equations: 5 exact, 8 first-order, 6 definition, 9 erratum." in text
+    text = " ".join(render(PAPER).split())
+    assert "28 equations and 2 without a number: 4 exact, 8 first-order, 8 definition, 10 erratum; steps: " in text
     assert "Table 1: 13, 12, 21, 3 cells" in text
 
 
@@ -105,7 +107,7 @@ def test_html_stands_alone_and_its_links_go_somewhere(name):
     page = Page(render(paper(name), None, "html"))
     assert not page.open and not page.wrong
     assert [anchor for anchor in page.ids if anchor.startswith("eq-")] == [
-        f"eq-{e.number}" for e in paper(name).equations
+        f"eq-{e.number}" for e in paper(name).equations if e.numbered
     ]
     assert len(page.ids) == len(set(page.ids))
     assert page.links and all(link[0] == "#" and link[1:] in page.ids for link in page.links)
@@ -134,19 +136,29 @@ def test_every_erratum_is_marked_where_print_and_derivation_differ_in_every_form
 
 
 @pytest.mark.parametrize(
-    "number, printed, derived", [("9", "φ", "ψ"), ("25", "δμ(k)", "-δμ(k)"), ("7", "C_b2n", "C_n2b")]
+    "number, printed, derived", [("9", "φ", "ψ"), ("25", "δμ(k)", "- δμ(k)"), ("7", "C_b2n", "C_n2b")]
 )
 def test_the_slip_is_what_is_marked(number, printed, derived):
     before, after = render(PAPER, number).split("derived\n")[:2]
-    for part, letter in ((before, printed), (after.split("Evidence")[0], derived)):
+    for part, letter in ((before, printed), (after.split("As printed")[0], derived)):
         assert set(re.findall("›(.*?)‹", part)) == {letter}
+
+
+@pytest.mark.parametrize("format", ["text", "latex", "html"])
+def test_the_numbers_of_an_erratum_are_the_stated_errors_the_print_and_the_derivation(format):
+    """(9) gives the slave's angle errors, which are stated: 0.1, -0.2 and 0.3 deg."""
+    page = re.sub(r"<[^>]*>|[&$\\]|[a-z]*\{.*?\}", " ", render(PAPER, "9", format).replace("</td>", " "))
+    rows = re.findall(r"(-?\d+\.\d+) +(-?\d+\.\d+) +(-?\d+\.\d+) +arcmin", page)
+    assert [float(true) / 60 for true, *_ in rows] == pytest.approx([0.1, -0.2, 0.3], rel=1e-4)
+    for true, printed, derived in rows:
+        assert abs(float(derived) - float(true)) < 0.01 * abs(float(true)) < abs(float(printed) - float(true))
 
 
 def test_formulas_of_a_page_are_those_of_the_writers():
     """So that what the writers' tests read back is what is shown."""
     one, equation = paper("kim-2018"), paper("kim-2018").equation("11")
     html, latex = render(one, "11", "html"), render(one, "11", "latex")
-    html = re.sub("</math><wbr><math[^>]*>", "", html.replace(' form="infix"', ""))
+    html = re.sub("</math><wbr><math[^>]*>", "", re.sub(' form="infix"| rspace=".15em"', "", html))
     shown = re.sub(r"\\piece\{(?:\{\})?|\}%\n", " ", latex)
     for step in equation.derivation.steps:
         for relation in step.formulas:
@@ -241,3 +253,13 @@ def test_a_wrong_number_or_format_lists_the_right_ones(arguments, message):
 def test_a_derivation_of_no_paper_is_a_page_too(format):
     page = " ".join(render(paper("delay-error"), "2", format).split())
     assert "angular momentum" in page and "derived here" in page and "printed" not in page
+
+
+def test_a_notebook_shows_an_equation_and_a_derivation():
+    equation = PAPER.equation("9")
+    cell = Page(equation._repr_html_())
+    assert not cell.open and not cell.wrong and len(cell.slips) == 12
+    assert equation._repr_latex_().count(r"\psi") == 7
+    shown = Page(equation.derivation._repr_html_())
+    assert not shown.open and not shown.wrong
+    assert equation.derivation._repr_latex_().count("gathered") == 2

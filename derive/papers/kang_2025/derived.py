@@ -4,8 +4,8 @@ from functools import cache
 
 from sympy import Function, S, sin
 
-from boresight.derive.ledger.equation import Equation, Reading, letter, product
-from boresight.derive.ledger.free import of, rotation
+from boresight.derive.ledger.equation import Equation, Meaning, Reading, letter, product
+from boresight.derive.ledger.free import of, rotation, skew_symmetric
 from boresight.derive.ledger.lines import (
     DEFINITION,
     EXACT_LINE,
@@ -32,7 +32,7 @@ from boresight.derive.ledger.passages import (
     take_skew_part,
     take_vector,
 )
-from boresight.derive.ledger.witness import skew, uniform
+from boresight.derive.ledger.witness import skew
 from boresight.derive.papers.kang_2025.printed import PRINTED, quantities
 
 NAME = "kang-2025"
@@ -64,20 +64,53 @@ def letters():
         ("C_S2n(k+α)", r"C_{S,k+\alpha}^n", "attitude", "attitude of the slave δt_d before"),
         ("X", "X", "turn", "turn of the expected attitude now from the reported"),
     )  # fmt: skip
+    flown = (
+        ("place", r"\Lambda", "position", "latitude, longitude in rad and height in m of the slave", (3,)),
+        ("u̇", r"\dot{u}", "acceleration", "rate of change of the lever-arm velocity, m/s^2", (3,)),
+        ("Q_S2n", "q_S^n", "quaternion", "attitude of the slave", (4,)),
+        ("Q_S2M", "q_S^M", "quaternion", "estimated mounting: slave to master", (4,)),
+        ("Q_M2n", "q_M^n", "quaternion", "attitude that the master reports", (4,)),
+        ("f_b", "f^b", "acceleration", "specific force, m/s^2", (3,)),
+        ("F", "F", "16x16", "how the states change one another", (16, 16)),
+        ("H_v", "H_v", "3x16", "what the states do to z_v", (3, 16)),
+        ("H_DCM", "H_{DCM}", "3x16", "what the states do to z_DCM", (3, 16)),
+        ("H_vL", "H_{v,L}", "3x19", "the same with the error of the lever arm", (3, 19)),
+        ("H_DCML", "H_{DCM,L}", "3x19", "the same with the error of the lever arm", (3, 19)),
+        ("φ", r"\phi", "rotation vector", "attitude error: computed are (I - [φ x]) C_S2n, rad", (3,)),
+        ("δv", r"\delta v", "velocity", "velocity error, computed - true, m/s", (3,)),
+        ("b_g", "b_g", "rate", "gyro bias, measured - true, rad/s", (3,)),
+        ("b_a", "b_a", "acceleration", "accelerometer bias, measured - true, m/s^2", (3,)),
+        ("δμ", r"\delta\mu", "rotation vector", "misalignment error, in master axes, rad", (3,)),
+        ("δL", r"\delta L", "lever arm", "error of the lever arm, computed - true, m", (3,)),
+    )
     return (
         *(letter(*one, (3,)) for one in vectors),
         *(letter(*one, (3, 3)) for one in matrices),
+        *(letter(*one) for one in flown),
         letter("I", "I", "identity", "identity, which the print calls eye(3)", (3, 3)),
-        letter("φ", r"\varphi", "angle", "how far the wheel has turned, rad"),
+        letter("ϑ", r"\vartheta", "angle", "how far the wheel has turned, rad"),
     )
 
 
+ARM = Meaning(
+    (
+        ("L runs from the master to the slave", ()),
+        ("L runs from the slave to the master", (("L", "-L"),)),
+    )
+)
+HEIGHT = Meaning(
+    (
+        ("a is the height of the wave, crest to trough", ()),
+        ("a is its amplitude, as the heights of Table 1 need it", (("a", r"\frac{a}{2}"),)),
+    ),
+    said="the text under (6)",
+)
 STRUCTURE = {
     **dict.fromkeys(("C_S2n", "C_M2S", "C_M2n", "C_S2e", "C_e2n"), rotation),
     "C_n2M": of("C_M2n", lambda C: C.T),
     "[ω_in_n x]": of("ω_in_n", skew),
     "[ω_ib_b x]": of("ω_ib_b", skew),
-    "A": lambda generator: skew(uniform(generator, 1)),
+    "A": skew_symmetric,
     "v_s": of("v_s(k)", lambda v: v),  # the indices s and S are one label, and k is now
     "v_S": of("v_s(k)", lambda v: v),
     "I": lambda generator: eye(3),
@@ -127,6 +160,7 @@ def lever_arm():
         unit="m/s",
         leads_to=("3",),
         small=("lever", "v_n", "velocity_error"),
+        meanings=(ARM,),
         note="Both signs and both terms are right. Whether the transport rate belongs to ω_in, as the text says, is "
         "below what is dropped.",
     )  # fmt: skip
@@ -177,6 +211,7 @@ def velocity_residual():
              first_order(), "the lever arm's part now is as (1) has it", substitute("1"), result=True),
         unit="m/s",
         small=("delay", "step"),
+        meanings=(ARM,),
         note="The print moves the slave's velocity back by the delay, but not the lever-arm velocity, which is of the "
         "same order in the delay. Its sign is right: (3) subtracts the change during the delay, where (5) adds it. "
         "Capital and small letters of the indices are labels.",
@@ -200,8 +235,8 @@ def attitude_matrix():
              "the brackets hold the whole difference", substitute("5", "1", of="4"), result=True),
         unit="1",
         leads_to=("5",),
-        note="As printed the 2 divides the transposed matrix alone. Brackets, or a long bar, may have been lost in "
-        "the scan: the rule of the origin knows of letters only. If (4) is taken as it stands, (5) lacks a factor 2/3.",
+        note="As printed the 2 divides the transposed matrix alone. If (4) is taken as it stands, (5) lacks a factor "
+        "2/3.",
     )  # fmt: skip
 
 
@@ -234,7 +269,7 @@ def attitude_residual():
         line(r"A = [z_{DCM} \times] + \delta t_d [w_{nb}^n \times]", first_order(), "(4) takes it",
              substitute("7", "(4)")),
         line(r"\vee(A) = z_{DCM} + \delta t_d w_{nb}^n", first_order(), "A is skew-symmetric", take_vector()),
-        line(r"\vee(A) = [-A(2,3); A(1,3); -A(1,2)]", EXACT_LINE,
+        line(r"\vee(A) = [-A(2,3); A(1,3); -A(1,2)]", IDENTITY,
              "by its entries; the signs of the print are right"),
         line(r"[-A(2,3); A(1,3); -A(1,2)] = z_{DCM} + \delta t_d w_{nb}^n", first_order(), "both are the vector of A",
              multiply_out("15", of="14")),
@@ -260,10 +295,10 @@ def wave():
     )
     phase = product(S(2), pi_, frequency, time)
     return derived(
-        line(r"\varphi = 2 \pi f t", DEFINITION, "a wheel turns f times a second"),
-        line(r"p = \exp([[\varphi; 0; 0] \times]) [0; \frac{a}{2}; 0]", DEFINITION,
+        line(r"\vartheta = 2 \pi f t", DEFINITION, "a wheel turns f times a second"),
+        line(r"p = \exp([[\vartheta; 0; 0] \times]) [0; \frac{a}{2}; 0]", DEFINITION,
              "its diameter is the height of the wave, crest to trough, and a point on it begins ahead of the hub"),
-        line(r"p = [0; \frac{a}{2} \cos\varphi; \frac{a}{2} \sin\varphi]", EXACT_LINE,
+        line(r"p = [0; \frac{a}{2} \cos\vartheta; \frac{a}{2} \sin\vartheta]", EXACT_LINE,
              "a turn about the first axis", multiply_out()),
         line("Seawave = [0 \\ 0 \\ 1] p", EXACT_LINE,
              "the point goes up and down as the surface does, from zero upwards"),
@@ -278,9 +313,10 @@ def wave():
                 "0.16 of a period",
             ),
         ),
+        meanings=(HEIGHT,),
         note="The text calls a the height of the wave, and Table 1 gives the heights of the code; in (6) it is the "
-        "amplitude, half of that. If a is an amplitude (6) stands, and the column of Table 1 is half of the heights. "
-        "f is called a period, and is 0.1 Hz: a label.",
+        "amplitude, half of that. If a is an amplitude (6) stands, and the column of Table 1 is half of the heights: "
+        "which of the two is wrong cannot be decided. f is called a period, and is 0.1 Hz: a label.",
     )  # fmt: skip
 
 

@@ -3,11 +3,14 @@
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.papers.kang_2025.consequences import evidence, findings
 from boresight.derive.papers.kang_2025.derived import STRUCTURE, equations, letters
+from boresight.derive.papers.kang_2025.maps import MAPS, UNFLOWN
 from boresight.derive.papers.kang_2025.printed import quantities
 from boresight.derive.papers.kang_2025.witness import (
     CONDITIONS,
     CONDITIONS_TEXT,
     ERRORS,
+    LEFT_OUT,
+    PARTS,
     POINTS,
     STATED,
     STATED_TEXT,
@@ -22,7 +25,7 @@ PAPER = Paper(
     "Attitude Matching for Surface Vehicles Under Various Sea States, 2025",
     make_equations=equations,
     quantities=quantities,
-    witness=Witness(Base, values, Conditions(), ERRORS, "finite motions"),
+    witness=Witness(Base, values, Conditions(), ERRORS, "finite motions", PARTS, LEFT_OUT),
     conditions=Stated(CONDITIONS, CONDITIONS_TEXT, POINTS),
     point=Stated(STATED, STATED_TEXT),
     evidence=evidence,
@@ -44,4 +47,6 @@ PAPER = Paper(
     },
     letters=letters,
     structure=STRUCTURE,
+    maps=MAPS,
+    unflown=UNFLOWN,
 )

@@ -5,7 +5,7 @@ and the matrices F and H are differentiated from them, so none of the paper's fo
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from random import Random
@@ -14,10 +14,11 @@ from unicodedata import normalize
 from boresight.derive.ledger import ellipsoid, navigation
 from boresight.derive.ledger.ellipsoid import WORKING
 from boresight.derive.ledger.equation import Relation
-from boresight.derive.ledger.evaluate import solve
+from boresight.derive.ledger.evaluate import Point, evaluate, solve
 from boresight.derive.ledger.navigation import Truth, stack
 from boresight.derive.ledger.numbers import Matrix, cos, digits, exact, eye, norm, sqrt, zeros
 from boresight.derive.ledger.witness import (
+    Letters,
     attitude,
     degrees,
     finite_rotation,
@@ -86,6 +87,28 @@ ERRORS = (
     "position_error", "velocity_error", "phi", "gyro_bias", "accel_bias", "gyro_noise", "accel_noise",
     "theta", "delay", "master_velocity_error", "master_attitude_error", "step",
 )  # fmt: skip
+
+PARTS = {
+    "position_error": "the position error",
+    "velocity_error": "the velocity error",
+    "phi": "the attitude error",
+    "gyro_bias": "the gyro bias",
+    "accel_bias": "the accelerometer bias",
+    "gyro_noise": "the gyros' noise",
+    "accel_noise": "the accelerometers' noise",
+    "theta": "the error of the mounting",
+    "delay": "the delay",
+    "master_velocity_error": "the master's velocity error",
+    "master_attitude_error": "the master's attitude error",
+    "step": "the step",
+}
+LEFT_OUT = {
+    **dict.fromkeys(("2", "3"), "errors of the sensors, of the position and of gravity"),
+    **dict.fromkeys(("4", "5", "6"), "bending between master and slave, and all of the delay but a constant one"),
+    **dict.fromkeys(("7", "10", "11"), "errors of the sensors but bias and white noise"),
+    **dict.fromkeys(("13", "14"), "changes of F during the step"),
+    **dict.fromkeys(("18", "19", "20", "21", "22", "29"), "the error of the attitude that the alignment left"),
+}
 
 DEGREE, HOUR, G = math.pi / 180, 3600.0, 9.80665
 MILE = 1852.0
@@ -172,33 +195,6 @@ def errors(base: Base) -> Matrix:
 # ---- Letters ---------------------------------------------------------------------------------------------------------
 
 
-class Letters(Mapping):
-    """Values by name, each group worked out when one of its letters is asked for."""
-
-    def __init__(self, groups: tuple[tuple[str, Callable], ...], given: Mapping):
-        split = [(tuple(normalize("NFC", names).split("|")), make) for names, make in groups]
-        self._of = {name: (names, make) for names, make in split for name in names}
-        self._known = {normalize("NFC", name): value for name, value in given.items()}
-        self._open: set[str] = set()
-
-    def __getitem__(self, name):
-        if name not in self._known:
-            if name not in self._of:
-                raise KeyError(f"the paper does not define {name}")
-            if name in self._open:
-                raise KeyError(f"{name} is defined by itself")
-            self._open.add(name)
-            names, make = self._of[name]
-            self._known.update(zip(names, make(self), strict=True))
-        return self._known[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter({*self._known, *self._of})
-
-    def __len__(self) -> int:
-        return len({*self._known, *self._of})
-
-
 def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Letters:
     """Values of every letter of the paper at one point.
 
@@ -209,7 +205,6 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         **{q.symbol.name: zeros(*q.shape) for q in quantities() if q.kind == "block"},
         "I": eye(3), "I_3x3": eye(3), "I_15x15": eye(15),
         "N": exact(WINDOW_OF), "n": exact(WINDOW_AT), "index": exact(0),
-        "Ω_n": _between(WINDOW_AT, 0, WINDOW_AT + WINDOW_OF - 1),
         "θ̇": zeros(3, 1), "Δṫ": exact(0), "ΔT": base.step[0], "Δt": base.delay[0],
         "norm": norm, "samples": _between, "vee": _vee,
         "entry": lambda M, i, j: M[int(i) - 1, int(j) - 1],
@@ -248,6 +243,7 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         ("δl|δL|δh", defined("27", δl=1, δL=1, δh=1)),
         ("δv_e|δv_n|δv_u", defined("28", δv_e=1, δv_n=1, δv_u=1)),
         ("y_k|s_k|ν_y", defined("30", y_k=6, s_k=6, ν_y=6)),
+        ("Ω_n", lambda a: [evaluate(definitions["Ω_n"][0].sides[1], Point(a))]),
         ("y_a|y_w", lambda a: [a["y_k"][0:3, 0], a["y_k"][3:6, 0]]),
         ("ν_a|ν_w", lambda a: _noise(base, NOW)),
         ("T_a|T_w|ȳ_a|γ_a|γ_w", lambda a: _detector(base)),
