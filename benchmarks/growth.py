@@ -10,10 +10,10 @@ import time
 from sympy import Matrix, eye, zeros
 
 from boresight.codegen.text.files import folder_files
+from boresight.derive.mechanics.rotation import dcm_from_quaternion
 from boresight.derive.model import Model, Struct
 from boresight.derive.models.phi_error import phi_error
 from boresight.derive.models.variables import body, noise_density
-from boresight.derive.mechanics.rotation import dcm_from_quaternion
 
 STATES = (15, 30, 45, 60)
 

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from sympy import Matrix, diag, eye, zeros
 
+from boresight.derive.mechanics.rotation import dcm_from_quaternion, quaternion_product
 from boresight.derive.model import Function, Measurement, Model, Output, Struct
 from boresight.derive.models import velocity_attitude as va
 from boresight.derive.models.variables import (
@@ -24,7 +25,6 @@ from boresight.derive.models.variables import (
     body,
     noise_density,
 )
-from boresight.derive.mechanics.rotation import dcm_from_quaternion, quaternion_product
 
 
 def function(model: Model, name: str) -> Function:

@@ -90,3 +90,13 @@ def points():
         "euler_b": vectors(1.0),
         "euler_m": vectors(1.0),
     }
+
+
+@pytest.fixture
+def many_digits():
+    """As the ledgers compute."""
+    from boresight.derive.ledger.evaluate import DIGITS
+    from boresight.derive.ledger.numbers import digits
+
+    with digits(DIGITS):
+        yield

@@ -11,8 +11,8 @@ import pytest
 from conftest import PENDULUM, ROOT
 
 from boresight import cli, report, terminal
-from boresight.derive.ledger.entries import conditions, ledger
-from boresight.derive.papers import PAPERS
+from boresight.derive.ledger.entries import ledger
+from boresight.derive.papers import PAPERS, paper
 from boresight.runtime.manifest import built_in, folder_of, read_manifest
 
 SILENT = {
@@ -77,17 +77,18 @@ def test_a_model_shows_each_state_input_and_function_by_its_whole_name_with_unit
 
 
 @pytest.mark.parametrize("columns", [80, 100])
-@pytest.mark.parametrize("paper", PAPERS)
-def test_equations_are_a_table_of_whole_sentences(run, columns, paper):
-    _, out, _ = run("equations", paper, columns=columns)
+@pytest.mark.parametrize("name", PAPERS)
+def test_equations_are_a_table_of_whole_sentences(run, columns, name):
+    one = paper(name)
+    _, out, _ = run("equations", name, columns=columns)
     assert not fits(out, columns)
-    for entry in (entry.to_dict() for entry in ledger(paper)):
-        said = report.sentence(entry, conditions(paper)[0])
+    for entry in (entry.to_dict() for entry in ledger(one)):
+        said = report.sentence(entry, one.conditions.text)
         assert re.fullmatch(r"[A-Z].*[^ .]\.", said), said
         assert "Origin" not in said
         assert re.search(r"^ *\({number}\) +{status} +{kind}".format(**entry), out, re.MULTILINE)
         assert said in " ".join(out.replace("\n", " ").split()) or len(said) > columns - 30
-    for text in conditions(paper):
+    for text in (one.conditions.text, one.point.text):
         assert " ".join(out.split()).count(text) <= 1
 
 
@@ -96,7 +97,7 @@ def test_the_evidence_on_one_equation_has_its_numbers_and_the_conditions_once(ru
     _, out, _ = run("equations", "kang-2025", "3", columns=columns)
     assert not fits(out, columns)
     flat = " ".join(out.split())
-    assert flat.count(conditions("kang-2025")[1]) == 1
+    assert flat.count(paper("kang-2025").point.text) == 1
     for text in ("erratum", "0.099879", "halving the errors", "no scanner turns"):
         assert text in flat
 
@@ -104,9 +105,9 @@ def test_the_evidence_on_one_equation_has_its_numbers_and_the_conditions_once(ru
 def test_equations_of_all_papers_fit_on_one_screen(run):
     _, out, _ = run("equations")
     assert not fits(out, 80) and len(out.splitlines()) < 20
-    for paper in PAPERS:
-        assert paper in out
-        assert all(f"({entry.number})" in out for entry in ledger(paper) if entry.status == "erratum")
+    for name in PAPERS:
+        assert name in out
+        assert all(f"({entry.number})" in out for entry in ledger(paper(name)) if entry.status == "erratum")
 
 
 def test_verify_names_every_function_whole(run):

@@ -10,8 +10,8 @@ from typer.testing import CliRunner
 
 from boresight import kept_ledger
 from boresight.cli import app
-from boresight.derive.ledger.entries import conditions, findings, ledger
-from boresight.derive.papers import PAPERS
+from boresight.derive.ledger.entries import findings, ledger
+from boresight.derive.papers import PAPERS, paper
 
 PAPER = "kang-2025"
 
@@ -26,13 +26,14 @@ def folder(tmp_path, monkeypatch):
 def calls(monkeypatch):
     """The papers that were computed, not read."""
     compute, seen = kept_ledger.compute, []
-    monkeypatch.setattr(kept_ledger, "compute", lambda paper, *more: seen.append(paper) or compute(paper))
+    monkeypatch.setattr(kept_ledger, "compute", lambda name, *more: seen.append(name) or compute(name))
     return seen
 
 
-def computed(paper):
-    entries = [asdict(entry) for entry in ledger(paper)]
-    return {"entries": entries, "findings": list(findings(paper)), "conditions": list(conditions(paper))}
+def computed(name):
+    one = paper(name)
+    entries = [asdict(entry) for entry in ledger(one)]
+    return {"entries": entries, "findings": list(findings(one)), "conditions": [one.conditions.text, one.point.text]}
 
 
 def forge(folder):
@@ -43,10 +44,10 @@ def forge(folder):
     path.write_text(json.dumps(kept))
 
 
-@pytest.mark.parametrize("paper", PAPERS)
-def test_a_kept_ledger_is_the_computed_one(paper, folder, calls):
-    assert kept_ledger.ledger(paper) == kept_ledger.ledger(paper) == computed(paper)
-    assert calls == [paper]
+@pytest.mark.parametrize("name", PAPERS)
+def test_a_kept_ledger_is_the_computed_one(name, folder, calls):
+    assert kept_ledger.ledger(name) == kept_ledger.ledger(name) == computed(name)
+    assert calls == [name]
 
 
 def test_a_forged_ledger_is_printed_and_seen_by_the_comparison(folder, calls):
@@ -67,7 +68,7 @@ def test_a_change_of_a_source_or_a_library_ends_what_is_kept(folder, calls, tmp_
     assert calls == [PAPER, PAPER]
     copy = Path(shutil.copytree(kept_ledger.DERIVE, tmp_path / "derive"))
     assert kept_ledger.key(copy) == kept_ledger.key()
-    for changed in ("ledger.py", "papers/kang_2025_world.py"):
+    for changed in ("ledger/judge.py", "papers/kang_2025/witness.py"):
         before = kept_ledger.key(copy)
         (copy / changed).write_text((copy / changed).read_text().replace("return", "return  ", 1))
         assert kept_ledger.key(copy) != before

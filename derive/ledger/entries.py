@@ -19,6 +19,7 @@ from boresight.derive.ledger.differences import origin as origin_of
 from boresight.derive.ledger.equation import Equation
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
 from boresight.derive.ledger.judge import EXACT, SEEDS, judge, largest_residual
+from boresight.derive.ledger.lines import check_derivation
 from boresight.derive.ledger.numbers import Matrix, digits, middle
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.witness import draw
@@ -77,6 +78,7 @@ def entry_of(paper: Paper, equation: Equation) -> Entry:
 
 
 def _entry(paper: Paper, equation: Equation) -> Entry:
+    check_derivation(paper, equation)
     ours = judge(paper, equation, equation.derived)
     if ours.status == "refuted":
         raise BoresightError(
@@ -117,13 +119,13 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
 
 def _size(paper: Paper, equation: Equation) -> str:
     """The largest remainder of the derived form at the paper's own numbers."""
-    largest = max(largest_residual(equation.derived, point) for point in _paper_points(paper))
+    largest = max(largest_residual(equation.derived, point) for point in paper_points(paper))
     factor, unit = UNITS[equation.unit]
     return f"at most {mp.nstr(largest * factor, 3)} {unit}".rstrip() + f" at {paper.conditions.text}"
 
 
 @cache
-def _paper_points(paper: Paper) -> tuple[Point, ...]:
+def paper_points(paper: Paper) -> tuple[Point, ...]:
     witness, conditions = paper.witness, paper.conditions
     bases = (draw(witness.base, seed, conditions.at) for seed in range(conditions.count))
     return tuple(Point(witness.values(base, paper.definitions)) for base in bases)

@@ -50,8 +50,72 @@ class Step:
 
 
 @dataclass(frozen=True)
+class Claim:
+    """What a line of a derivation states of itself; see ledger/lines.py, which judges it.
+
+    kind: exact, definition, identity, first-order, order, limit or approximation.
+    small: the errors, parts of the witness's conditions, in which it is of first order, or whose limit is taken.
+    order: the order in the one part of `small` through which the line is right.
+    dropped: LaTeX of the term which an approximation leaves out of its right side.
+    condition: in words, when that term is small.
+    """
+
+    kind: str
+    small: tuple[str, ...] = ()
+    order: int = 1
+    dropped: str = ""
+    condition: str = ""
+
+
+@dataclass(frozen=True)
+class Passage:
+    """The operation that leads from an earlier line to this one; see ledger/passages.py, which carries it out.
+
+    of: the line it begins from, by its number in the derivation, or an equation of the paper as "(8)" or "(9).2"; the
+    line before if empty.  using: the lines and equations that the operation takes in.  with_: LaTeX of a factor, or of
+    a letter's rate by the letter's own LaTeX; letters: LaTeX of the letters that it is about.
+    """
+
+    operation: str
+    of: str = ""
+    using: tuple[str, ...] = ()
+    letters: tuple[str, ...] = ()
+    with_: tuple[str, ...] = ()
+    order: int = 1
+
+
+@dataclass(frozen=True)
+class Line:
+    """One line of a derivation in the paper's letters, with what it claims, or prose if it has no claim.
+
+    latex: as it is written; relation: as it is read.  result: whether it is (a row of) the derived form.
+    """
+
+    latex: str
+    claim: Claim | None
+    why: str
+    passage: Passage | None = None
+    result: bool = False
+    relation: "Relation | None" = None
+
+    @property
+    def name(self) -> str:
+        """What is done, in a word or two."""
+        return self.passage.operation if self.passage else self.claim.kind if self.claim else "note"
+
+    @property
+    def formulas(self) -> tuple:
+        return () if self.relation is None else (self.relation,)
+
+
+@dataclass(frozen=True)
 class Derivation:
-    steps: tuple[Step, ...] = ()
+    steps: tuple[Step | Line, ...] = ()
+
+    @property
+    def lines(self) -> tuple[Line, ...]:
+        """The lines that have a relation."""
+        return tuple(step for step in self.steps if isinstance(step, Line) and step.relation is not None)
 
 
 @dataclass(frozen=True)

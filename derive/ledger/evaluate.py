@@ -1,9 +1,11 @@
 """The value of an expression at a point, where every letter has one."""
 
+from collections import ChainMap
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import reduce
 from itertools import pairwise
+from math import prod
 from typing import Any
 
 from flint import arb, fmpq
@@ -14,7 +16,7 @@ from sympy.matrices import MatrixBase
 
 from boresight.derive.ledger import numbers
 from boresight.derive.ledger.numbers import Matrix, zeros
-from boresight.derive.ledger.witness import hamilton, vector
+from boresight.derive.ledger.witness import hamilton, skew, vector
 
 DIGITS = 60  # of which cancellation leaves the 28 that are asked for, and the balls prove it
 
@@ -29,6 +31,12 @@ class Point:
 
     values: Mapping[str, Any]
     memo: dict = field(default_factory=dict, compare=False, repr=False)
+
+    def changed(self, values: Mapping[str, Any]) -> "Point":
+        """The point with other values of some letters; free values follow their changes."""
+        if hasattr(self.values, "changed"):
+            return Point(self.values.changed(values))
+        return Point(ChainMap(dict(values), self.values))  # type: ignore[arg-type]
 
 
 def evaluate(expression, point: Point) -> Value:
@@ -55,20 +63,51 @@ def _evaluate(expression, point: Point) -> Value:
         if not parts:
             raise ValueError("a sum over no sample")
         return reduce(_sum, parts)
+    if isinstance(expression, AppliedUndef) and expression.func.__name__ == "E":
+        return _expected(expression.args[0], point)
     arguments = [evaluate(argument, point) for argument in expression.args]
     if isinstance(expression, AppliedUndef):
-        return point.values[expression.func.__name__](*arguments)
+        name = expression.func.__name__
+        return (OPERATORS[name] if name in OPERATORS else point.values[name])(*arguments)
     if isinstance(expression, Add | MatAdd):
         return reduce(_sum, arguments)
     if isinstance(expression, Mul | MatMul):
-        return reduce(_product, arguments)
+        return reduce(multiplied, arguments)
     if isinstance(expression, transpose):
         return arguments[0].T
     if isinstance(expression, Pow):
-        return _power(arguments[0], expression.exp)
+        return power(arguments[0], expression.exp)
     if isinstance(expression, StrictLessThan):
         return _bounded(*arguments)
     return _ELEMENTARY[expression.func](*arguments)
+
+
+def _vee(M: Matrix) -> Matrix:
+    """The vector of the skew-symmetric part."""
+    return vector(M[2, 1] - M[1, 2], M[0, 2] - M[2, 0], M[1, 0] - M[0, 1]) / 2
+
+
+OPERATORS: dict[str, Callable] = {
+    "skew": skew,
+    "vee": _vee,
+    "cross": lambda a, b: skew(a) * b,
+    "exp": lambda A: A.exp() if isinstance(A, Matrix) else arb(A).exp(),
+}
+
+
+def _expected(expression, point: Point):
+    """The expectation of what is at most quadratic in the random letters, from their second moments, exactly.
+
+    point.values["random"] has, by letter, the columns of a root of its covariance; the letters' means are their values.
+    """
+    middle = evaluate(expression, point)
+    result = middle
+    for name, columns in point.values["random"].items():
+        for column in columns:
+            for sign in (1, -1):
+                moved = point.changed({name: point.values[name] + column * sign})
+                result = _sum(result, (evaluate(expression, moved) - middle) / 2)
+    return result
 
 
 def _bounded(value, limit):
@@ -120,7 +159,7 @@ def _sum(a, b):
     return a + b
 
 
-def _product(a, b):
+def multiplied(a, b):
     if _shape(a) == _shape(b) == (4, 1):
         return hamilton(a, b)
     if isinstance(a, Matrix) and isinstance(b, Matrix) and a.cols != b.rows:
@@ -128,11 +167,11 @@ def _product(a, b):
     return a * b
 
 
-def _power(base, exponent):
+def power(base, exponent):
     if not exponent.is_Integer:
         return arb(base) ** arb(fmpq(int(exponent.p), int(exponent.q)))
     # Multiplied out: FLINT's own power of a ball at zero knows nothing.
-    result = reduce(_product, [base] * abs(int(exponent)))
+    result = reduce(multiplied, [base] * abs(int(exponent)))
     return result if exponent > 0 else result.inv() if isinstance(result, Matrix) else 1 / result
 
 
@@ -154,22 +193,25 @@ def residual(sides, point: Point) -> list:
     return result
 
 
-def solve(relations, unknown: Mapping[str, int], values: Mapping[str, object]) -> dict:
-    """Values of the letters which linear relations define; `unknown` has the number of components of each.
+def solve(relations, unknown: Mapping[str, Any], values: Mapping[str, Any]) -> dict:
+    """Values of the letters which linear relations define; `unknown` has the number of components or the shape of each.
 
     Raises ValueError or ZeroDivisionError where the relations do not determine them.
     """
-    count = sum(unknown.values())
+    shapes = {name: (shape if isinstance(shape, tuple) else (shape,)) for name, shape in unknown.items()}
+    count, known = sum(map(prod, shapes.values())), Point(values)
 
     def trial(parts) -> dict:
-        rest, result = list(parts), dict(values)
-        for name, size in unknown.items():
-            result[name] = rest[0] if size == 1 else vector(*rest[:size])
-            rest = rest[size:]
+        rest, result = list(parts), {}
+        for name, shape in shapes.items():
+            own, rest = rest[: prod(shape)], rest[prod(shape) :]
+            columns = (*shape, 1)[1]
+            rows = [own[i : i + columns] for i in range(0, len(own), columns)]
+            result[name] = own[0] if len(own) == 1 else Matrix(rows)
         return result
 
     def remainder(parts) -> Matrix:
-        at = Point(trial(parts))
+        at = known.changed(trial(parts))
         return Matrix([entry for relation in relations for entry in residual(relation.sides, at)])
 
     origin = remainder([fmpq(0)] * count)
@@ -177,5 +219,4 @@ def solve(relations, unknown: Mapping[str, int], values: Mapping[str, object]) -
         raise ValueError("a definition must have as many rows as it defines letters")
     columns = [remainder([fmpq(int(i == j)) for i in range(count)]) - origin for j in range(count)]
     jacobian = Matrix([list(row) for row in zip(*columns, strict=True)])
-    found = trial(list(jacobian.solve(-origin)))
-    return {name: found[name] for name in unknown}
+    return trial(list(jacobian.solve(-origin)))

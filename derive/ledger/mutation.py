@@ -4,9 +4,9 @@ A status that is really computed changes with each of them, but for the mutants 
 survives is computed too.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from random import Random
 
@@ -15,11 +15,23 @@ from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
 from sympy.matrices.exceptions import ShapeError
 
-from boresight.derive.ledger.equation import Equation, Quantity, Relation, children, negative, rebuild
+from boresight.derive.ledger.equation import (
+    Derivation,
+    Equation,
+    Line,
+    Quantity,
+    Relation,
+    children,
+    negative,
+    rebuild,
+)
 from boresight.derive.ledger.evaluate import DIGITS, Point, residual
+from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.judge import EXACT, FOURFOLD, FULL, HALF, SEEDS, SMALL, judge, witness_point
+from boresight.derive.ledger.lines import judge_line, line_point
 from boresight.derive.ledger.numbers import Matrix, digits, exact, largest, middle
 from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.passages import judge_passage
 
 SAME = "says the same: equal for any values of the letters"
 ALIAS = "puts another name of the same quantity"
@@ -141,11 +153,60 @@ def survivors(paper: Paper, equation: Equation) -> tuple[int, list[Survivor]]:
         for what, mutant in mutants(form, equation.quantities):
             count += 1
             if judge(paper, equation, mutant).status == verdict.status:
-                found.append(Survivor(equation.number, what, _reason(paper, equation, form, mutant)))
+                free = _free_point(paper, equation)
+                reason = _reason(form, mutant, free, lambda s: witness_point(paper, SEEDS[0], s, equation.small))
+                found.append(Survivor(equation.number, what, reason))
     return count, found
 
 
-def _reason(paper: Paper, equation: Equation, form, mutant) -> str:
+def line_survivors(paper: Paper, equation: Equation, index: int) -> tuple[int, list[Survivor]]:
+    """How many mutants the line `index` of a derivation has, and those that nothing refutes: neither its own claim, nor
+    the passage to it, nor one from it, nor, of a definition, a later line."""
+    one = equation.derivation.steps[index]
+    assert isinstance(one, Line) and one.relation is not None
+    quantities = (*equation.quantities, *paper.letters())
+    count, found = 0, []
+    with digits(DIGITS):
+        for what, (mutant,) in mutants((one.relation,), quantities):
+            count += 1
+            if not line_refuted(paper, equation, index, mutant):
+                reason = _reason(
+                    (one.relation,),
+                    (mutant,),
+                    free_point(paper, SEEDS[0]),
+                    lambda s: line_point(paper, equation, index, s),
+                )
+                found.append(Survivor(f"{equation.number} line {index + 1}", what, reason))
+    return count, found
+
+
+def line_refuted(paper: Paper, equation: Equation, index: int, mutant: Relation) -> bool:
+    """Whether a derivation with another relation in line `index` is refuted."""
+    if not judge_line(paper, equation, index, mutant).holds:
+        return True
+    changed = {index: mutant}
+    for at, step in enumerate(equation.derivation.steps[index:], index):
+        if not isinstance(step, Line) or step.passage is None:
+            continue
+        touched = at == index or str(index + 1) in (step.passage.of, *step.passage.using)
+        before = not step.passage.of and index == max(
+            (i for i in range(at) if equation.derivation.steps[i].formulas), default=-1
+        )
+        if (touched or before) and not judge_passage(paper, equation, at, changed).holds:
+            return True
+    one = equation.derivation.steps[index]
+    if isinstance(one, Line) and one.claim is not None and one.claim.kind == "definition":
+        steps = list(equation.derivation.steps)
+        steps[index] = replace(one, relation=mutant)
+        other = replace(equation, derivation=Derivation(tuple(steps)))
+        later = (i for i, s in enumerate(steps) if i > index and isinstance(s, Line) and s.relation is not None)
+        return any(not judge_line(paper, other, i).holds for i in later)
+    return False
+
+
+def _reason(form, mutant, free: Point, true: Callable[[float], Point]) -> str:
+    """Why a mutant survives; free: values drawn freely, true: those of the witness at a scale of the errors."""
+
     def at(point: Point) -> tuple[list, list]:
         both = ([entry for relation in r for entry in residual(relation.sides, point)] for r in (form, mutant))
         first, second = both
@@ -157,14 +218,11 @@ def _reason(paper: Paper, equation: Equation, form, mutant) -> str:
         )
 
     with suppress(ValueError):  # values drawn freely may not be below their limits
-        if same(*at(_free_point(paper, equation))):
+        if same(*at(free)):
             return SAME
-    if same(*at(witness_point(paper, SEEDS[0], FULL))):
+    if same(*at(true(FULL))):
         return ALIAS
-    small, half = (
-        largest(a - b for a, b in zip(*at(witness_point(paper, SEEDS[0], scale, equation.small)), strict=True))
-        for scale in (SMALL, HALF)
-    )
+    small, half = (largest(a - b for a, b in zip(*at(true(scale)), strict=True)) for scale in (SMALL, HALF))
     return SECOND_ORDER if half <= FOURFOLD * small else UNEXPLAINED
 
 

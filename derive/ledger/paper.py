@@ -1,7 +1,7 @@
 """A paper as a value: its equations, the letters in which they stand, and the witness that judges them."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -44,6 +44,8 @@ class Paper:
     """conditions: the paper's own numbers, for sizes.  point: where the numbers of an erratum are given.
 
     evidence: what the ledger says of an equation beyond its status; findings: what was computed about the text beside.
+    letters: those of the derivations that the paper does not print; structure: what letters are by their nature, see
+    ledger/free.py.
     """
 
     name: str
@@ -55,6 +57,8 @@ class Paper:
     point: Stated
     evidence: Callable[[str], str]
     findings: Callable[[], tuple[str, ...]]
+    letters: Callable[[], tuple[Quantity, ...]] = tuple
+    structure: Mapping[str, Any] = field(default_factory=dict)
 
     @cached_property
     def equations(self) -> tuple[Equation, ...]:
@@ -73,3 +77,15 @@ class Paper:
     def definitions(self) -> dict[str, tuple[Relation, ...]]:
         """What the paper's definitions say, by number, for the witness to take as given."""
         return {equation.number: equation.read() for equation in self.equations if equation.defines}
+
+    def letter(self, name: str) -> Quantity:
+        """The letter of a symbol's name.  Raises KeyError."""
+        return self._letters[name]
+
+    @cached_property
+    def _letters(self) -> dict[str, Quantity]:
+        return {quantity.symbol.name: quantity for quantity in (*self.quantities(), *self.letters())}
+
+    def function(self, name: str) -> Callable:
+        """A letter with arguments, as the witness has it."""
+        return self.witness.at(1, 1.0, (), self.definitions)[name]

@@ -2,11 +2,13 @@
 
 It knows fractions, roots, sines, cosines, tangents, bmatrix (of blocks too), vectors in brackets, transposes, inverses,
 norms, sums over a set of samples, an entry (i,j) of a product, sums and products; every letter must stand in the
-paper's table of quantities.  What it does not know it refuses by name.
+paper's table of quantities.  What it does not know it refuses by name.  In derivations it also knows [a \\times],
+a \\times b, \\exp(A), \\vee(A), \\mathrm{E}[A], and \\flown{name}: the matrix of a function that flies.
 """
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from types import MappingProxyType
 
 from sympy import Function, Integer, Mul, S, StrictLessThan, cos, sin, sqrt, tan
 from sympy.functions.elementary.complexes import transpose
@@ -16,15 +18,40 @@ from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation, as_written, column, matrix, negative, product, total
 
 FUNCTIONS = {r"\sin": sin, r"\cos": cos, r"\tan": tan}
+SKEW, CROSS = Function("skew", commutative=False), Function("cross", commutative=False)
+OPERATORS = {
+    r"\exp": Function("exp", commutative=False),
+    r"\vee": Function("vee", commutative=False),
+    r"\mathrm{E}": Function("E", commutative=False),
+}
 SUM = r"\sum_{k\in\Omega_n}"
 ENTRY = re.compile(r"\((\d),(\d)\)")
-ENDS = ("=", "<", "+", "-", "&", r"\\", r"\end", ")", "]", "}", r"\}", r"\|", r"\leq", ",", ";")  # of a product
+ENDS = (
+    "=",
+    "<",
+    "+",
+    "-",
+    "&",
+    r"\\",
+    r"\end",
+    ")",
+    "]",
+    "}",
+    r"\}",
+    r"\|",
+    r"\leq",
+    r"\times]",
+    ",",
+    ";",
+)  # of a product
 
 
-def read(displays: Iterable[str], quantities: Iterable[Quantity]) -> tuple[Relation, ...]:
+def read(
+    displays: Iterable[str], quantities: Iterable[Quantity], flown: Mapping[str, object] = MappingProxyType({})
+) -> tuple[Relation, ...]:
     """The relations of an equation's displays; a display that begins with an operator continues the one before.
 
-    A side that must be less than something, a = b < c, is read as b < c.
+    A side that must be less than something, a = b < c, is read as b < c.  flown: what \\flown{name} stands for.
     Raises BoresightError at the first piece of LaTeX that is neither structure nor a quantity of the table.
     """
     joined: list[str] = []
@@ -39,7 +66,7 @@ def read(displays: Iterable[str], quantities: Iterable[Quantity]) -> tuple[Relat
         for quantity in quantities
         for mark in (("(", "[") if quantity.function else ("",))
     }
-    return tuple(_Reader(text, table).relation() for text in joined)
+    return tuple(_Reader(text, table, flown).relation() for text in joined)
 
 
 def _rows(display: str) -> Iterator[str]:
@@ -79,8 +106,8 @@ def _minus(term):
 class _Reader:
     """Recursive descent over one display; `at` is the position reached."""
 
-    def __init__(self, text: str, table: dict[str, Quantity]):
-        self.text, self.table, self.at = text, table, 0
+    def __init__(self, text: str, table: dict[str, Quantity], flown: Mapping[str, object]):
+        self.text, self.table, self.flown, self.at = text, table, flown, 0
         # The longest letter first: \hat{\phi}_b before \hat{\phi}.
         self.letters = sorted(table, key=len, reverse=True)
 
@@ -126,6 +153,8 @@ class _Reader:
             entry = ENTRY.match(self.text, self.at)
             if self.take("/"):
                 factors[-1] = factors[-1] / self.factor()
+            elif self.take(r"\times"):
+                factors = [CROSS(product(*factors), self.factor())]
             elif entry:
                 self.at = entry.end()
                 factors = [Function("entry")(product(*factors), *map(Integer, entry.groups()))]
@@ -152,6 +181,15 @@ class _Reader:
             return sqrt(self.group("{", "}"))
         if self.take(r"\begin{bmatrix}"):
             return self.bmatrix()
+        if self.take(r"\flown{"):
+            name, _, _ = self.text[self.at :].partition("}")
+            if name not in self.flown:
+                raise BoresightError(f"nothing that flies is called {name!r}: there are {', '.join(self.flown)}")
+            self.at += len(name) + 1
+            return self.flown[name]
+        for name, function in OPERATORS.items():
+            if self.take(name):
+                return function(self.group("[", "]") if self.ahead("[") else self.group("(", ")"))
         if self.take(SUM):
             return Function("Σ")(self.product())
         if self.ahead(r"\|"):
@@ -161,6 +199,12 @@ class _Reader:
         if self.ahead("("):
             return self.power(self.group("(", ")"))
         if self.ahead("["):
+            start = self.at
+            self.need("[")
+            inside = self.sum()
+            if self.take(r"\times]"):
+                return self.power(SKEW(inside))
+            self.at = start
             items = self.list("[", "]", ";")
             return column(*items) if self.take("^T") else items[0] if len(items) == 1 else matrix([items])
         number = re.compile(r"\d+").match(self.text, self.at)

@@ -8,7 +8,7 @@ psi: the computed level c stands where the computed position is, turned from n b
     dv_c = v_hat - C_n2c v = dv + dtheta x v.
 The position error is the same in both: of the geodetic coordinates, in the frame's order.
 
-Inputs as in derive/mechanization.py; f_n is the specific force in the level.  Blocks are 3x3.
+Inputs as in mechanization.py; f_n is the specific force in the level.  Blocks are 3x3.
 """
 
 from sympy import Matrix, cos, diag, eye, sin, tan, zeros

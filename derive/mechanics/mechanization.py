@@ -1,6 +1,6 @@
 """The strapdown mechanization: exact rates of position, velocity and attitude, and the integrator that follows them.
 
-One derivation for every Frame of derive/earth.py.  position: latitude, longitude and height in the frame's order.
+One derivation for every Frame of earth.py.  position: latitude, longitude and height in the frame's order.
 v_n: velocity over the ground.  q_b2n_wxyz, C_b2n: attitude.  f_n: specific force.  omega_ib_b: angular rate of the body
 against inertial space.
 """

@@ -9,17 +9,13 @@ from html import escape
 from pathlib import Path
 from textwrap import fill
 
-from sympy import S, Symbol
-from sympy.printing.mathml import MathMLPresentationPrinter
-from sympy.printing.precedence import PRECEDENCE
-from sympy.printing.pretty.pretty import PrettyPrinter
-from sympy.printing.pretty.stringpict import prettyForm, stringPict
-
 from boresight import BoresightError
 from boresight.derive.ledger.entries import Entry, entry_of, findings
-from boresight.derive.ledger.equation import Derivation, Equation, Quantity, Relation, holds_matrix, terms
+from boresight.derive.ledger.equation import Derivation, Equation, Quantity, Relation
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.pages.latex import latex_name, latex_relation
+from boresight.derive.pages.mathml import mathml_relation
+from boresight.derive.pages.text import columns, text_relation
 
 FORMATS = ("text", "latex", "html")
 
@@ -49,12 +45,12 @@ def render_equations(
 def render_derivation(title: str, derivation: Derivation, format: str) -> str:
     """A derivation that belongs to no equation of a paper, in one of FORMATS."""
     if format == "text":
-        return "\n".join([title, "=" * len(title), *_text_steps(derivation)]) + "\n"
+        return "\n".join([title, "=" * len(title), *_text_steps(derivation, ())]) + "\n"
     if format == "latex":
         steps = "\n\n".join(_latex_steps(derivation, ()))
         return "\n".join([PREAMBLE, rf"\section*{{{_tex(title)}}}", steps, r"\end{document}", ""])
     if format == "html":
-        return _html_page(title, _html_steps(derivation))
+        return _html_page(title, _html_steps(derivation, ()))
     raise BoresightError(f"no format {format!r}: the formats are {', '.join(FORMATS)} and pdf")
 
 
@@ -90,70 +86,37 @@ def _text(title: str, chosen: list[tuple[Equation, Entry]], remarks: tuple[str, 
 def _text_equation(equation: Equation, entry: Entry) -> str:
     head = f"{equation.paper} ({equation.number})  {_status(entry)}  [source line {_lines(equation)}]"
     same = equation.read() == equation.derived
-    parts = [head, "=" * len(head), "printed" + (" and derived" if same else ""), _pretty_relations(equation.printed)]
+    parts = [
+        head,
+        "=" * len(head),
+        "printed" + (" and derived" if same else ""),
+        _text_relations(equation.printed, equation.quantities),
+    ]
     if not same:
-        parts += ["derived", _pretty_relations(equation.derived)]
-    parts += _text_steps(equation.derivation)
+        parts += ["derived", _text_relations(equation.derived, equation.quantities)]
+    parts += _text_steps(equation.derivation, equation.quantities)
     parts.append(_wrapped(f"evidence: {entry.evidence}.", 2))
     if entry.note:
         parts.append(_wrapped(f"note: {entry.note}", 2))
     return "\n".join(parts) + "\n"
 
 
-def _text_steps(derivation: Derivation) -> list[str]:
+def _text_steps(derivation: Derivation, quantities: Iterable[Quantity]) -> list[str]:
     parts = []
     for i, step in enumerate(derivation.steps, 1):
         parts.append(_wrapped(f"{i}. {step.name}: {step.why}.", 3))
         if step.formulas:
-            parts.append(_pretty_relations(step.formulas))
+            parts.append(_text_relations(step.formulas, quantities))
     return parts
 
 
-def _width() -> int:
-    """Columns of the terminal, or of COLUMNS; 80 in a pipe."""
-    return shutil.get_terminal_size((80, 24)).columns
-
-
 def _wrapped(text: str, indent: int) -> str:
-    return fill(text, _width(), subsequent_indent=" " * indent, break_long_words=False)
+    return fill(text, columns(), subsequent_indent=" " * indent, break_long_words=False)
 
 
-def _pretty_relations(relations: Iterable[Relation]) -> str:
-    return "\n".join(_pretty(relation) for relation in relations)
-
-
-class _Pretty(PrettyPrinter):
-    def _print_MatrixBase(self, expr):
-        # The 1x1 product of a row and a column is added to scalars: no brackets round those.
-        return self._print(expr[0]) if expr.shape == (1, 1) else super()._print_MatrixBase(expr)
-
-    _print_ImmutableDenseMatrix = _print_MatrixBase
-
-    def _print_Symbol(self, expr, bold_name=False):
-        return prettyForm(expr.name)  # names are as a reader wants them: C_b2n, not C with scripts that no font has
-
-    def _print_AppliedUndef(self, expr):
-        return prettyForm(f"{expr.func.__name__}({', '.join(str(argument) for argument in expr.args)})")
-
-    _print_Function = _print_AppliedUndef
-
-
-def _pretty(relation: Relation) -> str:
-    """The chain, broken before a term where a line would be too long."""
-    printer = _Pretty({"order": "none", "use_unicode": True, "wrap_line": False})
-    lines: list[stringPict] = []
-    line: stringPict | None = None
-    for sign, term in terms(relation):
-        piece = printer._print(term)
-        piece = piece if not sign else prettyForm(*stringPict.next(prettyForm(f" {sign} "), piece))
-        joined = piece if line is None else prettyForm(*stringPict.next(line, piece))
-        if line is not None and joined.width() > _width() - 6:
-            lines.append(line)
-            joined = piece
-        line = joined
-    lines += [] if line is None else [line]
-    rows = [row.rstrip() for block in lines for row in block.render(wrap_line=False).splitlines()]
-    return "\n".join("      " + row for row in rows)
+def _text_relations(relations: Iterable[Relation], quantities: Iterable[Quantity]) -> str:
+    shown = (text_relation(relation, quantities, columns() - 6) for relation in relations)
+    return "\n".join(" " * 6 + line for text in shown for line in text.splitlines())
 
 
 # ---- LaTeX ---------------------------------------------------------------------------------------------------------
@@ -255,73 +218,31 @@ def _html_page(title: str, body: str) -> str:
     )
 
 
-def _html_formulas(relations: Iterable[Relation]) -> str:
-    return "".join(_mathml(relation) for relation in relations)
+def _html_formulas(relations: Iterable[Relation], quantities: Iterable[Quantity]) -> str:
+    return "".join(mathml_relation(relation, quantities) for relation in relations)
 
 
-def _html_steps(derivation: Derivation) -> str:
+def _html_steps(derivation: Derivation, quantities: Iterable[Quantity]) -> str:
     steps = (
-        f"<li><em>{escape(step.name)}</em>: {escape(step.why)}.{_html_formulas(step.formulas)}</li>"
+        f"<li><em>{escape(step.name)}</em>: {escape(step.why)}.{_html_formulas(step.formulas, quantities)}</li>"
         for step in derivation.steps
     )
     return f"<ol>{''.join(steps)}</ol>"
 
 
 def _html_equation(equation: Equation, entry: Entry) -> str:
+    letters = equation.quantities
     note = f"<p>Note: {escape(entry.note)}</p>" if entry.note else ""
     return (
         f'<section id="eq-{escape(equation.number)}"><h2>({escape(equation.number)}) '
         f'<span class="{escape(entry.status)}">{escape(_status(entry))}</span></h2>\n'
-        f'<div class="pair"><div>Printed, source line {_lines(equation)}{_html_formulas(equation.printed)}</div>\n'
-        f"<div>Derived{_html_formulas(equation.derived)}</div></div>\n"
-        f"{_html_steps(equation.derivation)}\n<p>Evidence: {escape(entry.evidence)}.</p>\n{note}"
+        f'<div class="pair"><div>Printed, source line {_lines(equation)}'
+        f"{_html_formulas(equation.printed, letters)}</div>\n"
+        f"<div>Derived{_html_formulas(equation.derived, letters)}</div></div>\n"
+        f"{_html_steps(equation.derivation, letters)}\n<p>Evidence: {escape(entry.evidence)}.</p>\n{note}"
         f"<details><summary>LaTeX of the source</summary><pre>{escape(chr(10).join(equation.latex))}</pre></details>"
         "</section>"
     )
-
-
-class _MathML(MathMLPresentationPrinter):
-    def __init__(self) -> None:
-        super().__init__({"order": "none", "mat_delim": "["})
-
-    def _print_Symbol(self, sym, style="plain"):
-        return super()._print_Symbol(Symbol(re.sub(r"_(\w'?)2(\w'?)$", r"_\1^\2", sym.name)), style)
-
-    def _print_Mul(self, expr):
-        if not holds_matrix(expr):
-            return super()._print_Mul(expr)
-        row = self.dom.createElement("mrow")
-        for factor in expr.args:
-            if factor == S.NegativeOne:
-                operator = self.dom.createElement("mo")
-                operator.appendChild(self.dom.createTextNode("-"))
-                row.appendChild(operator)
-            else:
-                row.appendChild(self.parenthesize(factor, PRECEDENCE["Mul"]))
-        return row
-
-    def _print_StrictLessThan(self, expr):
-        row = self.dom.createElement("mrow")
-        operator = self.dom.createElement("mo")
-        operator.appendChild(self.dom.createTextNode("&lt;"))  # SymPy writes text as it is
-        for part in (self._print(expr.lhs), operator, self._print(expr.rhs)):
-            row.appendChild(part)
-        return row
-
-    def _print_MatrixBase(self, m):
-        return self._print(m[0]) if m.shape == (1, 1) else super()._print_MatrixBase(m)
-
-    _print_ImmutableDenseMatrix = _print_MatrixBase
-
-
-def _mathml(relation: Relation) -> str:
-    printer = _MathML()
-    row = ""
-    for sign, term in terms(relation):
-        if sign:
-            row += f"<mo>{'&#8722;' if sign == '-' else sign}</mo>"
-        row += printer._print(term).toxml()
-    return f'<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow>{row}</mrow></math>'
 
 
 # ---- Shared --------------------------------------------------------------------------------------------------------

@@ -58,7 +58,7 @@ def test_the_generated_folder_of_the_checkout_is_found_from_any_folder(place, tm
 
 def test_an_edited_sign_changes_that_function_alone_and_moves_the_filter(checkout, library):
     copy, run = checkout
-    source = copy / "derive" / "papers" / "song_lee_2001.py"
+    source = copy / "derive" / "papers" / "song_lee_2001" / "results.py"
     text = source.read_text()
     right = "euler_D_eps(theta_b, psi_b), -euler_D_beta(phi_r, theta_r)"
     assert text.count(right) == 1
@@ -114,7 +114,7 @@ def test_what_is_committed_is_known_to_be_up_to_date_without_being_made(checkout
 
 def test_a_forged_stamp_deceives_generate_but_no_check(checkout):
     copy, run = checkout
-    source = copy / "derive" / "papers" / "song_lee_2001.py"
+    source = copy / "derive" / "papers" / "song_lee_2001" / "results.py"
     text = source.read_text()
     source.write_text(text.replace("-euler_D_beta(phi_r, theta_r)", "euler_D_beta(phi_r, theta_r)"))
     path = copy / "generated" / "euler_matching" / "manifest.json"

@@ -1,49 +1,24 @@
-"""The ledger of Kim 2018: statuses, orders, mutations, functions against the witness, and what wrong signs do."""
+"""Kim 2018: functions against the witness, and what wrong signs and dropped terms do."""
 
-from dataclasses import replace
 from itertools import product
 
 import pytest
-from flint import arb
 from sources import needs_source, source
 from sympy import Float
 from sympy import Matrix as Symbols
+from witnessed import numbers, symbols_at
 
-from boresight import BoresightError
-from boresight.derive.ledger import entries as led
-from boresight.derive.ledger.entries import equations, findings, judge, ledger
-from boresight.derive.ledger.evaluate import DIGITS, residual
-from boresight.derive.ledger.numbers import Matrix, cos, digits, exact, largest, middle
-from boresight.derive.papers.kim_2018 import printed
-from boresight.derive.papers.kim_2018 import results as paper
-from boresight.derive.papers.kim_2018 import witness as world
+from boresight.derive.ledger.entries import findings, ledger
+from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate, residual
+from boresight.derive.ledger.judge import witness_point
+from boresight.derive.ledger.numbers import cos, exact, largest, middle
+from boresight.derive.ledger.witness import draw, finite_rotation
+from boresight.derive.papers import paper
+from boresight.derive.papers.kim_2018 import consequences, printed, results, witness
 
-PAPER = "kim-2018"
-EQUATIONS = {equation.number: equation for equation in equations(PAPER)}
-EXPECTED = {
-    "exact": ["3", "13", "14", "15", "24", "25", "26", "31"],
-    "first-order": ["2", "7", "10", "12", "18", "19"],
-    "definition": ["1", "8", "16", "22", "27", "28", "30"],
-}
-ERRATA = {
-    "4": ("structure", "print"),
-    "5": ("letter", "undecidable"),
-    "6": ("structure", "print"),
-    "9": ("structure", "print"),
-    "11": ("sign", "print"),
-    "17": ("shape", "print"),
-    "20": ("structure", "print"),
-    "21": ("letter", "undecidable"),
-    "23": ("shape", "print"),
-    "29": ("structure", "print"),
-    "32": ("structure", "print"),
-}
+PAPER = paper("kim-2018")
 
-
-@pytest.fixture(autouse=True)
-def many_digits():
-    with digits(DIGITS):
-        yield
+pytestmark = pytest.mark.usefixtures("many_digits")
 
 
 @pytest.fixture(scope="module")
@@ -51,56 +26,17 @@ def entries():
     return {entry.number: entry for entry in ledger(PAPER)}
 
 
-def values(seed=1, scale=1.0, small=()):
-    return led.witness_point(PAPER, seed, scale, small).values
+def values(seed=1, scale=1.0):
+    return witness_point(PAPER, seed, scale).values
 
 
-def symbols_at(vector):
-    """Numbers of the witness as SymPy's, all digits kept."""
-    return Symbols([Float(middle(entry), DIGITS) for entry in vector])
-
-
-def numbers(M):
-    return Matrix([[arb(str(entry.evalf(DIGITS))) for entry in M.row(i)] for i in range(M.rows)])
+def base():
+    return draw(witness.Base, 1, witness.Conditions())
 
 
 def apart(ours, theirs):
     """The largest difference of two matrices, as a share of the largest entry."""
     return largest(ours - theirs) / largest(theirs)
-
-
-# ---- The ledger ------------------------------------------------------------------------------------------------------
-
-
-def test_every_equation_has_its_status_kind_and_origin(entries):
-    assert list(entries) == [str(n) for n in range(1, 33)]
-    for status, which in EXPECTED.items():
-        assert [n for n, entry in entries.items() if entry.status == status] == which
-    assert {n: (e.kind, e.origin) for n, e in entries.items() if e.status == "erratum"} == ERRATA
-    for entry in entries.values():
-        assert all(isinstance(value, str) for value in entry.to_dict().values())
-
-
-@pytest.mark.parametrize("number", [*EXPECTED["first-order"], "4", "5", "9", "11", "20", "29"])
-def test_remainder_of_the_derived_form_falls_fourfold_when_errors_are_halved(number):
-    equation = EQUATIONS[number]
-    sizes = []
-    for scale in (1e-3, 5e-4):
-        point = led.witness_point(PAPER, 11, scale, equation.small)
-        sizes.append(largest(x for relation in equation.derived for x in residual(relation.sides, point)))
-    assert sizes[0] / sizes[1] == pytest.approx(4, rel=0.02)
-
-
-def test_azimuth_residual_has_no_second_order():
-    (relation,) = EQUATIONS["21"].derived
-    sizes = [abs(middle(residual(relation.sides, led.witness_point(PAPER, 11, scale))[0])) for scale in (1e-3, 5e-4)]
-    assert sizes[0] / sizes[1] == pytest.approx(8, rel=0.02)
-
-
-def test_a_reading_is_there_only_because_the_letter_as_printed_fails():
-    assert {n for n, equation in EQUATIONS.items() if equation.readings} == {"2", "12", "27"}
-    for number in ("2", "12", "27"):
-        assert judge(EQUATIONS[number], EQUATIONS[number].printed).status == "refuted"
 
 
 def test_no_choice_of_rho_saves_the_position_rows():
@@ -112,8 +48,8 @@ def test_no_choice_of_rho_saves_the_position_rows():
     for rho_e, rho_n in product(choices, repeat=2):
         sizes = []
         for point in points:
-            changed = led.Point(dict(point) | {"ρ_e": rho_e, "ρ_n": rho_n})
-            sizes.append(max(abs(residual(r.sides, changed)[0]) for r in EQUATIONS["9"].printed))
+            changed = Point(dict(point) | {"ρ_e": rho_e, "ρ_n": rho_n})
+            sizes.append(max(abs(residual(r.sides, changed)[0]) for r in PAPER.equation("9").printed))
         saved.append(sizes[1] < 0.3 * sizes[0])
     assert len(saved) == 16 and not any(saved)
 
@@ -123,14 +59,14 @@ def test_no_choice_of_rho_saves_the_position_rows():
 
 @pytest.fixture
 def truth():
-    return world.truth(world.draw(1, world.Conditions()))
+    return witness.truth(base())
 
 
 def test_system_matrix_of_fifteen_states_is_the_derivative_of_the_exact_rates(truth):
     v = values()
     parts = [symbols_at(x) for x in (truth.position, truth.v_n)]
     C = Symbols(3, 3, symbols_at(truth.C))
-    F = numbers(paper.hold_matrix(*parts, C, symbols_at(v["f_n"])))
+    F = numbers(results.hold_matrix(*parts, C, symbols_at(v["f_n"])))
     for i, j in product(range(0, 15, 3), repeat=2):
         ours, theirs = (M[i : i + 3, j : j + 3] for M in (F, v["F_k"]))
         assert largest(ours - theirs) <= 1e-25 * largest(theirs), (i, j)
@@ -139,44 +75,45 @@ def test_system_matrix_of_fifteen_states_is_the_derivative_of_the_exact_rates(tr
 def test_system_matrix_of_ten_states_is_the_derivative_of_the_psi_rates(truth):
     v = values()
     parts = [symbols_at(x) for x in (truth.position, truth.v_n, v["f_n"])]
-    assert apart(numbers(paper.transfer_matrix(*parts)), v["F_X"]) < 1e-25
+    assert apart(numbers(results.transfer_matrix(*parts)), v["F_X"]) < 1e-25
 
 
 def test_measurement_matrices_are_derivatives_of_the_residuals(truth):
     v = values()
     C_r2n = Symbols(3, 3, symbols_at(v["C_r2n"]))
-    H = paper.transfer_measurement_matrix(C_r2n, symbols_at(v["v̇"]), -symbols_at(v["d"]))
+    H = results.transfer_measurement_matrix(C_r2n, symbols_at(v["v̇"]), -symbols_at(v["d"]))
     assert apart(numbers(H), v["H_X"]) < 1e-25
-    assert apart(numbers(paper.hold_measurement_matrix()), v["H_k"]) < 1e-25
-    assert apart(numbers(paper.zero_velocity_matrix()), v["H_v"]) < 1e-25
+    assert apart(numbers(results.hold_measurement_matrix()), v["H_k"]) < 1e-25
+    assert apart(numbers(results.zero_velocity_matrix()), v["H_v"]) < 1e-25
 
 
 def test_d_is_how_the_level_turns_against_the_master(truth):
-    v, base = values(), world.draw(1, world.Conditions())
-    omega_nr = v["C_r2n"] * (world.finite_rotation(base.mounting) * truth.omega) - truth.exact.omega_in_n
+    v = values()
+    omega_nr = v["C_r2n"] * (finite_rotation(base().mounting) * truth.omega) - truth.exact.omega_in_n
     assert apart(-omega_nr, v["d"]) < 1e-25
 
 
 def test_residuals_and_quaternion_error_are_those_of_the_witness():
     v = values()
     hats = [Symbols(3, 3, symbols_at(v[name])) for name in ("Ĉ_r2n", "Ĉ_b2r", "Ĉ_n2b")]
-    Z = paper.attitude_residual(*hats[:2], hats[2].T)
+    Z = results.attitude_residual(*hats[:2], hats[2].T)
     assert apart(numbers(Z), v["Z_dcm"]) < 1e-25
-    assert apart(numbers(paper.velocity_residual(*(symbols_at(v[n]) for n in ("v̂_SINS", "v̂_MINS")))), v["Z_v"]) < 1e-25
+    assert (
+        apart(numbers(results.velocity_residual(*(symbols_at(v[n]) for n in ("v̂_SINS", "v̂_MINS")))), v["Z_v"]) < 1e-25
+    )
     small = values(scale=1e-9)
     q = symbols_at(small["Q̂_b2n"])
-    assert apart(numbers(paper.quaternion_error(q, symbols_at(small["φ"]))), small["ΔQ"]) < 1e-9
+    assert apart(numbers(results.quaternion_error(q, symbols_at(small["φ"]))), small["ΔQ"]) < 1e-9
     M = [Symbols(3, 3, symbols_at(small[n])) for n in ("C_b2p", "C̄_n2b")]
-    assert float(paper.azimuth_error(*M)) == pytest.approx(float(small["φ_u"]), rel=1e-15)
+    assert float(results.azimuth_error(*M)) == pytest.approx(float(small["φ_u"]), rel=1e-15)
 
 
 def test_detector_statistics_are_those_of_the_pairs():
-    base = world.draw(1, world.Conditions())
-    window = range(world.WINDOW_AT, world.WINDOW_AT + world.WINDOW_OF)
-    a, w = zip(*(map(symbols_at, world._outputs(base, k)) for k in window), strict=True)
+    window = range(witness.WINDOW_AT, witness.WINDOW_AT + witness.WINDOW_OF)
+    a, w = zip(*(map(symbols_at, witness._outputs(base(), k)) for k in window), strict=True)
     v = values()
-    assert abs(Float(middle(v["T_a"]), DIGITS) - paper.moving_deviation(a)) < 1e-28
-    assert abs(Float(middle(v["T_w"]), DIGITS) - paper.moving_mean(w)) < 1e-28
+    assert abs(Float(middle(v["T_a"]), DIGITS) - results.moving_deviation(a)) < 1e-28
+    assert abs(Float(middle(v["T_w"]), DIGITS) - results.moving_mean(w)) < 1e-28
 
 
 # ---- What wrong signs and dropped terms do ---------------------------------------------------------------------------
@@ -184,46 +121,45 @@ def test_detector_statistics_are_those_of_the_pairs():
 
 def test_printed_sign_of_11_turns_schulers_oscillation_into_growth(entries):
     radius = 6.371e6
-    assert world._growth(1) < 1e-20
-    assert float(world._growth(-1)) == pytest.approx((world.G / radius) ** 0.5, rel=0.01)
+    assert consequences._growth(1) < 1e-20
+    assert float(consequences._growth(-1)) == pytest.approx((witness.G / radius) ** 0.5, rel=0.01)
     assert "errors grow e-fold in 807 s" in entries["11"].evidence
 
 
 def test_delay_column_of_6_doubles_a_level_delay_and_does_not_see_a_vertical_one():
-    assert world.delay_estimate("derived") == pytest.approx((0.05, 0.05))
-    level, vertical = world.delay_estimate("printed")
+    assert consequences.delay_estimate("derived") == pytest.approx((0.05, 0.05))
+    level, vertical = consequences.delay_estimate("printed")
     assert level == pytest.approx(-0.05)
     assert abs(vertical) < 0.01 * 0.05
 
 
 def test_half_of_the_residual_holds_twice_the_azimuth_error():
-    assert world.held_azimuth(0.5) == pytest.approx(2 * world.held_azimuth(1), rel=0.1)
+    assert consequences.held_azimuth(0.5) == pytest.approx(2 * consequences.held_azimuth(1), rel=0.1)
 
 
 def test_feedback_as_printed_doubles_the_error_or_turns_the_attitude_round():
-    left = {name: float(value) for name, value in world.feedback_readings().items()}
+    left = {name: float(value) for name, value in consequences.feedback_readings().items()}
     assert left["[1, -φ/2] for ΔQ"] == pytest.approx(2 * left["nothing"], rel=1e-4)
     assert left["a 0 put before φ, the product kept"] > 2.5
     assert left["the sum, as derived"] < 1e-5 * left["nothing"]
 
 
 def test_first_order_transition_drops_four_orders_more_at_1_hz_than_at_100_hz():
-    fast, slow = world.transition_error(exact("0.01")), world.transition_error(exact(1))
+    fast, slow = consequences.transition_error(exact("0.01")), consequences.transition_error(exact(1))
     assert float(slow["velocity from gyro bias"]) == pytest.approx(9.8 / 2, rel=0.01)
     for block in ("velocity from gyro bias", "velocity from attitude", "attitude from attitude"):
         assert float(slow[block] / fast[block]) == pytest.approx(1e4, rel=0.01)
 
 
 def test_position_rows_as_printed_differ_by_what_the_evidence_says(entries):
-    base = world.STATED
-    v = world.world(base, led._definitions(PAPER))
+    v = witness.values(witness.STATED, PAPER.definitions)
     lon, lat, _ = (
-        (p.sides[1], d.sides[1]) for p, d in zip(EQUATIONS["9"].printed, EQUATIONS["9"].derived, strict=True)
+        (p.sides[1], d.sides[1]) for p, d in zip(PAPER.equation("9").printed, PAPER.equation("9").derived, strict=True)
     )
-    point = led.Point(v)
+    point = Point(v)
     metres = [(v["R_E"] + v["h"]) * cos(v["L"]), v["R_N"] + v["h"]]
     east, north = (
-        float(1000 * (led.evaluate(p, point) - led.evaluate(d, point)) * m)
+        float(1000 * (evaluate(p, point) - evaluate(d, point)) * m)
         for (p, d), m in zip((lon, lat), metres, strict=True)
     )
     assert f"{east:.3g} m into the longitude" in entries["9"].evidence
@@ -232,20 +168,11 @@ def test_position_rows_as_printed_differ_by_what_the_evidence_says(entries):
 
 def test_printed_window_shrinks_and_ends(entries):
     """(32): N - n samples for a sum that is divided by N."""
-    window = EQUATIONS["32"].printed[1].sides[1]
+    window = PAPER.equation("32").printed[1].sides[1]
     for n, N in ((0, 5), (2, 4), (3, 3), (5, 4)):
-        point = led.Point({"n": exact(n), "N": exact(N), "l": 0, "index": 0, "samples": world._between})
-        assert sum(led.evaluate(window, point)) == len(world.printed_window(n, N))
+        point = Point({"n": exact(n), "N": exact(N), "l": 0, "index": 0, "samples": witness._between})
+        assert sum(evaluate(window, point)) == len(consequences.printed_window(n, N))
     assert "50 samples at n = 50" in entries["32"].evidence and "0 from n = 100 on" in entries["32"].evidence
-
-
-def test_a_wrong_derivation_is_refused(monkeypatch):
-    """With the printed sign taken for derived, (11) would accuse itself."""
-    eleven = EQUATIONS["11"]
-    monkeypatch.setattr(paper, "equations", lambda: (replace(eleven, derived=eleven.printed),))
-    led._own_definitions(PAPER)  # of the whole paper, before it is cut down
-    with pytest.raises(BoresightError, match=r"\(11\): the derived form itself is refuted"):
-        ledger(PAPER)
 
 
 def test_findings_name_the_text_beside_the_equations():
@@ -259,7 +186,7 @@ def test_findings_name_the_text_beside_the_equations():
 
 @needs_source
 def test_text_between_the_equations_stands_at_its_lines():
-    lines = source(PAPER)
+    lines = source(PAPER.name)
     for line, text in (printed.WINDOW, printed.DETECTORS):
         assert text in lines[line - 1]
     first, last = printed.TABLE_1_LINES

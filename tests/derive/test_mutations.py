@@ -5,8 +5,8 @@ from functools import cache
 
 import pytest
 
-from boresight.derive.ledger.entries import equations
 from boresight.derive.ledger.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED, mutants, survivors
+from boresight.derive.papers import paper
 
 # number: (mutants, survivors that say the same, that put another name, that differ in second order).
 # (26) to (28) have a zero entry in each row: whatever it multiplies may change.
@@ -84,20 +84,20 @@ KANG = {
     "6": (15, 0, 0, 0),
 }
 EXPECTED = {"song-lee-2001": SONG_LEE, "kim-2018": KIM, "kang-2025": KANG}
-BY_NUMBER = {paper: {equation.number: equation for equation in equations(paper)} for paper in EXPECTED}
 
 
 @cache
-def count_and_survivors(paper, number):
-    return survivors(BY_NUMBER[paper][number])
+def count_and_survivors(name, number):
+    one = paper(name)
+    return survivors(one, one.equation(number))
 
 
-@pytest.mark.parametrize(("paper", "number"), [(paper, number) for paper in BY_NUMBER for number in BY_NUMBER[paper]])
-def test_every_single_mutation_changes_the_status_or_says_the_same(paper, number):
-    count, found = count_and_survivors(paper, number)
+@pytest.mark.parametrize(("name", "number"), [(name, number) for name in EXPECTED for number in EXPECTED[name]])
+def test_every_single_mutation_changes_the_status_or_says_the_same(name, number):
+    count, found = count_and_survivors(name, number)
     reasons = Counter(survivor.reason for survivor in found)
     assert not reasons[UNEXPLAINED], [survivor for survivor in found if survivor.reason == UNEXPLAINED]
-    assert (count, reasons[SAME], reasons[ALIAS], reasons[SECOND_ORDER]) == EXPECTED[paper][number]
+    assert (count, reasons[SAME], reasons[ALIAS], reasons[SECOND_ORDER]) == EXPECTED[name][number]
 
 
 def test_no_changed_sign_function_transpose_or_order_survives_but_of_what_is_zero_or_one():
@@ -114,5 +114,5 @@ def test_mutants_cover_each_class():
 
 
 def _mutants(number):
-    equation = BY_NUMBER["song-lee-2001"][number]
+    equation = paper("song-lee-2001").equation(number)
     return mutants(equation.read(), equation.quantities)

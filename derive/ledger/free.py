@@ -1,0 +1,91 @@
+"""Free values: every letter drawn by itself, as if no equation held, but of its class and with its parts.
+
+A paper's `structure` says what a letter is by its nature: a rotation, the transpose of another, the skew matrix of a
+vector, a vector of components.  All else is a number, or a matrix of numbers, of its shape.
+"""
+
+import random
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any
+
+from boresight.derive.ledger.evaluate import Point
+from boresight.derive.ledger.numbers import Matrix, exact, eye
+from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.witness import finite_rotation, uniform
+
+
+@dataclass(frozen=True)
+class Of:
+    """A letter that is a function of others, named by their symbols."""
+
+    letters: tuple[str, ...]
+    function: Callable
+
+
+def of(letters: str, function: Callable) -> Of:
+    return Of(tuple(letters.split("|")), function)
+
+
+def rotation(generator: random.Random) -> Matrix:
+    return finite_rotation(uniform(generator, "1.2"))
+
+
+def positive(size: int) -> Callable[[random.Random], Matrix]:
+    """Symmetric and positive definite."""
+
+    def drawn(generator: random.Random) -> Matrix:
+        root = Matrix([[exact(generator.uniform(-1, 1)) for _ in range(size)] for _ in range(size)])
+        return root * root.T + eye(size)
+
+    return drawn
+
+
+@dataclass
+class Free(Mapping):
+    """Values by name, drawn when asked for; the same seed gives a letter the same value, whatever is asked before.
+
+    changes: letters that have been given a value; those made of them follow.
+    """
+
+    paper: Paper
+    seed: int
+    changes: Mapping[str, Any] = field(default_factory=dict)
+    made: dict[str, Any] = field(default_factory=dict)
+
+    def __getitem__(self, name: str) -> Any:
+        if name in self.changes:
+            return self.changes[name]
+        if name not in self.made:
+            self.made[name] = self._make(name)
+        return self.made[name]
+
+    def _make(self, name: str) -> Any:
+        generator = random.Random(f"{name} {self.seed}")
+        rule = self.paper.structure.get(name)
+        if isinstance(rule, Of):
+            return rule.function(*(self[letter] for letter in rule.letters))
+        if rule is not None:
+            return rule(generator)
+        letter = self.paper.letter(name)
+        if letter.function:
+            return self.paper.function(name)
+        if not letter.shape:
+            return exact(generator.uniform(0.2, 1.2))
+        rows, columns = (*letter.shape, 1)[:2]
+        return Matrix([[exact(generator.uniform(0.2, 1.2)) for _ in range(columns)] for _ in range(rows)])
+
+    def changed(self, values: Mapping[str, Any]) -> "Free":
+        return Free(self.paper, self.seed, {**self.changes, **values})
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.made)
+
+    def __len__(self) -> int:
+        return len(self.made)
+
+
+@cache
+def free_point(paper: Paper, seed: int) -> Point:
+    return Point(Free(paper, seed))

@@ -1,0 +1,304 @@
+"""Lines of a derivation: how they are written and read, and the judge of what each claims of itself.
+
+A line is LaTeX in the paper's letters.  It is evaluated at the witness, where the value of each letter comes from
+kinematics and never from the line; only a definition gives its letter the value of its right side.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from types import MappingProxyType
+from typing import Any
+
+import mpmath as mp
+from sympy import Function
+
+from boresight import BoresightError
+from boresight.derive.ledger.equation import Claim, Derivation, Equation, Line, Passage, Quantity, Relation, total
+from boresight.derive.ledger.evaluate import Point, evaluate, residual
+from boresight.derive.ledger.free import free_point
+from boresight.derive.ledger.judge import EXACT, FULL, SEEDS, names, witness_point
+from boresight.derive.ledger.numbers import Matrix, middle
+from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.reader import read
+
+SCALES = (1e-6, 5e-7, 2.5e-7)  # each half of the one before
+SLACK = mp.mpf("1.001")  # of the ratio that an order asks for: the next order is below 1e-6 of it
+
+
+# ---- Writing ---------------------------------------------------------------------------------------------------------
+
+EXACT_LINE = Claim("exact")
+DEFINITION = Claim("definition")
+IDENTITY = Claim("identity")
+
+
+def first_order(*small: str) -> Claim:
+    """Right to first order in these parts of the conditions; in the equation's own if none is named."""
+    return Claim("first-order", small)
+
+
+def of_order(order: int, part: str) -> Claim:
+    """Right through this order in one part, a step or a delay."""
+    return Claim("order", (part,), order)
+
+
+def limit(*small: str) -> Claim:
+    """A limit: what differs vanishes with these parts."""
+    return Claim("limit", small)
+
+
+def approximately(dropped: str, condition: str, *small: str) -> Claim:
+    """Right, exactly or to first order in the parts `small` if any, with the LaTeX term `dropped` on the right side."""
+    return Claim("approximation", small, dropped=dropped, condition=condition)
+
+
+def line(latex: str, claim: Claim, why: str, passage: Passage | None = None, *, result: bool = False) -> Line:
+    return Line(latex, claim, why, passage, result)
+
+
+def prose(why: str) -> Line:
+    """A remark: it proves nothing."""
+    return Line("", None, why)
+
+
+def read_lines(
+    lines: Iterable[Line],
+    quantities: Iterable[Quantity],
+    flown: Mapping[str, object] = MappingProxyType({}),
+) -> tuple[Line, ...]:
+    """The lines with their relations; one line is one relation, a chain of sides that are equal."""
+    quantities, result = tuple(quantities), []
+    for one in lines:
+        if one.latex:
+            relations = read((one.latex,), quantities, flown)
+            if len(relations) != 1:
+                raise BoresightError(f"{one.latex!r} is {len(relations)} relations: write a line for each")
+            one = replace(one, relation=relations[0])
+        result.append(one)
+    return tuple(result)
+
+
+# ---- Judging ---------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class LineVerdict:
+    """Whether it holds; why not, or what was seen; size of the term that is dropped, SI, at the paper's numbers."""
+
+    holds: bool
+    why: str
+    size: str = ""
+
+
+def judge_line(paper: Paper, equation: Equation, index: int, relation: Relation | None = None) -> LineVerdict:
+    """The verdict on the claim of step `index`, or on another relation in its place."""
+    one = equation.derivation.steps[index]
+    assert isinstance(one, Line) and one.claim is not None and one.relation is not None
+    relation = one.relation if relation is None else relation
+    try:
+        return _judged(paper, equation, one.claim, relation, _given(equation, index))
+    except (ValueError, KeyError, ZeroDivisionError, BoresightError, TypeError) as error:
+        return LineVerdict(False, f"it has no meaning: {error.args[0] if error.args else error}")
+
+
+def _given(equation: Equation, index: int) -> tuple[Relation, ...]:
+    """The definitions of this derivation's earlier lines, in order."""
+    earlier = (step for step in equation.derivation.steps[:index] if isinstance(step, Line))
+    return tuple(one.relation for one in earlier if one.relation and one.claim and one.claim.kind == "definition")
+
+
+def _at(paper: Paper, seed: int, scale: float, small: tuple[str, ...], given: Iterable[Relation]) -> Point:
+    point = witness_point(paper, seed, scale, small)
+    for definition in given:
+        point = point.changed({definition.sides[0].name: evaluate(definition.sides[-1], point)})
+    return point
+
+
+def line_point(paper: Paper, equation: Equation, index: int, scale: float) -> Point:
+    """The witness's values at which line `index` is judged, with the definitions before it."""
+    one = equation.derivation.steps[index]
+    assert isinstance(one, Line) and one.claim is not None
+    return _at(paper, SEEDS[0], scale, one.claim.small or equation.small, _given(equation, index))
+
+
+def _judged(paper: Paper, equation: Equation, claim: Claim, relation: Relation, given: tuple) -> LineVerdict:
+    if any(left == right for left, right in pairwise(relation.sides)):
+        return LineVerdict(False, "both sides are written the same")
+    small = claim.small or equation.small
+
+    def point(seed: int, scale: float, parts: tuple[str, ...] = small) -> Point:
+        return _at(paper, seed, scale, parts, given)
+
+    if claim.kind == "definition":
+        letter = relation.sides[0]
+        if not letter.is_Symbol:
+            return LineVerdict(False, f"{letter} is no letter")
+        if letter.name in names((Relation(relation.sides[1:]),)):
+            return LineVerdict(False, f"{letter} is defined by itself")
+        for definition in given:
+            if definition.sides[0] == letter:
+                return LineVerdict(False, f"{letter} was defined before")
+        if _known(letter.name, point(SEEDS[0], FULL)):
+            return LineVerdict(False, f"the witness has a value for {letter}: the line is no definition")
+        evaluate(relation.sides[-1], point(SEEDS[0], FULL))
+        if len(relation.sides) > 2:
+            rest = _exactly(Relation(relation.sides[1:]), (point(seed, FULL) for seed in SEEDS))
+            if not rest.holds:
+                return rest
+        return LineVerdict(True, f"gives {letter} its value")
+    if claim.kind == "identity":
+        free = (free_point(paper, seed) for seed in SEEDS)
+        return _exactly(relation, free)
+    if claim.kind == "exact":
+        return _exactly(relation, (point(seed, FULL) for seed in SEEDS))
+    if claim.kind == "approximation":
+        (dropped,) = read((claim.dropped,), (*paper.quantities(), *paper.letters()))
+        (term,) = dropped.sides
+        whole = Relation((relation.sides[0], total(relation.sides[-1], term)))
+        verdict = _falls(whole, point, 2) if claim.small else _exactly(whole, (point(seed, FULL) for seed in SEEDS))
+        if _exactly(relation, (point(seed, FULL) for seed in SEEDS)).holds:
+            return LineVerdict(False, "nothing is dropped")
+        return replace(verdict, size=_size(paper, term, given))
+    power = {"first-order": 2, "limit": 1}.get(claim.kind, claim.order + 1)
+    return _falls(relation, point, power)
+
+
+def _known(name: str, point: Point) -> bool:
+    try:
+        return point.values[name] is not None
+    except KeyError:
+        return False
+
+
+def _exactly(relation: Relation, points: Iterable[Point]) -> LineVerdict:
+    for point in points:
+        worst = max(abs(middle(entry)) for entry in residual(relation.sides, point))
+        if worst > EXACT:
+            return LineVerdict(False, f"the sides differ by {mp.nstr(worst, 3)}")
+    return LineVerdict(True, "both sides agree to 28 digits")
+
+
+def _falls(relation: Relation, point, power: int) -> LineVerdict:
+    """Row by row: the remainder falls 2^power-fold when the errors are halved, twice; and what is claimed is not zero.
+
+    A row of which neither side changes with the errors by less than that power is no statement; one row must be.
+    """
+    most, stated = SLACK / 2**power, False
+    for seed in SEEDS:
+        at = [point(seed, scale) for scale in SCALES]
+        rows = list(zip(*([middle(entry) for entry in residual(relation.sides, p)] for p in at), strict=True))
+        for k, row in enumerate(rows):
+            for larger, smaller in pairwise(map(abs, row)):
+                if larger > EXACT and smaller > most * larger:
+                    left = f"{mp.nstr(smaller / larger, 4)} of the difference in row {k + 1}"
+                    return LineVerdict(False, f"halving the errors leaves {left}")
+        sides = list(zip(*(_entries(relation.sides[-1], p) for p in at), strict=True))
+        stated |= any(_moves(values, most) for values in sides)
+    if not stated:
+        return LineVerdict(False, "the part that it states is zero")
+    return LineVerdict(True, f"the remainder falls {2**power}-fold when the errors are halved")
+
+
+def _entries(side, point: Point) -> list:
+    value: Any = evaluate(side, point)
+    return [middle(entry) for entry in (value if isinstance(value, Matrix) else [value])]
+
+
+def _moves(values: tuple, most) -> bool:
+    """Whether an entry has a part that falls more slowly than what is dropped."""
+    first, second = abs(values[0] - values[1]), abs(values[1] - values[2])
+    return abs(values[0]) > EXACT if first <= EXACT else second > most * first
+
+
+def _size(paper: Paper, term, given: tuple) -> str:
+    from boresight.derive.ledger.entries import paper_points
+
+    worst = mp.mpf(0)
+    for point in paper_points(paper):
+        for definition in given:
+            point = point.changed({definition.sides[0].name: evaluate(definition.sides[-1], point)})
+        worst = max(worst, *(abs(entry) for entry in _entries(term, point)))
+    return mp.nstr(worst, 3)
+
+
+# ---- Equations from lines --------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Derived:
+    """What is written of one equation beside its print: its derivation, and the fields of the Equation by their names.
+
+    as_vector: a matrix which the print sets equal to a vector is read as the vector of its skew-symmetric part.
+    """
+
+    lines: tuple[Line, ...]
+    more: Mapping[str, Any]
+    as_vector: bool = False
+
+
+def derived(*lines: Line, as_vector: bool = False, **more: Any) -> Derived:
+    return Derived(lines, more, as_vector)
+
+
+def build(
+    paper: str,
+    printed: Mapping[str, tuple[tuple[int, int], tuple[str, ...]]],
+    written: Mapping[str, Derived],
+    quantities: tuple[Quantity, ...],
+    letters: tuple[Quantity, ...] = (),
+    flown: Mapping[str, object] = MappingProxyType({}),
+    letters_of: Callable[[str], tuple[Quantity, ...]] | None = None,
+) -> tuple[Equation, ...]:
+    """The equations of a paper, in the order of `printed`, each with its lines read.
+
+    The derived form is what the lines marked `result` say, and where none is, the print after its readings.
+    `defines` and the letters of readings are names, as the table of letters has them.
+    letters_of: for the print of one number, where a letter means another thing than elsewhere.
+    """
+    symbols = {quantity.symbol.name: quantity.symbol for quantity in quantities if not quantity.function}
+    result = []
+    for number, (lines, latex) in printed.items():
+        one = written[number]
+        more = dict(one.more)
+        more["defines"] = tuple(symbols[name] for name in more.get("defines", ()))
+        form = read(latex, letters_of(number) if letters_of else quantities)
+        if one.as_vector:
+            vee = Function("vee", commutative=False)
+            form = tuple(Relation((r.sides[0], vee(r.sides[1]), *r.sides[2:])) for r in form)
+        steps = read_lines(one.lines, (*quantities, *letters), flown)
+        equation = Equation(
+            paper=paper,
+            number=number,
+            latex=latex,
+            lines=lines,
+            printed=form,
+            derived=form,
+            derivation=Derivation(steps),
+            quantities=quantities,
+            **more,
+        )
+        results = tuple(step.relation for step in steps if step.result and step.relation is not None)
+        result.append(replace(equation, derived=results or equation.read()))
+    return tuple(result)
+
+
+def check_derivation(paper: Paper, equation: Equation) -> None:
+    """Raises BoresightError at the first line or passage that does not hold, and at a definition that nothing uses."""
+    from boresight.derive.ledger.passages import judge_passage
+
+    steps = equation.derivation.steps
+    for index, step in enumerate(steps):
+        if not isinstance(step, Line) or step.relation is None:
+            continue
+        where = f"{paper.name} ({equation.number}), line {index + 1}, {step.latex}"
+        verdict = judge_line(paper, equation, index)
+        if verdict.holds and step.passage is not None:
+            verdict = judge_passage(paper, equation, index)
+        if not verdict.holds:
+            raise BoresightError(f"{where}: {verdict.why}")
+        if step.claim is not None and step.claim.kind == "definition":
+            letter = step.relation.sides[0]
+            later = [s.relation for s in steps[index + 1 :] if isinstance(s, Line) and s.relation is not None]
+            if letter.name not in names(later):
+                raise BoresightError(f"{where}: nothing uses {letter}")

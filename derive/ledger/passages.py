@@ -1,0 +1,338 @@
+"""Passages: the operation that leads from one line of a derivation to the next, carried out at free values.
+
+At the witness both sides of true lines agree, so a wrong inference between two of them would pass.  Here the letters
+are free: the operation is done to the numbers of the line before, and what results must be the numbers of the line
+after, side by side.
+"""
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from typing import Any
+
+import mpmath as mp
+from sympy import Symbol
+from sympy.core.function import AppliedUndef
+from sympy.matrices import MatrixBase
+
+from boresight import BoresightError
+from boresight.derive.ledger.equation import Equation, Line, Passage, Relation
+from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate, multiplied, power, residual, solve
+from boresight.derive.ledger.free import free_point
+from boresight.derive.ledger.lines import LineVerdict
+from boresight.derive.ledger.numbers import Matrix, digits, exact, middle
+from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.reader import read
+
+Replaced = dict[int, Relation]  # other relations of steps, by index
+
+SEEDS = (11, 12)
+WORKING = 100  # digits, of which differentiating takes 60
+STEP = exact("1e-20")  # for differences: they err by its square, 1e-40
+SAME = mp.mpf("1e-25")  # relative
+
+
+# ---- Writing ---------------------------------------------------------------------------------------------------------
+
+
+def substitute(*rows: str, of: str = "", letters: Sequence[str] = ()) -> Passage:
+    """Each row, in order, gives its letter a value: its first side if that is a letter or a column of letters, else its
+    last one; or the letter named, for which the row, linear in it, is solved."""
+    return Passage("substitute", of, rows, tuple(letters))
+
+
+def multiply(*, left: str = "", right: str = "", of: str = "") -> Passage:
+    return Passage("multiply", of, with_=(left, right))
+
+
+def add(term: str, *, of: str = "") -> Passage:
+    """The term is added to each side."""
+    return Passage("add", of, with_=(term,))
+
+
+def add_line(row: str, *, of: str = "") -> Passage:
+    """Side by side."""
+    return Passage("add line", of, (row,))
+
+
+def subtract_line(row: str, *, of: str = "") -> Passage:
+    """Side by side."""
+    return Passage("subtract line", of, (row,))
+
+
+def transpose(of: str = "") -> Passage:
+    return Passage("transpose", of)
+
+
+def invert(of: str = "") -> Passage:
+    return Passage("invert", of)
+
+
+def rearrange(of: str = "") -> Passage:
+    """Terms change sides: left less right stays, but for its sign."""
+    return Passage("rearrange", of)
+
+
+def multiply_out(*identities: str, of: str = "") -> Passage:
+    """Each side is written otherwise: equal for all values of the letters of their classes; `identities` say why."""
+    return Passage("multiply out", of, identities)
+
+
+def chain(*rows: str) -> Passage:
+    """Sides of several lines are equal to one another, since the lines have a side in common."""
+    return Passage("chain", "", rows)
+
+
+def expand(*letters: str, order: int = 1, of: str = "") -> Passage:
+    """Each side in powers of the letters together, through `order`."""
+    return Passage("expand", of, (), letters, order=order)
+
+
+def leave_out(*letters: str, of: str = "") -> Passage:
+    """The letters are set to zero."""
+    return Passage("leave out", of, (), letters)
+
+
+def differentiate(rates: dict[str, str], of: str = "") -> Passage:
+    """Each side by a parameter, on which the letters depend with these rates; both in LaTeX."""
+    return Passage("differentiate", of, (), tuple(rates), tuple(rates.values()))
+
+
+def take_vector(of: str = "") -> Passage:
+    """Of skew-symmetric sides their vectors."""
+    return Passage("take the vector", of)
+
+
+def take_skew_part(of: str = "") -> Passage:
+    return Passage("take the skew-symmetric part", of)
+
+
+def take_rows(*numbers: int, of: str = "") -> Passage:
+    """Rows of the sides, counted from 1."""
+    return Passage("take rows", of, tuple(map(str, numbers)))
+
+
+def take_entry(row: int, column: int, of: str = "") -> Passage:
+    return Passage("take an entry", of, (str(row), str(column)))
+
+
+def solve_for(letter: str, of: str = "") -> Passage:
+    """The line before, linear in the letter, gives it."""
+    return Passage("solve", of, (), (letter,))
+
+
+# ---- Carrying out ----------------------------------------------------------------------------------------------------
+
+
+def judge_passage(
+    paper: Paper, equation: Equation, index: int, replaced: dict[int, Relation] | None = None
+) -> LineVerdict:
+    """Whether the passage of step `index` leads to its line; `replaced`: other relations of steps, by index."""
+    one = equation.derivation.steps[index]
+    assert isinstance(one, Line) and one.passage is not None
+    try:
+        with digits(WORKING):
+            return _judged(paper, equation, index, one.passage, replaced or {})
+    except (ValueError, KeyError, ZeroDivisionError, BoresightError, TypeError, IndexError) as error:
+        return LineVerdict(False, f"{one.passage.operation}: {error.args[0] if error.args else error}")
+
+
+def _judged(paper: Paper, equation: Equation, index: int, passage: Passage, replaced: Replaced) -> LineVerdict:
+    def relation_of(label: str) -> Relation:
+        return _relation(paper, equation, index, label, replaced)
+
+    after = relation_of(str(index + 1))
+    if passage.operation == "chain":
+        lines = [relation_of(row) for row in passage.using]
+        return _all(_chained(lines, after, free_point(paper, seed)) for seed in SEEDS)
+    before = relation_of(passage.of)
+    return _all(_leads(paper, passage, before, after, relation_of, free_point(paper, seed)) for seed in SEEDS)
+
+
+def _all(verdicts) -> LineVerdict:
+    for verdict in verdicts:
+        if not verdict.holds:
+            return verdict
+    return verdict
+
+
+def _relation(paper: Paper, equation: Equation, index: int, label: str, replaced: Replaced) -> Relation:
+    steps = equation.derivation.steps
+    if label.startswith("("):
+        number, _, part = label.removeprefix("(").partition(")")
+        if number == equation.number:
+            raise BoresightError(f"({number}) cannot stand on itself")
+        derived = paper.equation(number).derived
+        return derived[int(part.removeprefix(".")) - 1 if part else 0]
+    if label:
+        at = int(label) - 1
+        if not 0 <= at <= index:
+            raise BoresightError(f"line {label} does not stand before line {index + 1}")
+    else:
+        at = max(i for i in range(index) if steps[i].formulas)
+    return replaced[at] if at in replaced else steps[at].formulas[0]
+
+
+def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, relation_of, point: Point) -> LineVerdict:
+    if passage.operation == "rearrange":
+        first, second = (_difference(relation, point) for relation in (before, after))
+        holds = any(_same(first, [entry * sign for entry in second]) for sign in (1, -1))
+        return _said(holds and not _same(first, [entry * 0 for entry in first]), passage)
+    if passage.operation == "solve":
+        (letter,) = _symbols(paper, passage.letters)
+        found = solve((before,), {letter.name: paper.letter(letter.name).shape or 1}, point.values)
+        point = point.changed(found)
+        if letter not in (after.sides[0], after.sides[-1]):
+            return LineVerdict(False, f"solve: {letter} is no side of the line")
+        if _depends(paper, Relation(tuple(s for s in after.sides if s != letter)), letter, point):
+            return LineVerdict(False, f"solve: {letter} is on both sides")
+        values = [_entries(evaluate(side, point)) for side in after.sides]
+        return _said(all(_same(a, b) for a, b in pairwise(values)), passage)
+    if passage.operation == "substitute":
+        for row, letter in zip(passage.using, (*passage.letters, *[""] * len(passage.using)), strict=False):
+            point = point.changed(_given(paper, relation_of(row), letter, point))
+    sides = [_entries(value) for value in _carried(paper, passage, before, relation_of, point)]
+    targets = [_entries(evaluate(side, point)) for side in after.sides]
+    places = [next((i for i, side in enumerate(sides) if _same(side, target)), None) for target in targets]
+    if None in places:
+        return _said(False, passage, f"side {places.index(None) + 1} does not follow")
+    if all(_same(sides[0], side) for side in sides):  # an identity: its sides are one at free values
+        return _said(True, passage)
+    return _said(len(set(places)) > 1, passage, "one side follows, and no other")
+
+
+def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, point: Point) -> list:
+    """The values of the sides of the line before, after the operation."""
+    values = [evaluate(side, point) for side in before.sides]
+    name = passage.operation
+    if name in ("substitute", "multiply out"):
+        return values
+    if name == "multiply":
+        left, right = (_expression(paper, text) if text else None for text in passage.with_)
+        if left is not None:
+            values = [multiplied(evaluate(left, point), value) for value in values]
+        return values if right is None else [multiplied(value, evaluate(right, point)) for value in values]
+    if name == "add":
+        term = evaluate(_expression(paper, passage.with_[0]), point)
+        return [value + term for value in values]
+    if name in ("add line", "subtract line"):
+        sign = 1 if name == "add line" else -1
+        other = [evaluate(side, point) for side in relation_of(passage.using[0]).sides]
+        return [a + b * sign for a, b in zip((values[0], values[-1]), (other[0], other[-1]), strict=True)]
+    if name == "expand":
+        letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
+
+        def scaled(s) -> Point:
+            return point.changed({letter: point.values[letter] * s for letter in letters})
+
+        return [_series(lambda s, side=side: evaluate(side, scaled(s)), passage.order) for side in before.sides]
+    if name == "leave out":
+        letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
+        return [evaluate(side, point.changed({x: point.values[x] * 0 for x in letters})) for side in before.sides]
+    if name == "differentiate":
+        letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
+        rates = [evaluate(_expression(paper, rate), point) for rate in passage.with_]
+
+        def moved(t) -> Point:
+            return point.changed({x: point.values[x] + r * t for x, r in zip(letters, rates, strict=True)})
+
+        return [(evaluate(side, moved(STEP)) - evaluate(side, moved(-STEP))) / (2 * STEP) for side in before.sides]
+    return [_TAKE[name](value, passage) for value in values]
+
+
+def _series(function: Callable, order: int):
+    """The Taylor polynomial in s at 0 through `order` (1 or 2), at s = 1."""
+    up, down = function(STEP), function(-STEP)
+    middle_value = (up + down) / 2  # right to STEP^2, also where the function is 0/0 at zero
+    result = middle_value + (up - down) / (2 * STEP)
+    if order == 2:
+        up2, down2 = function(2 * STEP), function(-2 * STEP)
+        result = result + (up2 + down2 - up - down) / (6 * STEP * STEP)
+    return result
+
+
+def _vector(value, passage: Passage):
+    if max(abs(middle(entry)) for entry in value + value.T) > SAME:
+        raise ValueError("a side is not skew-symmetric")
+    return OPERATORS["vee"](value)
+
+
+_TAKE: dict[str, Callable] = {
+    "transpose": lambda value, passage: value.T,
+    "invert": lambda value, passage: power(value, -1),
+    "take the vector": _vector,
+    "take the skew-symmetric part": lambda value, passage: (value - value.T) / 2,
+    "take rows": lambda value, passage: Matrix([list(value[int(k) - 1, :]) for k in passage.using]),
+    "take an entry": lambda value, passage: value[int(passage.using[0]) - 1, int(passage.using[1]) - 1],
+}
+
+
+def _given(paper: Paper, row: Relation, letter: str, point: Point) -> dict[str, Any]:
+    """Values of the letter, or letters, that a row gives."""
+    if letter:
+        (symbol,) = _symbols(paper, (letter,))
+        for side, other in ((row.sides[0], row.sides[-1]), (row.sides[-1], row.sides[0])):
+            if side == symbol:
+                return {symbol.name: evaluate(other, point)}
+        return solve((row,), {symbol.name: paper.letter(symbol.name).shape or 1}, point.values)
+    for side, other in ((row.sides[0], row.sides[-1]), (row.sides[-1], row.sides[0])):
+        if isinstance(side, Symbol):
+            return {side.name: evaluate(other, point)}
+        if isinstance(side, AppliedUndef) and side.func.__name__ not in OPERATORS:
+            value = evaluate(other, point)
+            return {side.func.__name__: lambda *arguments, value=value: value}
+        if isinstance(side, MatrixBase) and all(isinstance(entry, Symbol) for entry in side):
+            return {entry.name: value for entry, value in zip(side, evaluate(other, point), strict=True)}
+    raise ValueError("the row gives no letter: name the letter for which it is solved")
+
+
+def _chained(lines: list[Relation], after: Relation, point: Point) -> LineVerdict:
+    """Sides of one value at free letters are one; each line ties its sides together."""
+    groups: list[list] = []
+    for relation in lines:
+        sides = [_entries(evaluate(side, point)) for side in relation.sides]
+        meeting = [group for group in groups if any(_same(a, b) for a in group for b in sides)]
+        groups = [group for group in groups if group not in meeting] + [
+            [one for group in meeting for one in group] + sides
+        ]
+    targets = [_entries(evaluate(side, point)) for side in after.sides]
+    holds = any(all(any(_same(a, b) for b in group) for a in targets) for group in groups)
+    trivial = all(_same(a, b) for a, b in pairwise(targets))
+    return LineVerdict(
+        holds and not trivial, "" if holds and not trivial else "chain: the lines do not tie these sides"
+    )
+
+
+def _said(holds: bool, passage: Passage, why: str = "it does not follow") -> LineVerdict:
+    return LineVerdict(holds, "" if holds else f"{passage.operation}: {why}")
+
+
+def _depends(paper: Paper, relation: Relation, letter: Symbol, point: Point) -> bool:
+    return any(letter in getattr(side, "free_symbols", ()) for side in relation.sides)
+
+
+def _difference(relation: Relation, point: Point) -> list:
+    return residual((relation.sides[0], relation.sides[-1]), point)
+
+
+def _entries(value) -> list:
+    return list(value) if isinstance(value, Matrix) else [value]
+
+
+def _same(a: Sequence, b: Sequence) -> bool:
+    if len(a) != len(b):
+        return len(b) == 1 and bool(b[0] == 0) and _same(a, [0] * len(a))
+    size = max(mp.mpf(1), *(abs(middle(entry)) for entry in (*a, *b)))
+    return all(abs(middle(x - y)) < SAME * size for x, y in zip(a, b, strict=True))
+
+
+def _symbols(paper: Paper, letters: Sequence[str]) -> list[Symbol]:
+    result = [_expression(paper, letter) for letter in letters]
+    for letter, symbol in zip(letters, result, strict=True):
+        if not isinstance(symbol, Symbol):
+            raise BoresightError(f"{letter!r} is no letter")
+    return result
+
+
+def _expression(paper: Paper, latex: str):
+    (relation,) = read((latex,), (*paper.quantities(), *paper.letters()))
+    return relation.sides[0]
