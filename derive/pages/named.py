@@ -6,16 +6,18 @@ test holds the expressions with their names against the model's own, by value.
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from decimal import Decimal
 from itertools import count
 
-from sympy import Add, ImmutableMatrix, Integer, Matrix, Mul, Pow, Rational, S, Symbol, cos, cse, sin, tan
-from sympy.core.function import AppliedUndef
+from sympy import Add, Basic, ImmutableMatrix, Integer, Matrix, Mul, Pow, Rational, S, Symbol, sin, sqrt
+from sympy.functions.elementary.complexes import transpose
+from sympy.matrices import MatrixBase
 
-from boresight.derive.ledger.equation import product, replaced
+from boresight.derive.ledger.equation import product
 from boresight.derive.mechanics import earth, rotation
 from boresight.derive.mechanics.rotation import skew
-from boresight.derive.model import Model, Variable
+from boresight.derive.model import Model, Variable, symbols_in
 
 FRAMES = earth.FRAMES
 SMALL = 1000  # numerator and denominator of a number that is shown as it is
@@ -38,17 +40,25 @@ class Named:
 
 
 def scalar(name: str, value, meaning: str, constant: bool = False, shown=None) -> Named:
-    letter = Symbol(name, positive=True) if constant or name == "w" else Symbol(name, real=True)
+    letter = Symbol(name, positive=True) if constant else Symbol(name)
     one = ImmutableMatrix([[value]])
     return Named(letter, meaning, one, ImmutableMatrix([[letter]]), value if shown is None else shown, constant)
 
 
+def renamed(one: Named, name: str) -> Named:
+    entries = [Symbol(str(s).replace(one.letter.name, name, 1)) if s != v else s
+               for s, v in zip(one.entries, one.value, strict=True)]  # fmt: skip
+    letter = Symbol(name, commutative=False)
+    return replace(one, letter=letter, entries=ImmutableMatrix(*one.entries.shape, entries))
+
+
 def array(name: str, value: Matrix, meaning: str, shown=None, suffixes: Iterable[str] | None = None) -> Named:
-    """A matrix or a vector, whose scalars are the name with a suffix."""
+    """A matrix or a vector.  Its scalars are the name with a suffix; what is no sum stays as it is."""
     if suffixes is None:
         suffixes = [f"{i + 1}{j + 1}" for i in range(value.rows) for j in range(value.cols)]
-    entries = [Symbol(f"{name}_{suffix}", real=True) for suffix in suffixes]
     value = ImmutableMatrix(value)
+    letters = [Symbol(f"{name}_{suffix}") for suffix in suffixes]
+    entries = [letter if entry.is_Add else entry for letter, entry in zip(letters, value, strict=True)]
     letter = Symbol(name, commutative=False)
     return Named(letter, meaning, value, ImmutableMatrix(*value.shape, entries), value if shown is None else shown)
 
@@ -57,20 +67,25 @@ def array(name: str, value: Matrix, meaning: str, shown=None, suffixes: Iterable
 
 
 class Rewriter:
-    """Puts letters for expressions: a sum within a sum, a product within a product, each up to a rational factor."""
+    """Puts letters for expressions: a sum within a sum, a product within a product, each up to a rational factor.
 
-    def __init__(self, patterns: Iterable[tuple[Symbol, object]]):
-        self.exact: dict = {}
-        self.sums: dict = {}  # the first term of a sum -> the sums
+    patterns: (letter, expression).  found: the numbers of those patterns that stood somewhere.
+    """
+
+    def __init__(self, patterns: Iterable[tuple[object, object]]):
+        self.sums: dict = {}  # a term of a sum -> the sums
         self.products: list = []
-        self.found: set[Symbol] = set()
+        self.others: dict = {}
+        self.found: set[int] = set()
         self.memo: dict = {}
-        for letter, value in patterns:
+        for index, (letter, value) in enumerate(patterns):
             if value.is_Add:
                 terms = value.as_coefficients_dict()
-                self.sums.setdefault(next(iter(terms)), []).append((terms, letter))
+                self.sums.setdefault(next(iter(terms)), []).append((terms, letter, index))
             elif value.is_Mul or value.is_Pow:
-                self.products.append((*_factors(value), letter))
+                self.products.append((*_factors(value), letter, index))
+            else:
+                self.others[value] = letter, index
         for listed in self.sums.values():
             listed.sort(key=lambda found: -len(found[0]))
         self.products.sort(key=lambda found: -len(found[1]))
@@ -84,44 +99,54 @@ class Rewriter:
         return self.memo[expression]
 
     def _rewritten(self, expression):
-        if not expression.args:
-            return expression
-        if expression.is_Add:
-            return self._sum(Add(*map(self, expression.args)))
+        if expression in self.others:
+            letter, index = self.others[expression]
+            self.found.add(index)
+            return letter
         if expression.is_Mul or expression.is_Pow:
             number, factors = _factors(expression)
-            return self._product(number, {self(base): power for base, power in factors.items()})
-        return expression.func(*map(self, expression.args))
+            changed = {}
+            for base, exponent in factors.items():
+                base = self(base)
+                changed[base] = changed.get(base, 0) + exponent
+            return self._product(expression, number, factors, changed)
+        within = rebuilt(expression, [self(argument) for argument in expression.args])
+        return self.sum(within) if within.is_Add and self.sums else within
 
-    def _sum(self, expression):
-        if not expression.is_Add:
-            return expression
-        terms = dict(expression.as_coefficients_dict())
-        again = True
-        while again:
-            again = False
-            for term in list(terms):
-                for wanted, letter in self.sums.get(term, ()):
-                    if wanted.keys() <= terms.keys() and letter not in terms:
-                        ratio = terms[term] / wanted[term]
-                        if all(terms[t] == ratio * c for t, c in wanted.items()):
-                            terms = {t: c for t, c in terms.items() if t not in wanted}
-                            terms[letter] = ratio
-                            self.found.add(letter)
-                            again = True
-                            break
-                if again:
-                    break
-        return Add(*(coefficient * term for term, coefficient in terms.items()))
+    def sum(self, expression):
+        """A sum with letters for parts of it."""
+        terms, changed = dict(expression.as_coefficients_dict()), False
+        for term in list(terms):
+            for wanted, letter, index in self.sums.get(term, ()):
+                if letter not in terms and wanted.keys() <= terms.keys():
+                    ratio = terms[term] / wanted[term]
+                    if all(terms[t] == ratio * c for t, c in wanted.items()):
+                        terms = {t: c for t, c in terms.items() if t not in wanted} | {letter: ratio}
+                        changed = self.found.add(index) is None
+        return Add(*(number * term for term, number in terms.items())) if changed else expression
 
-    def _product(self, number, factors: dict):
-        for coefficient, wanted, letter in self.products:
-            if all(_holds(factors.get(base), power, base) for base, power in wanted.items()):
-                for base, power in wanted.items():
-                    factors[base] -= power
+    def _product(self, expression, number, before: dict, factors: dict):
+        changed = factors.keys() != before.keys()
+        for coefficient, wanted, letter, index in self.products:
+            if all(_holds(factors.get(base), exponent, base) for base, exponent in wanted.items()):
+                for base, exponent in wanted.items():
+                    factors[base] -= exponent
                 number, factors[letter] = number / coefficient, factors.get(letter, 0) + 1
-                self.found.add(letter)
-        return Mul(number, *(Pow(base, power) for base, power in factors.items()))
+                changed = self.found.add(index) is None
+        return Mul(number, *(power(*factor) for factor in factors.items())) if changed else expression
+
+
+def rebuilt(expression, arguments: list):
+    """The node with other arguments, which SymPy does not search for a simpler form: that takes seconds."""
+    if all(new is old for new, old in zip(arguments, expression.args, strict=True)):
+        return expression
+    if expression.is_Add or expression.is_Mul:
+        return expression.func(*arguments)
+    return Basic.__new__(expression.func, *arguments)
+
+
+def power(base, exponent):
+    return Pow(base, exponent, evaluate=not base.is_Add or exponent is S.One)
 
 
 def _factors(expression) -> tuple:
@@ -140,7 +165,7 @@ def _holds(power, wanted, base) -> bool:
     """Whether this power of a base contains the wanted one: of sums and roots the whole, of letters a part."""
     if power is None:
         return False
-    if base.is_Symbol and base.name != "w" or base.is_Function:
+    if base.is_Symbol and not base.name.startswith("w") or base.is_Function:
         return bool(power >= wanted > 0 or power <= wanted < 0)
     return bool(power == wanted)
 
@@ -170,55 +195,77 @@ class Naming:
     """The expressions of a model, group by group, and the names that have been put into them so far."""
 
     model: Model
-    groups: dict[object, Matrix]
-    vectors: dict[str, Named] = field(default_factory=dict)  # by the name of the variable
+    groups: dict[str, Matrix]
+    vectors: dict[str, Named]  # states and inputs, by name
     named: list[Named] = field(default_factory=list)
 
-    def put(self, candidates: Iterable[Named], exact: bool = False) -> list[Named]:
+    def put(self, candidates: Iterable[Named]) -> list[Named]:
         """Put these names into all groups; those that stand somewhere are kept."""
         candidates = list(candidates)
-        pairs = [pair for one in candidates for pair in zip(one.entries, one.value, strict=True)]
-        rewriter = Rewriter(pairs)
+        places = [(one, i) for one in candidates for i, letter in enumerate(one.entries) if letter != one.value[i]]
+        rewriter = Rewriter((one.entries[i], one.value[i]) for one, i in places)
         self.groups = {key: rewriter.matrix(matrix) for key, matrix in self.groups.items()}
-        kept = [one for one in candidates if rewriter.found & set(one.entries)]
+        found = {id(places[index][0]) for index in rewriter.found}
+        kept = [one for one in candidates if id(one) in found]
         self.named += kept
         return kept
 
-    def taken(self) -> set[str]:
-        return {str(s) for v in (*self.model.states, *self.model.inputs) for s in (v.name, *v.symbols)} | {
-            str(s) for one in self.named for s in (one.letter, *one.entries)
-        }
+    def put_found(self, candidates: Iterable[Named]) -> list[Named]:
+        """The same of candidates that may bear one name: those that stand somewhere are told apart by a number."""
+        candidates = list(candidates)
+        sums = [(one, value) for one in candidates for value in one.value if value.is_Add]
+        trial = Rewriter((Symbol(str(i)), value) for i, (_, value) in enumerate(sums))
+        for node in nodes(self.groups.values()):
+            if node.is_Add:
+                trial.sum(node)
+        found = list({id(one): one for one, _ in (sums[i] for i in sorted(trial.found))}.values())
+        for index, one in enumerate(found[1:], 2):
+            found[index - 1] = renamed(one, f"{one.letter.name}_{index}")
+        return self.put(found)
+
+    def free(self, name: str) -> bool:
+        """Whether nothing has this name yet."""
+        return all(name not in map(str, (one.letter, *one.entries)) for one in (*self.vectors.values(), *self.named))
 
 
-def naming(model: Model, groups: dict[object, Matrix]) -> Naming:
+def naming(model: Model, groups: dict[str, Matrix]) -> Naming:
     """The groups of expressions with names put in."""
     letters = component_letters(model)
-    made = Naming(model, {key: matrix.xreplace(letters) for key, matrix in groups.items()})
+    vectors = {}
     for v in (*model.states, *model.inputs):
-        entries = ImmutableMatrix([letters.get(s, s) for s in v.symbols])
-        made.vectors[v.name] = Named(Symbol(v.name, commutative=v.size == 1), v.meaning, entries, entries)
+        entries = ImmutableMatrix([letters[s] for s in v.symbols])
+        vectors[v.name] = Named(Symbol(v.name, commutative=v.size == 1), v.meaning, entries, entries)
+    called = Rewriter((letter, symbol) for symbol, letter in letters.items())
+    made = Naming(model, {key: called.matrix(matrix) for key, matrix in groups.items()}, vectors)
     rotations = made.put(_rotations(made))
-    _earth(made)
+    _quaternion_products(made)
+    for index in count():
+        latitudes = _latitudes(made)
+        if not latitudes:
+            break
+        _at_latitude(made, latitudes[0], f"_{index}" * bool(index))
     _turned(made, rotations)
-    _constants(made)
+    _numbers(made)
     return made
 
 
 def component_letters(model: Model) -> dict[Symbol, Symbol]:
-    """Components whose name is that of a vector too get a capital axis: v_N is a component of v_n."""
-    vectors = {v.name for v in (*model.states, *model.inputs) if v.size > 1}
-    every = [v for v in (*model.states, *model.inputs) if v.size > 1]
+    """What each component is called: where v_n is a vector, its component along n is v_N, and so for all such axes."""
+    every = [v for v in (*model.states, *model.inputs)]
+    names = {v.name for v in every if v.size > 1}
 
-    def suffixes(v: Variable) -> tuple[str, ...]:
+    def axes(v: Variable) -> tuple[str, ...]:
         return tuple(s.name.rpartition("_")[2] for s in v.symbols)
 
-    clashing = {suffixes(v) for v in every if any(s.name in vectors for s in v.symbols)}
-    return {
-        s: Symbol(f"{s.name.rpartition('_')[0]}_{s.name.rpartition('_')[2].upper()}", real=True)
-        for v in every
-        if suffixes(v) in clashing
-        for s in v.symbols
-    }
+    clashing = {axes(v) for v in every if v.size > 1 and any(s.name in names for s in v.symbols)}
+
+    def letter(v: Variable, s: Symbol) -> Symbol:
+        if axes(v) not in clashing:
+            return s
+        base, _, axis = s.name.rpartition("_")
+        return Symbol(f"{base}_{axis.upper()}")
+
+    return {s: letter(v, s) for v in every for s in v.symbols}
 
 
 # ---------------------------------------------------------------- rotations
@@ -230,48 +277,224 @@ def _rotations(made: Naming) -> Iterator[Named]:
         entries = made.vectors[v.name].entries
         if v.size == 4 and v.norm is not None:
             name = "C_" + v.name.removeprefix("q_").removesuffix("_wxyz")
-            yield array(name, rotation.dcm_from_quaternion(entries), f"matrix of {v.name}: {v.meaning}, {v.frame}")
-        elif v.size == 3 and [s.name.partition("_")[0] for s in v.symbols] == ["roll", "pitch", "yaw"]:
-            value = rotation.dcm_from_euler(*entries)
-            yield array(f"C_{v.name}", value, f"matrix of {v.name}: {v.meaning}, {v.frame}, transposed")
+            yield array(name, rotation.dcm_from_quaternion(entries), f"the matrix of {v.name}, {v.frame}")
+        elif [s.name.partition("_")[0] for s in v.symbols] == ["roll", "pitch", "yaw"]:
+            yield array(f"C_{v.name}", rotation.dcm_from_euler(*entries), f"the matrix of {v.name}, back to front")
 
 
-def axes_of(made: Naming, name: str) -> list[str]:
-    """Suffixes of the components of a vector which a matrix, C_b2n, leads to."""
-    target = name.rpartition("2")[2] if "2" in name else ""
-    if target == "n":
-        for frame in FRAMES.values():
-            if any(frame.name in v.frame for v in made.model.inputs):
-                return [axis.upper() for axis in frame.axes]
-    return ["x", "y", "z"]
+def _quaternion_products(made: Naming) -> list[Named]:
+    """Products of two quaternions that the model reads, one of them turned round, and the matrices of those."""
+    every = [v for v in made.vectors.values() if v.entries.shape == (4, 1)]
+    candidates = []
+    for one in every:
+        for other in every:
+            if one is not other:
+                back = ImmutableMatrix(rotation.conjugate(other.entries))
+                value = rotation.quaternion_product(one.entries, back)
+                meaning = f"{one.letter} times the inverse of {other.letter}"
+                candidates.append(array("p", value, meaning, suffixes="wxyz"))
+    found = made.put_found(candidates)
+    return made.put(array(f"C_{one.letter}", rotation.dcm_from_quaternion(one.entries), f"the matrix of {one.letter}")
+                    for one in found)  # fmt: skip
+
+
+def _level_axes(model: Model) -> list[str]:
+    """Suffixes of vectors in the level, if the model has one."""
+    found = [frame for frame in FRAMES.values() if any(frame.name in v.frame for v in model.inputs)]
+    return [axis.upper() for axis in found[0].axes] if found else list("xyz")
 
 
 def _turned(made: Naming, rotations: list[Named]) -> None:
-    """Vectors that such a matrix turns, and the velocity of a lever arm, C (omega x lever)."""
-    inputs = [made.vectors[v.name] for v in made.model.inputs if v.size == 3]
-    vectors = [*inputs, *(one for one in made.named if one.entries.shape == (3, 1))]
-    plain = re.compile(r"C_(\w)2(\w)\Z")
-    candidates = []
+    """Vectors that a matrix C_b2n or its transpose turns, as f_n = C_b2n f_b, and C (omega x lever)."""
+    vectors = [one for one in (*made.vectors.values(), *made.named) if one.entries.shape == (3, 1)]
+    level = _level_axes(made.model)
+    once, twice = [], []
     for C in rotations:
-        frames = plain.match(C.letter.name)
-        for v in vectors:
-            for transposed in (False, True):
-                source, target = (frames.groups()[:: -1 if transposed else 1]) if frames else ("", "")
-                if not v.letter.name.endswith(f"_{source}") or not source:
-                    continue
-                name = v.letter.name[: -len(source)] + target
-                matrix, letter = (C.entries.T, _transposed(C.letter)) if transposed else (C.entries, C.letter)
-                if name not in made.taken():
-                    suffixes = axes_of(made, C.letter.name) if not transposed else "xyz"
-                    candidates.append(
-                        array(name, matrix * v.entries, f"{v.letter.name} in the axes {target}",
-                              product(letter, v.letter), suffixes)
-                    )  # fmt: skip
-    by_name = {one.letter.name: one for one in candidates}
-    made.put(by_name.values())
+        frames = re.fullmatch(r"C_(\w)2(\w)", C.letter.name)
+        if not frames:
+            continue
+        for source, target, letter, matrix in (
+            (frames[1], frames[2], C.letter, C.entries),
+            (frames[2], frames[1], transpose(C.letter), C.entries.T),
+        ):
+            here = [v for v in vectors if v.letter.name.endswith(f"_{source}")]
+            axes = level if target == "n" else list("xyz")
+            for v in here:
+                name = v.letter.name.removesuffix(source) + target
+                if made.free(name):
+                    once.append(array(name, matrix * v.entries, "", product(letter, v.letter), axes))
+                for w in here:
+                    if v is not w and made.free(f"u_{target}"):
+                        turned = product(letter, crossed(v.letter), w.letter)
+                        twice.append(array(f"u_{target}", matrix * skew(v.entries) * w.entries, "", turned, axes))
+    made.put(once)
+    made.put_found(twice)
 
 
-def _transposed(letter: Symbol):
-    from sympy.functions.elementary.complexes import transpose
+def crossed(letter: Symbol) -> Symbol:
+    """[v x], the skew-symmetric matrix of a vector."""
+    return Symbol(f"[{letter.name} x]", commutative=False)
 
-    return transpose(letter)
+
+# ---------------------------------------------------------------- the Earth
+
+
+def _constant(name: str, value, meaning: str, shown=None) -> Named:
+    return scalar(name, value, meaning, constant=True, shown=shown)
+
+
+_f = _constant("f", earth.FLATTENING, "flattening, WGS 84", 1 / Symbol("298.257223563"))
+_a = _constant("a", Integer(earth.SEMI_MAJOR_AXIS), "semi-major axis, m, WGS 84")
+_omega = _constant("omega_ie", earth.EARTH_RATE, "the Earth's rate, rad/s, WGS 84", Symbol("7.292115e-5"))
+_GM = _constant("GM", earth.GRAVITATIONAL_CONSTANT, "the Earth's gravitational constant, m^3/s^2", Symbol("3.986004418e14"))
+_g_e = _constant("g_e", earth.GRAVITY_EQUATOR, "normal gravity at the equator, m/s^2", Symbol("9.7803253359"))
+_g_p = _constant("g_p", earth.GRAVITY_POLE, "normal gravity at the pole, m/s^2", Symbol("9.8321849379"))
+f, a, omega_ie, GM, g_e, g_p = (one.letter for one in (_f, _a, _omega, _GM, _g_e, _g_p))
+_e = _constant("e2", earth.ECCENTRICITY_SQUARED, "square of the first eccentricity", f * (2 - f))
+_k = _constant("k", earth.SOMIGLIANA, "k of Somigliana's formula", (1 - f) * g_p / g_e - 1)
+_m = _constant("m", earth.CENTRIFUGAL_RATIO, "centrifugal over gravitational acceleration, at the equator",
+               omega_ie**2 * a**3 * (1 - f) / GM)  # fmt: skip
+_tiny = _constant("epsilon", rotation.TINY_SQUARE, "added to the square of an angle before its root is taken",
+                  Symbol("1e-30"))  # fmt: skip
+e2, k, m = (one.letter for one in (_e, _k, _m))
+CONSTANTS = (_omega, _a, _f, _e, _GM, _g_e, _g_p, _k, _m, _tiny)
+
+
+def _latitudes(made: Naming) -> list:
+    """The angles X of which 1 - e^2 sin(X)^2 stands somewhere, inner ones first."""
+    found = []
+    for node in nodes(made.groups.values()):
+        if node.is_Add and len(node.args) == 2 and node.args[0] is S.One:
+            number, rest = node.args[1].as_coeff_Mul()
+            base, power = rest.as_base_exp()
+            if number == -earth.ECCENTRICITY_SQUARED and power == 2 and isinstance(base, sin):
+                found.append(base.args[0])
+    return found
+
+
+def _at_latitude(made: Naming, lat, suffix: str) -> None:
+    """Radii of curvature, gravity and the rate of the level at one place that the model speaks of."""
+    if not lat.is_Symbol:
+        (place,) = made.put([scalar(f"lat{suffix}", lat, "rad, latitude on the way")])
+        lat = place.letter
+    s2 = sin(lat) ** 2
+    w = scalar(f"w{suffix}", S.One, "", shown=sqrt(1 - e2 * s2), constant=True)
+    root = Rewriter([(w.letter**2, 1 - earth.ECCENTRICITY_SQUARED * s2)])
+
+    made.groups = {key: root.matrix(matrix) for key, matrix in made.groups.items()}
+    meridian, transverse = (root(value) for value in earth.radii(lat))
+    heights = []
+    for node in nodes(made.groups.values()):
+        if node.is_Add:
+            rest = [node - radius for radius in (meridian, transverse) if radius in node.args]
+            heights += [height for height in rest if height not in heights]
+    places = []
+    for index, height in enumerate(heights):
+        if not height.is_Symbol:
+            places.append(scalar(f"height{suffix}" + f"_{index}" * bool(index), height, "m, height on the way"))
+    made.put(places)
+    heights = [next((one.letter for one in places if one.value[0] == height), height) for height in heights]
+
+    R_N, R_E = a * (1 - e2) / (1 - e2 * s2) ** Rational(3, 2), a / sqrt(1 - e2 * s2)
+    N, E = f"R_N{suffix}", f"R_E{suffix}"
+    by_lat = [root(value) for value in earth.radii_by_latitude(lat)]
+    candidates = [
+        scalar(N, meridian, "meridian radius of curvature, m", shown=R_N),
+        scalar(E, transverse, "transverse radius of curvature, m", shown=R_E),
+        scalar(f"{N}_lat", by_lat[0], f"derivative of {N} by {lat}", shown=R_N.diff(lat)),
+        scalar(f"{E}_lat", by_lat[1], f"derivative of {E} by {lat}", shown=R_E.diff(lat)),
+    ]
+    above_ground = []
+    for index, h in enumerate(heights):
+        suffixed = suffix + f"_{index}" * bool(index)
+        above = 1 - 2 * (1 + f + m - 2 * f * s2) * h / a + 3 * h**2 / a**2
+        ground = g_e * (1 + k * s2) / sqrt(1 - e2 * s2)
+        by_lat, by_height = earth.gravity_gradient(lat, h)
+        above_ground += [
+            scalar(f"g{suffixed}", root(earth.normal_gravity(lat, h)), "normal gravity, m/s^2", shown=ground * above),
+            scalar(f"g_lat{suffixed}", root(by_lat), f"derivative of g by {lat}",
+                   shown=ground.diff(lat) * above + ground * above.diff(lat)),
+            scalar(f"g_h{suffixed}", root(by_height), f"derivative of g by {h}", shown=ground * above.diff(h)),
+        ]  # fmt: skip
+    made.put(above_ground)
+    found = made.put(candidates)
+    radii = Rewriter((one.letter, one.value[0]) for one in found if one.letter.name in (N, E))
+    rates = []
+    for v in made.model.inputs:
+        frame = FRAMES.get(v.frame)
+        if frame is None or v.size != 3 or not made.free(f"omega_in_n{suffix}"):
+            continue
+        for h in heights:
+            at = made.vectors[v.name].entries
+            rate = root.matrix(earth.omega_ie_n(lat, frame) + earth.omega_en_n(lat, h, at, frame)).applyfunc(radii)
+            axes = [axis.upper() for axis in frame.axes]
+            meaning = "rate of the level against inertial space, rad/s"
+            rates.append(array(f"omega_in_n{suffix}", rate, meaning, suffixes=axes))
+    made.put_found(rates)
+    if w.letter in symbols_in(*made.groups.values()):
+        made.named.append(w)
+
+
+# ---------------------------------------------------------------- numbers
+
+
+def _numbers(made: Naming) -> None:
+    """Letters for the constants, decimals for decimal numbers, and a letter of its own for any other long number."""
+    own: dict = {}
+    memo: dict = {}
+
+    def number(value):
+        if abs(value.p) < SMALL and value.q < SMALL and not _decimal(value):
+            return value
+        for one in CONSTANTS:
+            for power in (1, -1, 2, -2):
+                ratio = value / one.value[0] ** power
+                if abs(ratio.p) < SMALL and ratio.q < SMALL:
+                    return ratio * one.letter**power
+        text = _decimal(value)
+        if text or (value.q == 1 and abs(value.p) < 10**9):
+            return _sign(value) * Symbol(text, positive=True) if text else value
+        if abs(value) not in own:
+            own[abs(value)] = scalar(f"c_{len(own) + 1}", abs(value), "a constant of the model", constant=True)
+        return _sign(value) * own[abs(value)].letter
+
+    def visit(expression):
+        if expression not in memo:
+            if expression.is_Rational:
+                memo[expression] = number(expression)
+            elif expression.is_Pow:
+                memo[expression] = power(visit(expression.base), expression.exp)
+            else:
+                memo[expression] = rebuilt(expression, [visit(argument) for argument in expression.args])
+        return memo[expression]
+
+    made.groups = {key: matrix.applyfunc(visit) for key, matrix in made.groups.items()}
+    made.named = [
+        replace(one, shown=one.shown if one.constant else visited(one.shown, visit), value=one.value)
+        for one in made.named
+    ] + list(own.values())
+
+
+def _sign(value) -> int:
+    return -1 if value < 0 else 1
+
+
+def _decimal(value) -> str:
+    """Not a fraction of small numbers, but a decimal number of few digits."""
+    rest = value.q
+    while rest % 10 == 0:
+        rest //= 10
+    for prime in (2, 5):
+        while rest % prime == 0:
+            rest //= prime
+    if rest != 1 or value.q <= 16 or value.q > 10**12:
+        return ""
+    text = format(Decimal(abs(value.p)) / Decimal(value.q), "f")
+    return text.rstrip("0") if len(text) <= 14 else ""
+
+
+def visited(shown, visit):
+    """What is shown of a name: an explicit matrix, a number's expression or a product of letters."""
+    if isinstance(shown, MatrixBase):
+        return ImmutableMatrix(shown.applyfunc(visit))
+    return visit(shown) if shown.is_commutative else shown
