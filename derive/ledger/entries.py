@@ -14,6 +14,7 @@ from functools import cache
 import mpmath as mp
 
 from boresight import BoresightError
+from boresight.derive.ledger.carried import check_maps
 from boresight.derive.ledger.differences import differences
 from boresight.derive.ledger.differences import origin as origin_of
 from boresight.derive.ledger.equation import Equation
@@ -79,6 +80,7 @@ def entry_of(paper: Paper, equation: Equation) -> Entry:
 
 def _entry(paper: Paper, equation: Equation) -> Entry:
     check_derivation(paper, equation)
+    check_maps(paper, equation.number)
     ours = judge(paper, equation, equation.derived)
     if ours.status == "refuted":
         raise BoresightError(

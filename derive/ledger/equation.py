@@ -7,6 +7,7 @@ letter alone is a noncommutative Symbol.  Terms keep the order of the page.
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from unicodedata import normalize
 
 from sympy import Add, ImmutableMatrix, MatAdd, MatMul, Mul, S, StrictLessThan, Symbol
 from sympy.matrices import MatrixBase
@@ -27,6 +28,15 @@ class Quantity:
     meaning: str
     shape: tuple[int, ...] = ()
     function: bool = False
+
+
+def letter(
+    name: str, latex: str, kind: str, meaning: str, shape: tuple[int, ...] = (), function: bool = False
+) -> Quantity:
+    """A quantity by the name of its symbol, composed where Unicode has it so."""
+    scalar = shape == ()
+    symbol = Symbol(normalize("NFC", name), commutative=scalar, real=True if scalar else None)
+    return Quantity(symbol, latex, kind, meaning, shape, function)
 
 
 @dataclass(frozen=True)
@@ -116,6 +126,20 @@ class Derivation:
     def lines(self) -> tuple[Line, ...]:
         """The lines that have a relation."""
         return tuple(step for step in self.steps if isinstance(step, Line) and step.relation is not None)
+
+    def before(self, index: int) -> int:
+        """The index of the line before step `index`.  Raises ValueError if there is none."""
+        return max(i for i in range(index) if self.steps[i].formulas)
+
+    def taken(self, index: int) -> set[int]:
+        """The indices of the lines which the passage of step `index` begins from or takes in."""
+        step = self.steps[index]
+        if not isinstance(step, Line) or step.passage is None:
+            return set()
+        passage = step.passage
+        rows = {int(row) - 1 for row in (passage.of, *passage.using) if row.isdigit()}
+        begins = not passage.of and passage.operation != "chain"
+        return rows | {self.before(index)} if begins else rows
 
 
 @dataclass(frozen=True)

@@ -91,6 +91,8 @@ OPERATORS: dict[str, Callable] = {
     "skew": skew,
     "vee": _vee,
     "cross": lambda a, b: skew(a) * b,
+    "entry": lambda M, i, j: M[int(i) - 1, int(j) - 1],
+    "norm": numbers.norm,
     "exp": lambda A: A.exp() if isinstance(A, Matrix) else arb(A).exp(),
 }
 

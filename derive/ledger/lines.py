@@ -38,9 +38,9 @@ def first_order(*small: str) -> Claim:
     return Claim("first-order", small)
 
 
-def of_order(order: int, part: str) -> Claim:
-    """Right through this order in one part, a step or a delay."""
-    return Claim("order", (part,), order)
+def of_order(order: int, *small: str) -> Claim:
+    """Right through this order in these parts together; in the equation's own if none is named."""
+    return Claim("order", small, order)
 
 
 def limit(*small: str) -> Claim:
@@ -49,7 +49,7 @@ def limit(*small: str) -> Claim:
 
 
 def approximately(dropped: str, condition: str, *small: str) -> Claim:
-    """Right, exactly or to first order in the parts `small` if any, with the LaTeX term `dropped` on the right side."""
+    """Right, exactly or to first order in the parts `small` if any, with the term `dropped` (LaTeX) on its right."""
     return Claim("approximation", small, dropped=dropped, condition=condition)
 
 
@@ -155,7 +155,7 @@ def _judged(paper: Paper, equation: Equation, claim: Claim, relation: Relation, 
     if claim.kind == "approximation":
         (dropped,) = read((claim.dropped,), (*paper.quantities(), *paper.letters()))
         (term,) = dropped.sides
-        whole = Relation((relation.sides[0], total(relation.sides[-1], term)))
+        whole = Relation((relation.sides[0], *(total(side, term) for side in relation.sides[1:])))
         verdict = _falls(whole, point, 2) if claim.small else _exactly(whole, (point(seed, FULL) for seed in SEEDS))
         if _exactly(relation, (point(seed, FULL) for seed in SEEDS)).holds:
             return LineVerdict(False, "nothing is dropped")
@@ -180,21 +180,26 @@ def _exactly(relation: Relation, points: Iterable[Point]) -> LineVerdict:
 
 
 def _falls(relation: Relation, point, power: int) -> LineVerdict:
-    """Row by row: the remainder falls 2^power-fold when the errors are halved, twice; and what is claimed is not zero.
+    """Entry by entry: the remainder falls 2^power-fold when the errors are halved, twice.
 
-    A row of which neither side changes with the errors by less than that power is no statement; one row must be.
+    And what is stated is not zero: each row whose sides differ at all has an entry that falls more slowly than that.
     """
     most, stated = SLACK / 2**power, False
     for seed in SEEDS:
         at = [point(seed, scale) for scale in SCALES]
-        rows = list(zip(*([middle(entry) for entry in residual(relation.sides, p)] for p in at), strict=True))
-        for k, row in enumerate(rows):
-            for larger, smaller in pairwise(map(abs, row)):
-                if larger > EXACT and smaller > most * larger:
-                    left = f"{mp.nstr(smaller / larger, 4)} of the difference in row {k + 1}"
-                    return LineVerdict(False, f"halving the errors leaves {left}")
+        left = zip(*([middle(entry) for entry in residual(relation.sides, p)] for p in at), strict=True)
         sides = list(zip(*(_entries(relation.sides[-1], p) for p in at), strict=True))
-        stated |= any(_moves(values, most) for values in sides)
+        columns = getattr(evaluate(relation.sides[-1], at[0]), "cols", 1)
+        moving = [any(_moves(v, most) for v in sides[i : i + columns]) for i in range(0, len(sides), columns)]
+        stated |= any(moving)
+        for k, remainders in enumerate(left):
+            row = k % len(sides) // columns
+            for larger, smaller in pairwise(map(abs, remainders)):
+                if larger > EXACT and smaller > most * larger:
+                    share = mp.nstr(smaller / larger, 4)
+                    return LineVerdict(False, f"halving the errors leaves {share} of the difference in row {row + 1}")
+                if larger > EXACT and not moving[row]:
+                    return LineVerdict(False, f"row {row + 1} states nothing of that order")
     if not stated:
         return LineVerdict(False, "the part that it states is zero")
     return LineVerdict(True, f"the remainder falls {2**power}-fold when the errors are halved")
@@ -206,9 +211,8 @@ def _entries(side, point: Point) -> list:
 
 
 def _moves(values: tuple, most) -> bool:
-    """Whether an entry has a part that falls more slowly than what is dropped."""
-    first, second = abs(values[0] - values[1]), abs(values[1] - values[2])
-    return abs(values[0]) > EXACT if first <= EXACT else second > most * first
+    """Whether an entry falls more slowly than what is dropped, or not at all."""
+    return abs(values[0]) > EXACT and abs(values[1]) > most * abs(values[0])
 
 
 def _size(paper: Paper, term, given: tuple) -> str:
@@ -299,6 +303,7 @@ def check_derivation(paper: Paper, equation: Equation) -> None:
             raise BoresightError(f"{where}: {verdict.why}")
         if step.claim is not None and step.claim.kind == "definition":
             letter = step.relation.sides[0]
-            later = [s.relation for s in steps[index + 1 :] if isinstance(s, Line) and s.relation is not None]
-            if letter.name not in names(later):
+            later = range(index + 1, len(steps))
+            used = names([relation for i in later for relation in steps[i].formulas])
+            if letter.name not in used and not any(index in equation.derivation.taken(i) for i in later):
                 raise BoresightError(f"{where}: nothing uses {letter}")

@@ -184,21 +184,16 @@ def line_refuted(paper: Paper, equation: Equation, index: int, mutant: Relation)
     """Whether a derivation with another relation in line `index` is refuted."""
     if not judge_line(paper, equation, index, mutant).holds:
         return True
-    changed = {index: mutant}
-    for at, step in enumerate(equation.derivation.steps[index:], index):
-        if not isinstance(step, Line) or step.passage is None:
-            continue
-        touched = at == index or str(index + 1) in (step.passage.of, *step.passage.using)
-        before = not step.passage.of and index == max(
-            (i for i in range(at) if equation.derivation.steps[i].formulas), default=-1
-        )
-        if (touched or before) and not judge_passage(paper, equation, at, changed).holds:
+    steps = equation.derivation.steps
+    for at in range(index, len(steps)):
+        step = steps[at]
+        touched = index in equation.derivation.taken(at) or (at == index and isinstance(step, Line) and step.passage)
+        if touched and not judge_passage(paper, equation, at, {index: mutant}).holds:
             return True
-    one = equation.derivation.steps[index]
+    one = steps[index]
     if isinstance(one, Line) and one.claim is not None and one.claim.kind == "definition":
-        steps = list(equation.derivation.steps)
-        steps[index] = replace(one, relation=mutant)
-        other = replace(equation, derivation=Derivation(tuple(steps)))
+        changed = Derivation((*steps[:index], replace(one, relation=mutant), *steps[index + 1 :]))
+        other = replace(equation, derivation=changed)
         later = (i for i, s in enumerate(steps) if i > index and isinstance(s, Line) and s.relation is not None)
         return any(not judge_line(paper, other, i).holds for i in later)
     return False

@@ -3,11 +3,14 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Equation, Quantity, Relation
 from boresight.derive.ledger.witness import draw, scaled
+
+if TYPE_CHECKING:
+    from boresight.derive.ledger.map import Map
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +48,8 @@ class Paper:
 
     evidence: what the ledger says of an equation beyond its status; findings: what was computed about the text beside.
     letters: those of the derivations that the paper does not print; structure: what letters are by their nature, see
-    ledger/free.py.
+    ledger/free.py.  maps: to the models that make C from it; unflown: the equations of which no function that flies
+    computes a side, each with why.
     """
 
     name: str
@@ -59,6 +63,8 @@ class Paper:
     findings: Callable[[], tuple[str, ...]]
     letters: Callable[[], tuple[Quantity, ...]] = tuple
     structure: Mapping[str, Any] = field(default_factory=dict)
+    maps: tuple["Map", ...] = ()
+    unflown: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
     def equations(self) -> tuple[Equation, ...]:

@@ -6,11 +6,11 @@ after, side by side.
 """
 
 from collections.abc import Callable, Sequence
-from itertools import pairwise
+from itertools import pairwise, zip_longest
 from typing import Any
 
 import mpmath as mp
-from sympy import Symbol
+from sympy import S, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.matrices import MatrixBase
 
@@ -97,6 +97,11 @@ def differentiate(rates: dict[str, str], of: str = "") -> Passage:
     return Passage("differentiate", of, (), tuple(rates), tuple(rates.values()))
 
 
+def elsewhere(letters: dict[str, str], of: str = "") -> Passage:
+    """The same of another time, point or quantity: other letters, all at once, stand in the place of these."""
+    return Passage("say it of another", of, (), tuple(letters), tuple(letters.values()))
+
+
 def take_vector(of: str = "") -> Passage:
     """Of skew-symmetric sides their vectors."""
     return Passage("take the vector", of)
@@ -168,7 +173,7 @@ def _relation(paper: Paper, equation: Equation, index: int, label: str, replaced
         if not 0 <= at <= index:
             raise BoresightError(f"line {label} does not stand before line {index + 1}")
     else:
-        at = max(i for i in range(index) if steps[i].formulas)
+        at = equation.derivation.before(index)
     return replaced[at] if at in replaced else steps[at].formulas[0]
 
 
@@ -176,7 +181,7 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
     if passage.operation == "rearrange":
         first, second = (_difference(relation, point) for relation in (before, after))
         holds = any(_same(first, [entry * sign for entry in second]) for sign in (1, -1))
-        return _said(holds and not _same(first, [entry * 0 for entry in first]), passage)
+        return _said(holds and not _same(first, [entry * 0 for entry in first]), passage.operation)
     if passage.operation == "solve":
         (letter,) = _symbols(paper, passage.letters)
         found = solve((before,), {letter.name: paper.letter(letter.name).shape or 1}, point.values)
@@ -186,25 +191,44 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
         if _depends(paper, Relation(tuple(s for s in after.sides if s != letter)), letter, point):
             return LineVerdict(False, f"solve: {letter} is on both sides")
         values = [_entries(evaluate(side, point)) for side in after.sides]
-        return _said(all(_same(a, b) for a, b in pairwise(values)), passage)
+        return _said(all(_same(a, b) for a, b in pairwise(values)), passage.operation)
+    if before.sides == after.sides:
+        return LineVerdict(False, f"{passage.operation}: the line before says the same")
     if passage.operation == "substitute":
-        for row, letter in zip(passage.using, (*passage.letters, *[""] * len(passage.using)), strict=False):
-            point = point.changed(_given(paper, relation_of(row), letter, point))
-    sides = [_entries(value) for value in _carried(paper, passage, before, relation_of, point)]
+        rows = list(zip_longest(passage.using, passage.letters, fillvalue=""))
+        verdict = _substituted(paper, rows, before, after, relation_of, point)
+        for k, (row, _) in enumerate(rows):
+            if verdict.holds and _substituted(paper, rows[:k] + rows[k + 1 :], before, after, relation_of, point).holds:
+                return LineVerdict(False, f"substitute: it follows without {row}")
+        return verdict
+    return _follows(_carried(paper, passage, before, relation_of, point), after, point, passage.operation)
+
+
+def _substituted(
+    paper: Paper, rows: Sequence[tuple[str, str]], before: Relation, after: Relation, relation_of, point: Point
+) -> LineVerdict:
+    for row, letter in rows:
+        point = point.changed(_given(paper, relation_of(row), letter, point))
+    return _follows([evaluate(side, point) for side in before.sides], after, point, "substitute")
+
+
+def _follows(values: list, after: Relation, point: Point, operation: str) -> LineVerdict:
+    """Whether each side of the line after is one of the values, and not all of them are the same one."""
+    sides = [_entries(value) for value in values]
     targets = [_entries(evaluate(side, point)) for side in after.sides]
     places = [next((i for i, side in enumerate(sides) if _same(side, target)), None) for target in targets]
     if None in places:
-        return _said(False, passage, f"side {places.index(None) + 1} does not follow")
+        return _said(False, operation, f"side {places.index(None) + 1} does not follow")
     if all(_same(sides[0], side) for side in sides):  # an identity: its sides are one at free values
-        return _said(True, passage)
-    return _said(len(set(places)) > 1, passage, "one side follows, and no other")
+        return _said(True, operation)
+    return _said(len(set(places)) > 1, operation, "one side follows, and no other")
 
 
 def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, point: Point) -> list:
     """The values of the sides of the line before, after the operation."""
     values = [evaluate(side, point) for side in before.sides]
     name = passage.operation
-    if name in ("substitute", "multiply out"):
+    if name == "multiply out":
         return values
     if name == "multiply":
         left, right = (_expression(paper, text) if text else None for text in passage.with_)
@@ -228,6 +252,10 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
     if name == "leave out":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
         return [evaluate(side, point.changed({x: point.values[x] * 0 for x in letters})) for side in before.sides]
+    if name == "say it of another":
+        others = [evaluate(_expression(paper, text), point) for text in passage.with_]
+        named = [symbol.name for symbol in _symbols(paper, passage.letters)]
+        return [evaluate(side, point.changed(dict(zip(named, others, strict=True)))) for side in before.sides]
     if name == "differentiate":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
         rates = [evaluate(_expression(paper, rate), point) for rate in passage.with_]
@@ -258,7 +286,7 @@ def _vector(value, passage: Passage):
 
 _TAKE: dict[str, Callable] = {
     "transpose": lambda value, passage: value.T,
-    "invert": lambda value, passage: power(value, -1),
+    "invert": lambda value, passage: power(value, S.NegativeOne),
     "take the vector": _vector,
     "take the skew-symmetric part": lambda value, passage: (value - value.T) / 2,
     "take rows": lambda value, passage: Matrix([list(value[int(k) - 1, :]) for k in passage.using]),
@@ -302,8 +330,8 @@ def _chained(lines: list[Relation], after: Relation, point: Point) -> LineVerdic
     )
 
 
-def _said(holds: bool, passage: Passage, why: str = "it does not follow") -> LineVerdict:
-    return LineVerdict(holds, "" if holds else f"{passage.operation}: {why}")
+def _said(holds: bool, operation: str, why: str = "it does not follow") -> LineVerdict:
+    return LineVerdict(holds, "" if holds else f"{operation}: {why}")
 
 
 def _depends(paper: Paper, relation: Relation, letter: Symbol, point: Point) -> bool:

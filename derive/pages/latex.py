@@ -1,16 +1,12 @@
 """LaTeX of relations and of the names of quantities."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
+from unicodedata import lookup, normalize
 from unicodedata import name as name_of
-from unicodedata import normalize
 
-from sympy import S
-from sympy.core.function import AppliedUndef
-from sympy.printing.latex import LatexPrinter
-from sympy.printing.precedence import PRECEDENCE
-
-from boresight.derive.ledger.equation import Quantity, Relation, holds_matrix, terms
+from boresight.derive.ledger.equation import Quantity, Relation
+from boresight.derive.pages.formula import ATOM, ELEMENTARY, PREFIX, Piece, Place, Writer
 
 
 def latex_relations(relations: Iterable[Relation], quantities: Iterable[Quantity]) -> str:
@@ -19,56 +15,91 @@ def latex_relations(relations: Iterable[Relation], quantities: Iterable[Quantity
     return r" \\ ".join(latex_relation(relation, quantities) for relation in relations)
 
 
-def latex_relation(relation: Relation, quantities: Iterable[Quantity]) -> str:
-    letters = {quantity.symbol.name + ("(" if quantity.function else ""): quantity.latex for quantity in quantities}
-    printer = _Latex(letters)
-    text = ""
-    for sign, term in terms(relation):
-        text += f" {sign} {printer.doprint(term)}" if sign else printer.doprint(term)
-    return text
+def latex_relation(relation: Relation, quantities: Iterable[Quantity], marks: Collection[Place] = ()) -> str:
+    r"""LaTeX of one relation.  marks: places that are set in \slip{...}, a command of the document's."""
+    pieces = _Latex(quantities, marks).pieces(relation)
+    return " ".join(part for piece in pieces for part in piece if part)
 
 
-class _Latex(LatexPrinter):
-    def __init__(self, letters: dict[str, str]):
-        super().__init__({"order": "none", "mat_str": "bmatrix", "mat_delim": "", "fold_func_brackets": True})
-        self.letters = letters
+class _Latex(Writer):
+    TIMES = r" \, "
+    OPEN_MARK, CLOSE_MARK = r"\slip{", "}"
+    NORM, CURLY = (r"\|", r"\|"), (r"\{", r"\}")
+    AT_MOST, CROSS, TRANSPOSED, VECTOR = r"\leq", r"\times", "T", r"\vee"
 
-    def _print_Symbol(self, expr, style="plain"):
-        return self.letters.get(expr.name) or latex_name(expr.name)
+    def letter(self, name):
+        latex = self._spelled(name)
+        # A power of a letter of several glyphs, or with a superscript of its own, needs brackets.
+        simple = re.fullmatch(r"\\(?:hat|dot|bar|check|overline|mathbf)\{[^{}]*\}|\\\w+|\w|\[.*\]", _stem(latex))
+        return latex, ATOM if simple and "^" not in latex.partition("[")[0] else PREFIX
 
-    def _print_Function(self, expr, exp=None):
-        if not isinstance(expr, AppliedUndef):
-            return super()._print_Function(expr, exp)
-        return self._print_call(expr)
+    def _spelled(self, name):
+        turning = re.fullmatch(r"\[(.*) x\]", name)
+        if turning and r"\times" not in self.letters.get(name, ""):
+            return rf"[{self._spelled(turning[1])}\times]"
+        return self.letters.get(name) or latex_name(name)
 
-    def _print_transpose(self, expr, exp=None):
-        return rf"{{{self.parenthesize(expr.args[0], PRECEDENCE['Pow'])}}}^{{T}}"
+    def head(self, name):
+        return self.letters.get(name + "(") or latex_name(name)
 
-    def _print_call(self, expr):
-        name = expr.func.__name__
-        arguments = ", ".join(self._print(argument) for argument in expr.args)
-        head = r"\exp" if name == "exp" else self.letters.get(name + "(") or latex_name(name)
-        return rf"{head}\left({arguments}\right)"
+    def bracketed(self, text, left="(", right=")"):
+        return rf"\left{left}{text}\right{right}"
 
-    def _print_Mul(self, expr):
-        if not holds_matrix(expr):
-            return super()._print_Mul(expr)
-        # As written: SymPy would multiply the explicit matrices.
-        signs = "-" * (expr.args[0] == S.NegativeOne)
-        return signs + " ".join(self.parenthesize(f, PRECEDENCE["Mul"]) for f in expr.args[len(signs) :])
+    def fraction(self, above, below):
+        return rf"\frac{{{self.multiplied(above)}}}{{{self.multiplied(below)}}}", PREFIX
 
-    def _print_MatrixBase(self, expr):
-        return self._print(expr[0]) if expr.shape == (1, 1) else super()._print_MatrixBase(expr)
+    def root(self, text):
+        return rf"\sqrt{{{text}}}"
 
-    _print_ImmutableDenseMatrix = _print_MatrixBase
+    def raised(self, base, exponent):
+        return rf"{base}^{{{exponent}}}"
+
+    def applied(self, name, argument, exponent):
+        power = f"^{{{exponent}}}" if exponent else ""
+        text, level = argument
+        bare = level == ATOM and name != "exp" and not text.startswith((r"\left", r"\begin"))
+        return rf"\{ELEMENTARY[name]}{power}" + (" " + text if bare else self.bracketed(text)), PREFIX
+
+    def grid(self, rows):
+        inside = r" \\ ".join(" & ".join(row) for row in rows)
+        return rf"\begin{{bmatrix}} {inside} \end{{bmatrix}}"
+
+    def summed(self, name, argument):
+        return f"{self.head(name)} {argument}", PREFIX
+
+    def factor(self, piece: Piece, index: int, last: bool) -> str:
+        text = super().factor(piece, index, last)
+        return text if last or not text.startswith(r"\sum") else self.bracketed(text)
+
+    def entry(self, base, row, column):
+        if "_" in base and not base.startswith(r"\left"):
+            base = self.bracketed(base)
+        return rf"{base}_{{{row},{column}}}", ATOM
+
+    def expectation(self, text):
+        return r"\mathrm{E}" + self.bracketed(text, "[", "]")
+
+
+def _stem(latex: str) -> str:
+    """A letter without its scripts."""
+    return latex if latex.startswith("[") else re.split(r"[_^]", latex)[0].strip()
 
 
 SIGNS = {"→": r"\to", "∂": r"\partial"}
 MARKS = {"\u0302": "hat", "\u0307": "dot", "\u0304": "bar", "\u030c": "check"}
 
 
+def greek(word: str) -> str:
+    """The Greek letter that a word names, small or capital, or nothing."""
+    size = "SMALL" if word.islower() else "CAPITAL"
+    try:
+        return lookup(f"GREEK {size} LETTER {word.upper().replace('LAMBDA', 'LAMDA')}") if len(word) > 1 else ""
+    except KeyError:
+        return ""
+
+
 def latex_name(name: str) -> str:
-    """LaTeX of a symbol's name: Greek letters, hats and dots, scripts, C_b2n, [v x]."""
+    """LaTeX of a symbol's name: Greek letters, hats and dots, scripts, C_b2n, [v x], dR_E/dL."""
     transformation = re.fullmatch(r"(.*?)_(\w'?)2(\w'?)", name)
     if transformation:
         letter, source, target = transformation.groups()
@@ -76,15 +107,23 @@ def latex_name(name: str) -> str:
     turning = re.fullmatch(r"\[(.*) x\]", name)
     if turning:
         return rf"[{latex_name(turning[1])}\times]"
+    slope = re.fullmatch(r"([d∂])(.+)/\1(.+)", name)
+    if slope:
+        d = latex_name(slope[1])
+        return rf"\frac{{{d} {latex_name(slope[2])}}}{{{d} {latex_name(slope[3])}}}"
+    moment = re.fullmatch(r"<(\S+) (\S+)>", name)
+    if moment:
+        return rf"\langle {latex_name(moment[1])} \, {latex_name(moment[2])} \rangle"
     text, _, scripts = name.partition("_")
     result = ""
-    for character in normalize("NFD", text):
-        if character in MARKS:
-            letter = re.search(r"(\\[A-Za-z]+ |.)$", result)
-            assert letter is not None
-            result = result[: letter.start()] + rf"\{MARKS[character]}{{{letter.group().strip()}}}"
-        else:
-            result += _character(character)
+    words = re.findall(rf"([A-Za-z]{{2,}})|(.)([{''.join(MARKS)}]*)", normalize("NFD", text))
+    for word, letter, marks in words:
+        if word[:1] == "d" and greek(word[1:]):
+            result, word = result + r"\delta ", word[1:]
+        latex = f"\\{word} " if greek(word) else word or _character(letter)
+        for mark in marks:
+            latex = rf"\{MARKS[mark]}{{{latex.strip()}}}"
+        result += latex
     below, _, above = scripts.partition("_")
     return result.strip() + (f"_{{{below}}}" if below else "") + (f"^{{{above}}}" if above else "")
 

@@ -13,6 +13,7 @@ from boresight import BoresightError
 from boresight.derive.ledger.entries import Entry, entry_of, findings
 from boresight.derive.ledger.equation import Derivation, Equation, Quantity, Relation
 from boresight.derive.ledger.paper import Paper
+from boresight.derive.pages import maps
 from boresight.derive.pages.latex import latex_name, latex_relation
 from boresight.derive.pages.mathml import mathml_relation
 from boresight.derive.pages.text import columns, text_relation
@@ -26,7 +27,8 @@ def render(paper: Paper, number: str | None = None, format: str = "text") -> str
     Raises BoresightError on a number or a format that does not exist.
     """
     chosen, entries = _chosen(paper, number)
-    return render_equations(paper.name, chosen, entries, format, () if number else findings(paper))
+    remarks = () if number else (*findings(paper), *maps.remarks(paper))
+    return render_equations(paper.name, chosen, entries, format, remarks)
 
 
 def render_equations(

@@ -12,7 +12,6 @@ Roll, pitch and yaw here are their parts about the mean.
 from functools import cache
 
 from sympy import (
-    Integral,
     Matrix,
     Poly,
     S,
@@ -158,7 +157,6 @@ def derivation() -> Derivation:
     z = Symbol("z_dcm")
     dmu_z, heading = DMU[2], Symbol("yaw_hat - yaw")
     ratio = Symbol("rho", positive=True)
-    cost = Integral(Symbol("z_dcm^2"), TIME)
     by_ratio = simplify(sinusoidal().subs(PITCH_AMPLITUDE, ratio * ROLL_AMPLITUDE))
     largest = sinusoidal().subs({PITCH_AMPLITUDE: ROLL_AMPLITUDE, PHASE: -pi / 2})
     return Derivation(
@@ -182,14 +180,11 @@ def derivation() -> Derivation:
             ),
             Step(
                 "least squares",
-                (
-                    Relation((cost, Symbol("min"))),
-                    Relation((product(matrix(spread()), matrix(DMU)), product(DELAY, matrix(spin())))),
-                ),
-                "the limit of a filter whose prior is used up and whose three rows have equal weight, at each "
-                "frequency: white noise, or the gyros' random walk between.  The left is a moment of inertia, the "
-                "right an angular momentum: the misalignment errs by what the swing turns on in tau, as if it were a "
-                "rigid body",
+                (Relation((product(matrix(spread()), matrix(DMU)), product(DELAY, matrix(spin())))),),
+                "the integral of z_dcm^2 over the time is least: the limit of a filter whose prior is used up and "
+                "whose three rows have equal weight, at each frequency: white noise, or the gyros' random walk "
+                "between.  The left is a moment of inertia, the right an angular momentum: the misalignment errs by "
+                "what the swing turns on in tau, as if it were a rigid body",
             ),
             Step(
                 "keep the yaw at rest",

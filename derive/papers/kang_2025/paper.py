@@ -2,7 +2,7 @@
 
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.papers.kang_2025.consequences import evidence, findings
-from boresight.derive.papers.kang_2025.derived import equations
+from boresight.derive.papers.kang_2025.derived import STRUCTURE, equations, letters
 from boresight.derive.papers.kang_2025.printed import quantities
 from boresight.derive.papers.kang_2025.witness import (
     CONDITIONS,
@@ -27,4 +27,6 @@ PAPER = Paper(
     point=Stated(STATED, STATED_TEXT),
     evidence=evidence,
     findings=findings,
+    letters=letters,
+    structure=STRUCTURE,
 )

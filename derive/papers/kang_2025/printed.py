@@ -3,9 +3,7 @@
 
 from functools import cache
 
-from sympy import Symbol
-
-from boresight.derive.ledger.equation import Quantity
+from boresight.derive.ledger.equation import Quantity, letter
 
 # number: ((first line, last line) in the source text counted from 1, its displays without the number)
 PRINTED: dict[str, tuple[tuple[int, int], tuple[str, ...]]] = {
@@ -72,12 +70,6 @@ TABLE_2 = (
 @cache
 def quantities() -> tuple[Quantity, ...]:
     """Every letter of the paper, and those which the derived forms need, with LaTeX, kind and meaning."""
-    table: list[Quantity] = []
-
-    def add(name, latex, kind, meaning, shape=(), function=False):
-        symbol = Symbol(name, commutative=shape == (), real=True if shape == () else None)
-        table.append(Quantity(symbol, latex, kind, meaning, shape, function))
-
     vectors = (
         ("v_m", "v_m^n", "velocity", "velocity at the master, m/s"),
         ("v_s", "v_s^n", "velocity", "velocity of the slave, m/s"),
@@ -95,8 +87,6 @@ def quantities() -> tuple[Quantity, ...]:
         ("ω_nb_b", "w_{nb}^b", "rate", "the same in body axes, rad/s"),
         ("z_DCM", "z_{DCM}", "rotation vector", "turn of the expected attitude from the reported, at one time, rad"),
     )
-    for name, latex, kind, meaning in vectors:
-        add(name, latex, kind, meaning, (3,))
     matrices = (
         ("[ω_in_n x]", r"[w_{in}^n \times]", "rate matrix", "rate of n against inertial space, 1/s"),
         ("[ω_ib_b x]", r"[w_{ib}^b \times]", "rate matrix", "gyro output, 1/s"),
@@ -107,8 +97,6 @@ def quantities() -> tuple[Quantity, ...]:
         ("A", "A", "turn", "matrix of the turn of the slave now from the master δt_d ago"),
         ("I", "eye(3)", "identity", "identity"),
     )
-    for name, latex, kind, meaning in matrices:
-        add(name, latex, kind, meaning, (3, 3))
     scalars = (
         ("dt", "dt", "time", "time between k-1 and k, s"),
         ("δt_d", r"\delta t_d", "time", "by how much the master's data is old, s"),
@@ -118,8 +106,9 @@ def quantities() -> tuple[Quantity, ...]:
         ("f", "f", "frequency", "frequency of the wave, Hz"),
         ("π", r"\pi", "number", "pi"),
     )
-    for name, latex, kind, meaning in scalars:
-        add(name, latex, kind, meaning)
-    add("asin", "asin", "function", "arcsine, if read as it stands", function=True)
-    add("entry", r"\operatorname{entry}", "function", "one entry of a matrix", function=True)
-    return tuple(table)
+    return (
+        *(letter(*one, (3,)) for one in vectors),
+        *(letter(*one, (3, 3)) for one in matrices),
+        *(letter(*one) for one in scalars),
+        letter("asin", "asin", "function", "arcsine, if read as it stands", function=True),
+    )

@@ -8,7 +8,7 @@ numbers that judge it.
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 from boresight.derive.ledger import ellipsoid
@@ -142,7 +142,11 @@ def after(function: Callable, t) -> Any:
 
 def _turning(axes: Callable, t) -> Matrix:
     """Rate at t of axes (columns) against those in which they are given, in their own components."""
-    W = axes(t).T * after(axes, t)
+    return unskewed(axes(t).T * after(axes, t))
+
+
+def unskewed(W: Matrix) -> Matrix:
+    """The vector of a skew-symmetric matrix, from its entries under the diagonal."""
     return vector(W[2, 1], W[0, 2], W[1, 0])
 
 
@@ -186,7 +190,7 @@ class Motion:
         return self.level(self.slave(t)).T * self.body(t)
 
     def lever_rate(self, t) -> Matrix:
-        return after(self.attitude, t) * self.lever
+        return after(lambda s: self.attitude(s) * self.lever, t)
 
     def omega_in_n(self, t) -> Matrix:
         return _turning(lambda s: _inertial(s) * self.level(self.slave(s)), t)
@@ -236,6 +240,10 @@ def _world(base: Base) -> dict:
         C_M2S = (finite_rotation(-Matrix(base.dmu)) * C_b2m).T
         v_M, C_M2n = truth.velocity(truth.master, -delay), truth.attitude(-delay) * C_b2m.T
         C, v_k, v_old = slave.attitude(zero), slave.velocity(slave.slave, zero), slave.velocity(slave.slave, -delay)
+        C_old, C_rate, u_old = slave.attitude(-delay), after(slave.attitude, zero), -slave.lever_rate(-delay)
+        omega_in_n, omega_ib_b = slave.omega_in_n(zero), slave.omega_ib_b(zero)
+        C_n2e, C_n2e_master = slave.level(slave.slave(zero)), slave.level(slave.master(zero))
+        e = rotation_vector(C * C_M2S * C_M2n.T)
         height, frequency, time = base.wave
         # A point on a wheel as high as the wave, which turns `frequency` times a second and rises at the start.
         wheel = finite_rotation([2 * pi() * frequency * time, 0, 0]) * vector(0, height / 2, 0)
@@ -246,22 +254,38 @@ def _world(base: Base) -> dict:
             "v_s(k)": v_k,
             "v_s(k-1)": slave.velocity(slave.slave, -step),
             "v_s(k+α)": v_old,
+            "v̇_s": after(partial(slave.velocity, slave.slave), zero),
+            "v_m(k+α)": slave.velocity(slave.master, -delay),
             "v_M": v_M,
             "dL/dt": slave.lever_rate(zero),
             "u(k)": -slave.lever_rate(zero),
             "u(k-1)": -slave.lever_rate(-step),
-            "z_v": v_old - slave.lever_rate(-delay) - v_M,
+            "u(k+α)": u_old,
+            "z_v": v_old + u_old - v_M,
             "L": slave.lever,
-            "[ω_in_n x]": skew(slave.omega_in_n(zero)),
-            "[ω_ib_b x]": skew(slave.omega_ib_b(zero)),
+            "r_s": slave.slave(zero),
+            "ṙ_s": after(slave.slave, zero),
+            "ṙ_m": after(slave.master, zero),
+            "ω_in_n": omega_in_n,
+            "ω_ib_b": omega_ib_b,
+            "[ω_in_n x]": skew(omega_in_n),
+            "[ω_ib_b x]": skew(omega_ib_b),
             "ω_nb_b": slave.omega_nb_b(zero),
-            "ω_nb_n": C * slave.omega_nb_b(zero),
+            "ω_nb_n": unskewed(C_rate * C.T),
             "C_S2n": C,
+            "Ċ_S2n": C_rate,
+            "C_S2n(k+α)": C_old,
+            "C_S2e": slave.body(zero),
+            "Ċ_S2e": after(slave.body, zero),
+            "C_e2n": C_n2e.T,
+            "Ċ_e2n": after(lambda t: slave.level(slave.slave(t)).T, zero),
+            "ΔC_e2n": (C_n2e_master - C_n2e).T,
             "C_M2S": C_M2S,
             "C_M2n": C_M2n,
             "C_n2M": C_M2n.T,
-            "A": skew(rotation_vector(C * C_M2S * C_M2n.T)),
-            "z_DCM": rotation_vector(slave.attitude(-delay) * C_M2S * C_M2n.T),
+            "e": e,
+            "A": skew(e),
+            "z_DCM": rotation_vector(C_old * C_M2S * C_M2n.T),
             "I": eye(3),
             "dt": step,
             "δt_d": delay,
@@ -271,5 +295,4 @@ def _world(base: Base) -> dict:
             "f": frequency,
             "π": pi(),
             "asin": asin,
-            "entry": lambda M, i, j: M[int(i) - 1, int(j) - 1],
         }  # fmt: skip

@@ -3,6 +3,8 @@
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.papers.kim_2018.consequences import evidence, findings
 from boresight.derive.papers.kim_2018.derived import equations
+from boresight.derive.papers.kim_2018.letters import STRUCTURE, letters
+from boresight.derive.papers.kim_2018.maps import MAPS, UNFLOWN
 from boresight.derive.papers.kim_2018.printed import quantities
 from boresight.derive.papers.kim_2018.witness import (
     CONDITIONS,
@@ -26,4 +28,8 @@ PAPER = Paper(
     point=Stated(STATED, STATED_TEXT),
     evidence=evidence,
     findings=findings,
+    letters=letters,
+    structure=STRUCTURE,
+    maps=MAPS,
+    unflown=UNFLOWN,
 )

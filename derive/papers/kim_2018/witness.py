@@ -307,7 +307,7 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         given |= dict(zip(names.split("|"), parts, strict=True))
     vectors = {"v": "v_n", "δv": "velocity_error", "φ": "phi", "θ": "theta", "Δv_MINS": "master_velocity_error",
                "x_p": "position_error", "x_v": "velocity_error", "x_φ": "phi", "x_Cb": "gyro_bias",
-               "x_Ab": "accel_bias", "ν_z": "v_n", "s_a": "f_b", "s_w": "omega_ib_b"}  # fmt: skip
+               "x_Ab": "accel_bias", "ν_z": "v_n", "s_a": "f_b", "f_b": "f_b", "s_w": "omega_ib_b"}  # fmt: skip
     given |= {name: Matrix(getattr(base, part)) for name, part in vectors.items()}
 
     def defined(number: str, **unknown: int) -> Callable:
@@ -335,7 +335,7 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         ("ẋ_k|w_k|δv̇|φ̇|δv̇_c|ψ̇|Ẋ", lambda a: _error_rates(base)),
         (RATES, lambda a: _rates(base)),
         ("R_E|R_N|R_EE|R_NN|ρ_e|ρ_n|ρ_u", lambda a: curvature(base)),
-        ("F_k|F_X|H_k|H_v", lambda a: matrices(truth(base))),
+        ("F_k|F_X|H_k|H_v|Γ_k", lambda a: matrices(truth(base))),
         ("Φ_k", lambda a: [transition(truth(base), base.step[0])]),
         (FILTER, lambda a: _filter(truth(base))),
         ("x(k-1+)|x(k-)", lambda a: _predicted(base)),
@@ -349,7 +349,7 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
 
 RATES = "[ω_ie_n x]|[ω_en_n x]|[δω_ie_n x]|[δω_en_n x]|[f_n x]|δω_ie_n|δω_en_n|f_n|v̇|δg_n|δf_b|δω_ib_b"
 FILTER = "Φ_k-1|P(k-1+)|Q_k|P(k-)|R|K_k|P(k+)"
-TRANSFER = "C_r2n|C_r2n(k-δt)|Ĉ_r2n|Ĉ_b2r|Ĉ_n2b|Z_dcm|ν_dcm|v̂_SINS|v̂_MINS|Z_v|ν_v|d|H_X"
+TRANSFER = "C_r2n|C_r2n(k-δt)|Ĉ_r2n|Ĉ_b2r|Ĉ_n2b|Z_dcm|ν_dcm|v̂_SINS|v̂_MINS|Z_v|ν_v|d|H_X|ω_nr_n|q_r2n|q̂_r2n|μ̂"
 ATTITUDES = "C_b2n|C_b2p|C̄_n2b|Φ̌|X_b|Y_b|Z_b|X_p|Y_p|Z_p|q_0|q_1|q_2|q_3|Q̂_b2n|Q_b2n|ΔQ"
 
 
@@ -433,7 +433,8 @@ def matrices(true: Truth) -> list:
         F_X = zeros(10)
         F_X[0:6, 0:6] = ellipsoid.jacobian(true.psi_rates, 6)
         H = ellipsoid.jacobian(measured, 15)
-        return [ellipsoid.jacobian(true.phi_rates, 15), F_X, H, H[0:3, :]]
+        noise = ellipsoid.jacobian(lambda sensors: true.phi_rates(zeros(15, 1), sensors), 6)
+        return [ellipsoid.jacobian(true.phi_rates, 15), F_X, H, H[0:3, :], noise]
 
 
 def series(first, following: Callable, step) -> Matrix:
@@ -470,7 +471,7 @@ def _predicted(base: Base) -> list:
 @lru_cache(maxsize=64)
 def _filter(true: Truth) -> list:
     """A covariance through one prediction, by its differential equation, and one update, in information form."""
-    F, _, H, _ = matrices(true)
+    F, _, H, *_ = matrices(true)
     generator = Random(5)
 
     def positive(size: int) -> Matrix:
@@ -507,7 +508,7 @@ def _filter(true: Truth) -> list:
 @lru_cache(maxsize=256)
 def _least_squares(base: Base) -> Matrix:
     """The x which is nearest to prediction and measurement, each weighted by its covariance: normal equations."""
-    _, _, H, _ = matrices(truth(base))
+    _, _, H, *_ = matrices(truth(base))
     _, _, _, P, R, _, P_after = _filter(truth(base))
     measured = stack(*(a + b for a, b in zip(base.v_n, base.velocity_error, strict=True)), base.phi[2])
     with digits(WORKING):
@@ -551,6 +552,8 @@ def _transfer(base: Base) -> list:
         return [
             C_r2n, delayed(base.delay[0]), C_hat_r2n, C_hat_b2r, C_hat_n2b, Z_dcm, -noise[1],
             slave, master, slave - master, -noise[0], H[3:6, 9], H,
+            C_r2n * omega_r - true.exact.omega_in_n,
+            quaternion(C_r2n), quaternion(C_hat_r2n), rotation_vector(C_hat_b2r),
         ]  # fmt: skip
 
 

@@ -1,0 +1,122 @@
+"""What a model makes, carried over by a paper's map, and held against the paper's at the witness, entry by entry."""
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+from sympy import ImmutableMatrix
+from sympy import Matrix as Symbols
+
+from boresight import BoresightError
+from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
+from boresight.derive.ledger.judge import EXACT, FULL, SEEDS, witness_point
+from boresight.derive.ledger.map import Map, Match, Row
+from boresight.derive.ledger.numbers import Matrix, digits, eye, middle, zeros
+from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.reader import read
+from boresight.derive.model import Model
+
+
+def check_maps(paper: Paper, number: str) -> None:
+    """Raises BoresightError at the first entry in which the paper's matrix is not the model's, carried over."""
+    with digits(DIGITS):
+        for one in paper.maps:
+            for match in one.matches:
+                if match.equation == number:
+                    for seed in SEEDS[:2]:
+                        _check(paper, one, match, seed)
+
+
+def _check(paper: Paper, one: Map, match: Match, seed: int) -> None:
+    model, point = _model(one), witness_point(paper, seed, FULL)
+    where = f"{paper.name} ({match.equation}), {match.paper} and {match.ours} of {model.name}"
+    theirs, (ours, rows, columns) = _value(paper, match.paper, point), _carried(paper, model, one, match, point)
+    if (theirs.rows, theirs.cols) != (ours.rows, ours.cols):
+        raise BoresightError(f"{where}: {theirs.rows}x{theirs.cols} beside {ours.rows}x{ours.cols}")
+    for i in range(ours.rows):
+        for j in range(ours.cols):
+            if abs(middle(theirs[i, j] - ours[i, j])) > EXACT:
+                name = f"{rows[i]}, {columns[j]}" if columns else rows[i]
+                sizes = " and ".join(f"{float(middle(value[i, j])):.6g}" for value in (theirs, ours))
+                raise BoresightError(f"{where} differ in [{name}], {sizes}; correct the function or the map")
+
+
+def _carried(paper: Paper, model: Model, one: Map, match: Match, point: Point) -> tuple[Matrix, list, list]:
+    """What the model has, in the paper's states and rows, and our names of its rows and columns."""
+    values = _inputs(paper, model, {**one.inputs, **match.inputs}, point)
+
+    def at_witness(symbolic) -> Matrix:
+        try:
+            return evaluate(ImmutableMatrix(symbolic), values)
+        except KeyError as error:
+            raise BoresightError(f"{paper.name}: {model.name} reads {error}, which its map does not give") from None
+
+    def blocks(rows: tuple[Row, ...], sizes: Mapping[str, int], rates: bool = False) -> Matrix:
+        parts = [(row.rate if rates else row.factor, sizes[row.ours]) for row in rows]
+        result, at = zeros(sum(size for _, size in parts)), 0
+        for latex, size in parts:
+            factor = _value(paper, latex, point)
+            block = factor if factor.rows > 1 else eye(size) * factor[0, 0]
+            result[at : at + size, at : at + size] = block
+            at += size
+        return result
+
+    at, names = 0, {}  # of each state, noise and measurement: where it stands, and what it is called
+    for block in model.states:
+        names[block.name] = list(zip(range(at, at + block.size), [s.name for s in block.symbols], strict=True))
+        at += block.size
+    for noise in one.noises:
+        (item,) = (item for item in model.inputs if item.name == noise.ours)
+        listed = list(model.noise)
+        names[noise.ours] = [(listed.index(symbol), symbol.name) for symbol in item.symbols]
+    found = {m.name: m for m in model.measurements}
+    sizes = {name: len(places) for name, places in names.items()} | {name: len(m.rows) for name, m in found.items()}
+
+    def order(rows: tuple[Row, ...]) -> tuple[list[int], list[str]]:
+        if missing := {row.ours for row in rows} - set(names):
+            raise BoresightError(f"{paper.name}: {model.name} has no {', '.join(sorted(missing))}")
+        places = [place for row in rows for place in names[row.ours]]
+        return [i for i, _ in places], [name for _, name in places]
+
+    states, state_names = order(one.states)
+    if len(states) != model.n:
+        raise BoresightError(f"{paper.name}: {len(states)} of the {model.n} states of {model.name} are in its map")
+    T = blocks(one.states, sizes)
+    if match.ours == "F":
+        F = at_witness(Symbols(model.F).extract(states, states))
+        return T * F * T.inv() + blocks(one.states, sizes, rates=True) * T.inv(), state_names, state_names
+    if match.ours == "G":
+        noises, noise_names = order(one.noises)
+        G = at_witness(model.G.extract(states, noises))
+        return T * G * blocks(one.noises, sizes).inv(), state_names, noise_names
+    rows = tuple(next(row for row in one.measurements if row.ours == name) for name in match.of)
+    S, row_names = blocks(rows, sizes), [f"{name}.{row}" for name in match.of for row in found[name].rows]
+    if match.ours == "z":
+        return S * at_witness(Symbols.vstack(*(found[name].z for name in match.of))), row_names, []
+    H = Symbols.vstack(*(found[name].H for name in match.of)).extract(list(range(len(row_names))), states)
+    return S * at_witness(H) * T.inv(), row_names, state_names
+
+
+@cache
+def _model(one: Map) -> Model:
+    return one.model()
+
+
+def _inputs(paper: Paper, model: Model, given: Mapping[str, str], point: Point) -> Point:
+    """The values of the model's input symbols."""
+    known = {item.name: item for item in model.inputs}
+    values: dict[str, Any] = {}
+    for name, latex in given.items():
+        if name not in known:
+            raise BoresightError(f"{paper.name}: {model.name} has no input {name}")
+        symbols, numbers = known[name].symbols, list(_value(paper, latex, point))
+        if len(numbers) != len(symbols):
+            raise BoresightError(f"{paper.name}: {latex} has {len(numbers)} components, {name} has {len(symbols)}")
+        values |= {symbol.name: number for symbol, number in zip(symbols, numbers, strict=True)}
+    return Point(values)
+
+
+def _value(paper: Paper, latex: str, point: Point) -> Matrix:
+    (relation,) = read((latex,), (*paper.quantities(), *paper.letters()))
+    value = evaluate(relation.sides[0], point)
+    return value if isinstance(value, Matrix) else Matrix([value])

@@ -1,0 +1,91 @@
+"""What a model makes is what the paper's equations say, in the paper's states: an edit of either is refused by name."""
+
+from dataclasses import replace
+
+import pytest
+
+from boresight import BoresightError
+from boresight.derive.ledger.carried import check_maps
+from boresight.derive.ledger.map import Match, Row
+from boresight.derive.papers import PAPERS, paper
+
+MAPPED = [name for name in PAPERS if paper(name).maps]
+MATCHED = [(name, m.equation) for name in MAPPED for one in paper(name).maps for m in one.matches]
+
+
+@pytest.mark.parametrize(("name", "number"), list(dict.fromkeys(MATCHED)))
+def test_the_matrices_of_a_model_are_those_of_the_paper_in_other_states(name, number):
+    check_maps(paper(name), number)
+
+
+@pytest.mark.parametrize("name", MAPPED)
+def test_every_equation_has_a_function_that_flies_or_a_reason(name):
+    matched = {number for one, number in MATCHED if one == name}
+    assert sorted([*matched, *paper(name).unflown], key=int) == [e.number for e in paper(name).equations]
+
+
+def changed(name, which, **new):
+    """The paper with another map in the place of the one to the model `which`."""
+    one = paper(name)
+    maps = tuple(replace(m, **new) if m.model.__name__ == which else m for m in one.maps)
+    return replace(one, maps=maps)
+
+
+def refusal(one, number):
+    with pytest.raises(BoresightError) as refused:
+        check_maps(one, number)
+    return str(refused.value)
+
+
+def test_a_sign_of_the_map_is_refused_by_the_entry_that_it_turns():
+    (transfer, hold) = paper("kim-2018").maps
+    states = tuple(replace(row, factor="1") if row.ours == "d_tau" else row for row in transfer.states)
+    assert "[velocity.e, d_tau]" in refusal(changed("kim-2018", "velocity_dcm", states=states), "6")
+    states = tuple(replace(row, factor="1") if row.ours == "d_gyro_bias" else row for row in hold.states)
+    assert "[phi_e, dbg_x]" in refusal(changed("kim-2018", "azimuth_hold", states=states), "7")
+
+
+def test_an_edit_of_what_makes_the_c_is_refused_by_the_ledger(monkeypatch):
+    hold = paper("kim-2018").maps[1]
+
+    def edited():
+        model = hold.model()
+        F = model.F.copy()
+        F[3, 7] = -F[3, 7]
+        return replace(model, F=F)
+
+    edited.__name__ = "edited"
+    assert "F_k and F of azimuth-hold differ in [dv_e, phi_n]" in refusal(
+        changed("kim-2018", "azimuth_hold", model=edited), "7"
+    )
+
+
+def test_a_map_that_varies_adds_its_own_rate():
+    """Velocities in a unit which changes: T = 2, T' = 3, so the rate of T dv gains 3/2 of it."""
+    transfer = paper("kim-2018").maps[0]
+    states = (replace(transfer.states[0], factor="2", rate="3"), *transfer.states[1:])
+    rows = (
+        r"\frac{3}{2} I - 2 [\omega_{ie}^n \times] - [\omega_{en}^n \times] & 2 [f^n \times] & 0_{3 \times 4}",
+        r"0_{3 \times 3} & -[\omega_{ie}^n \times] - [\omega_{en}^n \times] & 0_{3 \times 4}",
+        r"0_{4 \times 3} & 0_{4 \times 3} & 0_{4 \times 4}",
+    )
+    written = r"\begin{bmatrix}" + r"\\".join(rows) + r"\end{bmatrix}"
+    check_maps(changed("kim-2018", "velocity_dcm", states=states, matches=(Match("3", written, "F"),)), "3")
+    still = (replace(states[0], rate="0"), *states[1:])
+    assert "[dv_e, dv_e]" in refusal(
+        changed("kim-2018", "velocity_dcm", states=still, matches=(Match("3", written, "F"),)), "3"
+    )
+
+
+def test_what_a_map_lacks_or_misnames_is_one_clear_line():
+    transfer = paper("kim-2018").maps[0]
+    short = changed("kim-2018", "velocity_dcm", states=transfer.states[:3])
+    assert refusal(short, "3") == "kim-2018: 9 of the 10 states of velocity-dcm are in its map"
+    unknown = changed("kim-2018", "velocity_dcm", states=(*transfer.states[:3], Row(r"\Delta t", "tau_error")))
+    assert refusal(unknown, "3") == "kim-2018: velocity-dcm has no tau_error"
+    inputs = {name: latex for name, latex in transfer.inputs.items() if name != "f_b"}
+    assert "velocity-dcm reads 'f_x', which its map does not give" in refusal(
+        changed("kim-2018", "velocity_dcm", inputs=inputs), "3"
+    )
+    wrong = (*transfer.matches, Match("3", r"\delta v^n", "F"))
+    assert "3x1 beside 10x10" in refusal(changed("kim-2018", "velocity_dcm", matches=wrong), "3")

@@ -1,0 +1,175 @@
+"""Lines and passages on a small paper of their own: each operation leads to the right line and to no wrong one."""
+
+from dataclasses import dataclass, replace
+
+import pytest
+from sympy import Symbol
+
+from boresight import BoresightError
+from boresight.derive.ledger import lines as ln
+from boresight.derive.ledger import passages as ps
+from boresight.derive.ledger.equation import Derivation, Equation, Quantity
+from boresight.derive.ledger.evaluate import DIGITS
+from boresight.derive.ledger.free import of, rotation
+from boresight.derive.ledger.numbers import Matrix, digits, eye
+from boresight.derive.ledger.paper import Paper, Stated, Witness
+from boresight.derive.ledger.witness import finite_rotation, skew
+
+
+@dataclass(frozen=True, eq=False)
+class Base:
+    error: tuple
+    rate: tuple
+
+
+@dataclass(frozen=True)
+class Sizes:
+    error: float = 0.1
+    rate: float = 1.0
+
+
+def values(base, definitions):
+    e, w = Matrix(base.error), Matrix(base.rate)
+    C = finite_rotation((1, 2, 3))
+    e_x, e_y, _ = e
+    return {"e": e, "w": w, "C": C, "D": finite_rotation(-e) * C, "I": eye(3), "s": e_x, "t": e_y, "r": e_x * e_y}
+
+
+def quantities():
+    matrices = [(name, (3, 3)) for name in "CDMI"]
+    vectors = [(name, (3,)) for name in ("e", "w", "p")]
+    shapes = dict([*matrices, *vectors, *((name, ()) for name in ("s", "t", "r", "u"))])
+    return tuple(
+        Quantity(Symbol(name, commutative=not shape), name, str(shape), "", shape) for name, shape in shapes.items()
+    )
+
+
+TOY = Paper(
+    name="toy",
+    reference="",
+    make_equations=tuple,
+    quantities=quantities,
+    witness=Witness(Base, values, Sizes(), ("error",)),
+    conditions=Stated(Sizes(), ""),
+    point=Stated(None, ""),
+    evidence=lambda number: "",
+    findings=tuple,
+    structure={"C": rotation, "I": lambda generator: eye(3), "M": of("p", skew)},
+)
+
+
+def derivation(*lines):
+    steps = ln.read_lines(lines, quantities())
+    blank = Equation("toy", "1", (), (0, 0), (), (), Derivation(steps), quantities=quantities())
+    return blank
+
+
+def follows(before, passage, after, *others):
+    """Whether `after` follows from `before`; others: lines before both, the first of which is number 1."""
+    written = [ln.line(text, ln.EXACT_LINE, "") for text in (*others, before)]
+    equation = derivation(*written, replace(ln.line(after, ln.EXACT_LINE, ""), passage=passage))
+    return ps.judge_passage(TOY, equation, len(equation.derivation.steps) - 1).holds
+
+
+@pytest.mark.parametrize(
+    ("before", "passage", "right", "wrong", "others"),
+    [
+        ("p = C w", ps.substitute("1"), "p = C (e + C e)", "p = C (e - C e)", ["w = e + C e"]),
+        ("p = C w", ps.substitute("1", letters=["w"]), "p = C (C^T e)", "p = C (C e)", ["C w = e"]),
+        ("p = C w", ps.multiply(left="C^T"), "C^T p = C^T C w", "C^T p = C w", []),
+        ("D = M", ps.multiply(right="w"), "D w = M w", "w^T D = M w", []),
+        ("D - M = C", ps.add("M"), "D = C + M", "D = C - M", []),
+        ("p + w = e", ps.rearrange(), "p = e - w", "p = e + w", []),
+        ("p = C w", ps.add_line("1"), "p + e = C w + w", "p + e = C w - w", ["e = w"]),
+        ("p = C w", ps.subtract_line("1"), "p - e = C w - w", "p - e = w - C w", ["e = w"]),
+        ("D = C M", ps.transpose(), "D^T = M^T C^T", "D^T = C^T M^T", []),
+        ("D = C C", ps.invert(), "D^{-1} = C^{-1} C^{-1}", "D^{-1} = C^{-1} C", []),
+        ("p = C C^T w", ps.multiply_out(), "p = w", "p = C w", []),
+        ("p = [w \\times] e", ps.multiply_out(), "p = - e \\times w", "p = e \\times w", []),
+        ("C = D M", ps.chain("1", "2"), "C = I", "D = M", ["D M = I"]),
+        ("u = s t + s + s^2", ps.expand("s"), "u = s t + s", "u = s t + s + s^2", []),
+        ("u = s t + s + s^2", ps.expand("s", "t"), "u = s", "u = s + s t", []),
+        ("u = \\cos s + t s^2", ps.expand("s", order=2), "u = 1 - s^2/2 + t s^2", "u = 1 + s^2/2 + t s^2", []),
+        ("D = \\exp([e \\times]) C", ps.expand("e"), "D = (I + [e \\times]) C", "D = (I - [e \\times]) C", []),
+        ("u = s t + r", ps.leave_out("r"), "u = s t", "u = s", []),
+        ("r = s t", ps.differentiate({"s": "u", "r": "1"}), "1 = u t", "1 = u s", []),
+        ("M = C [w \\times] C^T", ps.take_vector(), "p = C w", "p = C^T w", []),
+        ("D = C", ps.take_skew_part(), "(D - D^T)/2 = (C - C^T)/2", "(D - D^T)/2 = (C + C^T)/2", []),
+        ("D = C", ps.take_entry(1, 2), "D(1,2) = C(1,2)", "D(1,2) = C(2,1)", []),
+        ("p = C w", ps.solve_for("w"), "w = C^T p", "w = C p", []),
+        ("s t + r = u", ps.solve_for("t"), "t = (u - r)/s", "t = (u + r)/s", []),
+    ],
+)
+def test_an_operation_leads_to_its_line_and_to_no_other(before, passage, right, wrong, others):
+    assert follows(before, passage, right, *others)
+    assert not follows(before, passage, wrong, *others)
+
+
+def test_a_row_that_changes_nothing_is_no_reason():
+    assert not follows("p = C w", ps.substitute("1"), "p = C w + w - w", "e = w")
+
+
+def test_a_line_that_repeats_the_one_before_is_no_step():
+    assert not follows("p = C w", ps.multiply_out(), "p = C w")
+
+
+def test_a_true_line_that_does_not_follow_is_refused():
+    """Both are true at the witness: D = exp(-[e x]) C."""
+    lines = [ln.line("D = \\exp(-[e \\times]) C", ln.EXACT_LINE, "")]
+    second = ln.line("D C^T = \\exp(-[e \\times])", ln.EXACT_LINE, "", ps.transpose())
+    equation = derivation(*lines, second)
+    with digits(DIGITS):
+        assert ln.judge_line(TOY, equation, 1).holds and not ps.judge_passage(TOY, equation, 1).holds
+
+
+@pytest.mark.parametrize(
+    ("latex", "claim", "holds"),
+    [
+        ("D = \\exp(-[e \\times]) C", ln.EXACT_LINE, True),
+        ("D = (I - [e \\times]) C", ln.EXACT_LINE, False),
+        ("D = (I - [e \\times]) C", ln.first_order(), True),
+        ("D = (I + [e \\times]) C", ln.first_order(), False),
+        ("r = s t", ln.first_order(), False),  # true, and nothing of it is of first order
+        ("D = C", ln.limit("error"), True),
+        ("D = C^T", ln.limit("error"), False),
+        ("D = (I - [e \\times] + [e \\times] [e \\times]/2) C", ln.of_order(2, "error"), True),
+        ("D = (I - [e \\times]) C", ln.of_order(2, "error"), False),
+        ("[C w \\times] = C [w \\times] C^T", ln.IDENTITY, True),
+        ("[C w \\times] = C^T [w \\times] C", ln.IDENTITY, False),
+        ("D = (I - [e \\times]) C", ln.approximately("D - (I - [e \\times]) C", "e is small"), True),
+        ("D = \\exp(-[e \\times]) C", ln.approximately("D - D", "e is small"), False),  # nothing is dropped
+        ("u = s + t", ln.DEFINITION, True),
+        ("s = r + t", ln.DEFINITION, False),  # the witness knows s
+        ("s + t = s + t", ln.EXACT_LINE, False),  # one side twice
+    ],
+)
+def test_a_claim_is_judged_by_its_kind(latex, claim, holds):
+    equation = derivation(ln.line(latex, claim, ""))
+    with digits(DIGITS):
+        assert ln.judge_line(TOY, equation, 0).holds is holds
+
+
+def test_a_definition_that_nothing_uses_is_refused_and_a_wrong_one_breaks_a_later_line():
+    def lines(value):
+        return [ln.line(f"u = {value}", ln.DEFINITION, ""), ln.line("u r = s s t + s t t", ln.EXACT_LINE, "")]
+
+    with digits(DIGITS):
+        ln.check_derivation(TOY, derivation(*lines("s + t")))
+        with pytest.raises(BoresightError, match=r"toy \(1\), line 2, u r = .*differ"):
+            ln.check_derivation(TOY, derivation(*lines("s - t")))
+        with pytest.raises(BoresightError, match=r"line 1, .*nothing uses u"):
+            ln.check_derivation(TOY, derivation(*lines("s + t")[:1]))
+
+
+def test_an_expectation_has_exact_second_moments():
+    from boresight.derive.ledger.evaluate import Point, evaluate
+
+    (one,) = ln.read_lines([ln.line("M = \\mathrm{E}[p p^T] + \\mathrm{E}[C p]", ln.EXACT_LINE, "")], quantities())
+    root = Matrix([[1, 0, 0], [2, 3, 0], [0, 1, 5]])
+    columns = [root[:, k] for k in range(3)]
+    point = Point({"p": Matrix([0, 0, 0]), "C": eye(3), "random": {"p": columns}})
+    with digits(DIGITS), pytest.raises(ValueError, match="sum of shapes"):
+        evaluate(one.relation.sides[1], point)
+    with digits(DIGITS):
+        moment = evaluate(one.relation.sides[1].args[0], point)
+        assert max(abs(entry) for entry in moment - root * root.T) < 1e-40
