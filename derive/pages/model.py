@@ -10,17 +10,18 @@ from dataclasses import replace
 from itertools import count
 from typing import Any
 
-from sympy import Add, ImmutableMatrix, Matrix, Mul, Piecewise, Rational, S, Symbol, cse, eye
+from sympy import Add, ImmutableMatrix, Integer, Matrix, Mul, Piecewise, Pow, Rational, S, Symbol, cse, eye
 from sympy import Function as Letter
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
 from sympy.functions.elementary.complexes import transpose
+from sympy.matrices import MatrixBase
 
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation, as_written, product, total
 from boresight.derive.mechanics.rotation import skew
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
-from boresight.derive.pages.named import CONSTANTS, Named, Naming, component_letters, naming, nodes, rebuilt
+from boresight.derive.pages.named import CONSTANTS, Named, Naming, component_letters, naming, nodes, operations, rebuilt
 from boresight.derive.pages.page import Block, Form, Formulas, Page, Prose, Section, Table
 
 LONG = 150  # operations: what is longer is broken into parts that have letters
@@ -71,7 +72,7 @@ class Description:
 
     def _differentiated(self, key: str, column: Matrix) -> Iterator[tuple[str, Matrix]]:
         self.jacobians.add(key)
-        if sum(1 for node in nodes([column]) if node.args) < JACOBIAN:
+        if operations(column) < JACOBIAN:
             yield key, column.jacobian(self.model.x)
 
     # ---- blocks of a matrix ------------------------------------------------------------------------------------
@@ -101,19 +102,19 @@ class Description:
                 if block[i, j] != 0:
                     yield entry(letter, a, b), block[i, j]
 
-    def column(self, key: str, letter: Symbol, names: Sequence[str]) -> list[Formulas]:
-        """A vector: as a whole if it has a name or is narrow, else by its components."""
+    def column(self, key: str, letter: Symbol, names: Sequence[str]) -> list[tuple[Any, Any]]:
+        """A vector: as a whole if it has a name or is narrow, else by its components; a matrix by its entries."""
         value = self.naming.groups[key]
         tree = self.written(value)
         if tree is not None or value.shape == (1, 1):
-            return self.formulas([(letter, value[0] if tree is None else tree)])
+            return [(letter, value[0] if tree is None else tree)]
         if value.cols > 1:
-            parts = [Part(letter, [Symbol(str(i + 1)) for i in range(n)]) for n in value.shape]
-            return self.formulas([(entry(letter, a, b), value[i, j]) for i, a in enumerate(parts[0].letters)
-                                  for j, b in enumerate(parts[1].letters) if value[i, j] != 0])  # fmt: skip
+            parts = [[Symbol(str(i + 1)) for i in range(n)] for n in value.shape]
+            return [(entry(letter, a, b), value[i, j]) for i, a in enumerate(parts[0]) for j, b in enumerate(parts[1])
+                    if value[i, j] != 0]  # fmt: skip
         if width(value) <= WIDE:
-            return self.formulas([(letter, value)])
-        return self.formulas([(Symbol(f"{letter}_{name}"), part) for name, part in zip(names, value, strict=True)])
+            return [(letter, value)]
+        return [(Symbol(f"{letter}_{name}"), part) for name, part in zip(names, value, strict=True)]
 
     def written(self, block: Matrix) -> Any:
         """The block as a matrix or a vector that has a name, perhaps with a sign, or as a sum of vectors; or None."""
@@ -157,10 +158,10 @@ class Description:
     def formulas(self, relations: Iterable[tuple[Any, Any]]) -> list[Formulas]:
         """The relations; where they are long, parts that stand in several places get letters of their own."""
         relations = list(relations)
-        plain = [i for i, (_, right) in enumerate(relations) if right.is_commutative or isinstance(right, MATRICES)]
+        plain = [i for i, (_, right) in enumerate(relations) if isinstance(right, MATRICES) or right.is_commutative]
         entries = [e for i in plain for e in (relations[i][1] if isinstance(relations[i][1], MATRICES) else [relations[i][1]])]
         where: list[Formulas] = []
-        if sum(1 for node in nodes([entries]) if node.args) > LONG:
+        if operations(entries) > LONG:
             definitions, entries = self._parted(entries)
             where = [Formulas(tuple(Form(Relation((s, ordered(value)))) for s, value in definitions), "where")]
         left = iter(entries)
@@ -191,7 +192,7 @@ class Description:
 
         for symbol, value in replacements:
             value = put(value)
-            if sum(1 for node in nodes([[value]]) if node.args) <= 2:
+            if operations([value]) <= 2:
                 letters[symbol] = value
             else:
                 letters[symbol] = Symbol(f"t_{next(self.counted)}")
@@ -206,7 +207,11 @@ class Part:
         self.letter, self.letters, self.size = letter, list(letters), len(letters)
 
 
-MATRICES = (Matrix, ImmutableMatrix)
+MATRICES = MatrixBase
+
+
+def turned(expression: Any) -> Any:
+    return transpose(expression, evaluate=False)
 
 
 def identity(size: int) -> Symbol:
@@ -215,6 +220,8 @@ def identity(size: int) -> Symbol:
 
 def width(matrix: Matrix) -> int:
     """About how many characters a matrix is wide."""
+    if operations(matrix) > LONG:
+        return LONG
     return sum(max(len(str(part)) for part in matrix[:, j]) + 2 for j in range(matrix.cols))
 
 
@@ -236,7 +243,7 @@ def ordered(expression: Any) -> Any:
         arguments.sort(key=_place)
         return as_written(Mul, arguments)
     if expression.is_Pow:
-        return as_written(type(expression), arguments)
+        return Pow(*arguments, evaluate=False)
     name = type(expression).__name__
     return Letter(name.lower())(*arguments) if name in ("atan2", "Abs") else expression.func(*arguments, evaluate=False)
 
@@ -244,7 +251,7 @@ def ordered(expression: Any) -> Any:
 def _place(factor: Any) -> tuple[int, str]:
     base, exponent = factor.as_base_exp()
     kind = 0 if factor.is_Number else 1 if base.is_Symbol else 2 if base.is_Function else 3
-    return kind + 4 * (exponent.is_number and exponent < 0), str(factor)
+    return kind + 4 * bool(exponent.is_number and exponent < 0), str(factor)
 
 
 def _case(condition: Any, then: Any, otherwise: Any) -> Any:
@@ -269,17 +276,16 @@ def model_page(model: Model, manifest: Mapping[str, Any] | None = None) -> Page:
     """manifest: of the generated C, if there is any."""
     shown = Description(model)
     units = (manifest or {}).get("units", {})
-    dynamics = _dynamics(shown, units) if model.n else []
     sections = [
-        *([Section("States", (_states(model),), "states")] if model.n else []),
-        Section("Inputs", tuple(_inputs(shown)), "inputs"),
-        *dynamics,
+        *([Section("States", (_variables(model, model.states),), "states")] if model.n else []),
+        Section("Inputs", tuple(_inputs(model)), "inputs"),
+        *(_dynamics(shown, units) if model.n else []),
         *(_measurement(shown, m, units) for m in model.measurements),
-        *(_function(shown, f, units) for f in model.functions),
         *([Section("One cycle of the filter", tuple(_cycle(model)), "cycle")] if model.n else []),
+        *(_function(shown, f, units) for f in model.functions),
     ]
     used = {s for section in sections for form in forms(section) for s in letters_of(form.relation)}
-    sections[1 + (model.n > 0) :] = [*_names(shown, used), *sections[1 + (model.n > 0) :]]
+    sections += _names(shown, used)
     sections += [Section("C functions", tuple(_functions(model, units)), "c-functions"), *_equations(model)]
     lead = (f"{model.title[0].upper()}{model.title[1:]}.", f"Frame: {model.frame}.", *model.card)
     return _lettered(shown, Page(model.name, tuple(sections), lead))
@@ -302,12 +308,8 @@ def form(*sides: Any) -> Form:
     return Form(Relation(sides))
 
 
-def _states(model: Model) -> Table:
-    return _variables(model, model.states, singly=True)
-
-
-def _variables(model: Model, listed: Iterable[Variable], singly: bool = False) -> Table:
-    """A row for each variable, or for each component where they differ or are asked for `singly`."""
+def _variables(model: Model, listed: Iterable[Variable]) -> Table:
+    """A row for each variable, and one for each component where they differ."""
     called = component_letters(model)
     rows: list[tuple[Any, ...]] = []
     for v in listed:
@@ -324,10 +326,10 @@ def _variables(model: Model, listed: Iterable[Variable], singly: bool = False) -
     return Table(("name", "components", "unit", "valid", "frame", "meaning"), tuple(rows), prose=5)
 
 
-def _inputs(shown: Description) -> Iterator[Block]:
-    for struct in shown.model.structs:
+def _inputs(model: Model) -> Iterator[Block]:
+    for struct in model.structs:
         yield Prose(struct.meaning, struct.name)
-        yield _variables(shown.model, struct.fields)
+        yield _variables(model, struct.fields)
 
 
 def _names(shown: Description, used: set[Symbol]) -> list[Section]:
@@ -371,7 +373,7 @@ def _dynamics(shown: Description, units: Mapping[str, Any]) -> list[Section]:
     blocks: list[Block] = [Prose("x' = F x + G w, with the states x and white noise w.")]
     if model.f is not None:
         blocks = [Prose("x' = f(x) + G w, with the states x and white noise w; F is the Jacobian of f by x.")]
-        blocks += shown.column("f", f_, [s.name for s in model.x])
+        blocks += shown.formulas(shown.column("f", f_, [s.name for s in model.x]))
     if "F" in shown.naming.groups:
         blocks += shown.matrix("F", F_, states, states)
         blocks.append(Prose("Every other entry of F is zero."))
@@ -397,8 +399,8 @@ def _dynamics(shown: Description, units: Mapping[str, Any]) -> list[Section]:
     by_F, both = product(F_, Q_c), product(F_, Q_c, transpose(F_))
     Q = total(
         product(Q_c, dt),
-        product(half, dt**2, total(by_F, transpose(by_F))),
-        product(sixth, dt**3, total(product(F_, by_F), product(2, both), transpose(product(F_, by_F)))),
+        product(half, dt**2, total(by_F, turned(by_F))),
+        product(sixth, dt**3, total(product(F_, by_F), product(Integer(2), both), turned(product(F_, by_F)))),
     )
     discrete = Section(
         f"Over a step {dt}",
@@ -441,10 +443,10 @@ def _measurement(shown: Description, m: Measurement, units: Mapping[str, Any]) -
     blocks: list[Block] = [Prose(text[0].upper() + text[1:])]
     if m.z is None:
         blocks.append(Prose("The caller brings z, the measured value."))
-    else:
-        blocks += shown.column(f"{m.name} z", z_, m.rows)
+    z_and_h = shown.column(f"{m.name} z", z_, m.rows) if m.z is not None else []
     if m.h is not None:
-        blocks += shown.column(f"{m.name} h", h_, m.rows)
+        z_and_h += shown.column(f"{m.name} h", h_, m.rows)
+    blocks += shown.formulas(z_and_h)
     if f"{m.name} H" in shown.naming.groups:
         blocks += shown.matrix(f"{m.name} H", H_, [rows], states)
         blocks.append(Prose("Every other entry of H is zero."))
@@ -461,13 +463,18 @@ def _measurement(shown: Description, m: Measurement, units: Mapping[str, Any]) -
 
 def _function(shown: Description, function: Any, units: Mapping[str, Any]) -> Section:
     blocks: list[Block] = [Prose(function.meaning[0].upper() + function.meaning[1:] + ".")]
-    taken = {v.name for v in shown.model.inputs}
+    taken = {v.name: v for v in shown.model.inputs}
+    relations: list[tuple[Any, Any]] = []
     for output in function.outputs:
         name = output.name + "_new" * (output.name in taken)
         frame = f", {output.frame}" * bool(output.frame)
         blocks.append(Prose(f"{output.meaning}, {output.unit}{frame}", name))
         letter = Symbol(name, commutative=output.value.shape == (1, 1))
-        blocks += shown.column(f"{function.name} {output.name}", letter, [str(i + 1) for i in range(output.value.rows)])
+        rows = [str(i + 1) for i in range(output.value.rows)]
+        if output.name in taken:
+            rows = [shown.called[s].name.rpartition("_")[2] for s in taken[output.name].symbols]
+        relations += shown.column(f"{function.name} {output.name}", letter, rows)
+    blocks += shown.formulas(relations)
     made = (*blocks, *_in_c(shown.model, units, function.name), *_stands_on(function.equations))
     return Section(f"Function {function.name}", made, f"function-{function.name}")
 

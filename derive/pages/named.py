@@ -5,10 +5,11 @@ test holds the expressions with their names against the model's own, by value.
 """
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from itertools import count
+from typing import Any
 
 from sympy import Add, Basic, ImmutableMatrix, Integer, Matrix, Mul, Pow, Rational, S, Symbol, sin, sqrt
 from sympy.functions.elementary.complexes import transpose
@@ -20,6 +21,7 @@ from boresight.derive.mechanics.rotation import skew
 from boresight.derive.model import Model, Variable, symbols_in
 
 FRAMES = earth.FRAMES
+LONG = 60  # operations of a rotation vector that stays part of a longer expression
 SMALL = 1000  # numerator and denominator of a number that is shown as it is
 
 
@@ -52,13 +54,19 @@ def renamed(one: Named, name: str) -> Named:
     return replace(one, letter=letter, entries=ImmutableMatrix(*one.entries.shape, entries))
 
 
-def array(name: str, value: Matrix, meaning: str, shown=None, suffixes: Iterable[str] | None = None) -> Named:
-    """A matrix or a vector.  Its scalars are the name with a suffix; what is no sum stays as it is."""
+def array(
+    name: str, value: Matrix, meaning: str, shown=None, suffixes: Iterable[str] | None = None, short: int = 1000
+) -> Named:
+    """A matrix or a vector.  Its scalars are the name with a suffix; what is no sum, and no product of at least `short`
+    factors, stays as it is."""
     if suffixes is None:
         suffixes = [f"{i + 1}{j + 1}" for i in range(value.rows) for j in range(value.cols)]
     value = ImmutableMatrix(value)
     letters = [Symbol(f"{name}_{suffix}") for suffix in suffixes]
-    entries = [letter if entry.is_Add else entry for letter, entry in zip(letters, value, strict=True)]
+    entries = [
+        letter if entry.is_Add or (entry.is_Mul and len(_factors(entry)[1]) >= short) else entry
+        for letter, entry in zip(letters, value, strict=True)
+    ]
     letter = Symbol(name, commutative=False)
     return Named(letter, meaning, value, ImmutableMatrix(*value.shape, entries), value if shown is None else shown)
 
@@ -128,7 +136,7 @@ class Rewriter:
     def _product(self, expression, number, before: dict, factors: dict):
         changed = factors.keys() != before.keys()
         for coefficient, wanted, letter, index in self.products:
-            if all(_holds(factors.get(base), exponent, base) for base, exponent in wanted.items()):
+            while all(_holds(factors.get(base), exponent, base) for base, exponent in wanted.items()):
                 for base, exponent in wanted.items():
                     factors[base] -= exponent
                 number, factors[letter] = number / coefficient, factors.get(letter, 0) + 1
@@ -142,6 +150,8 @@ def rebuilt(expression, arguments: list):
         return expression
     if expression.is_Add or expression.is_Mul:
         return expression.func(*arguments)
+    if expression.is_Pow:
+        return power(*arguments)
     return Basic.__new__(expression.func, *arguments)
 
 
@@ -162,12 +172,12 @@ def _factors(expression) -> tuple:
 
 
 def _holds(power, wanted, base) -> bool:
-    """Whether this power of a base contains the wanted one: of sums and roots the whole, of letters a part."""
-    if power is None:
+    """Whether this power of a base contains the wanted one; a root of the ellipsoid only as a whole."""
+    if power is None or power == 0:
         return False
-    if base.is_Symbol and not base.name.startswith("w") or base.is_Function:
-        return bool(power >= wanted > 0 or power <= wanted < 0)
-    return bool(power == wanted)
+    if base.is_Symbol and re.fullmatch(r"w(_\d+)?", base.name):
+        return bool(power == wanted)
+    return bool(power >= wanted > 0 or power <= wanted < 0)
 
 
 def nodes(matrices: Iterable[Matrix]) -> list:
@@ -190,6 +200,15 @@ def nodes(matrices: Iterable[Matrix]) -> list:
     return list(seen)
 
 
+def operations(expressions: Iterable[Any]) -> int:
+    """How many operations a reader sees where they are written out."""
+    expressions = list(expressions)
+    seen: dict[Any, int] = {}
+    for node in nodes([expressions]):
+        seen[node] = sum(seen[part] for part in node.args) + len(node.args) - 1 + node.is_Function if node.args else 0
+    return sum(seen[part] for part in expressions)
+
+
 @dataclass
 class Naming:
     """The expressions of a model, group by group, and the names that have been put into them so far."""
@@ -199,26 +218,29 @@ class Naming:
     vectors: dict[str, Named]  # states and inputs, by name
     named: list[Named] = field(default_factory=list)
 
-    def put(self, candidates: Iterable[Named]) -> list[Named]:
-        """Put these names into all groups; those that stand somewhere are kept."""
+    def put(self, candidates: Iterable[Named], groups: Collection[str] | None = None) -> list[Named]:
+        """Put these names into all groups, or into some; those that stand somewhere are kept."""
         candidates = list(candidates)
         places = [(one, i) for one in candidates for i, letter in enumerate(one.entries) if letter != one.value[i]]
         rewriter = Rewriter((one.entries[i], one.value[i]) for one, i in places)
-        self.groups = {key: rewriter.matrix(matrix) for key, matrix in self.groups.items()}
+        self.groups |= {
+            key: rewriter.matrix(matrix) for key, matrix in self.groups.items() if groups is None or key in groups
+        }
         found = {id(places[index][0]) for index in rewriter.found}
         kept = [one for one in candidates if id(one) in found]
         self.named += kept
         return kept
 
     def put_found(self, candidates: Iterable[Named]) -> list[Named]:
-        """The same of candidates that may bear one name: those that stand somewhere are told apart by a number."""
+        """The same of candidates that may bear one name: those of which two entries stand somewhere get a number."""
         candidates = list(candidates)
         sums = [(one, value) for one in candidates for value in one.value if value.is_Add]
         trial = Rewriter((Symbol(str(i)), value) for i, (_, value) in enumerate(sums))
         for node in nodes(self.groups.values()):
             if node.is_Add:
                 trial.sum(node)
-        found = list({id(one): one for one, _ in (sums[i] for i in sorted(trial.found))}.values())
+        parts = [sums[i][0] for i in sorted(trial.found)]
+        found = [one for one in candidates if sum(part is one for part in parts) >= min(2, sum(value.is_Add for value in one.value))]
         for index, one in enumerate(found[1:], 2):
             found[index - 1] = renamed(one, f"{one.letter.name}_{index}")
         return self.put(found)
@@ -238,13 +260,14 @@ def naming(model: Model, groups: dict[str, Matrix]) -> Naming:
     called = Rewriter((letter, symbol) for symbol, letter in letters.items())
     made = Naming(model, {key: called.matrix(matrix) for key, matrix in groups.items()}, vectors)
     rotations = made.put(_rotations(made))
-    _quaternion_products(made)
     for index in count():
         latitudes = _latitudes(made)
         if not latitudes:
             break
         _at_latitude(made, latitudes[0], f"_{index}" * bool(index))
     _turned(made, rotations)
+    for _ in range(2):  # a rotation vector may hold a rotation
+        _quaternion_products(made, _finite_rotations(made))
     _numbers(made)
     return made
 
@@ -261,7 +284,7 @@ def component_letters(model: Model) -> dict[Symbol, Symbol]:
 
     def letter(v: Variable, s: Symbol) -> Symbol:
         if axes(v) not in clashing:
-            return s
+            return Symbol(s.name)
         base, _, axis = s.name.rpartition("_")
         return Symbol(f"{base}_{axis.upper()}")
 
@@ -279,23 +302,60 @@ def _rotations(made: Naming) -> Iterator[Named]:
             name = "C_" + v.name.removeprefix("q_").removesuffix("_wxyz")
             yield array(name, rotation.dcm_from_quaternion(entries), f"the matrix of {v.name}, {v.frame}")
         elif [s.name.partition("_")[0] for s in v.symbols] == ["roll", "pitch", "yaw"]:
-            yield array(f"C_{v.name}", rotation.dcm_from_euler(*entries), f"the matrix of {v.name}, back to front")
+            yield array(f"C_{v.name}", rotation.dcm_from_euler(*entries), f"the matrix of {v.name}, which leads back from {v.frame}", short=2)
 
 
-def _quaternion_products(made: Naming) -> list[Named]:
-    """Products of two quaternions that the model reads, one of them turned round, and the matrices of those."""
+def _finite_rotations(made: Naming) -> list[Named]:
+    """The quaternion of each rotation vector: its angle is the root of the squares and of TINY_SQUARE."""
+    order = [s for v in made.vectors.values() for s in v.entries]
+    squares = [node for node in nodes(made.groups.values())
+               if node.is_Add and len(node.args) == 4 and node.args[0] == rotation.TINY_SQUARE]  # fmt: skip
+    result: list[Named] = []
+    for square in squares:
+        index = sum(one.letter.name.startswith("angle_") for one in made.named) + 1
+        parts = [_root(part) for part in square.args[1:]]
+        if operations(parts) > LONG:
+            continue
+        parts.sort(key=lambda part: min(order.index(s) for s in symbols_in([part]) if s in order))
+        if any(part.is_Add or operations([part]) > 2 for part in parts):
+            here = [key for key, matrix in made.groups.items() if square in nodes([matrix])]
+            turn = array(f"turn_{index}", ImmutableMatrix(parts), "a rotation vector, rad", suffixes="xyz")
+            made.put([turn], here)
+            parts = list(turn.entries)
+        total = rotation.TINY_SQUARE + sum(part**2 for part in parts)
+        angle = scalar(f"angle_{index}", S.One, "", shown=sqrt(total), constant=True)
+        root = Rewriter([(angle.letter**2, total)])
+        made.groups = {key: root.matrix(matrix) for key, matrix in made.groups.items()}
+        made.named.append(replace(angle, meaning="the angle of a rotation, rad", constant=False))
+        value = root.matrix(ImmutableMatrix(rotation.quaternion_from_rotation_vector(parts)))
+        entries = ImmutableMatrix([Symbol(f"r_{index}_{part}") for part in "wxyz"])
+        meaning = f"the quaternion of the rotation by ({', '.join(map(str, parts))})"
+        result += made.put([Named(Symbol(f"r_{index}", commutative=False), meaning, value, entries, value)])
+    return result
+
+
+def _root(square):
+    """Of a product of squares the product of what is squared."""
+    number, factors = _factors(square)
+    return sqrt(number) * Mul(*(power(base, exponent / 2) for base, exponent in factors.items()))
+
+
+def _quaternion_products(made: Naming, turns: list[Named]) -> list[Named]:
+    """Products of two quaternions, perhaps with one turned round, and the matrices of them and of finite rotations."""
     every = [v for v in made.vectors.values() if v.entries.shape == (4, 1)]
     candidates = []
-    for one in every:
-        for other in every:
+    for one in (*every, *turns):
+        for other in (*every, *turns):
             if one is not other:
                 back = ImmutableMatrix(rotation.conjugate(other.entries))
-                value = rotation.quaternion_product(one.entries, back)
-                meaning = f"{one.letter} times the inverse of {other.letter}"
-                candidates.append(array("p", value, meaning, suffixes="wxyz"))
+                for factor, text in ((other.entries, ""), (back, "the inverse of ")):
+                    meaning = f"the quaternion {one.letter} times {text}{other.letter}"
+                    candidates.append(array("p", rotation.quaternion_product(one.entries, factor), meaning, suffixes="wxyz"))
     found = made.put_found(candidates)
-    return made.put(array(f"C_{one.letter}", rotation.dcm_from_quaternion(one.entries), f"the matrix of {one.letter}")
-                    for one in found)  # fmt: skip
+    return found + made.put(
+        array(f"C_{one.letter}", rotation.dcm_from_quaternion(one.entries), f"the matrix of {one.letter}")
+        for one in (*turns, *found)
+    )
 
 
 def _level_axes(model: Model) -> list[str]:
@@ -322,11 +382,12 @@ def _turned(made: Naming, rotations: list[Named]) -> None:
             for v in here:
                 name = v.letter.name.removesuffix(source) + target
                 if made.free(name):
-                    once.append(array(name, matrix * v.entries, "", product(letter, v.letter), axes))
+                    once.append(array(name, matrix * v.entries, f"{v.meaning}, in the axes {target}", product(letter, v.letter), axes))
                 for w in here:
                     if v is not w and made.free(f"u_{target}"):
+                        meaning = f"the cross product of {v.letter} and {w.letter}, in the axes {target}"
                         turned = product(letter, crossed(v.letter), w.letter)
-                        twice.append(array(f"u_{target}", matrix * skew(v.entries) * w.entries, "", turned, axes))
+                        twice.append(array(f"u_{target}", matrix * skew(v.entries) * w.entries, meaning, turned, axes))
     made.put(once)
     made.put_found(twice)
 
