@@ -1,4 +1,4 @@
-"""Ledgers as the command line prints them: computed once, and kept in the cache folder until a source changes.
+"""Ledgers and pages as the command line prints them: made once, kept in the cache folder until a source changes.
 
 Only the command line reads what is kept.  Tests and evidence call `compute`, or boresight.derive.ledger.entries itself.
 """
@@ -10,10 +10,11 @@ import sys
 from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
-from boresight.runtime.manifest import cache_folder
+from boresight.runtime.manifest import GENERATED, built_in, cache_folder, folder_of
 
+Made = TypeVar("Made")
 Progress = Callable[[int, int, str], None]  # how many are done, of all, and the last one
 DERIVE = Path(__file__).parent / "derive"
 
@@ -31,18 +32,46 @@ def compute(paper: str, progress: Progress = lambda done, total, text: None) -> 
 
 def ledger(paper: str, progress: Progress = lambda done, total, text: None) -> dict[str, Any]:
     """As `compute` gives it, from the cache folder if nothing that reaches it has changed."""
-    path, now = cache_folder() / "ledger" / f"{paper}.json", key()
+    return kept(f"ledger/{paper}", dict, lambda: compute(paper, progress))
+
+
+def page(paper: str, number: str | None, form: str, width: int) -> str:
+    """A paper, or one equation of it, in a format of boresight.derive.pages.render; kept likewise."""
+    return kept(f"pages/{paper}-{number or 'all'}-{form}-{width}", str, lambda: rendered(paper, number, form))
+
+
+def rendered(paper: str, number: str | None, form: str) -> str:
+    from boresight.derive import papers
+    from boresight.derive.pages.render import render
+
+    return render(papers.paper(paper), number, form, functions())
+
+
+def functions() -> dict[str, dict[str, tuple[str, ...]]]:
+    """For each equation, as `song-lee-2001 (19)`, the models that cite it, and their C functions that do."""
+    found: dict[str, dict[str, tuple[str, ...]]] = {}
+    for model in built_in():
+        for unit in json.loads((folder_of(model) / "manifest.json").read_text(encoding="utf-8"))["units"].values():
+            for equation in unit["equations"]:
+                models = found.setdefault(equation, {})
+                models[model] = (*models.get(model, ()), unit["c_name"])
+    return found
+
+
+def kept(name: str, kind: type[Made], make: Callable[[], Made]) -> Made:
+    """What `make` makes, a JSON value of a kind, from the cache folder if nothing that reaches it has changed."""
+    path, now = cache_folder() / f"{name}.json", key()
     try:
-        kept = json.loads(path.read_text(encoding="utf-8"))
-        if kept["key"] == now:
-            return {name: kept[name] for name in ("entries", "findings", "conditions")}
+        old = json.loads(path.read_text(encoding="utf-8"))
+        if old["key"] == now and isinstance(old["made"], kind):
+            return old["made"]
     except (OSError, ValueError, LookupError, TypeError):
         pass  # nothing is kept, or it is damaged
-    made = compute(paper, progress)
+    made = make()
     part = path.with_suffix(f".{os.getpid()}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        part.write_text(json.dumps({"key": now} | made, ensure_ascii=False), encoding="utf-8")
+        part.write_text(json.dumps({"key": now, "made": made}, ensure_ascii=False), encoding="utf-8")
         part.replace(path)
     except OSError:
         pass  # a folder that cannot be written costs time, no result
@@ -50,11 +79,12 @@ def ledger(paper: str, progress: Progress = lambda done, total, text: None) -> d
 
 
 def key(derive: Path = DERIVE) -> str:
-    """A hash of all that reaches a ledger: every source of derive, this file, the libraries and Python."""
+    """A hash of all that reaches a page: every source of derive, this file, what the C is, the libraries and Python."""
     digest = hashlib.sha256(repr(sys.version_info[:2]).encode())
-    for name in ("sympy", "mpmath", "python-flint"):
+    for name in ("sympy", "mpmath", "python-flint", "jinja2"):
         digest.update(f"{name} {version(name)}\n".encode())
-    for path in (Path(__file__), *sorted(derive.rglob("*.py"))):
+    sources = sorted(path for end in ("py", "j2") for path in derive.rglob(f"*.{end}"))
+    for path in (Path(__file__), *sources, *sorted(GENERATED.glob("*/manifest.json"))):
         content = path.read_bytes()
         digest.update(f"{path.name} {len(content)}\n".encode() + content)
     return digest.hexdigest()

@@ -11,7 +11,7 @@ from rich.console import RenderableType
 from boresight.terminal import bullets, indented, table
 
 if TYPE_CHECKING:
-    from boresight.codegen.verify import FirstOrderCheck, UnitCheck
+    from boresight.codegen.verify import Check
 
 Parts = list[RenderableType]
 STATUSES = ("exact", "first-order", "definition", "erratum")
@@ -137,14 +137,18 @@ def equation(entry: dict[str, str], conditions: Sequence[str]) -> Parts:
 # ---------------------------------------------------------------- verify
 
 
-def verified(checks: Sequence["UnitCheck | FirstOrderCheck"]) -> Parts:
-    """A table for each model, then what first orders differ by, then the verdict."""
+def verified(checks: Sequence["Check"]) -> Parts:
+    """For each model a table of its C, then what its F, G, H and feedback are beside exact mechanics; the verdict."""
+    from boresight.codegen.mechanics import MechanicsCheck
     from boresight.codegen.verify import UnitCheck
 
     parts: Parts = []
     for name in dict.fromkeys(check.model for check in checks):
         numbers = ("points", "outputs", "error", "bound / error")
         rows = table("function", "points", "outputs", "bits", "error", "bound / error", "", right=numbers)
+        exact = table(
+            "held against", "exact mechanics", "difference", "", prose="exact mechanics", right=("difference",)
+        )
         orders: Parts = []
         for check in (check for check in checks if check.model == name):
             ok = "ok" if check.ok else "FAILED"
@@ -154,12 +158,23 @@ def verified(checks: Sequence["UnitCheck | FirstOrderCheck"]) -> Parts:
                     check.unit, str(check.points), str(check.outputs), "same" if check.same_bits else "DIFFER",
                     f"{check.largest_error:.1e}", loose, ok,
                 )  # fmt: skip
-                continue
-            beyond = (
-                "" if check.coefficient is None
-                else f", and by {check.coefficient:.3f} per unit of what it neglects"
-            )  # fmt: skip
-            orders.append(f"{check.unit} differs from the exact Jacobian by {check.limit:.1e}{beyond}: {ok}")
-        parts += [name, indented(rows), *map(indented, orders)]
-    parts.append("The bits are compared with CasADi's C, error and bound with 50 digits.")
-    return [*parts, f"verify: {sum(c.ok for c in checks)} passed, {sum(not c.ok for c in checks)} failed"]
+            elif isinstance(check, MechanicsCheck):
+                if check.ok is None:
+                    exact.add_row(check.unit, check.why, "", "not checked")
+                else:
+                    where = f"; {check.entry}" if check.entry else ""
+                    exact.add_row(check.unit, check.against + where, f"{check.difference:.1e}", ok)
+            else:
+                beyond = (
+                    "" if check.coefficient is None
+                    else f", and by {check.coefficient:.3f} per unit of what it neglects"
+                )  # fmt: skip
+                orders.append(f"{check.unit} differs from the exact Jacobian by {check.limit:.1e}{beyond}: {ok}")
+        parts += [name, indented(rows), *map(indented, orders), *([indented(exact)] if exact.row_count else [])]
+    parts.append(
+        "The bits are compared with CasADi's C, error and bound with 50 digits; a difference from exact mechanics is a "
+        "part of the largest of its row, each entry times the box of its state."
+    )
+    left = sum(c.ok is None for c in checks)
+    verdict = f"verify: {sum(c.ok is True for c in checks)} passed, {sum(c.ok is False for c in checks)} failed"
+    return [*parts, verdict + (f", {left} not checked" if left else "")]

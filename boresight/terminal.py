@@ -39,6 +39,11 @@ def page_text(text: str) -> None:
         pydoc.pager(text)
 
 
+def columns() -> int:
+    """Columns of the terminal, or of COLUMNS."""
+    return shutil.get_terminal_size().columns
+
+
 def table(*names: str, prose: str | None = None, right: tuple[str, ...] = ()) -> Table:
     """An empty table with these columns, none of which is ever cut: the column `prose` wraps, the others do not."""
     made = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False)

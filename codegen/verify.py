@@ -3,7 +3,7 @@
 For every printed unit, at random points of its box and at its corners: our C and CasADi's C give the same bits; both
 lie within a running bound on rounding errors of the SymPy expressions in 50 digits; what the C leaves out as zero is
 zero.  For a measurement matrix that is a first order of an exact measurement: it is its Jacobian in the limit, and the
-difference falls linearly.
+difference falls linearly.  What the model says is held against exact mechanics in codegen/mechanics.py.
 """
 
 import multiprocessing
@@ -15,7 +15,7 @@ from dataclasses import asdict, dataclass
 from math import inf
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
-from typing import Any
+from typing import Any, Union
 
 import numpy as np
 from flint import arb
@@ -26,6 +26,7 @@ from boresight.codegen.functions.samples import answered, generator, sample
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.units import Unit, UnitMaker, units
 from boresight.codegen.generate import load_model
+from boresight.codegen.mechanics import MechanicsCheck, check_mechanics
 from boresight.derive.model import Measurement, Model
 from boresight.runtime.library import Library, load
 
@@ -35,6 +36,7 @@ LIMIT = 1e-12  # of a linear H and the Jacobian of the exact measurement, where 
 
 ZERO = arb(0)
 
+Check = Union["UnitCheck", "FirstOrderCheck", MechanicsCheck]
 Progress = Callable[[int, int, str], None]  # functions done, of all, and which one is
 
 
@@ -78,14 +80,14 @@ class FirstOrderCheck:
 
 def verify(
     target: str, folder: str | Path | None = None, points: int = POINTS, progress: Progress | None = None
-) -> list[UnitCheck | FirstOrderCheck]:
+) -> list[Check]:
     """Every check of one model: a built-in name, or FILE.py:NAME with the folder that was generated from it."""
     return verify_all([(target, folder)], points, progress)
 
 
 def verify_all(
     targets: Sequence[tuple[str, str | Path | None]], points: int = POINTS, progress: Progress | None = None
-) -> list[UnitCheck | FirstOrderCheck]:
+) -> list[Check]:
     """Every check of the models, each with its folder (None: that of a built-in model).
 
     The points of a model are shared out to as many processes as there are processors; meanwhile this one prepares the
@@ -93,7 +95,7 @@ def verify_all(
     """
     libraries = [[load(folder or target, backend) for backend in ("flight", "casadi")] for target, folder in targets]
     total, done = sum(len(flight.units) for flight, _ in libraries), 0
-    checks: list[UnitCheck | FirstOrderCheck] = []
+    checks: list[Check] = []
 
     def collect(underway: "Underway") -> None:
         nonlocal done
@@ -114,6 +116,7 @@ def verify_all(
                 collect(before)
             before = Underway(model, cases, stack)
             before.laws = [check_first_order(model, m, made, flight) for m in model.measurements if m.first_order]
+            before.laws += check_mechanics(model, {unit.name: unit.reference for unit in made})
         if before:
             collect(before)
     return checks
@@ -166,7 +169,7 @@ class Underway:
 
     def __init__(self, model: Model, cases: list[Case], stack: ExitStack):
         self.model, self.cases = model, cases
-        self.laws: list[FirstOrderCheck] = []
+        self.laws: list[Check] = []
         self.shares = os.cpu_count() or 1
         self.processes: dict[Connection, Any] = {}
         context = multiprocessing.get_context("fork")
@@ -323,6 +326,7 @@ def check_first_order(model: Model, m: Measurement, made: list[Unit], library: L
     return FirstOrderCheck(model.name, unit.name, at_zero, at_half / at_small, at_half / (small / 2))
 
 
-def to_json(checks: list[UnitCheck | FirstOrderCheck]) -> list[dict[str, Any]]:
-    """One object a check, with its fields and `ok`; looseness is null where the C is exact."""
+def to_json(checks: list[Check]) -> list[dict[str, Any]]:
+    """One object a check, with its fields and `ok`; looseness is null where the C is exact, ok where nothing was held
+    against exact mechanics."""
     return [{key: value if value != inf else None for key, value in asdict(c).items()} | {"ok": c.ok} for c in checks]

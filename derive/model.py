@@ -5,7 +5,7 @@ documents and tests are derived from it.  Nothing here assumes navigation.
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -158,6 +158,35 @@ class Function:
 
 
 @dataclass(frozen=True)
+class Level:
+    """The axes against which errors stand, where they are not the true ones: those of the computed place.
+
+    axes: (3, 3) C_n2e at the inputs.  vector, quaternion: inputs that are resolved in n, and turn with it.
+    """
+
+    axes: Matrix
+    vector: Variable
+    quaternion: Variable
+
+
+@dataclass(frozen=True)
+class Mechanics:
+    """What F and G are the first order of: `verify` holds them against it, and nothing of it is printed.
+
+    strapdown: carries inputs, by their names, over dt; feedback: the same inputs once the errors x are taken out; None
+    for the model's own functions of these names.  step: what strapdown reads over a short dt, and its expression, such
+    as increments from rates; what is not given is zero.  driven: a noise, and what of these it adds to each second.
+    level: where the errors stand against the computed axes, as in a psi model.
+    """
+
+    strapdown: Function | None = None
+    feedback: Function | None = None
+    step: tuple[tuple[Variable, Matrix], ...] = ()
+    driven: tuple[tuple[Variable, Variable], ...] = ()
+    level: Level | None = None
+
+
+@dataclass(frozen=True)
 class Model:
     """x' = F x + G w with white noise w of densities `noise`, over steps of `dt`.
 
@@ -183,6 +212,7 @@ class Model:
     functions: tuple[Function, ...] = ()
     equations: tuple[str, ...] = ()
     card: tuple[str, ...] = ()  # its conventions, a line each, printed at the head of what is generated
+    mechanics: Mechanics | None = None
 
     def __post_init__(self) -> None:
         check(self)
@@ -252,6 +282,7 @@ class Model:
             functions=tuple(f for f in self.functions if f.name not in {new.name for new in functions}) + functions,
             equations=self.equations + equations,
             card=self.card,
+            mechanics=self.mechanics,
         )
 
 
@@ -266,6 +297,18 @@ def symbols_in(*matrices: Matrix) -> set[Symbol]:
             seen.add(part)
             stack += part.args
     return {part for part in seen if part.is_Symbol}
+
+
+def substituted(matrix: Matrix, mapping: Mapping[Symbol, Any]) -> Matrix:
+    """The matrix with expressions in the place of symbols; as in symbols_in, what is held many times is done once."""
+    known: dict[Any, Any] = dict(mapping)
+
+    def visit(part: Any) -> Any:
+        if part not in known:
+            known[part] = part.func(*map(visit, part.args)) if part.args else part
+        return known[part]
+
+    return Matrix(*matrix.shape, [visit(entry) for entry in matrix])
 
 
 def check(model: Model) -> None:

@@ -10,8 +10,8 @@ from dataclasses import replace
 
 from sympy import Matrix, diag, eye, zeros
 
-from boresight.derive.mechanics.rotation import dcm_from_quaternion, quaternion_product
-from boresight.derive.model import Function, Measurement, Model, Output, Struct
+from boresight.derive.mechanics.rotation import dcm_from_quaternion, normalized, quaternion_product
+from boresight.derive.model import Function, Measurement, Model, Output, Struct, substituted
 from boresight.derive.models import velocity_attitude as va
 from boresight.derive.models.variables import (
     BA,
@@ -31,6 +31,19 @@ def function(model: Model, name: str) -> Function:
     return next(f for f in model.functions if f.name == name)
 
 
+def replaced(m: Measurement, inputs: dict, errors: dict) -> Measurement:
+    """The measurement with other expressions for its inputs, and in the exact h for its errors too."""
+    law = m.first_order
+    tied = tuple((name, substituted(e, inputs)) for name, e in law.tied) if law else ()
+    return replace(
+        m,
+        z=None if m.z is None else substituted(m.z, inputs),
+        h=None if m.h is None else substituted(m.h, errors),
+        H=None if m.H is None else substituted(m.H, inputs),
+        first_order=replace(law, tied=tied) if law else None,
+    )
+
+
 # ---------------------------------------------------------------- flexure
 
 BEND = body("flexure", "bend", "rad", "estimated bending of the slave's seat", -0.1, 0.1, MASTER_BODY)
@@ -48,26 +61,25 @@ def flexure() -> Model:
     bend'' = -2 beta bend' - beta^2 bend + noise: the correlation is (1 + beta t) exp(-beta t).  `strapdown` carries the
     estimate over a step by the same second power of F dt as Phi carries its error.
 
-    C_b2m = (I + [bend x]) C_mounting, to first order in the bending, which is some mrad.  It turns the slave where it
-    stands: its gyros feel the bending's rate and the lever arm's velocity does not.
+    C_b2m = (I + [bend x]) C_mounting, to first order in the bending, which is some mrad, and scaled to a rotation.  It
+    turns the slave where it stands: its gyros feel the bending's rate and the lever arm's velocity does not.
     """
     base = va.velocity_attitude()
     C_m2b = dcm_from_quaternion(va.Q_MOUNT.vector).T
-    q_bent = quaternion_product(Matrix([1, *(BEND.vector / 2)]), va.Q_MOUNT.vector)
+    q_bent = quaternion_product(normalized(Matrix([1, *(BEND.vector / 2)])), va.Q_MOUNT.vector)
     omega_hull = OMEGA_IB_B.vector - C_m2b * BEND_RATE.vector
     as_bent = dict(zip((*va.Q_MOUNT.symbols, *OMEGA_IB_B.symbols), (*q_bent, *omega_hull), strict=True))
     # What turns the slave one way turns the mounting the other: C_hat_b2m = (I - [(dmu - d_bend) x]) C_b2m.
     less = {dmu: dmu - bend for dmu, bend in zip(va.D_MOUNT.symbols, D_BEND.symbols, strict=True)}
+    # The hull turns without the rate of the bending: an error of it is one of a gyro bias, in the master's axes.
+    less |= dict(zip(D_BG.symbols, D_BG.vector + C_m2b * D_BEND_RATE.vector, strict=True))
 
     def seen(m: Measurement) -> Measurement:
-        assert m.z is not None
+        exact = replaced(m, as_bent, as_bent | less)
         if m.H is None:
-            return replace(m, z=m.z.xreplace(as_bent), h=m.h.xreplace(as_bent | less))
-        # the hull turns without the rate of the bending: a rate taken off, as a gyro bias is, in the master's axes
+            return exact
         by_rate = m.H[:, 6:9] * C_m2b
-        H = m.H.xreplace(as_bent)
-        H = Matrix.hstack(H, -H[:, 12:15], by_rate)
-        return replace(m, z=m.z.xreplace(as_bent), H=H, h=None, first_order=None)
+        return replace(exact, H=Matrix.hstack(exact.H, -exact.H[:, 12:15], by_rate))
 
     F, G = zeros(22), zeros(22, 19)
     F[16:19, 19:22] = eye(3)
@@ -95,7 +107,7 @@ def flexure() -> Model:
         measurements=tuple(seen(m) for m in base.measurements),
         functions=(
             replace(strapdown, outputs=(*strapdown.outputs, *bending(carried[:3, 0], carried[3:, 0]))),
-            replace(expected, outputs=tuple(replace(o, value=o.value.xreplace(as_bent)) for o in expected.outputs)),
+            replace(expected, outputs=tuple(replace(o, value=substituted(o.value, as_bent)) for o in expected.outputs)),
             replace(feedback, outputs=(*feedback.outputs, *bending(BEND.vector - D_BEND.vector,
                                                                    BEND_RATE.vector - D_BEND_RATE.vector))),
         ),
@@ -114,8 +126,8 @@ D_ACCEL_SCALE = body("d_accel_scale", "das", "1", "error of the accelerometers' 
 def scale_factors() -> Model:
     """velocity-attitude with scale factors: measured = (1 + scale) true + bias.
 
-    What the caller gives has its biases removed, as before; every function divides it by the scale estimated.  Errors
-    of the biases are then some 1e-3 of themselves smaller, which F and H leave out.
+    What the caller gives has its biases removed, as before; every function divides it by the scale estimated, and so
+    are the errors of the biases.
     """
     rates, forces = OMEGA_IB_B.symbols, F_B.symbols
     over = {
@@ -127,25 +139,39 @@ def scale_factors() -> Model:
     }  # fmt: skip
     plain = va.velocity_attitude()
     assert plain.F is not None
+    per_scale = diag(*(1 / (1 + s) for scale in (GYRO_SCALE, ACCEL_SCALE) for s in scale.symbols))
+    true = per_scale * Matrix([*rates, *forces])
+    by_sensor = plain.F[:6, 6:12] * per_scale
+    F, G = substituted(plain.F, over), plain.G.copy()
+    F[:6, 6:12], G[:6, :6] = by_sensor, -by_sensor
+    # once the errors are taken out, the sensors' scale is another too: in h a bias error stands for all of that
+    as_bias = {
+        error: (rate + error) / (1 + s - d_s) - rate / (1 + s)
+        for error, rate, s, d_s in zip(D_BG.symbols, rates, GYRO_SCALE.symbols, D_GYRO_SCALE.symbols, strict=True)
+    }
+
+    def seen(m: Measurement) -> Measurement:
+        exact = replaced(m, over, over | as_bias)
+        if m.name != "velocity":
+            return exact
+        by_bias = exact.H[:, 6:9] * per_scale[:3, :3]
+        return replace(
+            exact, H=Matrix.hstack(exact.H[:, :6], by_bias, exact.H[:, 9:], by_bias * diag(*true[:3, 0]), zeros(3))
+        )
+
     base = replace(
         plain,
         structs=(*plain.structs, Struct("scale", "scale factors", (GYRO_SCALE, ACCEL_SCALE))),
-        F=plain.F.xreplace(over),
-        measurements=tuple(unscaled(m, over) for m in plain.measurements),
+        F=F,
+        G=G,
+        measurements=tuple(replaced(m, over, over) for m in plain.measurements),
     )
-
-    true = Matrix([symbol.xreplace(over) for symbol in (*rates, *forces)])
-    F = zeros(22)
-    F[:6, 16:] = plain.F[:6, 6:12] * diag(*true)  # a bias in proportion to what is measured
-    in_proportion = D_BG.vector + diag(*true[:3, 0]) * D_GYRO_SCALE.vector
-    velocity = next(m for m in base.measurements if m.name == "velocity")
-    assert velocity.h is not None and velocity.H is not None
-    as_bias = dict(zip(D_BG.symbols, in_proportion, strict=True))
-    wide_H = Matrix.hstack(velocity.H, velocity.H[:, 6:9] * diag(*true[:3, 0]), zeros(3))
+    grown = zeros(22)
+    grown[:6, 16:] = by_sensor * diag(*true)  # a bias in proportion to what is measured
 
     strapdown, expected, feedback = (function(base, name) for name in ("strapdown", "expected", "feedback"))
     scaled = [
-        replace(f, outputs=tuple(replace(output, value=output.value.xreplace(over)) for output in f.outputs))
+        replace(f, outputs=tuple(replace(output, value=substituted(output.value, over)) for output in f.outputs))
         for f in (strapdown, expected)
     ]
     corrected = tuple(
@@ -157,13 +183,7 @@ def scale_factors() -> Model:
         c_prefix="vas",
         title="velocity and attitude matching with scale factors, 22 states",
         states=(D_GYRO_SCALE, D_ACCEL_SCALE),
-        F=F,
-        measurements=(replace(velocity, H=wide_H, h=velocity.h.xreplace(as_bias)),),
+        F=grown,
+        measurements=tuple(seen(m) for m in plain.measurements if m.name in ("velocity", "quaternion")),
         functions=(*scaled, replace(feedback, outputs=(*feedback.outputs, *corrected))),
     )
-
-
-def unscaled(m: Measurement, over: dict) -> Measurement:
-    """The measurement, of rates over their scale."""
-    z, h, H = (None if part is None else part.xreplace(over) for part in (m.z, m.h, m.H))
-    return replace(m, z=z, h=h, H=H)

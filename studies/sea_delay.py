@@ -1,6 +1,6 @@
 """The heading error of an unknown delay: the closed form against the flown filter, wherever its variables are varied.
 
-Sea state 5, no yaw, a fixed delay, nothing random.  kang_2025/delay_error.py derives the form; `predicted_heading` of
+Sea state 5, no yaw, a fixed delay, nothing random.  derive/papers/delay_error derives the form; `predicted_heading` of
 the study is its general case.  Beside it, the two ways to handle a delay that is known of.
 """
 
@@ -37,7 +37,7 @@ def predicted_heading(motion: hull.Motion, delay_s: Any) -> Array:
 
     With e the swing (roll, pitch, yaw about their means) the misalignment errs by tau <|e|^2 - e e'>^-1 <e x e'>, whose
     third part is tau (<r p'> - <p r'>) / (<r^2> + <p^2>) without yaw; the heading by minus that.  Means over all phases
-    of the sinusoids: derive/papers/kang_2025/delay_error.py.
+    of the sinusoids: derive/papers/delay_error.
     """
     swing = motion.freedoms.amplitude[..., 3:, :]
     rate = 1j * motion.freedoms.omega[..., None, :] * swing

@@ -40,7 +40,7 @@ def forge(folder):
     """Make an erratum exact in what is kept."""
     path = folder / f"{PAPER}.json"
     kept = json.loads(path.read_text())
-    kept["entries"][5]["status"] = "exact"
+    kept["made"]["entries"][5]["status"] = "exact"
     path.write_text(json.dumps(kept))
 
 

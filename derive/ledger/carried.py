@@ -61,6 +61,13 @@ def _carried(paper: Paper, model: Model, one: Map, match: Match, point: Point) -
             at += size
         return result
 
+    function, _, output = match.ours.partition(".")
+    if output:
+        found_outputs = [o for f in model.functions if f.name == function for o in f.outputs if o.name == output]
+        if not found_outputs:
+            raise BoresightError(f"{paper.name}: {model.name} has no {match.ours}")
+        value = at_witness(found_outputs[0].value)
+        return value, [f"{output}[{i}]" for i in range(value.rows)], []
     at, names = 0, {}  # of each state, noise and measurement: where it stands, and what it is called
     for block in model.states:
         names[block.name] = list(zip(range(at, at + block.size), [s.name for s in block.symbols], strict=True))
@@ -103,8 +110,8 @@ def _model(one: Map) -> Model:
 
 
 def _inputs(paper: Paper, model: Model, given: Mapping[str, str], point: Point) -> Point:
-    """The values of the model's input symbols."""
-    known = {item.name: item for item in model.inputs}
+    """The values of the symbols of the model's inputs and, for a function, its states."""
+    known = {item.name: item for item in (*model.inputs, *model.states)}
     values: dict[str, Any] = {}
     for name, latex in given.items():
         if name not in known:

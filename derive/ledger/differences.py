@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from functools import cache
 from itertools import zip_longest
 
-from sympy import Symbol
+from sympy import Add, MatAdd, MatMul, Mul, S, Symbol
 from sympy.matrices import MatrixBase
 
-from boresight.derive.ledger.equation import Equation, Relation, is_explicit, negative
+from boresight.derive.ledger.equation import Equation, Relation, children, is_explicit, negative
 from boresight.derive.ledger.judge import judge, names
 from boresight.derive.ledger.paper import Paper
 
@@ -17,47 +17,101 @@ from boresight.derive.ledger.paper import Paper
 LOOK_ALIKE = ({"φ", "ψ"}, {"ε", "e", "p", "o"})
 
 
+Place = tuple[int, ...]  # a relation, a side of it, then from node to node as `children` counts them
+
+
 @dataclass(frozen=True)
 class Difference:
-    """One place where print and derivation differ."""
+    """Where print and derivation differ: what each has there; place: of the node in which they do, in both forms."""
 
     kind: str
     printed: object
     derived: object
+    place: Place
 
 
 def differences(printed: Iterable[Relation], derived: Iterable[Relation]) -> list[Difference]:
     """The places where two forms differ, found by walking both trees."""
     found: list[Difference] = []
-    for a, b in zip_longest(printed, derived):
+    for i, (a, b) in enumerate(zip_longest(printed, derived)):
         if a is None:  # what more the derivation says is no slip of the print
             continue
         if b is None or len(a.sides) != len(b.sides):
             # A shorter chain of equalities is compared side by side as far as it goes.
-            found.append(Difference("structure", a, b))
+            found.append(Difference("structure", a, b, (i,)))
         else:
-            for left, right in zip(a.sides, b.sides, strict=True):
-                found += _compare(left, right)
+            for j, (left, right) in enumerate(zip(a.sides, b.sides, strict=True)):
+                found += _compare(left, right, (i, j))
     return found
 
 
-def _compare(a, b) -> list[Difference]:
+def _compare(a, b, place: Place) -> list[Difference]:
     if a == b:
         return []
-    if isinstance(a, MatrixBase) and isinstance(b, MatrixBase):
-        if a.shape != b.shape:
-            return [Difference("shape", a, b)]
-        return [difference for x, y in zip(a, b, strict=True) for difference in _compare(x, y)]
-    if _equal(a, negative(b)):
-        return [Difference("sign", a, b)]
-    if isinstance(a, Symbol) and isinstance(b, Symbol):
-        return [Difference("shape" if _sized(a) and _sized(b) else "letter", a, b)]
-    letters = _swapped_letters(a, b)
-    if letters:
-        return [Difference("letter", x, y) for x, y in letters]
-    if getattr(a, "func", a) == getattr(b, "func", b) and a.args and len(a.args) == len(b.args):
-        return [difference for x, y in zip(a.args, b.args, strict=True) for difference in _compare(x, y)]
-    return [Difference("structure", a, b)]
+    matrices = isinstance(a, MatrixBase) and isinstance(b, MatrixBase)
+    if matrices and a.shape != b.shape:
+        return [Difference("shape", a, b, place)]
+    if not matrices:
+        if _equal(a, negative(b)):
+            return [Difference("sign", a, b, place)]
+        if isinstance(a, Symbol) and isinstance(b, Symbol):
+            return [Difference("shape" if _sized(a) and _sized(b) else "letter", a, b, place)]
+        letters = _swapped_letters(a, b)
+        if letters:
+            return [Difference("letter", x, y, place) for x, y in letters]
+    if matrices or (getattr(a, "func", a) == getattr(b, "func", b) and a.args and len(a.args) == len(b.args)):
+        pairs = enumerate(zip(children(a), children(b), strict=True))
+        return [difference for i, (x, y) in pairs for difference in _compare(x, y, (*place, i))]
+    return [Difference("structure", a, b, place)]
+
+
+def marks(forms: Iterable[Relation], found: Iterable[Difference], which: str) -> list[set[Place]]:
+    """For each relation of the forms, `printed` or `derived`, the places (side, child, ...) that differ from the other.
+
+    A letter is marked wherever it stands in its node; of a sum or a product only the parts that the other lacks.
+    """
+    forms = tuple(forms)
+    result = [set[Place]() for _ in forms]
+    for difference in found:
+        mine, other = difference.printed, difference.derived
+        if which == "derived":
+            mine, other = other, mine
+        relation, *path = difference.place
+        if not path or relation >= len(forms):
+            continue  # chains of unequal length: no place of theirs is the wrong one
+        node = forms[relation].sides[path[0]]
+        for index in path[1:]:
+            node = children(node)[index]
+        for start in _standing(node, mine):
+            result[relation] |= {(*path, *start, *rest) for rest in _own(mine, other)}
+    return result
+
+
+def _standing(node, part) -> list[Place]:
+    """Where `part` stands in the node."""
+    if node == part:
+        return [()]
+    return [(i, *rest) for i, child in enumerate(children(node)) for rest in _standing(child, part)]
+
+
+def _own(mine, other) -> list[Place]:
+    """Which parts of a sum or a product the other lacks; the whole if all, or if sign or number differ."""
+    if not isinstance(mine, Add | MatAdd | Mul | MatMul) or _is_minus(mine) != _is_minus(other):
+        return [()]
+    kind = Add | MatAdd if isinstance(mine, Add | MatAdd) else Mul | MatMul
+    theirs = list(other.args) if isinstance(other, kind) else [other]
+    own: list[Place] = []
+    for i, part in enumerate(mine.args):
+        if part in theirs:
+            theirs.remove(part)
+        else:
+            own.append((i,))
+    numbers = any(mine.args[i].is_Number for (i,) in own)  # on the page part of a fraction
+    return [()] if numbers or len(own) == len(mine.args) else own
+
+
+def _is_minus(node) -> bool:
+    return isinstance(node, Mul | MatMul) and node.args[0] == S.NegativeOne
 
 
 def _equal(a, b) -> bool:

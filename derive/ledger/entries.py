@@ -113,7 +113,7 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
         kind=kind,
         origin=origin,
         printed=r" \\ ".join(equation.latex),
-        derived=latex_relations(equation.derived, equation.quantities),
+        derived=latex_relations(equation.derived, equation.alphabet),
         note=" ".join(notes),
         evidence=evidence,
     )

@@ -83,7 +83,7 @@ class Passage:
 
     of: the line it begins from, by its number in the derivation, or an equation of the paper as "(8)" or "(9).2"; the
     line before if empty.  using: the lines and equations that the operation takes in.  with_: LaTeX of a factor, or of
-    a letter's rate by the letter's own LaTeX; letters: LaTeX of the letters that it is about.
+    a letter's rate by the letter's own LaTeX, or numbers of rows; letters: LaTeX of the letters that it is about.
     """
 
     operation: str
@@ -161,6 +161,7 @@ class Equation:
     defines: the symbols to which it gives their meaning, if it is a definition.
     leads_to: the equations which, as the text says, are made from this one.
     small: the errors, parts of the witness's conditions, in which it is of first order; all of them if empty.
+    quantities: the letters of the print; step_letters: what more the derivation needs.
     """
 
     paper: str
@@ -177,6 +178,12 @@ class Equation:
     unit: str = ""
     small: tuple[str, ...] = ()
     quantities: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
+    step_letters: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
+
+    @property
+    def alphabet(self) -> tuple[Quantity, ...]:
+        """The letters in which it and its derivation are shown; of one letter's spellings the last is written."""
+        return (*self.quantities, *self.step_letters)
 
     def read(self) -> tuple[Relation, ...]:
         """The print after its readings."""

@@ -9,7 +9,7 @@ from math import prod
 from typing import Any
 
 from flint import arb, fmpq
-from sympy import Add, Function, MatAdd, MatMul, Mul, Pow, StrictLessThan, Symbol, cos, sin, tan
+from sympy import Add, Function, MatAdd, MatMul, Mul, Pow, StrictLessThan, Symbol, atan2, cos, sin, tan
 from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
@@ -22,7 +22,12 @@ DIGITS = 60  # of which cancellation leaves the 28 that are asked for, and the b
 
 Value = Any  # a fraction, a ball or a Matrix
 
-_ELEMENTARY: dict[type[Function], Callable] = {sin: numbers.sin, cos: numbers.cos, tan: numbers.tan}
+_ELEMENTARY: dict[type[Function], Callable] = {
+    sin: numbers.sin,
+    cos: numbers.cos,
+    tan: numbers.tan,
+    atan2: numbers.atan2,
+}
 
 
 @dataclass(frozen=True)
@@ -100,15 +105,17 @@ OPERATORS: dict[str, Callable] = {
 def _expected(expression, point: Point):
     """The expectation of what is at most quadratic in the random letters, from their second moments, exactly.
 
-    point.values["random"] has, by letter, the columns of a root of its covariance; the letters' means are their values.
+    point.values["random"] has, by letter or by letters together, the columns of a root of their covariance; the means
+    are the letters' values, but for those in point.values["mean"].
     """
-    middle = evaluate(expression, point)
-    result = middle
-    for name, columns in point.values["random"].items():
+    middle = point.changed(point.values.get("mean", {}))
+    result = evaluate(expression, middle)
+    for names, columns in point.values["random"].items():
+        names, columns = (names, columns) if isinstance(names, tuple) else ((names,), [(one,) for one in columns])
         for column in columns:
             for sign in (1, -1):
-                moved = point.changed({name: point.values[name] + column * sign})
-                result = _sum(result, (evaluate(expression, moved) - middle) / 2)
+                moved = {name: middle.values[name] + part * sign for name, part in zip(names, column, strict=True)}
+                result = _sum(result, (evaluate(expression, middle.changed(moved)) - evaluate(expression, middle)) / 2)
     return result
 
 

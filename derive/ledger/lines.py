@@ -257,6 +257,7 @@ def build(
     """The equations of a paper, in the order of `printed`, each with its lines read.
 
     The derived form is what the lines marked `result` say, and where none is, the print after its readings.
+    What has no display is derived here, and its print is what is derived.
     `defines` and the letters of readings are names, as the table of letters has them.
     letters_of: for the print of one number, where a letter means another thing than elsewhere.
     """
@@ -280,10 +281,11 @@ def build(
             derived=form,
             derivation=Derivation(steps),
             quantities=quantities,
+            step_letters=letters,
             **more,
         )
         results = tuple(step.relation for step in steps if step.result and step.relation is not None)
-        result.append(replace(equation, derived=results or equation.read()))
+        result.append(replace(equation, printed=form or results, derived=results or equation.read()))
     return tuple(result)
 
 

@@ -28,7 +28,9 @@ class Row:
 
 @dataclass(frozen=True)
 class Match:
-    """What the paper has, LaTeX, of what the model has: F, G, or H or z of `of`, its measurements from top to bottom.
+    """What the paper has, LaTeX, of what the model has.
+
+    ours: F, G, or H or z of `of`, its measurements from top to bottom; or an output of a function, as `feedback.mu`.
 
     inputs: where they are others than the map's.
     """

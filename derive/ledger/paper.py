@@ -48,6 +48,8 @@ class Paper:
 
     evidence: what the ledger says of an equation beyond its status; findings: what was computed about the text beside.
     letters: those of the derivations that the paper does not print; structure: what letters are by their nature, see
+    ledger/free.py.  conventions: the paper's own axes and signs, a sentence each.  tests: those of
+    tests/derive/test_PAPER.py that hold single equations, with their numbers.
     ledger/free.py.  maps: to the models that make C from it; unflown: the equations of which no function that flies
     computes a side, each with why.
     """
@@ -63,6 +65,8 @@ class Paper:
     findings: Callable[[], tuple[str, ...]]
     letters: Callable[[], tuple[Quantity, ...]] = tuple
     structure: Mapping[str, Any] = field(default_factory=dict)
+    conventions: tuple[str, ...] = ()
+    tests: Mapping[str, str] = field(default_factory=dict)
     maps: tuple["Map", ...] = ()
     unflown: Mapping[str, str] = field(default_factory=dict)
 

@@ -19,9 +19,10 @@ from boresight.derive.ledger.equation import Equation, Line, Passage, Relation
 from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate, multiplied, power, residual, solve
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.lines import LineVerdict
-from boresight.derive.ledger.numbers import Matrix, digits, exact, middle
+from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, middle, zeros
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
+from boresight.derive.ledger.witness import quaternion, rotation_vector
 
 Replaced = dict[int, Relation]  # other relations of steps, by index
 
@@ -99,7 +100,7 @@ def differentiate(rates: dict[str, str], of: str = "") -> Passage:
 
 def elsewhere(letters: dict[str, str], of: str = "") -> Passage:
     """The same of another time, point or quantity: other letters, all at once, stand in the place of these."""
-    return Passage("say it of another", of, (), tuple(letters), tuple(letters.values()))
+    return Passage("carry over", of, (), tuple(letters), tuple(letters.values()))
 
 
 def take_vector(of: str = "") -> Passage:
@@ -113,11 +114,26 @@ def take_skew_part(of: str = "") -> Passage:
 
 def take_rows(*numbers: int, of: str = "") -> Passage:
     """Rows of the sides, counted from 1."""
-    return Passage("take rows", of, tuple(map(str, numbers)))
+    return Passage("take rows", of, with_=tuple(map(str, numbers)))
 
 
 def take_entry(row: int, column: int, of: str = "") -> Passage:
-    return Passage("take an entry", of, (str(row), str(column)))
+    return Passage("take an entry", of, with_=(str(row), str(column)))
+
+
+def find_minimum(direction: str = "", of: str = "") -> Passage:
+    """The line before, of which the left is the rate of a cost, is zero at the minimum, whatever the direction."""
+    return Passage("find the minimum", of, (), (direction,) if direction else ())
+
+
+def take_rotation_vector(of: str = "") -> Passage:
+    """Of rotations by less than half a turn their rotation vectors."""
+    return Passage("take the rotation vector", of)
+
+
+def take_quaternion(of: str = "") -> Passage:
+    """Of rotations their quaternions; q and -q are one."""
+    return Passage("take the quaternion", of)
 
 
 def solve_for(letter: str, of: str = "") -> Passage:
@@ -194,6 +210,8 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
         return _said(all(_same(a, b) for a, b in pairwise(values)), passage.operation)
     if before.sides == after.sides:
         return LineVerdict(False, f"{passage.operation}: the line before says the same")
+    if passage.operation == "find the minimum":
+        return _said(_multiple(_gradient(paper, passage, before, point), _difference(after, point)), passage.operation)
     if passage.operation == "substitute":
         rows = list(zip_longest(passage.using, passage.letters, fillvalue=""))
         verdict = _substituted(paper, rows, before, after, relation_of, point)
@@ -202,6 +220,26 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
                 return LineVerdict(False, f"substitute: it follows without {row}")
         return verdict
     return _follows(_carried(paper, passage, before, relation_of, point), after, point, passage.operation)
+
+
+def _gradient(paper: Paper, passage: Passage, before: Relation, point: Point) -> list:
+    """The right side, and along each unit of the direction."""
+    if not isinstance(before.sides[0], Symbol):
+        raise ValueError(f"{before.sides[0]} is no letter of a rate")
+    if not passage.letters:
+        return _entries(evaluate(before.sides[-1], point))
+    (direction,) = _symbols(paper, passage.letters)
+    units = [Matrix([int(i == j) for j in range(3)]) for i in range(*paper.letter(direction.name).shape)]
+    rates = (evaluate(before.sides[-1], point.changed({direction.name: unit})) for unit in units)
+    return [entry for rate in rates for entry in _entries(rate)]
+
+
+def _multiple(a: list, b: list) -> bool:
+    """Whether one is a number times the other, and neither is zero."""
+    k = max(range(len(a)), key=lambda i: abs(middle(a[i])))
+    if len(a) != len(b) or _same(a, [0] * len(a)) or _same([b[k]], [0]):
+        return False
+    return _same([entry * b[k] / a[k] for entry in a], b)
 
 
 def _substituted(
@@ -216,6 +254,8 @@ def _follows(values: list, after: Relation, point: Point, operation: str) -> Lin
     """Whether each side of the line after is one of the values, and not all of them are the same one."""
     sides = [_entries(value) for value in values]
     targets = [_entries(evaluate(side, point)) for side in after.sides]
+    if operation == "take the quaternion":
+        targets = [[-part for part in target] if target[0] < 0 else target for target in targets]
     places = [next((i for i, side in enumerate(sides) if _same(side, target)), None) for target in targets]
     if None in places:
         return _said(False, operation, f"side {places.index(None) + 1} does not follow")
@@ -252,10 +292,10 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
     if name == "leave out":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
         return [evaluate(side, point.changed({x: point.values[x] * 0 for x in letters})) for side in before.sides]
-    if name == "say it of another":
-        others = [evaluate(_expression(paper, text), point) for text in passage.with_]
-        named = [symbol.name for symbol in _symbols(paper, passage.letters)]
-        return [evaluate(side, point.changed(dict(zip(named, others, strict=True)))) for side in before.sides]
+    if name == "carry over":
+        others = [_expression(paper, text) for text in passage.with_]
+        said = before.replaced(dict(zip(_symbols(paper, passage.letters), others, strict=True)))
+        return [evaluate(side, point) for side in said.sides]
     if name == "differentiate":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
         rates = [evaluate(_expression(paper, rate), point) for rate in passage.with_]
@@ -284,13 +324,24 @@ def _vector(value, passage: Passage):
     return OPERATORS["vee"](value)
 
 
+def _of_rotation(take: Callable) -> Callable:
+    def taken(value, passage: Passage):
+        if max(abs(middle(entry)) for entry in value * value.T - eye(value.rows)) > SAME:
+            raise ValueError("a side is no rotation")
+        return take(value)
+
+    return taken
+
+
 _TAKE: dict[str, Callable] = {
+    "take the rotation vector": _of_rotation(rotation_vector),
+    "take the quaternion": _of_rotation(quaternion),
     "transpose": lambda value, passage: value.T,
     "invert": lambda value, passage: power(value, S.NegativeOne),
     "take the vector": _vector,
     "take the skew-symmetric part": lambda value, passage: (value - value.T) / 2,
-    "take rows": lambda value, passage: Matrix([list(value[int(k) - 1, :]) for k in passage.using]),
-    "take an entry": lambda value, passage: value[int(passage.using[0]) - 1, int(passage.using[1]) - 1],
+    "take rows": lambda value, passage: Matrix([list(value[int(k) - 1, :]) for k in passage.with_]),
+    "take an entry": lambda value, passage: value[int(passage.with_[0]) - 1, int(passage.with_[1]) - 1],
 }
 
 
@@ -304,7 +355,8 @@ def _given(paper: Paper, row: Relation, letter: str, point: Point) -> dict[str, 
         return solve((row,), {symbol.name: paper.letter(symbol.name).shape or 1}, point.values)
     for side, other in ((row.sides[0], row.sides[-1]), (row.sides[-1], row.sides[0])):
         if isinstance(side, Symbol):
-            return {side.name: evaluate(other, point)}
+            shape = paper.letter(side.name).shape
+            return {side.name: zeros(*(*shape, 1)[:2]) if shape and other == 0 else evaluate(other, point)}
         if isinstance(side, AppliedUndef) and side.func.__name__ not in OPERATORS:
             value = evaluate(other, point)
             return {side.func.__name__: lambda *arguments, value=value: value}

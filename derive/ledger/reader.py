@@ -170,7 +170,7 @@ class _Reader:
             if self.take(name):
                 if self.table[name].function:
                     self.at -= 1
-                    return self.call(self.table[name])
+                    return self.power(self.call(self.table[name]))
                 return self.power(self.table[name].symbol)
         for name, function in FUNCTIONS.items():
             if self.take(name):

@@ -11,7 +11,7 @@ from boresight.derive.mechanics.rotation import (
     quaternion_product,
     skew,
 )
-from boresight.derive.model import Function, Measurement, Model, Output, Struct
+from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct
 from boresight.derive.models import variables as var
 from boresight.derive.models.variables import ACCEL_NOISE, BA, BG, D_BA, D_BG, DT, F_B, GYRO_NOISE, OMEGA_IB_B
 from boresight.derive.papers.kim_2018 import results as paper
@@ -44,6 +44,11 @@ def azimuth_hold() -> Model:
     zaru_H[:, 9:12] = -eye(3)
 
     q_next = quaternion_product(quaternion_from_rotation_vector(phi.vector), q.vector)
+    # What the exact residuals lose when the errors are taken out.
+    C_true, (lat_true, _) = dcm_from_quaternion(q_next), frame.latitude_and_height(position.vector - d_position.vector)
+    azimuth_left = paper.azimuth_error(C_true, dcm_from_quaternion(q_ref.vector).T)
+    rate_left = OMEGA_IB_B.vector + D_BG.vector - C_true.T * earth.omega_ie_n(lat_true, frame)
+    rate = OMEGA_IB_B.vector - C_b2n.T * omega_ie
     corrected = var.nav_outputs(frame, position.vector - d_position.vector, v_n.vector - dv.vector, normalized(q_next))
     return Model(
         name="azimuth-hold",
@@ -68,11 +73,13 @@ def azimuth_hold() -> Model:
                         z=v_n.vector, H=paper.zero_velocity_matrix(),
                         equations=("kim-2018 (16)", "kim-2018 (17)")),
             Measurement("azimuth", ("up",), "rad", f"azimuth, where the reference is measured: z = +e, {var.TURN}",
-                        z=Matrix([azimuth]), H=paper.hold_measurement_matrix()[3, :],
+                        z=Matrix([azimuth]), h=Matrix([azimuth - azimuth_left]),
+                        H=paper.hold_measurement_matrix()[3, :],
+                        first_order=FirstOrder(tied=(("q_ref_wxyz", q.vector),)),
                         equations=("kim-2018 (20)", "kim-2018 (21)", "kim-2018 (23)")),
             Measurement("zaru", ("x", "y", "z"), "rad/s",
                         "rate against the Earth of a body at rest, where zero is measured: z = computed - measured",
-                        z=OMEGA_IB_B.vector - C_b2n.T * omega_ie, H=zaru_H),
+                        z=rate, h=rate - rate_left, H=zaru_H, first_order=FirstOrder()),
         ),
         functions=(
             var.strapdown(frame, BG, BA),
@@ -88,4 +95,5 @@ def azimuth_hold() -> Model:
             "A bias is measured - true, and its error estimated - true.",
             *var.card(frame),
         ),
+        mechanics=var.mechanics(frame, F_B.vector, biased=True),
     )  # fmt: skip

@@ -1,8 +1,10 @@
 """Azimuth hold whose reference may be wrong: its azimuth error is a sixteenth state."""
 
+from dataclasses import replace
+
 from sympy import Matrix
 
-from boresight.derive.model import Function, Measurement, Model, Output, Struct, variable
+from boresight.derive.model import Function, Model, Output, Struct, variable
 from boresight.derive.models.azimuth_hold import azimuth_hold
 
 
@@ -18,7 +20,7 @@ def azimuth_hold_reference() -> Model:
     d_error = variable("d_reference_error", "d_ref", "rad", "error of that estimate, estimated - true", -0.5, 0.5,
                        frame="ENU")  # fmt: skip
     corrected = Output("reference_error", error.vector - d_error.vector, "rad", "azimuth error of the reference", "ENU")
-    assert azimuth.z is not None and azimuth.H is not None
+    assert azimuth.z is not None and azimuth.h is not None and azimuth.H is not None
     return base.extend(
         name="azimuth-hold-reference",
         c_prefix="ahr",
@@ -27,8 +29,8 @@ def azimuth_hold_reference() -> Model:
         structs=(Struct("reference", reference.meaning, (*reference.fields, error)),),
         # The residual is phi_u less the reference's error; with the estimate added back, phi_u plus its error.
         measurements=(
-            Measurement(azimuth.name, azimuth.rows, azimuth.unit, azimuth.meaning, z=azimuth.z + error.vector,
-                        H=Matrix.hstack(azimuth.H, Matrix([[1]])), equations=azimuth.equations),
+            replace(azimuth, z=azimuth.z + error.vector, h=azimuth.h + d_error.vector,
+                    H=Matrix.hstack(azimuth.H, Matrix([[1]]))),
         ),
         functions=(Function(feedback.name, feedback.meaning, (*feedback.outputs, corrected), feedback.equations),),
     )  # fmt: skip

@@ -13,7 +13,7 @@ from boresight.derive.mechanics.rotation import (
     quaternion_from_rotation_vector,
     quaternion_product,
 )
-from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct, variable
+from boresight.derive.model import FirstOrder, Function, Measurement, Mechanics, Model, Output, Struct, variable
 from boresight.derive.models import variables as var
 from boresight.derive.models.variables import D_MU, DT, EULER_M, GYRO_NOISE, MU
 from boresight.derive.papers.song_lee_2001 import results as paper
@@ -116,4 +116,5 @@ def euler_matching() -> Model:
             "Quaternions are Hamilton, scalar first, body to navigation.  Euler angles: yaw about z, pitch, roll.",
             "Misalignment: C_b2n = C_m2n exp([mu x]), m the master's body axes.",
         ),
+        mechanics=Mechanics(step=((dtheta, zeros(3, 1)),), driven=((GYRO_NOISE, dtheta),)),
     )  # fmt: skip

@@ -1,12 +1,18 @@
 """Errors of strapdown navigation against the true level: the phi model, nine states."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from sympy import Matrix
 
 from boresight.derive.mechanics import error_models
 from boresight.derive.mechanics.earth import ENU, NED, Frame
-from boresight.derive.mechanics.rotation import dcm_from_quaternion
+from boresight.derive.mechanics.rotation import (
+    dcm_from_quaternion,
+    normalized,
+    quaternion_from_rotation_vector,
+    quaternion_product,
+)
 from boresight.derive.model import Function, Model, Output, Struct, Variable
 from boresight.derive.models import variables as var
 
@@ -18,12 +24,26 @@ def error_model(
     matrix: Callable[..., Matrix],
     carried: tuple[str, str, Callable[..., Matrix]],
     lines: tuple[str, ...],
+    *,
+    computed_level: bool = False,
 ) -> Model:
-    """The model x' = F x + G w.  matrix: gives F.  carried: name, meaning and matrix of the map to the other model."""
+    """The model x' = F x + G w.  matrix: gives F.  carried: name, meaning and matrix of the map to the other model.
+
+    computed_level: the errors of velocity and attitude stand against the level of the computed position.
+    """
     position, v_n, q = var.position(frame), var.velocity(frame), var.attitude(frame)
     f_n = var.level(frame, "f_n", "f", "m/s^2", "specific force", 500.0)
     suffix = "" if frame is ENU else frame.name.lower()
     function, meaning, T = carried
+    C_b2n = dcm_from_quaternion(q.vector)
+    d_position, dv, angle = (block.vector for block in states)
+    q_true = normalized(quaternion_product(quaternion_from_rotation_vector(angle), q.vector))
+    mechanics = replace(
+        var.mechanics(frame, C_b2n.T * f_n.vector, computed_level=computed_level),
+        strapdown=var.strapdown(frame),
+        feedback=Function("feedback", "navigation with the errors taken out",
+                          var.nav_outputs(frame, position.vector - d_position, v_n.vector - dv, q_true)),
+    )  # fmt: skip
     return Model(
         name="-".join(filter(None, (name, "error", suffix))),
         c_prefix=name + suffix,
@@ -36,7 +56,7 @@ def error_model(
             Struct("noise", "process noise", (var.GYRO_NOISE, var.ACCEL_NOISE)),
         ),
         F=matrix(frame, position.vector, v_n.vector, f_n.vector),
-        G=error_models.noise_matrix(dcm_from_quaternion(q.vector)),
+        G=error_models.noise_matrix(C_b2n),
         noise=Matrix.vstack(var.GYRO_NOISE.vector, var.ACCEL_NOISE.vector),
         dt=var.DT.scalar,
         functions=(
@@ -49,6 +69,7 @@ def error_model(
             *lines,
             *var.card(frame),
         ),
+        mechanics=mechanics,
     )  # fmt: skip
 
 

@@ -23,6 +23,7 @@ def psi_error(frame: Frame = ENU) -> Model:
             "C_n2c = I - [dtheta x]: the computed level c is the true one of the computed position.",
             "psi = phi - dtheta, where C_hat_b2n = (I - [phi x]) C_b2n.",
         ),
+        computed_level=True,
     )
 
 

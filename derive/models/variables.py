@@ -6,11 +6,12 @@ computed - true.  A bias is measured - true.
 
 from math import pi, radians
 
-from sympy import Matrix
+from sympy import Matrix, zeros
 
 from boresight.derive.mechanics import mechanization
 from boresight.derive.mechanics.earth import Frame
-from boresight.derive.model import Function, Output, Variable, variable
+from boresight.derive.mechanics.rotation import rotation_y, rotation_z
+from boresight.derive.model import Function, Level, Mechanics, Output, Variable, variable
 
 MASTER_BODY = "master body"
 
@@ -131,6 +132,31 @@ def strapdown(frame: Frame, gyro_bias: Variable | None = None, accel_bias: Varia
     at = (position(frame).vector, velocity(frame).vector, attitude(frame).vector)
     carried = mechanization.step(frame, *at, dtheta, dv, dtheta_before, dv_before, DT.scalar)
     return Function("strapdown", meaning, nav_outputs(frame, *carried))
+
+
+def mechanics(frame: Frame, f_b, *, biased: bool = False, computed_level: bool = False) -> Mechanics:
+    """What F and G of a model with `strapdown` and `feedback` are the first order of.
+
+    f_b: the specific force that its F reads, in body axes.  biased: the biases are inputs, and f_b is without them.
+    computed_level: the errors of velocity and attitude stand against the level of the computed position.
+    """
+    rate = OMEGA_IB_B.vector + BG.vector if biased else zeros(3, 1)  # without a bias no error knows how the body turns
+    force = f_b + BA.vector if biased else f_b
+    shown = (DT.scalar * rate, DT.scalar * force)
+    position_n, v_n, q = position(frame), velocity(frame), attitude(frame)
+    return Mechanics(
+        step=tuple(zip(INCREMENTS, (*shown, *shown), strict=True)),
+        driven=((GYRO_NOISE, DTHETA_IB_B), (ACCEL_NOISE, DV_B)),
+        level=Level(axes(frame, position_n.vector), v_n, q) if computed_level else None,
+    )
+
+
+def axes(frame: Frame, position) -> Matrix:
+    """C_n2e, 3x3: the local level in the Earth's axes, from longitude about the pole and latitude about the west."""
+    lat, lon = (position[frame.coordinates.index(name)] for name in ("lat", "lon"))
+    # at latitude and longitude zero north is the pole, east the second axis, up the first
+    there = Matrix([[0, 0, 1], [0, 1, 0], [1, 0, 0]]) * Matrix.hstack(frame.north, frame.east, frame.up).T
+    return rotation_z(lon) * rotation_y(-lat) * there
 
 
 def nav_outputs(frame: Frame, position_next: Matrix, v_next: Matrix, q_next: Matrix) -> tuple[Output, ...]:

@@ -113,6 +113,9 @@ def velocity_attitude() -> Model:
     q_reported = Q_MOUNT.vector
     for axis in ((roll_m, 0, 0), (0, pitch_m, 0), (0, 0, yaw_m)):
         q_reported = quaternion_product(quaternion_from_rotation_vector(axis), q_reported)
+    # the slave that will have turned back to this by the lag; its own attitude turns its rate, in the second order
+    turning = dcm_from_quaternion(q_reported) * OMEGA_IB_B.vector - omega_in
+    q_reporting = quaternion_product(quaternion_from_rotation_vector(turning * lag), q_reported)
     C_m2n = dcm_from_euler(roll_m, pitch_m, yaw_m)
     euler_D_turn = euler_D_beta(roll_m, pitch_m) * C_m2n.T  # of a turn in n; its pitch is in the box, so never singular
 
@@ -145,7 +148,7 @@ def velocity_attitude() -> Model:
                         z=z_dcm, h=z_dcm - dcm_residual(true_state(), lag_true),
                         # the expected attitude, not the reported one: noise in H would pass for motion of the hull
                         H=paper.attitude_matrix(dcm_from_quaternion(q_expected), omega_nb),
-                        first_order=FirstOrder(small="lag", tied=(("q_m2n_wxyz", q_expected),)),
+                        first_order=FirstOrder(small="lag", tied=(("q_m2n_wxyz", turned_back(now, lag)),)),
                         equations=("kang-2025 (4)", "kang-2025 (5)")),
             Measurement("quaternion", FRAME.axes, "rad",
                         f"attitude of the master, twice the vector part of a quaternion: z = -e, {var.TURN}",
@@ -154,7 +157,7 @@ def velocity_attitude() -> Model:
                         "Euler angles of the master: z = computed - measured", z=z_euler,
                         h=z_euler - euler_residual(true_state(), lag_true),
                         H=euler_D_turn * paper.attitude_matrix(C_m2n, omega_nb), angle=True,
-                        first_order=FirstOrder(small="lag", tied=(("q_b2n_wxyz", q_reported),)),
+                        first_order=FirstOrder(small="lag", tied=(("q_b2n_wxyz", q_reporting),)),
                         equations=("song-lee-2001 (13)",)),
         ),
         functions=(
@@ -182,4 +185,5 @@ def velocity_attitude() -> Model:
             "it was tau ago, with lag = 0.",
             *var.card(FRAME),
         ),
+        mechanics=var.mechanics(FRAME, F_B.vector, biased=True),
     )  # fmt: skip

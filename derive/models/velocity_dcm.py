@@ -64,7 +64,9 @@ def velocity_dcm() -> Model:
         measurements=(
             Measurement("velocity", frame.axes, "m/s",
                         "velocity of the slave tau_hat ago, where the master's is measured: z = computed - measured",
-                        z=paper.velocity_residual(v_n.vector, v_m.vector), H=H[:3, :],
+                        z=paper.velocity_residual(v_n.vector, v_m.vector),
+                        h=dv.vector - a_n.vector * D_TAU.scalar,  # taken an error d_tau too early
+                        H=H[:3, :], first_order=FirstOrder(),
                         equations=("kim-2018 (4)", "kim-2018 (6)")),
             Measurement("dcm", frame.axes, "rad",
                         f"attitude of the master, H to first order in the misalignment: z = +e, {var.TURN}",
@@ -92,4 +94,5 @@ def velocity_dcm() -> Model:
             "A delay tau > 0: the master's data is old by it; the slave is compared as it was tau_hat ago.",
             *var.card(frame),
         ),
+        mechanics=var.mechanics(frame, F_B.vector, computed_level=True),
     )  # fmt: skip

@@ -229,7 +229,7 @@ class Writer:
         if name == "cross":
             return " ".join([self.held(*places[0], PREFIX), self.CROSS, self.held(*places[1], PREFIX)]), PRODUCT
         if name == "skew":
-            return self.bracketed(f"{self.held(*places[0], PREFIX)} {self.CROSS}", "[", "]"), ATOM
+            return f"[{self.held(*places[0], PREFIX)} {self.CROSS}]", ATOM
         if name == "E":
             return self.expectation(self.write(*places[0])[0]), ATOM
         if name == "entry":

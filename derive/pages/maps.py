@@ -1,35 +1,42 @@
-"""A paper's maps as sentences."""
+"""A paper's maps to the models that make C from it, as tables."""
 
 from sympy import Symbol
 from sympy.matrices import MatrixBase
 
+from boresight.derive.ledger.equation import Relation
 from boresight.derive.ledger.map import Map, Row
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
+from boresight.derive.pages.blocks import Block, Form, Prose, Section, Table
 
 
-def remarks(paper: Paper) -> tuple[str, ...]:
+def sections(paper: Paper) -> tuple[Section, ...]:
     """One for each model that makes C from the paper, and one on the equations that no function computes."""
-    carried = tuple(_remark(paper, one) for one in paper.maps)
-    numbers = {why: [n for n, same in paper.unflown.items() if same == why] for why in paper.unflown.values()}
-    left = "; ".join(", ".join(f"({n})" for n in listed) + f": {why}" for why, listed in numbers.items())
-    return (*carried, f"Equations of which no function that flies computes a side: {left}.") if left else carried
+    mapped = tuple(_section(paper, one) for one in paper.maps)
+    why = {why: [n for n, same in paper.unflown.items() if same == why] for why in paper.unflown.values()}
+    left = tuple(Prose(f"{', '.join(f'({n})' for n in numbers)}: {reason}.") for reason, numbers in why.items())
+    return (*mapped, Section("Equations of which no function that flies computes a side", left)) if left else mapped
 
 
-def _remark(paper: Paper, one: Map) -> str:
-    rows = "; ".join(_row(paper, row) for row in (*one.states, *one.noises, *one.measurements))
+def _section(paper: Paper, one: Map) -> Section:
     numbers = ", ".join(dict.fromkeys(f"({match.equation})" for match in one.matches))
-    return f"The C of {one.model().name} has {rows}; with these {numbers} are the model's own matrices and residuals."
+    kinds = {"state": one.states, "noise": one.noises, "measurement": one.measurements}
+    rows = tuple(_row(paper, kind, row) for kind, listed in kinds.items() for row in listed)
+    blocks: tuple[Block, ...] = (
+        Table(("", "paper", "times", "ours", "why"), rows, prose=4),
+        Prose(f"With these {numbers} are what the model makes: its matrices, residuals and functions."),
+    )
+    return Section(f"In C: {one.model().name}", blocks)
 
 
-def _row(paper: Paper, row: Row) -> str:
-    factor = {"1": "", "-1": "-"}.get(row.factor) if row.factor in ("1", "-1") else f"{_text(paper, row.factor)} "
-    return f"{_text(paper, row.paper)} = {factor}{row.ours}" + (f" ({row.why})" if row.why else "")
+def _row(paper: Paper, kind: str, row: Row) -> tuple[str | tuple[Form, ...], ...]:
+    return kind, _form(paper, row.paper), _form(paper, row.factor), row.ours, row.why
 
 
-def _text(paper: Paper, latex: str) -> str:
-    (relation,) = read((latex,), (*paper.quantities(), *paper.letters()))
-    side = relation.sides[0]
-    if isinstance(side, MatrixBase) and all(isinstance(entry, Symbol) for entry in side):
-        return ", ".join(entry.name for entry in side)
-    return " ".join(str(side).split())
+def _form(paper: Paper, latex: str) -> tuple[Form, ...]:
+    """An expression, or the letters of a column of them."""
+    letters = (*paper.quantities(), *paper.letters())
+    (relation,) = read((latex,), letters)
+    (side,) = relation.sides
+    column = isinstance(side, MatrixBase) and all(isinstance(entry, Symbol) for entry in side)
+    return tuple(Form(Relation((entry,)), letters) for entry in (side if column else (side,)))

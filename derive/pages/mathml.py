@@ -14,8 +14,9 @@ APPLY, TIMES = "<mo>&#x2061;</mo>", "<mo>&#x2062;</mo>"
 ACCENTS = {"hat": "^", "dot": "˙", "bar": "¯", "overline": "¯", "check": "ˇ"}
 OPERATORS = {
     r"\times": "×", r"\leq": "≤", r"\in": "∈", r"\vee": "∨", r"\|": "‖", r"\{": "{", r"\}": "}", "-": "−", "'": "′",
-    r"\langle": "⟨", r"\rangle": "⟩", **{latex: sign for sign, latex in SIGNS.items()},
+    r"\langle": "⟨", r"\rangle": "⟩", **{latex: sign for sign, latex in SIGNS.items() if sign != "∂"},
 }  # fmt: skip
+LETTERS = {r"\partial": "∂", r"\varphi": "ϕ"}
 NAMED = {"\\" + word for word in ELEMENTARY.values()}
 assert set(MARKS.values()) <= set(ACCENTS)
 
@@ -92,7 +93,7 @@ class _Translator:
 
     def is_glyph(self, token: str) -> bool:
         word = token[1:]
-        return token.isalpha() or token in (r"\mathrm", r"\partial") or word in ACCENTS or bool(greek(word))
+        return token.isalpha() or token in (r"\mathrm", *LETTERS) or word in ACCENTS or bool(greek(word))
 
     def scripts(self, first: str, base: str) -> str:
         found = {first: self.group()}
@@ -140,8 +141,8 @@ class _Translator:
             return [f'<mover accent="true">{self.group()}{_operator(ACCENTS[word])}</mover>']
         if letter := greek(word):
             return [f"<mi>{letter}</mi>"]
-        if token == r"\partial":
-            return ["<mi>∂</mi>"]
+        if token in LETTERS:
+            return [f"<mi>{LETTERS[token]}</mi>"]
         if token == r"\times" and self.ahead() == "]":
             return [_operator("×", ' lspace="0" rspace="0"')]
         if token in OPERATORS or token in "+=<>()[],;|/.":

@@ -7,7 +7,7 @@ from unicodedata import combining, normalize
 
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation
-from boresight.derive.pages.formula import ATOM, FRACTION, PREFIX, Piece, Place, Writer
+from boresight.derive.pages.formula import ATOM, ELEMENTARY, FRACTION, PREFIX, Piece, Place, Writer
 
 FIRST = 0xE000  # a matrix is one character of the private area until the lines are laid out
 
@@ -68,7 +68,7 @@ class _Text(Writer):
         return f"{base}^{exponent if re.fullmatch(r'-?[0-9]+|T|∨', exponent) else self.bracketed(exponent)}"
 
     def applied(self, name, argument, exponent):
-        text = name + self.bracketed(argument[0])
+        text = ELEMENTARY[name] + self.bracketed(argument[0])
         return (self.raised(text, exponent), PREFIX) if exponent else (text, ATOM)
 
     def summed(self, name, argument):

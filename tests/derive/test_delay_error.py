@@ -4,12 +4,35 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
-from sympy import Symbol, lambdify, pi, simplify, sin
 
-from boresight.derive.papers.kang_2025 import delay_error as d
+from boresight.derive.ledger.evaluate import Point, evaluate, solve
+from boresight.derive.ledger.numbers import Matrix, exact, eye, middle, sqrt, zeros
+from boresight.derive.papers import paper
 
+PAPER = paper("delay-error")
 OMEGA, TIME = 0.7, np.linspace(0, 2 * np.pi / 0.7, 200, endpoint=False)
-closed = lambdify((d.DELAY, d.FREQUENCY, *d.AMPLITUDES, d.PHASE), d.sinusoidal())
+
+pytestmark = pytest.mark.usefixtures("many_digits")
+
+
+def closed(tau, omega, roll, pitch, phase, relation=0, **more):
+    """The right side of (4), misalignment or heading error, rad."""
+    values = {"τ": tau, "Ω": omega, "R": roll, "P": pitch, "ε": phase, **more}
+    side = PAPER.equation("4").derived[relation].sides[1]
+    return float(middle(evaluate(side, Point({name: exact(float(value)) for name, value in values.items()}))))
+
+
+def averaged(**samples):
+    """Letters of no mean and the second moments of samples over time, as E takes them."""
+    count = exact(len(next(iter(samples.values()))))
+
+    def number(value):
+        return Matrix([exact(float(part)) for part in value]) if np.ndim(value) else exact(float(value))
+
+    root = sqrt(count)
+    columns = [tuple(number(value) / root for value in at) for at in zip(*samples.values(), strict=True)]
+    mean = {name: zeros(len(v[0]), 1) if np.ndim(v[0]) else exact(0) for name, v in samples.items()}
+    return {"random": {tuple(samples): columns}, "mean": mean}
 
 
 def attitude(time, roll, pitch, phase, heading):
@@ -59,20 +82,18 @@ def test_the_velocity_has_its_say_by_its_weight():
     tau, roll, pitch, phase = 0.005, 0.03, 0.015, 1.0
     v_north, v_east = 0.8 * np.sin(OMEGA * TIME), 0.5 * np.cos(OMEGA * TIME + 0.3)
     late = (0.8 * np.sin(OMEGA * (TIME - tau)), 0.5 * np.cos(OMEGA * (TIME - tau) + 0.3))
-    zero = np.zeros_like(TIME)
-    v, v_late = np.stack([v_north, v_east, zero], -1), np.stack([*late, zero], -1)
+    v, v_late = np.stack([v_north, v_east, 0 * TIME], -1), np.stack([*late, 0 * TIME], -1)
     a_north, a_east = 0.8 * OMEGA * np.cos(OMEGA * TIME), -0.5 * OMEGA * np.sin(OMEGA * TIME + 0.3)
     r, p = roll * np.sin(OMEGA * TIME), pitch * np.sin(OMEGA * TIME + phase)
     r_1, p_1 = roll * OMEGA * np.cos(OMEGA * TIME), pitch * OMEGA * np.cos(OMEGA * TIME + phase)
-    values = dict(zip(d.MOVING, (r, p, zero, r_1, p_1, zero, v_north, v_east, a_north, a_east), strict=True))
-    means = {d.moment(a, b): np.mean(values[a] * values[b]) for a in values for b in values}
+    moving = {"r_0": r, "p_0": p, "ṙ_0": r_1, "ṗ_0": p_1, "v_n": v_north, "v_e": v_east, "a_n": a_north, "a_e": a_east}
+    means = averaged(**moving)
     for weight in (0.001, 0.03, 1.0):
-        form = d.steady_misalignment_with_velocity()
-        given = {**means, d.SIGMA_ANGLE: 1.0, d.SIGMA_VELOCITY: 1 / weight, d.DELAY: tau}
-        wanted = float(form.subs(given))
+        given = {"σ_a": exact(1), "σ_v": exact(1 / weight), "τ": exact(tau)}
+        wanted = float(middle(evaluate(PAPER.equation("5").derived[0].sides[1], Point(means | given))))
         found = estimated(tau, roll, pitch, phase, 0.0, (v, v_late, weight))
         assert found[5] == pytest.approx(wanted, abs=0.01 * tau * OMEGA), weight
-    plain = float(d.steady_misalignment().subs({**means, d.DELAY: tau}))
+    plain = float(middle(evaluate(PAPER.equation("3").derived[0].sides[1], Point(means | {"τ": exact(tau)}))))
     assert plain == pytest.approx(closed(tau, OMEGA, roll, pitch, phase), rel=1e-6)
 
 
@@ -93,30 +114,17 @@ def test_with_yaw_the_swing_turns_on_like_a_rigid_body():
     found = least_squares(left, np.zeros(6), xtol=1e-15, ftol=1e-15, gtol=1e-15).x[3:]
     e = swing(TIME)
     rate = scale * turn * (wave[:, None] * np.cos(wave[:, None] * TIME[:, None, None] + phase)).sum(axis=1)
-    values = dict(zip(d.MOVING[:6], (*e.T, *rate.T), strict=True))
-    means = {d.moment(a, b): np.mean(values[a] * values[b]) for a in values for b in values}
-    J, L = (np.array(part.subs(means), float) for part in (d.spread(), d.spin()))
-    np.testing.assert_allclose(found, tau * np.linalg.solve(J, L[:, 0]), atol=0.02 * tau * OMEGA)
-    # and that is the minimum of the model's own residual
-    dmu = d.minimum((d.residual(), 1))
-    assert simplify(d.spread() * d.DMU.subs(dmu) - d.DELAY * d.spin()) == d.zeros(3, 1)
+    means = averaged(e=e, **{"ė": rate})
+    inertia = PAPER.equation("2").derived[1]
+    wanted = solve((inertia,), {"μ̂": (3,)}, means | {"τ": exact(tau), "I": eye(3)})["μ̂"]
+    np.testing.assert_allclose(found, [float(middle(part)) for part in wanted], atol=0.02 * tau * OMEGA)
 
 
 def test_what_it_says_of_its_variables():
-    form, s = d.sinusoidal(), Symbol("s", positive=True)
-    larger = form.subs({d.ROLL_AMPLITUDE: s * d.ROLL_AMPLITUDE, d.PITCH_AMPLITUDE: s * d.PITCH_AMPLITUDE})
-    assert simplify(larger - form) == 0
-    assert form.subs(d.PHASE, 0) == 0
-    circle = form.subs({d.PITCH_AMPLITUDE: d.ROLL_AMPLITUDE, d.PHASE: -pi / 2})
-    assert simplify(circle - d.DELAY * d.FREQUENCY) == 0
-    assert simplify(form - circle * -2 * d.ROLL_AMPLITUDE * d.PITCH_AMPLITUDE * sin(d.PHASE)
-                    / (d.ROLL_AMPLITUDE**2 + d.PITCH_AMPLITUDE**2)) == 0  # fmt: skip
-
-
-def test_the_derivation_shows_every_step_with_a_reason():
-    steps = d.derivation().steps
-    assert [step.name for step in steps] == [
-        "substitute", "keep first order", "leave out the mean", "least squares", "keep the yaw at rest",
-        "insert sinusoids", "look at it", "add the velocity",
-    ]  # fmt: skip
-    assert all(step.why for step in steps)
+    form = closed(0.01, 0.7, 0.1, 0.05, 1.2)
+    assert closed(0.01, 0.7, 0.3, 0.15, 1.2) == pytest.approx(form)  # the size of the sea cancels
+    assert closed(0.01, 0.7, 0.1, 0.05, 1.2, relation=1) == -form
+    assert closed(0.01, 0.7, 0.1, 0.05, 0.0) == 0
+    assert closed(0.01, 0.7, 0.1, 0.1, -np.pi / 2) == pytest.approx(0.01 * 0.7)  # largest: tau omega
+    sizes = [abs(closed(0.01, 0.7, 0.1, 0.1 * ratio, phase)) for ratio in (0.3, 1, 3) for phase in (-2, -1.5, 1, 3)]
+    assert max(sizes) < 0.01 * 0.7

@@ -3,11 +3,13 @@
 from dataclasses import replace
 
 import pytest
+from sympy import Matrix
 
 from boresight import BoresightError
 from boresight.derive.ledger.carried import check_maps
 from boresight.derive.ledger.map import Match, Row
 from boresight.derive.papers import PAPERS, paper
+from boresight.derive.papers.song_lee_2001 import results
 
 MAPPED = [name for name in PAPERS if paper(name).maps]
 MATCHED = [(name, m.equation) for name in MAPPED for one in paper(name).maps for m in one.matches]
@@ -58,6 +60,27 @@ def test_an_edit_of_what_makes_the_c_is_refused_by_the_ledger(monkeypatch):
     assert "F_k and F of azimuth-hold differ in [dv_e, phi_n]" in refusal(
         changed("kim-2018", "azimuth_hold", model=edited), "7"
     )
+
+
+EDITS = {
+    "measurement": ("16", lambda z: -z, "[euler.roll]"),
+    "relative_euler": ("18", lambda z: z * 2, "[euler.roll]"),
+    "measurement_matrix": ("19", lambda H: H[:, ::-1], "[euler.roll, eps_n]"),
+    "attitude_error_matrix": ("20", lambda F: F.T, "[eps_n, eps_e]"),
+    "attitude_noise_matrix": ("20", lambda G: -G, "[eps_n, gyro_noise_x]"),
+    "corrected_quaternion": ("24", lambda q: q[::-1], "[q_b2n_wxyz[0]]"),
+    "corrected_misalignment": ("25", lambda mu: -mu, "[mu[0]]"),
+}
+
+
+@pytest.mark.parametrize("name", EDITS)
+def test_an_edit_of_a_function_of_song_and_lee_is_refused_by_the_ledger(name, monkeypatch):
+    number, edit, place = EDITS[name]
+    right = getattr(results, name)
+    monkeypatch.setattr(results, name, lambda *arguments: Matrix(edit(right(*arguments))))
+    (one,) = paper("song-lee-2001").maps
+    edited = replace(paper("song-lee-2001"), maps=(replace(one),))  # a map of its own, whose model is made anew
+    assert place in refusal(edited, number)
 
 
 def test_a_map_that_varies_adds_its_own_rate():

@@ -1,46 +1,205 @@
-"""Derivations on the terminal, in LaTeX, HTML and PDF, and the page made from them."""
+"""Pages of papers on the terminal, in LaTeX, HTML and PDF."""
 
+import ast
 import re
 import shutil
+from html import unescape
+from html.parser import HTMLParser
+from unicodedata import combining
 
 import pytest
+from conftest import ROOT
 
 from boresight import BoresightError
-from boresight.derive.pages.latex import latex_name
-from boresight.derive.pages.render import pdf_from_latex, render
-from boresight.derive.papers import paper
+from boresight.derive.ledger.differences import differences, marks
+from boresight.derive.pages.booklet import pdf_from_latex, pieces
+from boresight.derive.pages.latex import latex_relation
+from boresight.derive.pages.mathml import mathml_relation
+from boresight.derive.pages.page import notation
+from boresight.derive.pages.render import render
+from boresight.derive.papers import PAPERS, paper
 
 PAPER = paper("song-lee-2001")
 needs_pdflatex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
 
 
-@pytest.mark.parametrize("columns", [80, 110])
-def test_terminal_shows_print_derivation_steps_and_evidence_within_its_width(columns, monkeypatch):
+@pytest.mark.parametrize("columns", [80, 140])
+def test_terminal_shows_print_derivation_steps_and_evidence_in_100_columns_at_most(columns, monkeypatch):
     monkeypatch.setenv("COLUMNS", str(columns))
     text = render(PAPER, "9")
     assert text.startswith("song-lee-2001 (9)  erratum: letter, transcription  [source line 74]")
-    for piece in ("printed", "cos(φ)", "derived", "cos(ψ)", "1. invert:", "evidence: ", "note: Origin transcription"):
+    for piece in (
+        "printed",
+        "cos(›φ‹)",
+        "derived",
+        "cos(›ψ‹)",
+        "2. multiply",
+        "Evidence: ",
+        "Note: Origin transcription",
+    ):
         assert piece in text
-    assert max(map(len, text.splitlines())) <= columns
+    names = [line for line in text.splitlines() if "::" in line]  # of tests, which nothing can break
+    assert max(len(line) for line in text.splitlines() if line not in names) <= min(columns, 100)
 
 
-def test_all_equations_are_shown_with_the_counts_and_what_stands_beside_them():
+@pytest.mark.parametrize("name", PAPERS)
+def test_a_page_holds_every_equation_once_and_ends_by_column_100(name, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "100")
+    one = paper(name)
+    text = render(one)
+    assert text.startswith(f"{name}\n") and one.reference in " ".join(text.split())
+    shown = re.findall(rf"^{name} \((\d+)\)", text, re.MULTILINE)
+    assert shown == [equation.number for equation in one.equations]
+    assert max(sum(not combining(c) for c in line) for line in text.splitlines()) <= 100
+
+
+def test_the_counts_and_what_stands_beside_the_equations_are_shown():
     text = render(PAPER)
-    assert text.startswith("song-lee-2001: 28 equations, 5 exact, 8 first-order, 6 definition, 9 erratum")
-    assert all(f"song-lee-2001 ({number})" in text for number in range(1, 29))
+    assert "28 equations: 5 exact, 8 first-order, 6 definition, 9 erratum." in text
     assert "Table 1: 13, 12, 21, 3 cells" in text
 
 
-def test_html_stands_alone():
-    page = render(PAPER, None, "html")
-    assert "src=" not in page and "href=" not in page
+def test_conditions_are_written_once_and_referred_to():
+    """Those of the sizes and those of the numbers: two notes, whatever the number of equations."""
+    text = " ".join(render(paper("kang-2025")).split())
+    assert text.count(paper("kang-2025").conditions.text) == text.count(paper("kang-2025").point.text) == 1
+    assert re.findall(r"\[(\d)\] At", text) == ["1", "2"] and text.count("[2]") == 5
+
+
+def test_a_derived_form_that_is_the_print_is_not_repeated():
+    text = render(paper("kim-2018"), "13")
+    assert "printed and derived" in text and text.count("Φ_{k-1}") == 1
+
+
+def test_what_was_judged_is_shown_where_the_print_is_read_otherwise():
+    text = render(paper("kim-2018"), "2")
+    assert "printed and derived" not in text and "›φ̇‹ =" in text and "›ψ̇‹ =" in text
+
+
+class Page(HTMLParser):
+    """Elements that do not close, where links go, and what is marked."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.ids, self.links, self.wrong, self.slips = [], [], [], [], []
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag, attrs):
+        attrs = dict(attrs)
+        self.ids += [attrs["id"]] if "id" in attrs else []
+        self.links += [attrs["href"]] if "href" in attrs else []
+        assert "src" not in attrs
+        if tag not in ("meta", "wbr"):
+            self.open.append(tag)
+        if attrs.get("class") == "slip":
+            self.slips.append(len(self.open))
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop() != tag:
+            self.wrong.append(tag)
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_html_stands_alone_and_its_links_go_somewhere(name):
+    page = Page(render(paper(name), None, "html"))
+    assert not page.open and not page.wrong
+    assert [anchor for anchor in page.ids if anchor.startswith("eq-")] == [
+        f"eq-{e.number}" for e in paper(name).equations
+    ]
+    assert len(page.ids) == len(set(page.ids))
+    assert page.links and all(link[0] == "#" and link[1:] in page.ids for link in page.links)
+
+
+def test_an_equation_that_another_cites_is_a_link_in_html_and_latex():
+    assert '<a href="#eq-9">(9)</a>' in render(PAPER, None, "html")
+    assert r"\hyperref[eq-9]{(9)}" in render(PAPER, None, "latex")
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_every_erratum_is_marked_where_print_and_derivation_differ_in_every_format(name):
+    one = paper(name)
+    for equation in one.equations:
+        found = differences(equation.read(), equation.derived)
+        places = [
+            marks(form, found, which) for form, which in ((equation.printed, "printed"), (equation.derived, "derived"))
+        ]
+        if "erratum" not in render(one, equation.number).splitlines()[0]:
+            continue
+        count = sum(len(marked) for form in places for marked in form)
+        assert count > 0
+        text, html, latex = (render(one, equation.number, format) for format in ("text", "html", "latex"))
+        assert text.count("›") == text.count("‹") == count
+        assert len(Page(html).slips) == latex.count(r"\slip{") == count
+
+
+@pytest.mark.parametrize(
+    "number, printed, derived", [("9", "φ", "ψ"), ("25", "δμ(k)", "-δμ(k)"), ("7", "C_b2n", "C_n2b")]
+)
+def test_the_slip_is_what_is_marked(number, printed, derived):
+    before, after = render(PAPER, number).split("derived\n")[:2]
+    for part, letter in ((before, printed), (after.split("Evidence")[0], derived)):
+        assert set(re.findall("›(.*?)‹", part)) == {letter}
+
+
+def test_formulas_of_a_page_are_those_of_the_writers():
+    """So that what the writers' tests read back is what is shown."""
+    one, equation = paper("kim-2018"), paper("kim-2018").equation("11")
+    html, latex = render(one, "11", "html"), render(one, "11", "latex")
+    html = re.sub("</math><wbr><math[^>]*>", "", html.replace(' form="infix"', ""))
+    shown = re.sub(r"\\piece\{(?:\{\})?|\}%\n", " ", latex)
+    for step in equation.derivation.steps:
+        for relation in step.formulas:
+            letters = equation.alphabet
+            row = re.sub("^<math[^>]*>(?:<mrow>)?|(?:</mrow>)?</math>$", "", mathml_relation(relation, letters))
+            assert unescape(row) in html
+            assert re.sub(r"\s", "", latex_relation(relation, letters)) in re.sub(r"\s", "", shown)
+
+
+def test_c_functions_and_tests_are_named():
+    text = render(PAPER, "19", functions={"song-lee-2001 (19)": {"euler-matching": ("em_euler_H", "em_euler_z")}})
+    assert "In C of euler-matching: em_euler_H, em_euler_z" in text
+    assert "test_measurement_matrix_is_the_gradient_of_the_measurement" in text
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_the_tests_that_a_paper_names_exist_and_its_numbers_too(name):
+    file = ROOT / "tests" / "derive" / f"test_{name.replace('-', '_')}.py"
+    defined = {node.name for node in ast.parse(file.read_text()).body if isinstance(node, ast.FunctionDef)}
+    assert set(paper(name).tests) <= defined
+    for numbers in paper(name).tests.values():
+        assert all(paper(name).equation(number) for number in numbers.split())
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_the_table_of_notation_has_every_letter_and_splits_off_its_unit(name):
+    table = notation(paper(name))
+    shown = [form.relation.sides[0].name for letters, _, _ in table.rows for form in letters]
+    assert len(shown) == len(set(shown))
+    letters = (*paper(name).quantities(), *paper(name).letters())
+    assert set(shown) == {q.symbol.name for q in letters if not q.function and q.kind != "block"}
+    assert not [meaning for _, meaning, _ in table.rows if re.search(r", (rad|m|s|1)(/s)?$", meaning)]
 
 
 def test_latex_carries_the_print_verbatim_and_no_letter_outside_ascii():
     document = render(PAPER, None, "latex")
     assert document.isascii()
-    assert r"\hat{C}_b^n(\hat{\phi}, \hat{\theta}, \hat{\psi}) = C_n^{n'} C_b^n" in document
-    assert document.count(r"\subsection*{(") == 28
+    assert r"\piece{\hat{C}_b^n(\hat{\phi}, \hat{\theta}, \hat{\psi})}%" in document
+    assert document.count(r"\subsection{(") == 28 and r"\tableofcontents" in document
+
+
+@pytest.mark.parametrize(
+    "latex, cut",
+    [
+        ("z = a + (b - c) - d", ["z", "{}= a", "{}+ (b - c)", "{}- d"]),
+        (r"x_k^- = -\frac{a - b}{c} b^{-1}", ["x_k^-", r"{}= -\frac{a - b}{c} b^{-1}"]),
+        (r"A = \left\{ n = 1 \right\} - \begin{bmatrix} a - b \end{bmatrix}", None),
+    ],
+)
+def test_a_formula_is_cut_before_the_signs_outside_of_brackets(latex, cut):
+    found = pieces(latex)
+    assert found == cut if cut else len(found) == 3
+    assert "".join(found).replace("{}", "").replace(" ", "") == latex.replace(" ", "")
 
 
 @needs_pdflatex
@@ -52,6 +211,12 @@ def test_latex_of_every_equation_compiles():
 def test_latex_that_does_not_compile_is_one_line():
     with pytest.raises(BoresightError, match=r"pdflatex failed: ! Undefined control sequence"):
         pdf_from_latex("\\documentclass{article}\\begin{document}\\nothing\\end{document}")
+
+
+@needs_pdflatex
+def test_a_package_that_is_missing_is_named():
+    with pytest.raises(BoresightError, match=r"pdflatex lacks nowhere.sty: install"):
+        pdf_from_latex("\\documentclass{article}\\usepackage{nowhere}\\begin{document}\\end{document}")
 
 
 def test_without_pdflatex_one_line_says_what_to_install(monkeypatch):
@@ -72,14 +237,7 @@ def test_a_wrong_number_or_format_lists_the_right_ones(arguments, message):
         render(PAPER, *arguments)
 
 
-@pytest.mark.parametrize(
-    "name, latex",
-    [
-        ("C_b2n'", "C_{b}^{n'}"),
-        ("δφ̂_b", r"\delta \hat{\phi}_{b}"),
-        ("[ω_ib_b x]", r"[\omega_{ib}^{b}\times]"),
-        ("Ċ_b2n", r"\dot{C}_{b}^{n}"),
-    ],
-)
-def test_latex_of_a_name(name, latex):
-    assert latex_name(name) == latex
+@pytest.mark.parametrize("format", ["text", "latex", "html"])
+def test_a_derivation_of_no_paper_is_a_page_too(format):
+    page = " ".join(render(paper("delay-error"), "2", format).split())
+    assert "angular momentum" in page and "derived here" in page and "printed" not in page

@@ -174,6 +174,9 @@ def test_scaled_sensors_are_read_right_and_their_errors_enter_as_biases_in_propo
     ])  # fmt: skip
     Phi = scale.Phi(**nav, f_b=f, omega_ib_b=omega, dt=dt, gyro_scale=np.zeros(3), accel_scale=np.zeros(3))
     scaled = scale.Phi(**nav, f_b=(1 + as_) * f, omega_ib_b=(1 + gs) * omega, dt=dt, gyro_scale=gs, accel_scale=as_)
+    # an error of what is divided by the scale is that much smaller
+    shown = np.r_[6:12, 16:22]
+    scaled[:6, shown] *= np.tile(1 + np.concatenate([gs, as_]), 2)
     np.testing.assert_allclose(scaled, Phi, atol=1e-15)
     expected = Phi[:6, 16:] @ error
     np.testing.assert_allclose(grown, expected, atol=0.01 * np.abs(expected).max())

@@ -8,7 +8,6 @@ from boresight.derive.ledger.ellipsoid import WORKING
 from boresight.derive.ledger.evaluate import DIGITS
 from boresight.derive.ledger.numbers import Matrix, cos, digits, exact, eye, norm, sin
 from boresight.derive.ledger.witness import attitude, draw, skew, vector
-from boresight.derive.mechanics import earth
 from boresight.derive.papers.kang_2025.printed import AT_REST, ROLLING, TABLE_1, TABLE_2
 from boresight.derive.papers.kang_2025.witness import (
     CONDITIONS,
@@ -47,7 +46,7 @@ def lever_sizes() -> dict[str, float]:
                 "own": slave.velocity(slave.master, zero),
                 "one": level.T * after(slave.master, zero),
             }
-            spin = level.T * vector(0, 0, ellipsoid.defined(earth.EARTH_RATE))
+            spin = level.T * vector(0, 0, ellipsoid.SPIN)
             by_rate = {"print": slave.omega_in_n(zero), "earth rate": spin}
             C, L, v = slave.attitude(zero), slave.lever, slave.velocity(slave.slave, zero)
             for rate, omega in by_rate.items():

@@ -67,6 +67,7 @@ def letters():
     return (
         *(letter(*one, (3,)) for one in vectors),
         *(letter(*one, (3, 3)) for one in matrices),
+        letter("I", "I", "identity", "identity, which the print calls eye(3)", (3, 3)),
         letter("φ", r"\varphi", "angle", "how far the wheel has turned, rad"),
     )
 
@@ -161,7 +162,7 @@ def velocity_residual():
         line("v_m^n = v_s^n + u_k", first_order(*moving), "(1), by its two parts", substitute("1", of="(1)")),
         line(r"v_{m,k+\alpha} = v_{s,k+\alpha} + u_{k+\alpha}", first_order(*moving),
              "the same at the time of the master's data",
-             elsewhere({"v_m^n": r"v_{m,k+\alpha}", "v_{s,k}": r"v_{s,k+\alpha}", "u_k": r"u_{k+\alpha}"})),
+             elsewhere({"v_m^n": r"v_{m,k+\alpha}", "v_s^n": r"v_{s,k+\alpha}", "u_k": r"u_{k+\alpha}"})),
         line(r"z_v = v_{m,k+\alpha} - v_M^n", first_order(*moving),
              "the expected velocity less the reported one: error = computed - true"),
         line(r"z_v = v_{s,k+\alpha} + u_{k+\alpha} - v_M^n", EXACT_LINE,

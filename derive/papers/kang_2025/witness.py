@@ -16,7 +16,6 @@ from boresight.derive.ledger.ellipsoid import WORKING
 from boresight.derive.ledger.equation import Relation
 from boresight.derive.ledger.numbers import Matrix, asin, digits, exact, eye, norm, pi
 from boresight.derive.ledger.witness import attitude, degrees, finite_rotation, rotation_vector, skew, vector
-from boresight.derive.mechanics import earth
 
 
 @dataclass(frozen=True, eq=False)
@@ -204,7 +203,7 @@ class Motion:
 
 def _inertial(t) -> Matrix:
     """C_e2i."""
-    return finite_rotation([0, 0, ellipsoid.defined(earth.EARTH_RATE) * t])
+    return finite_rotation([0, 0, ellipsoid.SPIN * t])
 
 
 def motion(base: Base, erring: bool) -> Motion:

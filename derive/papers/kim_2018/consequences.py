@@ -9,6 +9,7 @@ from flint import arb
 
 from boresight.derive.ledger.ellipsoid import WORKING
 from boresight.derive.ledger.evaluate import DIGITS
+from boresight.derive.ledger.navigation import Navigator, Truth, stack, truth
 from boresight.derive.ledger.numbers import Matrix, atan2, digits, exact, eye, norm, pi, shown, zeros
 from boresight.derive.ledger.witness import hamilton, vector
 from boresight.derive.mechanics import earth
@@ -20,13 +21,10 @@ from boresight.derive.papers.kim_2018.witness import (
     MILE,
     STATED,
     G,
-    Mechanics,
-    Truth,
     attitudes,
     curvature,
     matrices,
     series,
-    stack,
     transition,
 )
 
@@ -62,9 +60,8 @@ def _at_rest() -> Truth:
     C = eye(3)
     with digits(WORKING):
         position = vector(0, exact(LATITUDE) * pi() / 180, 0)
-        still = Mechanics(position, zeros(3, 1), C, zeros(3, 1), zeros(3, 1))
-        f, omega = -still.gravity_n, still.omega_ie_n
-        return Truth(position, zeros(3, 1), C, f, omega, Mechanics(position, zeros(3, 1), C, f, omega))
+        still = Navigator(position, zeros(3, 1), C, zeros(3, 1), zeros(3, 1))
+        return truth(position, zeros(3, 1), C, -still.gravity_n, still.omega_ie_n)
 
 
 def level_dynamics(sign: int) -> Matrix:

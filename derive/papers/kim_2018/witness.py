@@ -7,16 +7,15 @@ and the matrices F and H are differentiated from them, so none of the paper's fo
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import lru_cache, partial
 from random import Random
 from unicodedata import normalize
 
-import sympy as sp
-
-from boresight.derive.ledger import ellipsoid
+from boresight.derive.ledger import ellipsoid, navigation
 from boresight.derive.ledger.ellipsoid import WORKING
 from boresight.derive.ledger.equation import Relation
-from boresight.derive.ledger.evaluate import Point, evaluate, solve
+from boresight.derive.ledger.evaluate import solve
+from boresight.derive.ledger.navigation import Truth, stack
 from boresight.derive.ledger.numbers import Matrix, cos, digits, exact, eye, norm, sqrt, zeros
 from boresight.derive.ledger.witness import (
     attitude,
@@ -28,7 +27,6 @@ from boresight.derive.ledger.witness import (
     uniform,
     vector,
 )
-from boresight.derive.mechanics import earth
 from boresight.derive.papers.kim_2018.printed import quantities
 
 SAMPLES, WINDOW_AT, WINDOW_OF, NOW = 6, 2, 3, 3  # of the detector's record: its length, a window's start and length
@@ -151,98 +149,20 @@ STATED_TEXT = (
 # ---- Exact mechanics -------------------------------------------------------------------------------------------------
 
 
-class Mechanics:
-    """What a perfect or an erring navigator at one state computes: rates by Newton's law on the turning ellipsoid."""
-
-    def __init__(self, position, v_n, C_b2n, f_b, omega_ib_b):
-        self.C_b2n, self.v_n = C_b2n, v_n
-        axes, slope = ellipsoid.axes(position), ellipsoid.slope(position)
-        self.position_rate = slope.solve(axes * v_n)
-        self.axes, self.axes_rate = axes, ellipsoid.rate(lambda t: ellipsoid.axes(position + t * self.position_rate))
-        turning = axes.T * self.axes_rate
-        self.omega_en_n = vector(turning[2, 1], turning[0, 2], turning[1, 0])
-        spin = vector(0, 0, ellipsoid.defined(earth.EARTH_RATE))
-        self.omega_ie_n = axes.T * spin
-        self.omega_in_n = self.omega_ie_n + self.omega_en_n
-        self.gravity_n = vector(0, 0, -evaluate(_gravity(), Point({"lat": position[1], "height": position[2]})))
-        self.f_n = C_b2n * f_b
-        # Velocity over the ground in turning axes: gravity has the centrifugal part, Coriolis twice the spin.
-        self.velocity_rate = (
-            self.f_n + self.gravity_n - axes.T * (2 * skew(spin) * axes * v_n) + self.axes_rate.T * axes * v_n
-        )
-        self.C_rate = C_b2n * skew(omega_ib_b) - skew(self.omega_in_n) * C_b2n
-
-
-@cache
-def _gravity() -> sp.Expr:
-    return earth.normal_gravity(*sp.symbols("lat height"))
-
-
-def stack(*parts) -> Matrix:
-    return vector(*(entry for part in parts for entry in (part if isinstance(part, Matrix | tuple) else (part,))))
-
-
-def _rotation_rate(matrix, rate) -> Matrix:
-    """The rate of e in exp(-[e x]) = matrix, whose rate is given."""
-    return ellipsoid.rate(lambda t: -rotation_vector(matrix + t * rate))
-
-
-@dataclass(frozen=True, eq=False)
-class Truth:
-    """The true state of the slave, and what follows from it alone."""
-
-    position: Matrix
-    v_n: Matrix
-    C: Matrix
-    f_b: Matrix
-    omega: Matrix
-    exact: Mechanics
-
-    def hat(self, x, noise) -> Mechanics:
-        """The navigator with the errors x: position, velocity, phi, gyro and accelerometer bias; noise (6)."""
-        return Mechanics(
-            self.position + x[0:3, 0],
-            self.v_n + x[3:6, 0],
-            finite_rotation(-x[6:9, 0]) * self.C,
-            self.f_b + x[12:15, 0] + noise[3:6, 0],
-            self.omega + x[9:12, 0] + noise[0:3, 0],
-        )
-
-    def phi_rates(self, x, noise=None) -> Matrix:
-        """(15) rates of the states of section 2.2: against the true axes."""
-        hat, exact = self.hat(x, zeros(6, 1) if noise is None else noise), self.exact
-        turned, rate = hat.C_b2n * self.C.T, hat.C_rate * self.C.T + hat.C_b2n * exact.C_rate.T
-        return stack(
-            hat.position_rate - exact.position_rate,
-            hat.velocity_rate - exact.velocity_rate,
-            _rotation_rate(turned, rate),
-            zeros(6, 1),
-        )
-
-    def psi_rates(self, x) -> Matrix:
-        """(6) rates of velocity and attitude error against the computed axes, where the position is known.
-
-        x: velocity error and psi; perfect sensors.  The computed axes agree with the true ones now, not in a moment.
-        """
-        full = stack(zeros(3, 1), x, zeros(6, 1))
-        hat, exact = self.hat(full, zeros(6, 1)), self.exact
-        C_n2c_rate = hat.axes_rate.T * exact.axes + hat.axes.T * exact.axes_rate
-        turned = hat.C_b2n * self.C.T
-        rate = hat.C_rate * self.C.T + hat.C_b2n * exact.C_rate.T + turned * C_n2c_rate.T
-        return stack(hat.velocity_rate - exact.velocity_rate - C_n2c_rate * self.v_n, _rotation_rate(turned, rate))
-
-
 @lru_cache(maxsize=64)
 def _truth(position, v_n, euler, f_b, omega) -> Truth:
-    parts = [Matrix(part) for part in (position, v_n, f_b, omega)]
-    C = attitude(euler)
-    return Truth(parts[0], parts[1], C, parts[2], parts[3], Mechanics(parts[0], parts[1], C, parts[2], parts[3]))
+    return navigation.truth(position, v_n, attitude(euler), f_b, omega)
 
 
 @lru_cache(maxsize=256)
 def truth(base: Base) -> Truth:
     with digits(WORKING):
         return _truth(base.position, base.v_n, base.euler, base.f_b, base.omega_ib_b)
+
+
+def position_known(true: Truth, x) -> Matrix:
+    """(6) rates of velocity and attitude error against the computed axes, which agree with the true ones now."""
+    return true.psi_rates(stack(zeros(3, 1), x))[3:9, 0]
 
 
 def errors(base: Base) -> Matrix:
@@ -379,7 +299,7 @@ def _error_rates(base: Base) -> list:
     with digits(WORKING):
         noise = stack(base.gyro_noise, base.accel_noise)
         phi_rates = truth(base).phi_rates(errors(base), noise)
-        psi_rates = truth(base).psi_rates(errors(base)[3:9, 0])
+        psi_rates = position_known(truth(base), errors(base)[3:9, 0])
         return [
             phi_rates,
             truth(base).phi_rates(zeros(15, 1), noise),
@@ -431,7 +351,7 @@ def matrices(true: Truth) -> list:
             return stack(true.v_n + x[3:6, 0], (M[0, 1] - M[1, 0]) / 2)
 
         F_X = zeros(10)
-        F_X[0:6, 0:6] = ellipsoid.jacobian(true.psi_rates, 6)
+        F_X[0:6, 0:6] = ellipsoid.jacobian(partial(position_known, true), 6)
         H = ellipsoid.jacobian(measured, 15)
         noise = ellipsoid.jacobian(lambda sensors: true.phi_rates(zeros(15, 1), sensors), 6)
         return [ellipsoid.jacobian(true.phi_rates, 15), F_X, H, H[0:3, :], noise]

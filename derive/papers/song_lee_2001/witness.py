@@ -19,6 +19,7 @@ from boresight.derive.ledger.witness import (
     rotation_vector,
     skew,
 )
+from boresight.derive.papers.song_lee_2001.letters import axes_after_yaw, axes_before_roll, axis, change, turns
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,7 +149,22 @@ def _attitudes(base: Base, definitions: tuple[tuple[Relation, ...], ...]) -> dic
         "β": beta,
         "ε_o": norm(eps),
         "δω_b": Matrix(base.gyro_error),
+        "C_r2n": C_r,
+        "C_n2r": C_r.T,
+        "C_n'2n": n_axes,
+        "ω_ib_b": Matrix(base.omega_ib_b),
+        "ω_in_n": Matrix(base.omega_in_n),
+        "μ": mu,
+        "μ\u0302": mu_hat,
+        "δμ": Matrix(base.mu_error),
+        "τ": exact("1e-30"),
+        "A_1": axes_before_roll,
+        "A_3": axes_after_yaw,
     }
+    put("ω_n ω_e ω_d", base.omega_in_n)
+    _, pitch, yaw = euler
+    for i, letter in enumerate("φθψ"):
+        values |= {f"∂C/∂{letter}": change(i)(*euler), f"u_{letter}": axis(i)(pitch, yaw), f"R_{i + 1}": turns(i + 1)}
     put("ε_n ε_e ε_d", eps)
     put("β_x β_y β_z", beta)
     put("μ_x μ_y μ_z", mu)
@@ -162,14 +178,26 @@ def _attitudes(base: Base, definitions: tuple[tuple[Relation, ...], ...]) -> dic
     def moved(matrix, body_rate, t):
         return finite_rotation(-omega_in_n * t) * matrix * finite_rotation(body_rate * t)
 
-    def eps_at(t):
-        return -rotation_vector(moved(C_hat, omega_ib_b + values["δω_b"], t) * moved(C, omega_ib_b, t).T)
+    def C_at(t):
+        return moved(C, omega_ib_b, t)
 
-    def mu_error_at(t):
-        master_rate = finite_rotation(mu) * omega_ib_b
-        return mu_hat - rotation_vector(moved(C_r, master_rate, t).T * moved(C, omega_ib_b, t))
+    def C_hat_at(t):
+        return moved(C_hat, omega_ib_b + values["δω_b"], t)
 
-    values |= {"ε̇": rate(eps_at), normalize("NFC", "δμ̇"): rate(mu_error_at)}
+    def mu_at(t):
+        return rotation_vector(moved(C_r, finite_rotation(mu) * omega_ib_b, t).T * C_at(t))
+
+    eps_rate, mu_rate = rate(lambda t: -rotation_vector(C_hat_at(t) * C_at(t).T)), rate(mu_at)
+    rates = {
+        "C\u0307_b2n": rate(C_at),
+        "C\u0302\u0307_b2n": rate(C_hat_at),
+        "ε\u0307": eps_rate,
+        "E\u0307": skew(eps_rate),
+        "μ\u0307": mu_rate,
+        "μ\u0302\u0307": mu_rate * 0,  # between corrections the filter keeps its estimate
+        "δμ\u0307": rate(lambda t: mu_hat - mu_at(t)),
+    }
+    values |= {normalize("NFC", name): value for name, value in rates.items()}
 
     # (23), (24)  a correction by the error itself ends at the truth.
     before, after = quaternion(C_hat), quaternion(C)
@@ -177,6 +205,7 @@ def _attitudes(base: Base, definitions: tuple[tuple[Relation, ...], ...]) -> dic
     turn = quaternion(C * C_hat.T)
     values |= {"ΔQ": turn, "ΔQ(k)": turn, "Q̂(k-)": before, "Q̂(k+)": after}
     put("Δq_0 Δq_1 Δq_2 Δq_3", turn)
+    put("q̂_0 q̂_1 q̂_2 q̂_3", before)
     # (25)  the true misalignment stands; the estimate is left with what of its error was not estimated.
     missed = [error * exact(share) for error, share in zip(base.mu_error, (0.1, -0.2, 0.3), strict=True)]
     values |= {
@@ -185,6 +214,8 @@ def _attitudes(base: Base, definitions: tuple[tuple[Relation, ...], ...]) -> dic
         "μ̂(k-)": mu_hat,
         "μ̂(k+)": mu + Matrix(missed),
         "δμ(k)": Matrix(base.mu_error) - Matrix(missed),
+        "δμ(k-)": Matrix(base.mu_error),
+        "δμ(k+)": Matrix(missed),
     }
     return values
 

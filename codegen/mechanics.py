@@ -1,0 +1,534 @@
+"""F, G, H and feedback of a model held against exact mechanics, in 50 digits.
+
+An error x is put in by the model's own feedback: what it makes of the estimates and x is the truth.  Estimates and
+truth are carried over a short step by the model's own strapdown, and the error is read out of them again by the inverse
+of the feedback.  The rate of what is read out must be F x, and G w where the sensors are wrong by w; what is left must
+fall fourfold when x is halved.  H is held in the same way against the exact h, or against z with the errors taken out.
+A strapdown that gives position, velocity and attitude is held against Newton's law on the turning ellipsoid.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from flint import arb
+
+from boresight.codegen.functions.reference import evaluator, precise
+from boresight.codegen.functions.samples import generator, sample
+from boresight.codegen.functions.units import state_variable
+from boresight.derive.ledger import ellipsoid
+from boresight.derive.ledger.navigation import Navigator
+from boresight.derive.ledger.numbers import Matrix, digits, zeros
+from boresight.derive.ledger.witness import hamilton, quaternion, vector
+from boresight.derive.model import Function, Measurement, Mechanics, Model, Variable, substituted, symbols_in
+from boresight.derive.models.variables import INCREMENTS
+
+POINTS = 2
+# Powers of two, which are exact balls: s, the part of its box by which a state is moved for a derivative, and that of
+# an error whose remainder is looked at.
+STEP, MOVED, FINITE = arb((1, -83)), arb((1, -66)), arb((1, -13))
+EQUAL = 1e-12  # of an entry, or AT_ALL of the largest of its row, each times the box of its state
+AT_ALL = 1e-15
+LEAST = 1e-9  # of the box of a state in a second: what is smaller measures no row
+NOTHING = 1e-28
+FOURFOLD = 0.26
+
+Values = dict[sp.Symbol, Any]
+Reference = Callable[[Mapping[str, Sequence[Any]]], list[Any]]  # of a printed unit: the non-zeros of its results
+
+
+@dataclass(frozen=True)
+class MechanicsCheck:
+    """unit: F, G, feedback, a strapdown or a measurement matrix.  against: the exact thing it is held against.
+
+    difference: the largest between what is stated and what is exact, as a part of the largest of its row, each entry
+    times the box of its state.  entry: the place and size of it, where it is one too many.  ratio: what is left of the
+    remainder when the errors are halved; coefficient: the remainder over their square.  Both are None where no
+    remainder is.  why: what is missing for the check; then it says nothing, and `ok` is None.
+    """
+
+    model: str
+    unit: str
+    against: str
+    difference: float | None = None
+    entry: str = ""
+    ratio: float | None = None
+    coefficient: float | None = None
+    why: str = ""
+
+    @property
+    def ok(self) -> bool | None:
+        return None if self.why else not self.entry
+
+
+def check_mechanics(model: Model, reference: Mapping[str, Reference]) -> list[MechanicsCheck]:
+    """Every check of one model; reference: of its printed units, by name."""
+    checks = [check_strapdown(model, f, level) for f, level in navigating(model)]
+    if model.f is not None:
+        checks.append(check_own_rate(model, reference["F"]))
+        checks.append(MechanicsCheck(model.name, "G", "", why="f says nothing of the noise"))
+    elif model.n:
+        try:
+            checks += check_error_model(Exact(model), reference["F"])
+        except LookupError as missing:
+            why = str(missing.args[0])
+            checks += [MechanicsCheck(model.name, unit, "", why=why) for unit in ("F", "G", "feedback")]
+    return checks + [check_measurement(model, m, reference[f"{m.name}_H"]) for m in model.measurements]
+
+
+# ---------------------------------------------------------------- numbers
+
+
+def compiled(*matrices: sp.Matrix) -> Callable[[Values], list[Matrix]]:
+    """The matrices as functions of values of their symbols."""
+    order = sorted(symbols_in(*matrices), key=str)
+    run = evaluator(order, matrices)
+
+    def at(values: Values) -> list[Matrix]:
+        return [filled(m.shape, entries) for m, entries in zip(matrices, run([values[s] for s in order]), strict=True)]
+
+    return at
+
+
+def filled(shape: tuple[int, int], entries: Mapping[tuple[int, int], Any]) -> Matrix:
+    matrix = zeros(*shape)
+    for place, value in entries.items():
+        matrix[place] = value
+    return matrix
+
+
+def points(model: Model, what: str) -> list[Values]:
+    """Values of all inputs, in the middle half of their boxes, quaternions of the norm that is meant; x is zero."""
+    drawn = sample(model.inputs, 0, POINTS, generator("mechanics", model.name, what))
+    found = []
+    for k in range(POINTS):
+        values: Values = dict.fromkeys(model.x, arb(0))
+        for v, part in zip(model.inputs, drawn, strict=True):
+            column = [arb(float(number)) for number in part[k]]
+            with precise():
+                if v.norm:
+                    length = sum((c * c for c in column), arb(0)).sqrt()
+                    column = [(c / length).mid() for c in column]
+                else:
+                    column = [(c + (arb(a) + arb(b)) / 2) / 2 for c, a, b in zip(column, v.low, v.high, strict=True)]
+            values.update(zip(v.symbols, column, strict=True))
+        found.append(values)
+    return found
+
+
+def fields(model: Model, values: Values) -> dict[str, list[Any]]:
+    """The inputs by name."""
+    return {v.name: [values[s] for s in v.symbols] for v in model.inputs}
+
+
+def plus(values: Values, model: Model, x: Sequence[Any]) -> Values:
+    """The values with x added to the state."""
+    return values | {s: values[s] + e for s, e in zip(model.x, x, strict=True)}
+
+
+def box(model: Model) -> list[arb]:
+    """What each state is measured by."""
+    x = state_variable(model)
+    return [arb(max(abs(low), abs(high))) for low, high in zip(x.low, x.high, strict=True)]
+
+
+def slope(function: Callable[[list[Any]], Matrix], scale: Sequence[Any]) -> Matrix:
+    """The derivative at zero: a column for each argument, times its scale."""
+    columns = []
+    for j, size in enumerate(scale):
+        unit = [arb(0)] * len(scale)
+        ahead, behind = (function([*unit[:j], sign * MOVED * size, *unit[j + 1 :]]) for sign in (1, -1))
+        columns.append(list((ahead - behind) / (2 * MOVED)))
+    return Matrix([list(row) for row in zip(*columns, strict=True)])
+
+
+def row_sizes(exact: Matrix, boxes: Sequence[Any] = ()) -> list[float]:
+    """The largest of each row; of a row of zeros a part of the box of its state, if it has one."""
+    least = [LEAST * float(b) for b in boxes] or [LEAST] * exact.rows
+    return [max(largest(exact[i, j] for j in range(exact.cols)), floor) for i, floor in enumerate(least)]
+
+
+def largest(values: Iterable[Any]) -> float:
+    return max((abs(float(value)) for value in values), default=0.0)
+
+
+@dataclass
+class Verdict:
+    """The worst of what several points say."""
+
+    difference: float = 0.0
+    entry: str = ""
+    ratio: float | None = None
+    coefficient: float | None = None
+
+    def note(self, off: float, limit: float, entry: str) -> None:
+        self.difference = max(self.difference, abs(off))
+        if abs(off) > limit and not self.entry:
+            self.entry = entry
+
+    def compare(
+        self, stated: Matrix, exact: Matrix, rows: Sequence[str], columns: Sequence[str], scale: Any, sizes: list[float]
+    ) -> None:
+        """Both times the scale of each column; sizes: of each row.  The entry named is the one that is most off."""
+        for (i, row), size in zip(enumerate(rows), sizes, strict=True):
+            for j, column in enumerate(columns):
+                off = abs(float(stated[i, j] - exact[i, j]))
+                if off > self.difference * size:
+                    self.difference = off / size
+                    if off > EQUAL * abs(float(exact[i, j])) and off > AT_ALL * size:
+                        numbers = (float(m[i, j] / scale[j]) for m in (stated, exact))
+                        self.entry = "{} by {}: {:.6g} stated, {:.6g} exact".format(row, column, *numbers)
+
+    def remainder(self, parts: Iterable[Matrix], sizes: Sequence[float]) -> None:
+        """parts: what is left at a finite error and at half of it; sizes: what each row is measured by."""
+        left, less = (largest(r / s for r, s in zip(part, sizes, strict=True)) for part in parts)
+        if left > NOTHING:
+            self.ratio = max(self.ratio or 0.0, less / left)
+            self.coefficient = max(self.coefficient or 0.0, left / float(FINITE) ** 2)
+            if less > FOURFOLD * left and not self.entry:
+                self.entry = f"half the error leaves {less / left:.3f} of the remainder, not a quarter"
+
+    def check(self, model: Model, unit: str, against: str) -> MechanicsCheck:
+        return MechanicsCheck(model.name, unit, against, self.difference, self.entry, self.ratio, self.coefficient)
+
+
+# ---------------------------------------------------------------- F, G and feedback
+
+
+class Exact:
+    """The strapdown of a model as a step, and its feedback as the way to put an error in.
+
+    Raises LookupError with what the model does not say.
+    """
+
+    def __init__(self, model: Model):
+        self.model, self.mechanics = model, model.mechanics or Mechanics()
+        own = {f.name: f for f in model.functions}
+        self.fields = {v.name: v for v in model.inputs}
+        strapdown = self.mechanics.strapdown or own.get("strapdown")
+        feedback = self.mechanics.feedback or own.get("feedback")
+        if strapdown is None or feedback is None:
+            lacking = " and ".join(name for name, f in (("strapdown", strapdown), ("feedback", feedback)) if f is None)
+            raise LookupError(f"the model has no {lacking}")
+        for f in (strapdown, feedback):
+            for output in f.outputs:
+                if output.name not in self.fields:
+                    raise LookupError(f"{f.name} returns {output.name}, which is no input of the model")
+        self.carried, self.returned = (self.outputs(f) for f in (strapdown, feedback))
+        known = {s for v in model.inputs for s in v.symbols}
+        self.idle = symbols_in(*(o.value for o in strapdown.outputs)) - known | {
+            s for v in INCREMENTS for s in v.symbols
+        }
+        self.strapdown, self.feedback = (compiled(*(o.value for o in f.outputs)) for f in (strapdown, feedback))
+        self.stepped = compiled(*(sp.Matrix(e) for _, e in self.mechanics.step)) if self.mechanics.step else None
+        level = self.mechanics.level
+        self.axes = compiled(level.axes) if level else None
+
+    def outputs(self, f: Function) -> list[Variable]:
+        return [self.fields[output.name] for output in f.outputs]
+
+    def sensed(self, values: Values) -> Values:
+        """What the strapdown reads over the short step, the same for estimates and truth."""
+        assert self.model.dt is not None
+        at = values | dict.fromkeys(self.idle, arb(0)) | {self.model.dt: STEP}
+        if self.stepped:
+            for (variable, _), column in zip(self.mechanics.step, self.stepped(at), strict=True):
+                at.update(zip(variable.symbols, column, strict=True))
+        return {s: at[s] for s in self.idle | {self.model.dt}} | {
+            s: at[s] for variable, _ in self.mechanics.step for s in variable.symbols
+        }
+
+    def after(self, values: Values, sensed: Values) -> Values:
+        return self.updated(values, self.carried, self.strapdown(values | sensed))
+
+    def updated(self, values: Values, variables: list[Variable], columns: list[Matrix]) -> Values:
+        changed = dict(values)
+        for variable, column in zip(variables, columns, strict=True):
+            changed.update(zip(variable.symbols, column, strict=True))
+        return changed
+
+    def corrected(self, hat: Values, x: Sequence[Any]) -> Values:
+        """The estimates once x is taken out, in the axes against which the errors stand."""
+        return self.updated(hat, self.returned, self.feedback(hat | dict(zip(self.model.x, x, strict=True))))
+
+    def true(self, hat: Values, x: Sequence[Any]) -> Values:
+        """The same in the true axes."""
+        found = self.corrected(hat, x)
+        return self.turned(found, found, hat)
+
+    def turned(self, values: Values, to: Values, from_: Values) -> Values:
+        """What is resolved in the level of the place `from_`, resolved in that of the place `to`."""
+        level = self.mechanics.level
+        if level is None or self.axes is None:
+            return values
+        C = self.axes(to)[0].T * self.axes(from_)[0]
+        v, q = (Matrix([values[s] for s in one.symbols]) for one in (level.vector, level.quaternion))
+        return self.updated(values, [level.vector, level.quaternion], [C * v, hamilton(quaternion(C), q)])
+
+    def seen(self, values: Values) -> Matrix:
+        """What feedback returns, as one column."""
+        return vector(*(values[s] for v in self.returned for s in v.symbols))
+
+    def read_out(self, hat: Values, true: Values, inverse: Matrix) -> Matrix:
+        """The x which feedback takes out of `hat` to have `true`: Newton's method with one slope, near to it."""
+        wanted, x = self.seen(self.turned(true, hat, true)), zeros(self.model.n, 1)
+        for _ in range(40):
+            missing = self.seen(self.corrected(hat, list(x))) - wanted
+            if largest(missing) < 1e-72:
+                break
+            x = Matrix([value.mid() for value in x - inverse * missing])  # a correction needs no bound of its error
+        return x
+
+
+class Moving:
+    """A model at one point, and how errors move there; in units of `scale` a state."""
+
+    def __init__(self, exact: Exact, hat: Values, scale: Sequence[Any]):
+        self.exact, self.hat, self.n = exact, hat, exact.model.n
+        self.sensed = exact.sensed(hat)
+        self.J = slope(lambda x: exact.seen(exact.corrected(hat, x)), scale)
+        blind = [s.name for j, s in enumerate(exact.model.x) if largest(self.J[:, j]) == 0]
+        if blind:
+            raise LookupError(f"feedback does not take out {', '.join(blind)}")
+        left = (self.J.T * self.J).inv() * self.J.T
+        self.inverse = Matrix([[(left[i, j] * scale[i]).mid() for j in range(left.cols)] for i in range(self.n)])
+        self.driven = [
+            target
+            for noise, what in exact.mechanics.driven
+            for target, _ in zip(what.symbols, noise.symbols, strict=True)
+        ]
+
+    def rate(self, x: Sequence[Any]) -> Matrix:
+        """Of the error x, with perfect sensors."""
+        exact, hat = self.exact, self.hat
+        after, true = (exact.after(values, self.sensed) for values in (hat, exact.true(hat, x)))
+        return (exact.read_out(after, true, self.inverse) - Matrix(list(x))) / STEP
+
+    def driven_rate(self, w: Sequence[Any]) -> Matrix:
+        """Of no error, where the sensors are wrong by w."""
+        wrong = self.sensed | {s: self.sensed[s] + STEP * e for s, e in zip(self.driven, w, strict=True)}
+        after, true = (self.exact.after(self.hat, sensed) for sensed in (wrong, self.sensed))
+        return self.exact.read_out(after, true, self.inverse) / STEP
+
+
+def scaled(matrix: Matrix, scale: Sequence[Any]) -> Matrix:
+    """Each column times its scale."""
+    return Matrix([[matrix[i, j] * scale[j] for j in range(matrix.cols)] for i in range(matrix.rows)])
+
+
+def finite_error(model: Model, scale: Sequence[Any], *words: str) -> Matrix:
+    """An error in a direction that the words draw."""
+    drawn = generator("direction", model.name, *words).uniform(-1, 1, model.n)
+    return Matrix([arb(float(c)) * size * FINITE for c, size in zip(drawn, scale, strict=True)])
+
+
+def check_error_model(exact: Exact, F_of: Reference) -> list[MechanicsCheck]:
+    """F, G and feedback."""
+    model, n = exact.model, exact.model.n
+    names, scale = [s.name for s in model.x], box(model)
+    F_verdict, G_verdict, back = Verdict(), Verdict(), Verdict()
+    G_at = compiled(model.G)
+    with precise():
+        for k, hat in enumerate(points(model, "F")):
+            moving = Moving(exact, hat, scale)
+            F = filled((n, n), F_of(fields(model, hat))[0])
+            found = slope(moving.rate, scale)
+            sizes = row_sizes(found, scale)
+            F_verdict.compare(scaled(F, scale), found, names, names, scale, sizes)
+            error = finite_error(model, scale, str(k))
+            F_verdict.remainder((moving.rate(list(e)) - F * e for e in (error, error / 2)), sizes)
+            compare_noise(G_verdict, moving, G_at(hat)[0])
+            compare_feedback(back, moving, scale)
+    law = "strapdown and feedback"
+    return [
+        F_verdict.check(model, "F", law),
+        G_verdict.check(model, "G", law),
+        back.check(model, "feedback", "an error of computed - true"),
+    ]
+
+
+def compare_feedback(back: Verdict, moving: Moving, scale: Sequence[Any]) -> None:
+    """No error changes nothing, and what is an error of a number itself is computed - true."""
+    exact, hat, J = moving.exact, moving.hat, moving.J
+    still = exact.seen(exact.corrected(hat, [arb(0)] * moving.n)) - exact.seen(hat)
+    names = [(v, s.name) for v in exact.returned for s in v.symbols]
+    for i, (v, name) in enumerate(names):
+        back.note(float(still[i]), NOTHING, f"{name} moves by {float(still[i]):.3g} where no error is taken out")
+        moves = [j for j in range(J.cols) if largest([J[i, j]]) > 0]
+        if v.norm is None and len(moves) == 1:
+            by = float(J[i, moves[0]] / scale[moves[0]])
+            back.note(by + 1, EQUAL, f"{name} by {exact.model.x[moves[0]].name}: {by:.6g} stated, -1 exact")
+
+
+def compare_noise(verdict: Verdict, moving: Moving, G: Matrix) -> None:
+    """G, each column with either sign: white noise has none.  What drives no sensor drives one state, by itself."""
+    model = moving.exact.model
+    names = [entry.name for entry in model.noise]
+    sensors = [s.name for noise, _ in moving.exact.mechanics.driven for s in noise.symbols]
+    found = slope(moving.driven_rate, [arb(1)] * len(sensors)) if sensors else None
+    exact = zeros(G.rows, G.cols)
+    for k, name in enumerate(names):
+        if found is not None and name in sensors:
+            column = found[:, sensors.index(name)]
+            exact[:, k] = column if float((G[:, k].T * column)[0]) >= 0 else -column
+        else:
+            entries = [abs(float(entry)) for entry in G[:, k]]
+            exact[entries.index(max(entries)), k] = arb(1)
+    verdict.compare(G, exact, [s.name for s in model.x], names, [1] * len(names), row_sizes(exact, box(model)))
+
+
+def check_own_rate(model: Model, F_of: Reference) -> MechanicsCheck:
+    """F against differences of the f that the model states."""
+    n, scale, names, verdict = model.n, box(model), [s.name for s in model.x], Verdict()
+    f = compiled(model.f)
+    drawn = sample((state_variable(model),), 0, POINTS, generator("state", model.name))[0]
+    with precise():
+        for hat, state in zip(points(model, "F"), drawn.tolist(), strict=True):
+            here = hat | dict(zip(model.x, map(arb, state), strict=True))
+
+            def moved(x: Sequence[Any], here: Values = here) -> Matrix:
+                return f(plus(here, model, x))[0]
+
+            found = slope(moved, scale)
+            F = filled((n, n), F_of(fields(model, here) | {"x": state})[0])
+            verdict.compare(scaled(F, scale), found, names, names, scale, row_sizes(found, scale))
+    return verdict.check(model, "F", "f")
+
+
+# ---------------------------------------------------------------- H
+
+
+class Seen:
+    """A measurement: what it sees of an error, and the points where its H holds.
+
+    Raises LookupError where there is nothing exact.
+    """
+
+    def __init__(self, model: Model, m: Measurement):
+        self.model, self.law = model, m.first_order
+        inputs = {v.name: v for v in model.inputs}
+        self.exact = next(o for o in model.measurements if o.name == self.law.of) if self.law and self.law.of else m
+        feedback = next((f for f in model.functions if f.name == "feedback"), None)
+        if self.exact.h is not None:
+            self.against, left = "h", self.exact.h
+        elif m.z is None or feedback is None:
+            raise LookupError("it has no h, and no z and feedback to make one of")
+        else:
+            true = {s: e for o in feedback.outputs for s, e in zip(inputs[o.name].symbols, o.value, strict=True)}
+            if symbols_in(m.z) - set(true):  # one of them may follow from an estimate
+                read = ", ".join(v.name for v in model.inputs if symbols_in(m.z) & set(v.symbols) - set(true))
+                raise LookupError(f"it has no h, and feedback does not say what becomes of {read}")
+            self.against, left = "z and feedback", m.z - substituted(m.z, true)
+        self.left = compiled(left)
+        self.tied = [(inputs[name], compiled(sp.Matrix(e))) for name, e in self.law.tied] if self.law else []
+        self.small = inputs[self.law.small].symbols if self.law and self.law.small else ()
+        self.z = compiled(self.exact.z) if self.small and self.exact.z is not None else None
+
+    def at(self, values: Values, part: Any) -> Values:
+        """The point, what H neglects made a part of itself, and what is tied to the others with it."""
+        here = values | {s: part * values[s] for s in self.small}
+        for variable, expression in self.tied:
+            here.update(zip(variable.symbols, expression(here)[0], strict=True))
+        return here
+
+    def residual(self, values: Values, part: Any) -> float:
+        """The largest of z there."""
+        assert self.z is not None
+        z = self.z(self.at(values, part))[0]
+        return largest(map(wrapped, z) if self.exact.angle else z)
+
+
+def check_measurement(model: Model, m: Measurement, H_of: Reference) -> MechanicsCheck:
+    """H against the exact h, or z before and after feedback, where what H neglects is zero and what is tied to the
+    others follows from them; and that z vanishes there, but for the second order of what is neglected."""
+    unit, columns, scale, verdict = f"{m.name}_H", [s.name for s in model.x], box(model), Verdict()
+    try:
+        seen = Seen(model, m)
+    except LookupError as missing:
+        return MechanicsCheck(model.name, unit, "", why=str(missing.args[0]))
+    with precise():
+        for k, values in enumerate(points(model, m.name)):
+            here = seen.at(values, 0)
+
+            def left(x: Sequence[Any], here: Values = here) -> Matrix:
+                return seen.left(plus(here, model, x))[0]
+
+            H = filled((len(m.rows), model.n), H_of(fields(model, here) | {"x": [0.0] * model.n})[0])
+            found = slope(left, scale)
+            sizes = row_sizes(found)
+            verdict.compare(scaled(H, scale), found, m.rows, columns, scale, sizes)
+            error, origin = finite_error(model, scale, m.name, str(k)), left([arb(0)] * model.n)
+            verdict.remainder((left(list(e)) - origin - H * e for e in (error, error / 2)), sizes)
+            if seen.z is not None and seen.law is not None:
+                whole, half = (seen.residual(values, part) for part in (FINITE, FINITE / 2))
+                if whole > NOTHING and half > FOURFOLD * whole and not verdict.entry:
+                    verdict.entry = (
+                        f"{seen.exact.name}_z is {whole:.3g} for a {seen.law.small} of "
+                        f"{largest(FINITE * values[s] for s in seen.small):.3g}, where "
+                        f"{' and '.join(name for name, _ in seen.law.tied)} should make it vanish to first order"
+                    )
+    return verdict.check(model, unit, seen.against)
+
+
+def wrapped(angle: arb) -> arb:
+    turn = 2 * arb.pi()
+    return angle - turn * round(float(angle / turn))
+
+
+# ---------------------------------------------------------------- strapdown
+
+
+NAVIGATION = ("position", "v_n", "q_b2n_wxyz")
+
+
+def navigating(model: Model) -> list[tuple[Function, ellipsoid.Level]]:
+    """The functions that carry position, velocity and attitude, and the level that the model's frame names."""
+    level = ellipsoid.LEVELS.get(model.frame[:3])
+    functions = [f for f in (model.mechanics.strapdown if model.mechanics else None, *model.functions) if f]
+    increments = set(INCREMENTS[0].symbols)
+    return [
+        (f, level)
+        for f in functions
+        if level
+        and {o.name for o in f.outputs} >= set(NAVIGATION)
+        and increments <= symbols_in(*(o.value for o in f.outputs))
+    ]
+
+
+def check_strapdown(model: Model, f: Function, level: ellipsoid.Level) -> MechanicsCheck:
+    """A short step against Newton's law; what else the function reads, such as biases, is zero."""
+    fields = {v.name: v for v in model.inputs}
+    dt = next(v for v in model.inputs if v.name == "dt").scalar
+    outputs = [next(o for o in f.outputs if o.name == name) for name in NAVIGATION]
+    run = compiled(*(o.value for o in outputs))
+    rows = [s.name for name in NAVIGATION for s in fields[name].symbols]
+    verdict = Verdict()
+    rng = generator("newton", model.name, f.name)
+    for drawn in points(model, f.name):
+        now = [Matrix([drawn[s] for s in fields[name].symbols]) for name in NAVIGATION]
+        omega, force = (Matrix([arb(float(c)) for c in rng.uniform(-size, size, 3)]) for size in (1, 20))
+        values: Values = dict.fromkeys(symbols_in(*(o.value for o in outputs)), arb(0)) | {dt: STEP}
+        for name, column in zip(NAVIGATION, now, strict=True):
+            values.update(zip(fields[name].symbols, column, strict=True))
+        for variable, sensed in zip(INCREMENTS, (omega, force, omega, force), strict=True):
+            values.update(zip(variable.symbols, sensed * STEP, strict=True))
+        with precise():
+            rates = [(after - before) / STEP for after, before in zip(run(values), now, strict=True)]
+        with digits(ellipsoid.WORKING):
+            p, v, q = now
+            C = rotation_of(q)
+            newton = Navigator(p, v, C, force, omega, level)
+            turning = (hamilton(q, vector(0, *omega)) - hamilton(vector(0, *newton.omega_in_n), q)) / 2
+            exact = [newton.position_rate, newton.velocity_rate, turning]
+        for mine, theirs, part in zip(rates, exact, (0, 3, 6), strict=True):
+            with precise():
+                verdict.compare(mine, theirs, rows[part : part + mine.rows], ["t"], [1], row_sizes(theirs))
+    return verdict.check(model, f.name, "Newton's law on the turning ellipsoid")
+
+
+def rotation_of(q: Matrix) -> Matrix:
+    """C of a unit quaternion: each axis turned."""
+    back = vector(q[0], -q[1], -q[2], -q[3])
+    turned = [hamilton(hamilton(q, vector(0, *axis)), back) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    return Matrix([[turned[j][i + 1] for j in range(3)] for i in range(3)])

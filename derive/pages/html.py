@@ -1,0 +1,96 @@
+"""A page as one HTML file that needs no other."""
+
+import re
+from collections.abc import Mapping
+from xml.dom.minidom import Element, Text, parseString
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup, escape
+from sympy import Symbol
+
+from boresight.derive.ledger.equation import Quantity, Relation
+from boresight.derive.pages.blocks import NAME, REFERENCE, Form, Formulas, Page, Pair, Prose, is_name
+from boresight.derive.pages.mathml import mathml_relation
+
+
+def html_page(page: Page) -> str:
+    loader = PackageLoader("boresight.derive.pages")
+    environment = Environment(loader=loader, autoescape=True, undefined=StrictUndefined, keep_trailing_newline=True)
+    anchors = page.anchors
+
+    def written(block: Prose) -> Markup:
+        if block.code:
+            return Markup(", ").join(Markup("<code>{}</code>").format(name) for name in block.text.split(", "))
+        return prose(block.text, anchors, page.letters)
+
+    environment.filters |= {
+        "math": math,
+        "prose": written,
+        "cell": cell,
+        "short": lambda section: section.title.removeprefix(f"{page.title} "),
+        "first_word": lambda text: re.split(r"\W", text)[0],
+    }
+    environment.tests |= {
+        "prose": lambda block: isinstance(block, Prose),
+        "formulas": lambda block: isinstance(block, Formulas),
+        "pair": lambda block: isinstance(block, Pair),
+    }
+    return environment.get_template("page.html.j2").render(page=page)
+
+
+def math(form: Form) -> Markup:
+    """The formula as pieces between which a line may end."""
+    return Markup("<wbr>".join(pieces(mathml_relation(form.relation, form.quantities, form.marks))))
+
+
+def pieces(mathml: str) -> list[str]:
+    """A formula cut before each =, + and - that stands in no bracket and not behind another, and before a matrix."""
+    (whole,) = parseString(mathml).childNodes
+    row = whole.firstChild
+    if not isinstance(row, Element) or row.tagName != "mrow" or row.hasAttribute("class"):
+        return [mathml]
+    cuts: list[list[Element]] = [[]]
+    depth, last = 0, "="
+    for item in (child for child in list(row.childNodes) if isinstance(child, Element)):
+        text = _glyph(item)
+        if depth == 0 and last not in SIGNS and (text in SIGNS or (text == "matrix" and last == TIMES)):
+            cuts.append([])
+        if text in SIGNS and not cuts[-1] and len(cuts) > 1:
+            item.setAttribute("form", "infix")
+        depth += (text in ("(", "[")) - (text in (")", "]"))
+        cuts[-1].append(item)
+        last = text
+    inside = ("".join(item.toxml() for item in cut) for cut in cuts)
+    head = mathml[: mathml.index(">") + 1]
+    return [f"{head}{content}</math>" for content in inside]
+
+
+def _glyph(item: Element) -> str:
+    """Of an operator what it shows; whether the rest is a matrix."""
+    if item.tagName == "mo":
+        return "".join(part.data for part in item.childNodes if isinstance(part, Text))
+    return "matrix" if item.getElementsByTagName("mtable") else ""
+
+
+SIGNS, TIMES = ("=", "+", "−", "<", "≤"), "\u2062"
+
+
+def cell(value: str | tuple[Form, ...]) -> str:
+    return value if isinstance(value, str) else Markup(", ").join(dict.fromkeys(map(math, value)))
+
+
+def prose(text: str, anchors: Mapping[str, str], letters: tuple[Quantity, ...]) -> Markup:
+    """What names a section becomes a link to it, the name of a letter a formula."""
+    parts, end = [], 0
+    symbols = {quantity.symbol.name: quantity.symbol for quantity in letters}
+    for found in re.finditer(rf"{NAME.pattern}|{REFERENCE.pattern}", text):
+        name = found.group()
+        if name in anchors:
+            made = Markup('<a href="#{}">{}</a>').format(anchors[name], name)
+        elif name[0] != "(" and is_name(name):
+            made = math(Form(Relation((symbols.get(name) or Symbol(name),)), letters))
+        else:
+            continue
+        parts += [escape(text[end : found.start()]), made]
+        end = found.end()
+    return Markup("").join([*parts, escape(text[end:])])

@@ -1,0 +1,221 @@
+"""The page of a paper, of some of its equations, or of a derivation."""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from boresight.derive.ledger.differences import Place, differences, marks
+from boresight.derive.ledger.entries import Entry, entry_of, findings
+from boresight.derive.ledger.equation import Derivation, Equation, Line, Quantity, Relation, Step
+from boresight.derive.ledger.paper import Paper
+from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section, Table
+from boresight.derive.pages.maps import sections as maps
+
+Functions = Mapping[str, Mapping[str, tuple[str, ...]]]  # "song-lee-2001 (19)": model: its C functions
+
+
+def paper_page(paper: Paper, functions: Functions) -> Page:
+    entries = [entry_of(paper, equation) for equation in paper.equations]
+    beside = tuple(Prose(finding) for finding in findings(paper))
+    page = equations_page(paper.name, [(paper, e) for e in paper.equations], functions)
+    return replace(
+        page,
+        lead=(f"{paper.reference}.", f"{len(entries)} equations: {counts(entries)}."),
+        front=(
+            Section("Conventions", (*map(Prose, (*CONVENTIONS, *paper.conventions)), *STATUSES)),
+            Section("Notation", (notation(paper),)),
+        ),
+        back=(Section("Beside the equations", beside), *maps(paper), *page.back),
+    )
+
+
+def equations_page(title: str, chosen: Iterable[tuple[Paper, Equation]], functions: Functions) -> Page:
+    """Equations of one paper or of several; the conditions of their numbers stand once, at the end."""
+    chosen = list(chosen)
+    sections = [equation_section(paper, equation, functions) for paper, equation in chosen]
+    conditions = list(dict.fromkeys(text for p, _ in chosen for text in (p.conditions.text, p.point.text)))
+    numbered: dict[str, str] = {}
+
+    def referred(text: str) -> str:
+        for condition in conditions:
+            if condition in text:
+                note = numbered.setdefault(condition, f"[{len(numbered) + 1}]")
+                text = text.replace(f"at {condition}", note)
+        return text
+
+    shown = tuple(
+        replace(s, blocks=tuple(replace(b, text=referred(b.text)) if isinstance(b, Prose) else b for b in s.blocks))
+        for s in sections
+    )
+    letters = dict.fromkeys(p for p, _ in chosen)
+    notes = tuple(Prose(f"At {text}.", note) for text, note in numbered.items())
+    return Page(
+        title,
+        shown,
+        back=(Section("Conditions", notes, "conditions"),) if notes else (),
+        anchors={f"({e.number})": anchor(e) for _, e in chosen} if len(letters) == 1 else {},
+        letters=tuple(quantity for one in letters for quantity in (*one.quantities(), *one.letters())),
+    )
+
+
+def equation_section(paper: Paper, equation: Equation, functions: Functions) -> Section:
+    """What is judged, the print against what follows, the evidence, the steps; then who uses and who holds it."""
+    entry, letters = entry_of(paper, equation), equation.alphabet
+    blocks: list[Block] = [*forms(equation, entry, letters), *evidence(paper, equation, entry)]
+    if entry.note:
+        blocks.append(Prose(entry.note, "Note"))
+    blocks += steps(equation.derivation, letters)
+    for model, names in functions.get(f"{equation.paper} ({equation.number})", {}).items():
+        blocks.append(Prose(", ".join(names), f"In C of {model}", code=True))
+    own = [name for name, numbers in paper.tests.items() if equation.number in numbers.split()]
+    file = f"test_{paper.name.replace('-', '_')}.py"
+    blocks.append(Prose(", ".join((*HELD, file, *own) if own else HELD), "Held by", code=True))
+    first, last = equation.lines
+    source = f"source line {first}" if first == last else f"source lines {first} to {last}"
+    source = source if equation.latex else "derived here"
+    title = f"{equation.paper} ({equation.number})"
+    return Section(title, tuple(blocks), anchor(equation), status(entry), source)
+
+
+def forms(equation: Equation, entry: Entry, letters: tuple[Quantity, ...]) -> list[Block]:
+    """The print, and beside it what is derived where the two differ."""
+    found = differences(equation.printed, equation.derived)
+    printed, derived = equation.printed, equation.derived
+    if not found:
+        more = derived[len(printed) :]
+        label = "printed and derived" if equation.latex else "derived"
+        blocks: list[Block] = [Formulas(_forms(printed, equation.alphabet), label, _displays(equation))]
+        return blocks + ([Formulas(_forms(more, letters), "derived with it")] if more else [])
+    if entry.status == "erratum":  # what is only read otherwise is no slip: the note says it
+        found = differences(equation.read(), derived)
+    elif not equation.readings:
+        left = Formulas(_forms(printed, equation.alphabet), "printed", _displays(equation))
+        return [Pair(left, Formulas(_forms(derived, letters), "derived"))]
+    left = Formulas(_forms(printed, equation.alphabet, marks(printed, found, "printed")), "printed")
+    return [Pair(left, Formulas(_forms(derived, letters, marks(derived, found, "derived")), "derived"))]
+
+
+def _displays(equation: Equation) -> tuple[str, ...]:
+    """The displays as printed, those that go on joined to what they go on from."""
+    joined: list[str] = []
+    for display in equation.latex:
+        if not display.startswith(r"\begin{aligned}"):  # a row of a display that holds several equations
+            display = display.replace("&=", "=")
+        if joined and display[0] in "=+-":
+            joined[-1] += " " + display
+        else:
+            joined.append(display)
+    return tuple(display.rstrip(", ") for display in joined)
+
+
+def _forms(relations: Iterable[Relation], quantities: Iterable[Quantity], places: Iterable[set[Place]] = ()):
+    quantities, relations = tuple(quantities), tuple(relations)
+    places = list(places) or [set[Place]()] * len(relations)
+    return tuple(Form(r, quantities, frozenset(p)) for r, p in zip(relations, places, strict=True))
+
+
+def evidence(paper: Paper, equation: Equation, entry: Entry) -> list[Block]:
+    """The numbers, and what the paper's own consequences say, as sentences."""
+    own = paper.evidence(equation.number).removeprefix("; ")
+    judged = entry.evidence.removesuffix(paper.evidence(equation.number))
+    blocks: list[Block] = [Prose(sentences(judged), "Evidence")]
+    if own:
+        blocks.append(Prose(sentences(own), "What it does" if entry.status == "erratum" else "Sizes"))
+    return blocks
+
+
+def sentences(text: str) -> str:
+    """Clauses between semicolons as one sentence."""
+    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
+
+
+def steps(derivation: Derivation, letters: tuple[Quantity, ...]) -> tuple[Block, ...]:
+    blocks: list[Block] = []
+    for i, (name, relations, why, claim) in enumerate(shown_steps(derivation), 1):
+        blocks.append(Prose(f"{name}: {why}." + (f" ({claim})" if claim else ""), f"{i}."))
+        if relations:
+            blocks.append(Formulas(_forms(relations, letters)))
+    return tuple(blocks)
+
+
+def shown_steps(derivation: Derivation) -> list[tuple[str, tuple[Relation, ...], str, str]]:
+    """Of each step what is done, what then stands, why, and what is claimed of it."""
+    return [(_done(step), step.formulas, step.why, _claimed(step)) for step in derivation.steps]
+
+
+def _done(step: Step | Line) -> str:
+    """The operation, from which line and with which others: the line before needs no name."""
+    if isinstance(step, Step) or step.passage is None:
+        return step.name.replace("first-order", "first order")
+    of, using = step.passage.of, step.passage.using
+    return step.name + f" {_row(of)}" * bool(of) + (", with " + " and ".join(map(_row, using)) if using else "")
+
+
+def _row(name: str) -> str:
+    return name if name.startswith("(") else f"line {name}"
+
+
+def _claimed(step: Step | Line) -> str:
+    claim = None if isinstance(step, Step) else step.claim
+    if claim is None:
+        return ""
+    small = f" in {', '.join(claim.small)}" if claim.small else ""
+    order = {"order": f"through order {claim.order}", "first-order": "first order"}.get(claim.kind, claim.kind)
+    text = order + re.sub(r"(?<=\w\w)_(?=\w\w)", " ", small) + f", {claim.condition}" * bool(claim.condition)
+    return "" if text == _done(step) else text
+
+
+def notation(paper: Paper) -> Table:
+    """Letters, meaning, unit: the unit is what stands behind the last comma of the meaning.
+
+    Letters of one meaning share a row, unless it refers to the row before.
+    """
+    letters = (*paper.quantities(), *paper.letters())
+    rows: dict[str, list[Form]] = {}
+    for quantity in {quantity.symbol.name: quantity for quantity in letters}.values():
+        if quantity.function or quantity.kind == "block":
+            continue
+        form = Form(Relation((quantity.symbol,)), letters)
+        refers = quantity.meaning.startswith(("its ", "their ", "the same"))
+        rows.setdefault(quantity.meaning + "\n" * len(rows) * refers, []).append(form)
+    return Table(
+        ("letter", "meaning", "unit"), tuple((tuple(forms), *_with_unit(text)) for text, forms in rows.items()), 1
+    )
+
+
+def _with_unit(meaning: str) -> tuple[str, str]:
+    text, _, unit = meaning.strip().rpartition(", ")
+    return (text, unit) if text and re.fullmatch(UNIT, unit) else (meaning.strip(), "")
+
+
+UNIT = r"(1|m|rad|s|Hz)(/s|/s\^2)?"
+
+
+def status(entry: Entry) -> str:
+    return f"{entry.status}: {entry.kind}, {entry.origin}" if entry.kind else entry.status
+
+
+def anchor(equation: Equation) -> str:
+    return f"eq-{equation.number}"
+
+
+def counts(entries: Iterable[Entry]) -> str:
+    found = [entry.status for entry in entries]
+    order = ("exact", "first-order", "definition", "erratum")
+    return ", ".join(f"{found.count(status)} {status}" for status in order if status in found)
+
+
+# Tests that hold every equation: its status, and that every single change of it is noticed.
+HELD = ("tests/derive/test_ledger.py", "test_mutations.py")
+STATUSES = (
+    Prose("both sides agree at finite errors, to 28 digits", "exact"),
+    Prose("the sides differ by a remainder that falls fourfold when the errors are halved", "first-order"),
+    Prose("it gives a letter its meaning, and no other equation of the paper contradicts it", "definition"),
+    Prose("read literally with the paper's own definitions it is refuted, or it has no meaning", "erratum"),
+)
+CONVENTIONS = (
+    "C_b2n turns components in b into components in n; papers write it with b below and n above.",
+    "[v x] a is the cross product of v and a: [v x] is the skew-symmetric matrix of v.",
+    "A hat marks what is computed, a dot the time derivative; an error is computed - true.",
+    "ω_ie_n is the rate of e against i in components of n. Units are SI, angles are in rad.",
+)

@@ -1,0 +1,66 @@
+"""A page for the terminal: text in at most 100 columns."""
+
+from collections.abc import Iterable
+from itertools import zip_longest
+from textwrap import fill, indent, wrap
+
+from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section, Table
+from boresight.derive.pages.text import columns, text_relation
+
+INDENT = 4  # of a formula
+
+
+def text_page(page: Page) -> str:
+    """One section stands alone; of several the title and the paragraphs under it stand before them."""
+    several = len(page.sections) > 1 or not page.sections[0].title
+    head = [f"{page.title}\n{'=' * len(page.title)}", *(fill(text, columns()) for text in page.lead)] if several else []
+    return "\n\n".join([*head, *(_section(section) for section in (*page.sections, *page.back))]) + "\n"
+
+
+def _section(section: Section) -> str:
+    source = f"[{section.source}]" * bool(section.source)
+    title = "  ".join(part for part in (section.title, section.status, source) if part)
+    head = [title, "-" * len(title)] if title else []
+    return "\n".join([*head, *(_block(block) for block in section.blocks)])
+
+
+def _block(block: Block) -> str:
+    if isinstance(block, Prose):
+        return _prose(block)
+    if isinstance(block, Formulas):
+        return "\n".join([block.label] * bool(block.label) + [_form(form) for form in block.forms])
+    if isinstance(block, Pair):
+        left, right = map(_block, (block.left, block.right))
+        return f"{left}\n{right}"
+    return _table(block)
+
+
+def _prose(block: Prose) -> str:
+    label = block.label and (block.label if block.label[-1] in ".]" else f"{block.label}:") + " "
+    hang = 2 + (label[:1].isdigit() or label[:1] == "[")
+    return fill(label + block.text, columns(), subsequent_indent=" " * hang, break_long_words=False)
+
+
+def _form(form: Form) -> str:
+    return indent(text_relation(form.relation, form.quantities, columns() - INDENT, form.marks), " " * INDENT)
+
+
+def _table(block: Table) -> str:
+    """Columns as wide as their longest cell, but for the one of prose, which wraps where the line would be too long."""
+    rows = [block.head, *(tuple(map(_cell, row)) for row in block.rows)]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    if block.prose is not None:
+        others = sum(widths) - widths[block.prose] + 2 * (len(widths) - 1)
+        widths[block.prose] = max(20, min(widths[block.prose], columns() - INDENT - others))
+    lines = [line for row in rows for line in _wrapped(row, widths)]
+    return indent("\n".join(lines), " " * INDENT)
+
+
+def _wrapped(row: Iterable[str], widths: list[int]) -> list[str]:
+    cells = [wrap(cell, width) or [""] for cell, width in zip(row, widths, strict=True)]
+    lines = zip_longest(*cells, fillvalue="")
+    return ["  ".join(f"{part:{w}}" for part, w in zip(line, widths, strict=True)).rstrip() for line in lines]
+
+
+def _cell(cell: str | tuple[Form, ...]) -> str:
+    return cell if isinstance(cell, str) else ", ".join(text_relation(f.relation, f.quantities, 100) for f in cell)

@@ -1,0 +1,163 @@
+"""What a user breaks in F, G, H, feedback or strapdown is named beside exact mechanics, with its place and its size."""
+
+import re
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+from sympy import Matrix, diag
+
+from boresight import report, terminal
+from boresight.codegen.functions.units import UnitMaker
+from boresight.codegen.generate import load_model
+from boresight.codegen.mechanics import check_mechanics
+from boresight.derive.mechanics import earth
+from boresight.derive.mechanics.earth import ENU
+from boresight.derive.mechanics.rotation import conjugate, skew
+from boresight.derive.models import variables as var
+
+EXAMPLES = Path(__file__).parent.parent.parent / "examples"
+
+
+@cache
+def model(name):
+    return load_model(name)
+
+
+def checked(made):
+    """The checks by unit, straight from the model: no C is generated for them."""
+    maker = UnitMaker(made)
+    reference = {
+        f"{m.name}_H": maker.numeric(m.h, jacobian=True) if m.H is None else maker.numeric(m.H)
+        for m in made.measurements
+    }
+    if made.n:
+        reference["F"] = maker.numeric(made.f, jacobian=True) if made.F is None else maker.numeric(made.F)
+    return {check.unit: check for check in check_mechanics(made, reference)}
+
+
+def measured(made, name, **change):
+    return replace(made, measurements=tuple(replace(m, **change) if m.name == name else m for m in made.measurements))
+
+
+def measurement(made, name):
+    return next(m for m in made.measurements if m.name == name)
+
+
+def function(made, name, output, value):
+    """The model with another value of one output of a function."""
+    return replace(made, functions=tuple(
+        replace(f, outputs=tuple(replace(o, value=value(o.value)) if o.name == output else o for o in f.outputs))
+        if f.name == name else f
+        for f in made.functions
+    ))  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ["phi-error", "psi-error", "velocity-dcm", "azimuth-hold", "euler-matching"])
+def test_what_a_model_states_is_what_exact_mechanics_does(name):
+    checks = checked(model(name))
+    assert {"F", "G", "feedback"} <= set(checks)
+    assert [check for check in checks.values() if not check.ok] == []
+    assert max(check.difference for check in checks.values()) < 1e-18
+    # of what F leaves out something is seen, and it is of the second order
+    assert name == "euler-matching" or checks["F"].ratio == pytest.approx(0.25, rel=1e-3)
+    assert name == "euler-matching" or checks["F"].coefficient > 0.01
+
+
+@pytest.mark.parametrize("name", ["flexure", "scale_factors"])
+def test_compositions_of_ones_own_are_what_exact_mechanics_does(name):
+    made = load_model(f"{EXAMPLES / 'velocity_attitude_options.py'}:{name}")
+    checks = checked(replace(made, measurements=tuple(m for m in made.measurements if m.H is not None)))
+    assert {"F", "G", "feedback", "velocity_H", "dcm_H", "euler_H"} <= set(checks)
+    assert [check for check in checks.values() if not check.ok] == []
+
+
+def spoilt_F(name, row, column, factor):
+    made = model(name)
+    F = Matrix(made.F)
+    F[row, column] *= factor
+    return replace(made, F=F)
+
+
+def without_coriolis(name):
+    """F with once the Earth's rate where twice is right."""
+    made = model(name)
+    F, v = Matrix(made.F), [str(s) for s in made.x].index("dv_e")
+    lat = next(v for v in made.inputs if v.name == "position").symbols[1]
+    F[v : v + 3, v : v + 3] += skew(earth.omega_ie_n(lat, ENU))
+    return replace(made, F=F)
+
+
+def strapdown_without_coriolis():
+    made = model("strapdown")
+    lat, v = var.position(ENU).symbols[1], var.velocity(ENU).vector
+    return function(made, "step", "v_n", lambda value: value + var.DT.scalar * skew(earth.omega_ie_n(lat, ENU)) * v)
+
+
+def mounting_of_the_other_sign():
+    made = model("velocity-dcm")
+    law = measurement(made, "dcm").first_order
+    flipped = Matrix(law.tied[0][1]).xreplace({s: -s for s in var.MU.symbols})
+    return measured(made, "dcm", first_order=replace(law, tied=(("q_m2n_wxyz", flipped),)))
+
+
+def tau(factor):
+    made = measurement(model("velocity-dcm"), "velocity")
+    return measured(model("velocity-dcm"), "velocity", H=made.H * diag(*[1] * 9, factor))
+
+
+OTHER_WAY = {psi: -psi for psi in var.psi_angle(ENU).symbols}
+BROKEN = {
+    "twice the Earth's rate": (lambda: without_coriolis("azimuth-hold"), "F", r"dv_\w by dv_\w: "),
+    "a sign of F": (lambda: spoilt_F("phi-error", 3, 7, -1), "F", r"dv_e by phi_n: (\S+) stated, -?(\S+) exact"),
+    "a small term of F": (lambda: spoilt_F("psi-error", 5, 1, 1.001), "F", "dvc_u by d_lat"),
+    "the sign of a bias": (lambda: spoilt_F("azimuth-hold", 6, 9, -1), "F", "phi_e by dbg_x"),
+    "a noise put to another state": (
+        lambda: replace(model("velocity-dcm"), G=model("velocity-dcm").G * diag(*[1] * 5, 2)), "G", "by accel_noise_z"),
+    "the sign of a correction": (
+        lambda: function(model("velocity-dcm"), "feedback", "tau", lambda v: 2 * var.TAU.vector - v),
+        "feedback", "tau by d_tau: 1 stated, -1 exact"),
+    "an attitude corrected the wrong way": (
+        lambda: function(model("velocity-dcm"), "feedback", "q_b2n_wxyz", lambda q: q.xreplace(OTHER_WAY)),
+        "F", r"by psi_\w"),
+    "the column of the delay": (lambda: tau(-1), "velocity_H", "by d_tau"),
+    "the sign of mu in what H is tied to": (mounting_of_the_other_sign, "dcm_H", "dcm_exact_z is .* for a mu of"),
+    "Coriolis in the step": (strapdown_without_coriolis, "step", r"v_\w by t"),
+    "the step turned back": (
+        lambda: function(model("strapdown"), "step", "q_b2n_wxyz", lambda q: conjugate(q)), "step", "q_. by t"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", BROKEN)
+def test_what_is_broken_is_named_with_its_place(what):
+    broken, unit, entry = BROKEN[what]
+    check = checked(broken())[unit]
+    assert check.ok is False
+    assert re.search(entry, check.entry), check.entry
+
+
+def test_an_error_that_both_F_and_strapdown_share_is_found_by_newtons_law():
+    made = without_coriolis("azimuth-hold")
+    lat, v = var.position(ENU).symbols[1], var.velocity(ENU).vector
+    pull = var.DT.scalar * skew(earth.omega_ie_n(lat, ENU)) * v
+    both = function(made, "strapdown", "v_n", lambda value: value + pull)
+    assert checked(both)["strapdown"].ok is False
+
+
+def test_where_a_model_has_no_mechanics_nothing_is_called_right():
+    bare = replace(model("velocity-dcm"), functions=(), measurements=(), mechanics=None)
+    checks = checked(bare)
+    assert {unit: check.ok for unit, check in checks.items()} == {"F": None, "G": None, "feedback": None}
+    assert checks["F"].why == "the model has no strapdown and feedback"
+    without = function(model("velocity-dcm"), "feedback", "tau", lambda value: var.TAU.vector)
+    assert checked(without)["F"].why == "feedback does not take out d_tau"
+
+
+def test_a_rate_of_ones_own_is_the_mechanics_of_its_F(capsys):
+    checks = checked(load_model(f"{EXAMPLES / 'own_model.py'}:TANK"))
+    assert [(c.unit, c.ok) for c in checks.values()] == [("F", True), ("G", None), ("reading_H", True)]
+    terminal.page(*report.verified(list(checks.values())))
+    lines = capsys.readouterr().out.splitlines()
+    assert next(line for line in lines if line.split()[:1] == ["G"]).endswith("not checked")
+    assert lines[-1] == "verify: 2 passed, 0 failed, 1 not checked"
