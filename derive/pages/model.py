@@ -7,6 +7,7 @@ names and costs of its C functions.
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from itertools import count
 from typing import Any
 
@@ -237,7 +238,7 @@ def ordered(expression: Any) -> Any:
         return expression
     arguments = [ordered(argument) for argument in expression.args]
     if expression.is_Add:
-        arguments.sort(key=lambda part: (part.could_extract_minus_sign(), not part.is_Number, len(str(part)), str(part)))
+        arguments.sort(key=lambda part: (part.could_extract_minus_sign(), not part.is_Number, operations([part]), written(part)))
         return as_written(Add, arguments)
     if expression.is_Mul:
         arguments.sort(key=_place)
@@ -248,10 +249,18 @@ def ordered(expression: Any) -> Any:
     return Letter(name.lower())(*arguments) if name in ("atan2", "Abs") else expression.func(*arguments, evaluate=False)
 
 
+@cache
+def written(expression: Any) -> str:
+    """Something to sort by; SymPy's own text takes longer than all the rest."""
+    if not expression.args:
+        return str(expression)
+    return f"{type(expression).__name__}({','.join(map(written, expression.args))})"
+
+
 def _place(factor: Any) -> tuple[int, str]:
     base, exponent = factor.as_base_exp()
     kind = 0 if factor.is_Number else 1 if base.is_Symbol else 2 if base.is_Function else 3
-    return kind + 4 * bool(exponent.is_number and exponent < 0), str(factor)
+    return kind + 4 * bool(exponent.is_number and exponent < 0), written(factor)
 
 
 def _case(condition: Any, then: Any, otherwise: Any) -> Any:
@@ -538,22 +547,17 @@ def _functions(model: Model, units: Mapping[str, Any]) -> Iterator[Block]:
 
 
 def _equations(model: Model) -> Iterator[Section]:
-    """The equations of papers that the model names, as they are derived there."""
-    from boresight.derive.papers import paper
-
+    """The equations of papers that the model names, and what stands on each."""
     cited: dict[str, list[str]] = {}
     parts = (("F", model.equations), *((m.name, m.equations) for m in model.measurements))
     for name, equations in (*parts, *((f.name, f.equations) for f in model.functions)):
         for text in equations:
             cited.setdefault(text, []).append(name)
-    blocks: list[Block] = []
-    for text in sorted(cited, key=lambda text: (text.split(" ")[0], int(text.split("(")[1].rstrip(")")))):
-        name, number = text.split(" ")
-        equation = paper(name).equation(number)
-        blocks.append(Prose(f"stands behind {', '.join(cited[text])}; as derived", text))
-        blocks.append(Formulas(tuple(Form(relation, equation.quantities) for relation in equation.derived)))
-    if blocks:
-        yield Section("What it stands on", tuple(blocks), "equations")
+    rows = tuple((text, f"boresight show {text.replace('(', '').replace(')', '')}", ", ".join(cited[text])) for text in cited)
+    if rows:
+        table = Table(("equation", "shown by", "what stands on it"), rows, prose=2)
+        yield Section("What it stands on", (table,), "equations")
+
 
 
 # ---------------------------------------------------------------- letters

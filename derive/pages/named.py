@@ -80,7 +80,7 @@ class Rewriter:
     patterns: (letter, expression).  found: the numbers of those patterns that stood somewhere.
     """
 
-    def __init__(self, patterns: Iterable[tuple[object, object]]):
+    def __init__(self, patterns: Iterable[tuple[Any, Any]]):
         self.sums: dict = {}  # a term of a sum -> the sums
         self.products: list = []
         self.others: dict = {}
@@ -218,24 +218,42 @@ class Naming:
     vectors: dict[str, Named]  # states and inputs, by name
     named: list[Named] = field(default_factory=list)
 
+    def __post_init__(self) -> None:
+        self.read = {key: symbols_in(matrix) for key, matrix in self.groups.items()}
+        self.names = {s.name for one in self.vectors.values() for s in (one.letter, *one.entries)}
+
     def put(self, candidates: Iterable[Named], groups: Collection[str] | None = None) -> list[Named]:
         """Put these names into all groups, or into some; those that stand somewhere are kept."""
         candidates = list(candidates)
         places = [(one, i) for one in candidates for i, letter in enumerate(one.entries) if letter != one.value[i]]
-        rewriter = Rewriter((one.entries[i], one.value[i]) for one, i in places)
-        self.groups |= {
-            key: rewriter.matrix(matrix) for key, matrix in self.groups.items() if groups is None or key in groups
-        }
-        found = {id(places[index][0]) for index in rewriter.found}
+        rewriter = Rewriter([(one.entries[i], one.value[i]) for one, i in places])
+        self.rewrite(rewriter, groups, [symbols_in([one.value[i]]) for one, i in places])
+        found = {id(places[k][0]) for k in rewriter.found}
         kept = [one for one in candidates if id(one) in found]
         self.named += kept
+        self.names |= {s.name for one in kept for s in (one.letter, *one.entries) if s.is_Symbol}
         return kept
+
+    def rewrite(
+        self, rewriter: Rewriter, groups: Collection[str] | None = None, needs: Iterable[set[Symbol]] = (set(),)
+    ) -> None:
+        """Put letters into the groups that read all letters of one of `needs`."""
+        needs = list(needs)
+        for key in self.groups if groups is None else groups:
+            if any(letters <= self.read[key] for letters in needs):
+                before, self.groups[key] = self.groups[key], rewriter.matrix(self.groups[key])
+                if before != self.groups[key]:
+                    self.read[key] = symbols_in(self.groups[key])
+
+    def together(self, *letters: Iterable[Symbol]) -> bool:
+        """Whether one of each stands in the same group."""
+        return any(all(not here.isdisjoint(some) for some in letters) for here in self.read.values())
 
     def put_found(self, candidates: Iterable[Named]) -> list[Named]:
         """The same of candidates that may bear one name: those of which two entries stand somewhere get a number."""
         candidates = list(candidates)
         sums = [(one, value) for one in candidates for value in one.value if value.is_Add]
-        trial = Rewriter((Symbol(str(i)), value) for i, (_, value) in enumerate(sums))
+        trial = Rewriter([(Symbol(str(i)), value) for i, (_, value) in enumerate(sums)])
         for node in nodes(self.groups.values()):
             if node.is_Add:
                 trial.sum(node)
@@ -247,7 +265,7 @@ class Naming:
 
     def free(self, name: str) -> bool:
         """Whether nothing has this name yet."""
-        return all(name not in map(str, (one.letter, *one.entries)) for one in (*self.vectors.values(), *self.named))
+        return name not in self.names
 
 
 def naming(model: Model, groups: dict[str, Matrix]) -> Naming:
@@ -325,7 +343,7 @@ def _finite_rotations(made: Naming) -> list[Named]:
         total = rotation.TINY_SQUARE + sum(part**2 for part in parts)
         angle = scalar(f"angle_{index}", S.One, "", shown=sqrt(total), constant=True)
         root = Rewriter([(angle.letter**2, total)])
-        made.groups = {key: root.matrix(matrix) for key, matrix in made.groups.items()}
+        made.rewrite(root, None, [symbols_in([total])])
         made.named.append(replace(angle, meaning="the angle of a rotation, rad", constant=False))
         value = root.matrix(ImmutableMatrix(rotation.quaternion_from_rotation_vector(parts)))
         entries = ImmutableMatrix([Symbol(f"r_{index}_{part}") for part in "wxyz"])
@@ -346,7 +364,7 @@ def _quaternion_products(made: Naming, turns: list[Named]) -> list[Named]:
     candidates = []
     for one in (*every, *turns):
         for other in (*every, *turns):
-            if one is not other:
+            if one is not other and made.together(one.entries, other.entries):
                 back = ImmutableMatrix(rotation.conjugate(other.entries))
                 for factor, text in ((other.entries, ""), (back, "the inverse of ")):
                     meaning = f"the quaternion {one.letter} times {text}{other.letter}"
@@ -381,10 +399,10 @@ def _turned(made: Naming, rotations: list[Named]) -> None:
             axes = level if target == "n" else list("xyz")
             for v in here:
                 name = v.letter.name.removesuffix(source) + target
-                if made.free(name):
+                if made.free(name) and made.together(C.entries, v.entries):
                     once.append(array(name, matrix * v.entries, f"{v.meaning}, in the axes {target}", product(letter, v.letter), axes))
                 for w in here:
-                    if v is not w and made.free(f"u_{target}"):
+                    if v is not w and made.free(f"u_{target}") and made.together(C.entries, v.entries, w.entries):
                         meaning = f"the cross product of {v.letter} and {w.letter}, in the axes {target}"
                         turned = product(letter, crossed(v.letter), w.letter)
                         twice.append(array(f"u_{target}", matrix * skew(v.entries) * w.entries, meaning, turned, axes))
@@ -442,7 +460,7 @@ def _at_latitude(made: Naming, lat, suffix: str) -> None:
     w = scalar(f"w{suffix}", S.One, "", shown=sqrt(1 - e2 * s2), constant=True)
     root = Rewriter([(w.letter**2, 1 - earth.ECCENTRICITY_SQUARED * s2)])
 
-    made.groups = {key: root.matrix(matrix) for key, matrix in made.groups.items()}
+    made.rewrite(root, None, [{lat}])
     meridian, transverse = (root(value) for value in earth.radii(lat))
     heights = []
     for node in nodes(made.groups.values()):
