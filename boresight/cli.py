@@ -174,7 +174,7 @@ def show(
     elif out is not None:
         write(out, text.encode())
     elif form == "text":
-        terminal.page_text(text)
+        terminal.page_text(terminal.marked(text))
     else:
         sys.stdout.write(text)
 

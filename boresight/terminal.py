@@ -2,6 +2,7 @@
 
 import os
 import pydoc
+import re
 import shutil
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -37,6 +38,13 @@ def page_text(text: str) -> None:
     else:
         os.environ.setdefault("LESS", "-RS")  # colours as they are; a formula that is too wide is not folded
         pydoc.pager(text)
+
+
+def marked(text: str) -> str:
+    """On a terminal, what stands between › and ‹ in red and underlined as well; not where NO_COLOR is set."""
+    if not sys.stdout.isatty() or os.environ.get("NO_COLOR"):
+        return text
+    return re.sub("›[^‹\n]*‹", lambda found: f"\x1b[4;31m{found.group()}\x1b[0m", text)
 
 
 def columns() -> int:

@@ -140,6 +140,15 @@ def test_show_prints_prose_that_fits(run):
         assert not fits(out, columns)
 
 
+def test_slips_are_coloured_and_underlined_on_a_terminal_that_shows_colours(monkeypatch):
+    assert terminal.marked("a ›b‹") == "a ›b‹", "in a pipe the signs alone"
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True, raising=False)
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    assert terminal.marked("a ›b‹ c") == "a \x1b[4;31m›b‹\x1b[0m c"
+    monkeypatch.setenv("NO_COLOR", "1")
+    assert terminal.marked("a ›b‹") == "a ›b‹"
+
+
 def test_models_as_json(run):
     listed = {model["model"]: model for model in json.loads(run("models", "--json")[1])}
     assert "stationary-detector" not in listed, "a kernel is no model"

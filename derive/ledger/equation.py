@@ -127,6 +127,18 @@ class Derivation:
         """The lines that have a relation."""
         return tuple(step for step in self.steps if isinstance(step, Line) and step.relation is not None)
 
+    def _repr_latex_(self) -> str:
+        from boresight.derive.pages.booklet import latex_cell
+
+        return latex_cell([relation for step in self.steps for relation in step.formulas], ())
+
+    def _repr_html_(self) -> str:
+        from boresight.derive.pages.blocks import Page, Section
+        from boresight.derive.pages.html import html_cell
+        from boresight.derive.pages.page import steps
+
+        return html_cell(Page("", (Section("", steps(self, ())),)))
+
     def before(self, index: int) -> int:
         """The index of the line before step `index`.  Raises ValueError if there is none."""
         return max(i for i in range(index) if self.steps[i].formulas)
@@ -191,6 +203,18 @@ class Equation:
             return self.printed
         mapping = {reading.printed: reading.meant for reading in self.readings}
         return tuple(relation.replaced(mapping) for relation in self.printed)
+
+    def _repr_latex_(self) -> str:
+        from boresight.derive.pages.booklet import latex_cell
+
+        return latex_cell(self.derived, self.alphabet)
+
+    def _repr_html_(self) -> str:
+        from boresight.derive.pages.html import html_cell
+        from boresight.derive.pages.page import equations_page
+        from boresight.derive.papers import paper
+
+        return html_cell(equations_page(self.paper, [(paper(self.paper), self)], {}))
 
 
 def matrix(rows) -> ImmutableMatrix:

@@ -4,11 +4,12 @@ import re
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 
 from boresight import BoresightError
+from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.pages.blocks import (
     NAME,
     REFERENCE,
@@ -104,6 +105,12 @@ def _latex(form: Form) -> str:
 def _formula(latex: str) -> str:
     lines = (rf"\piece{{{piece}}}%" for piece in pieces(latex))
     return "\n".join([r"\begin{formula}", *lines, r"\end{formula}"])
+
+
+def latex_cell(relations: Iterable[Relation], letters: tuple[Quantity, ...]) -> str:
+    """What a notebook shows: relations, one below the other."""
+    rows = r" \\ ".join(latex_relation(relation, letters) for relation in relations)
+    return rf"$$\begin{{gathered}} {rows} \end{{gathered}}$$"
 
 
 def pieces(latex: str) -> list[str]:

@@ -14,20 +14,28 @@ from boresight.derive.pages.mathml import mathml_relation
 
 
 def html_page(page: Page) -> str:
+    return _rendered("page.html.j2", page)
+
+
+def html_cell(page: Page) -> str:
+    """What a notebook shows: the sections alone, without a page around them."""
+    return _rendered("cell.html.j2", page)
+
+
+def _rendered(template: str, page: Page) -> str:
     loader = PackageLoader("boresight.derive.pages")
     environment = Environment(loader=loader, autoescape=True, undefined=StrictUndefined, keep_trailing_newline=True)
-    anchors = page.anchors
 
     def written(block: Prose) -> Markup:
         if block.code:
             return Markup(", ").join(Markup("<code>{}</code>").format(name) for name in block.text.split(", "))
-        return prose(block.text, anchors, page.letters)
+        return prose(block.text, page.anchors, page.letters)
 
     environment.filters |= {
         "math": math,
         "prose": written,
-        "cell": cell,
-        "short": lambda section: section.title.removeprefix(f"{page.title} "),
+        "cell": lambda value: prose(value, {}, page.letters) if isinstance(value, str) else letters(value),
+        "short": lambda title: title.removeprefix(f"{page.title} "),
         "first_word": lambda text: re.split(r"\W", text)[0],
     }
     environment.tests |= {
@@ -35,12 +43,18 @@ def html_page(page: Page) -> str:
         "formulas": lambda block: isinstance(block, Formulas),
         "pair": lambda block: isinstance(block, Pair),
     }
-    return environment.get_template("page.html.j2").render(page=page)
+    return environment.get_template(template).render(page=page)
 
 
 def math(form: Form) -> Markup:
     """The formula as pieces between which a line may end."""
-    return Markup("<wbr>".join(pieces(mathml_relation(form.relation, form.quantities, form.marks))))
+    mathml = mathml_relation(form.relation, form.quantities, form.marks)
+    return Markup("<wbr>".join(map(spaced, pieces(mathml.replace("&#x2061;", APPLY).replace("&#x2062;", TIMES)))))
+
+
+def spaced(mathml: str) -> str:
+    """Browsers set nothing between factors, and nothing between a function and an argument without brackets."""
+    return re.sub(rf"<mo>({TIMES}|{APPLY}(?!</mo>(?:<mrow>)?<mo[^>]*>\())</mo>", r'<mo rspace=".15em">\1</mo>', mathml)
 
 
 def pieces(mathml: str) -> list[str]:
@@ -72,11 +86,12 @@ def _glyph(item: Element) -> str:
     return "matrix" if item.getElementsByTagName("mtable") else ""
 
 
-SIGNS, TIMES = ("=", "+", "−", "<", "≤"), "\u2062"
+SIGNS = ("=", "+", "−", "<", "≤")
+APPLY, TIMES = "\u2061", "\u2062"
 
 
-def cell(value: str | tuple[Form, ...]) -> str:
-    return value if isinstance(value, str) else Markup(", ").join(dict.fromkeys(map(math, value)))
+def letters(forms: tuple[Form, ...]) -> Markup:
+    return Markup(", ").join(dict.fromkeys(map(math, forms)))
 
 
 def prose(text: str, anchors: Mapping[str, str], letters: tuple[Quantity, ...]) -> Markup:
@@ -91,6 +106,10 @@ def prose(text: str, anchors: Mapping[str, str], letters: tuple[Quantity, ...]) 
             made = math(Form(Relation((symbols.get(name) or Symbol(name),)), letters))
         else:
             continue
-        parts += [escape(text[end : found.start()]), made]
+        parts += [_plain(text[end : found.start()]), made]
         end = found.end()
-    return Markup("").join([*parts, escape(text[end:])])
+    return Markup("").join([*parts, _plain(text[end:])])
+
+
+def _plain(text: str) -> Markup:
+    return Markup(re.sub(r"\^(-?\d+|T\b)", r"<sup>\1</sup>", str(escape(text))))

@@ -53,7 +53,8 @@ def equations_page(title: str, chosen: Iterable[tuple[Paper, Equation]], functio
         title,
         shown,
         back=(Section("Conditions", notes, "conditions"),) if notes else (),
-        anchors={f"({e.number})": anchor(e) for _, e in chosen} if len(letters) == 1 else {},
+        anchors=({f"({e.number})": anchor(e) for _, e in chosen} if len(letters) == 1 else {})
+        | dict.fromkeys(numbered.values(), "conditions"),
         letters=tuple(quantity for one in letters for quantity in (*one.quantities(), *one.letters())),
     )
 

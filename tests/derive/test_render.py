@@ -146,7 +146,7 @@ def test_formulas_of_a_page_are_those_of_the_writers():
     """So that what the writers' tests read back is what is shown."""
     one, equation = paper("kim-2018"), paper("kim-2018").equation("11")
     html, latex = render(one, "11", "html"), render(one, "11", "latex")
-    html = re.sub("</math><wbr><math[^>]*>", "", html.replace(' form="infix"', ""))
+    html = re.sub("</math><wbr><math[^>]*>", "", re.sub(' form="infix"| rspace=".15em"', "", html))
     shown = re.sub(r"\\piece\{(?:\{\})?|\}%\n", " ", latex)
     for step in equation.derivation.steps:
         for relation in step.formulas:
@@ -241,3 +241,13 @@ def test_a_wrong_number_or_format_lists_the_right_ones(arguments, message):
 def test_a_derivation_of_no_paper_is_a_page_too(format):
     page = " ".join(render(paper("delay-error"), "2", format).split())
     assert "angular momentum" in page and "derived here" in page and "printed" not in page
+
+
+def test_a_notebook_shows_an_equation_and_a_derivation():
+    equation = PAPER.equation("9")
+    cell = Page(equation._repr_html_())
+    assert not cell.open and not cell.wrong and len(cell.slips) == 12
+    assert equation._repr_latex_().count(r"\psi") == 7
+    shown = Page(equation.derivation._repr_html_())
+    assert not shown.open and not shown.wrong
+    assert equation.derivation._repr_latex_().count("gathered") == 2
