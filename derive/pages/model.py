@@ -29,9 +29,9 @@ LONG = 150  # operations: what is longer is broken into parts that have letters
 WIDE = 52  # characters: a matrix that is wider is given entry by entry
 JACOBIAN = 60  # operations: a longer h or f is not differentiated for the reader
 
-entry, crossed = Letter("entry"), Letter("skew")
-x, w_, z_, h_, f_, F_, G_, H_, Q_, Q_c, S_, Phi = (
-    Symbol(name, commutative=False) for name in "x w z h f F G H Q Q_c S Phi".split()
+crossed = Letter("skew", commutative=False)
+z_, h_, f_, F_, G_, H_, Q_, Q_c, S_, Phi = (
+    Symbol(name, commutative=False) for name in "z h f F G H Q Q_c S Phi".split()
 )
 
 
@@ -48,6 +48,15 @@ class Description:
         self.naming: Naming = naming(model, groups)
         self.called = component_letters(model)
         self.counted = count(1)
+        self.shapes: dict[str, tuple[int, ...]] = {}
+        for one in (*self.naming.vectors.values(), *self.naming.named):
+            if one.entries.shape != (1, 1):
+                self.shaped(one.letter, one.entries.shape)
+        n, m = model.n, model.noise.rows
+        for letter, shape in ((F_, (n, n)), (G_, (n, m)), (S_, (m, m)), (Q_, (n, n)), (Q_c, (n, n)), (Phi, (n, n))):
+            self.shaped(letter, shape)
+        for size in range(2, max(n, 6) + 1):
+            self.shaped(identity(size), (size, size))
 
     def stated(self) -> Iterator[tuple[str, Matrix]]:
         model = self.model
@@ -95,26 +104,39 @@ class Description:
 
     def _block(self, letter: Symbol, row: "Part", column: "Part", block: Matrix) -> Iterator[tuple[Any, Any]]:
         tree = self.written(block)
-        if tree is not None or block.shape == (1, 1) or width(block) <= WIDE:
-            yield entry(letter, row.letter, column.letter), (block[0] if block.shape == (1, 1) else block) if tree is None else tree
-            return
-        for i, a in enumerate(row.letters):
-            for j, b in enumerate(column.letters):
-                if block[i, j] != 0:
-                    yield entry(letter, a, b), block[i, j]
+        if block.shape == (1, 1):
+            yield self.label(letter, row.letter, column.letter), block[0] if tree is None else tree
+        elif tree is not None or width(block) <= WIDE:
+            yield self.label(letter, row.letter, column.letter, block.shape), block if tree is None else tree
+        else:
+            yield from self.entries(letter, row.letters, column.letters, block)
+
+    def entries(self, letter: Symbol, rows: Sequence[Symbol], columns: Sequence[Symbol], block: Matrix) -> list[tuple[Any, Any]]:
+        return [
+            (self.label(letter, a, b), block[i, j])
+            for i, a in enumerate(rows)
+            for j, b in enumerate(columns)
+            if block[i, j] != 0
+        ]
+
+    def label(self, letter: Symbol, row: Symbol, column: Symbol, shape: tuple[int, ...] = ()) -> Symbol:
+        """F_phi,dv_n: a block, or an entry, of F."""
+        return self.shaped(Symbol(f"{letter}_{row},{column}", commutative=not shape), shape)
+
+    def shaped(self, letter: Symbol, shape: tuple[int, ...]) -> Symbol:
+        self.shapes[letter.name] = shape[:1] if shape[1:] == (1,) else shape
+        return letter
 
     def column(self, key: str, letter: Symbol, names: Sequence[str]) -> list[tuple[Any, Any]]:
         """A vector: as a whole if it has a name or is narrow, else by its components; a matrix by its entries."""
         value = self.naming.groups[key]
         tree = self.written(value)
-        if tree is not None or value.shape == (1, 1):
+        if value.shape == (1, 1):
             return [(letter, value[0] if tree is None else tree)]
         if value.cols > 1:
-            parts = [[Symbol(str(i + 1)) for i in range(n)] for n in value.shape]
-            return [(entry(letter, a, b), value[i, j]) for i, a in enumerate(parts[0]) for j, b in enumerate(parts[1])
-                    if value[i, j] != 0]  # fmt: skip
-        if width(value) <= WIDE:
-            return [(letter, value)]
+            return self.entries(letter, *([Symbol(str(i + 1)) for i in range(n)] for n in value.shape), value)
+        if tree is not None or width(value) <= WIDE:
+            return [(self.shaped(letter, value.shape), value if tree is None else tree)]
         return [(Symbol(f"{letter}_{name}"), part) for name, part in zip(names, value, strict=True)]
 
     def written(self, block: Matrix) -> Any:
@@ -323,16 +345,28 @@ def _variables(model: Model, listed: Iterable[Variable]) -> Table:
     rows: list[tuple[Any, ...]] = []
     for v in listed:
         units = v.unit.split(", ") if v.unit.count(",") == v.size - 1 else [v.unit] * v.size
-        boxes = [f"{low:.6g} to {high:.6g}" for low, high in zip(v.low, v.high, strict=True)]
+        boxes = [_box(low, high) for low, high in zip(v.low, v.high, strict=True)]
         if v.norm:
-            boxes = ["norm {:g} to {:g}".format(*v.norm)] * v.size
+            boxes = [f"norm {_box(*v.norm)}"] * v.size
         alike = len(set(zip(units, boxes, strict=True))) == 1
-        symbols = [form(called[s]) for s in v.symbols]
-        first = (v.name, tuple(symbols), units[0] if alike else "", boxes[0] if alike else "", v.frame, v.meaning)
-        rows.append(first)
+        symbols = [called[s] for s in v.symbols]
+        heads, axes = zip(*(s.name.rpartition("_")[::2] for s in symbols), strict=True)
+        if v.size > 1 and len(set(heads)) == 1 and heads[0]:
+            symbols = [Symbol(f"{heads[0]}_{','.join(axes)}")]
+        meaning = v.meaning + f" ({v.frame})" * bool(v.frame)
+        letters = () if [s.name for s in symbols] == [v.name] else tuple(map(form, symbols))
+        rows.append((v.name, letters if alike else (), units[0] if alike else "", boxes[0] if alike else "", meaning))
         if not alike:
-            rows += [("", (s,), unit, box, "", "") for s, unit, box in zip(symbols, units, boxes, strict=True)]
-    return Table(("name", "components", "unit", "valid", "frame", "meaning"), tuple(rows), prose=5)
+            rows += [("", (form(called[s]),), u, box, "") for s, u, box in zip(v.symbols, units, boxes, strict=True)]
+    return Table(("name", "letters", "unit", "valid", "meaning"), tuple(rows), prose=4)
+
+
+def _box(low: float, high: float) -> str:
+    if low == -high:
+        return f"\N{PLUS-MINUS SIGN}{high:.6g}"
+    if low > 0 and abs(2 - low - high) < 1e-12:  # of a unit quaternion
+        return f"1 \N{PLUS-MINUS SIGN} {high - 1:.3g}"
+    return f"{low:.6g} to {high:.6g}"
 
 
 def _inputs(model: Model) -> Iterator[Block]:
@@ -357,16 +391,20 @@ def _names(shown: Description, used: set[Symbol]) -> list[Section]:
     blocks: list[Block] = []
     for one, relations in named:
         blocks += [Prose(one.meaning, one.letter.name), Formulas(tuple(Form(relation) for relation in relations))]
-    rows = tuple((tuple(Form(relation) for relation in relations), one.meaning) for one, relations in constants)
+    rows = tuple(
+        ((form(one.letter),), one.shown if isinstance(one.shown, str) else (form(ordered(one.shown)),), one.meaning)
+        for one, _ in constants
+    )
     return [
         *([Section("Named expressions", tuple(blocks), "names")] if blocks else []),
-        *([Section("Constants", (Table(("constant", "meaning"), rows, prose=1),), "constants")] if rows else []),
+        *([Section("Constants", (Table(("constant", "value", "meaning"), rows, prose=2),), "constants")] if rows else []),
     ]
 
 
 def _defined(one: Named) -> Iterator[Relation]:
     if one.value.shape == (1, 1):
-        yield Relation((one.letter, ordered(one.shown)))
+        if not isinstance(one.shown, str):
+            yield Relation((one.letter, ordered(one.shown)))
         return
     tree = [] if isinstance(one.shown, MATRICES) else [one.shown]
     yield Relation((one.letter, *tree, one.entries.applyfunc(ordered)))
@@ -565,8 +603,12 @@ def _equations(model: Model) -> Iterator[Section]:
 
 def _lettered(shown: Description, page: Page) -> Page:
     """Every formula of the page with the LaTeX of its letters."""
-    named = {s: q for section in page.sections for form in forms(section) if not form.quantities
-             for s, q in _quantities(form.relation)}  # fmt: skip
+    named = {
+        quantity.symbol.name + "(" * quantity.function: quantity
+        for section in page.sections
+        for form in forms(section)
+        for quantity in _quantities(form.relation, shown.shapes)
+    }
     letters = tuple(named.values())
 
     def formed(form: Form) -> Form:
@@ -584,14 +626,14 @@ def _lettered(shown: Description, page: Page) -> Page:
     return replace(page, sections=sections)
 
 
-def _quantities(relation: Relation) -> Iterator[tuple[Any, Quantity]]:
+def _quantities(relation: Relation, shapes: Mapping[str, tuple[int, ...]]) -> Iterator[Quantity]:
     for side in relation.sides:
         for node in nodes([[side]]):
             if node.is_Symbol:
-                yield node, Quantity(node, letter_latex(node.name), "", "")
+                yield Quantity(node, letter_latex(node.name), "", "", shapes.get(node.name, ()))
             elif isinstance(node, AppliedUndef) and node.func.__name__ in ("atan2", "abs", "below"):
                 name = node.func.__name__
-                yield name, Quantity(Symbol(name), rf"\operatorname{{{name}}}", "", "", function=True)
+                yield Quantity(Symbol(name), rf"\mathrm{{{name}}}", "", "", function=True)
 
 
 GREEK = """alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi
@@ -599,9 +641,9 @@ omega Phi"""
 
 
 def letter_latex(name: str) -> str:
-    """LaTeX of a name in code: omega_ie, C_b2n_11, dmu_x, roll_b, 9.81."""
-    if re.fullmatch(r"[\d.]+", name):
-        return name
+    """LaTeX of a name in code: omega_ie, C_b2n_11, dmu_x, roll_b, F_phi,dv_n."""
+    if block := re.fullmatch(r"([A-Z]\w*?)_(\w+),([a-zA-Z]\w*)", name):
+        return rf"{letter_latex(block[1])}_{{{letter_latex(block[2])},{letter_latex(block[3])}}}"
     head, *below = name.split("_")
     above = ""
     if below and (turn := re.fullmatch(r"(\w)2(\w)", below[0])):

@@ -7,7 +7,7 @@ test holds the expressions with their names against the model's own, by value.
 import re
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from decimal import Decimal
+from fractions import Fraction
 from itertools import count
 from typing import Any
 
@@ -30,14 +30,15 @@ class Named:
     """A letter that stands for an expression.
 
     letter: as a whole, a matrix or a vector or a number.  entries: its scalars, row by row.  value: what they are, in
-    letters that come before.  shown: the same as a reader wants it.  constant: it reads nothing.
+    letters that come before.  shown: the same as a reader wants it.  constant: it is a number, and `shown` may be its
+    text.
     """
 
     letter: Symbol
     meaning: str
     value: ImmutableMatrix
     entries: ImmutableMatrix
-    shown: object = None
+    shown: Any = None
     constant: bool = False
 
 
@@ -418,23 +419,23 @@ def crossed(letter: Symbol) -> Symbol:
 # ---------------------------------------------------------------- the Earth
 
 
-def _constant(name: str, value, meaning: str, shown=None) -> Named:
+def _constant(name: str, value, meaning: str, shown) -> Named:
     return scalar(name, value, meaning, constant=True, shown=shown)
 
 
-_f = _constant("f", earth.FLATTENING, "flattening, WGS 84", 1 / Symbol("298.257223563"))
-_a = _constant("a", Integer(earth.SEMI_MAJOR_AXIS), "semi-major axis, m, WGS 84")
-_omega = _constant("omega_ie", earth.EARTH_RATE, "the Earth's rate, rad/s, WGS 84", Symbol("7.292115e-5"))
-_GM = _constant("GM", earth.GRAVITATIONAL_CONSTANT, "the Earth's gravitational constant, m^3/s^2", Symbol("3.986004418e14"))
-_g_e = _constant("g_e", earth.GRAVITY_EQUATOR, "normal gravity at the equator, m/s^2", Symbol("9.7803253359"))
-_g_p = _constant("g_p", earth.GRAVITY_POLE, "normal gravity at the pole, m/s^2", Symbol("9.8321849379"))
+_f = _constant("f", earth.FLATTENING, "flattening, WGS 84", "1/298.257223563")
+_a = _constant("a", Integer(earth.SEMI_MAJOR_AXIS), "semi-major axis, m, WGS 84", "6378137")
+_omega = _constant("omega_ie", earth.EARTH_RATE, "the Earth's rate, rad/s, WGS 84", "7.292115e-5")
+_GM = _constant("GM", earth.GRAVITATIONAL_CONSTANT, "the Earth's gravitational constant, m^3/s^2", "3.986004418e14")
+_g_e = _constant("g_e", earth.GRAVITY_EQUATOR, "normal gravity at the equator, m/s^2", "9.7803253359")
+_g_p = _constant("g_p", earth.GRAVITY_POLE, "normal gravity at the pole, m/s^2", "9.8321849379")
 f, a, omega_ie, GM, g_e, g_p = (one.letter for one in (_f, _a, _omega, _GM, _g_e, _g_p))
 _e = _constant("e2", earth.ECCENTRICITY_SQUARED, "square of the first eccentricity", f * (2 - f))
 _k = _constant("k", earth.SOMIGLIANA, "k of Somigliana's formula", (1 - f) * g_p / g_e - 1)
 _m = _constant("m", earth.CENTRIFUGAL_RATIO, "centrifugal over gravitational acceleration, at the equator",
                omega_ie**2 * a**3 * (1 - f) / GM)  # fmt: skip
 _tiny = _constant("epsilon", rotation.TINY_SQUARE, "added to the square of an angle before its root is taken",
-                  Symbol("1e-30"))  # fmt: skip
+                  "1e-30")  # fmt: skip
 e2, k, m = (one.letter for one in (_e, _k, _m))
 CONSTANTS = (_omega, _a, _f, _e, _GM, _g_e, _g_p, _k, _m, _tiny)
 
@@ -523,19 +524,19 @@ def _numbers(made: Naming) -> None:
     memo: dict = {}
 
     def number(value):
-        if abs(value.p) < SMALL and value.q < SMALL and not _decimal(value):
+        if abs(value.p) < SMALL and value.q < SMALL and value.q not in (100, 1000):
             return value
         for one in CONSTANTS:
             for power in (1, -1, 2, -2):
                 ratio = value / one.value[0] ** power
                 if abs(ratio.p) < SMALL and ratio.q < SMALL:
                     return ratio * one.letter**power
-        text = _decimal(value)
-        if text or (value.q == 1 and abs(value.p) < 10**9):
-            return _sign(value) * Symbol(text, positive=True) if text else value
+        if value.q == 1 and abs(value.p) < 10**9:
+            return value
         if abs(value) not in own:
-            own[abs(value)] = scalar(f"c_{len(own) + 1}", abs(value), "a constant of the model", constant=True)
-        return _sign(value) * own[abs(value)].letter
+            name = next(f"c_{i}" for i in count(len(own) + 1) if made.free(f"c_{i}"))
+            own[abs(value)] = scalar(name, abs(value), "a number of the model", constant=True, shown=_decimal(abs(value)))
+        return (-1 if value < 0 else 1) * own[abs(value)].letter
 
     def visit(expression):
         if expression not in memo:
@@ -554,26 +555,15 @@ def _numbers(made: Naming) -> None:
     ] + list(own.values())
 
 
-def _sign(value) -> int:
-    return -1 if value < 0 else 1
-
-
 def _decimal(value) -> str:
-    """Not a fraction of small numbers, but a decimal number of few digits."""
-    rest = value.q
-    while rest % 10 == 0:
-        rest //= 10
-    for prime in (2, 5):
-        while rest % prime == 0:
-            rest //= prime
-    if rest != 1 or value.q <= 16 or value.q > 10**12:
-        return ""
-    text = format(Decimal(abs(value.p)) / Decimal(value.q), "f")
-    return text.rstrip("0") if len(text) <= 14 else ""
+    """A decimal number where there is one of few digits, else a fraction."""
+    exact = Fraction(int(value.p), int(value.q))
+    text = format(float(value), ".12g")
+    return text if Fraction(text) == exact else str(exact)
 
 
 def visited(shown, visit):
-    """What is shown of a name: an explicit matrix, a number's expression or a product of letters."""
+    """What is shown of a name: an explicit matrix, an expression, or a product of letters."""
     if isinstance(shown, MatrixBase):
         return ImmutableMatrix(shown.applyfunc(visit))
     return visit(shown) if shown.is_commutative else shown
