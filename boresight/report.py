@@ -1,6 +1,5 @@
 """What the commands print for a person: each function takes results and returns parts for `terminal.page`."""
 
-import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from math import isfinite
@@ -77,17 +76,9 @@ def variables(fields: Iterable[dict[str, Any]], singly: bool = False) -> Rendera
 # ---------------------------------------------------------------- equations
 
 
-def sentence(entry: dict[str, str], conditions: str) -> str:
-    """What was found about an equation, as one sentence; `conditions` are those that its size holds for."""
-    first, *rest = entry["evidence"].split("; ")
-    if entry["status"] == "first-order":
-        return f"Its remainder is {rest[0].removesuffix(f' at {conditions}')}."
-    if entry["status"] != "erratum":
-        return f"It {first}." if entry["status"] == "definition" else f"{first[0].upper()}{first[1:].split(' at ')[0]}."
-    origin, *own = re.split(r"(?<=\.) ", entry["note"])
-    if " for " in origin:
-        return f"It prints {origin.split(': ')[1]}."
-    return f"I{first[1:]}." if first.startswith("it has no meaning") or not own else own[0]
+def label(entry: dict[str, str]) -> str:
+    """(19), or the letter of a definition without a number."""
+    return f"({entry['number']})" if entry["number"].isdigit() else entry["number"]
 
 
 def equations(ledgers: dict[str, list[dict[str, str]]]) -> Parts:
@@ -95,10 +86,11 @@ def equations(ledgers: dict[str, list[dict[str, str]]]) -> Parts:
     rows = table("paper", "equations", *STATUSES, right=("equations", *STATUSES))
     errata = table("errata of", "kinds and equations", prose="kinds and equations")
     for paper, entries in ledgers.items():
-        counts = Counter(entry["status"] for entry in entries)
-        rows.add_row(paper, str(len(entries)), *(str(counts[status]) for status in STATUSES))
+        numbered = [entry for entry in entries if entry["number"].isdigit()]
+        counts = Counter(entry["status"] for entry in numbered)
+        rows.add_row(paper, str(len(numbered)), *(str(counts[status]) for status in STATUSES))
         kinds = dict.fromkeys(entry["kind"] for entry in entries if entry["kind"])
-        named = (f"{kind} " + " ".join(f"({e['number']})" for e in entries if e["kind"] == kind) for kind in kinds)
+        named = (f"{kind} " + " ".join(label(e) for e in entries if e["kind"] == kind) for kind in kinds)
         errata.add_row(paper, ", ".join(named))
     return [rows, "", errata, "'boresight equations PAPER' prints what was found about each equation."]
 
@@ -107,12 +99,15 @@ def paper(name: str, entries: Sequence[dict[str, str]], conditions: Sequence[str
     """A line for each equation, and what was found beside them."""
     rows = table("", "status", "kind", "what was found", prose="what was found", right=("",))
     for entry in entries:
-        rows.add_row(f"({entry['number']})", entry["status"], entry["kind"], sentence(entry, conditions[0]))
+        more = "" if entry["depends"].startswith("Robust") else f" {entry['depends']}"
+        rows.add_row(label(entry), entry["status"], entry["kind"], entry["found"] + more)
     counts = Counter(entry["status"] for entry in entries)
+    numbered = sum(entry["number"].isdigit() for entry in entries)
+    beside_them = f" and {len(entries) - numbered} without a number" if len(entries) > numbered else ""
     total = ", ".join(f"{counts[status]} {status}" for status in STATUSES if counts[status])
     beside: Parts = ["", "Beside the equations:", bullets(findings)] if findings else []
     return [
-        f"{name}: {len(entries)} equations, {total}",
+        f"{name}: {numbered} equations{beside_them}, {total}",
         "",
         rows,
         "",
@@ -126,11 +121,13 @@ def paper(name: str, entries: Sequence[dict[str, str]], conditions: Sequence[str
 def equation(entry: dict[str, str], conditions: Sequence[str]) -> Parts:
     """The evidence on one equation."""
     kind = f"; kind {entry['kind']}, origin {entry['origin']}" if entry["kind"] else ""
-    parts: Parts = [f"{entry['paper']} ({entry['number']}): {entry['status']}{kind}", ""]
+    parts: Parts = [f"{entry['paper']} {label(entry)}: {entry['status']}{kind}", "", entry["found"], ""]
     evidence = entry["evidence"].replace(f"at {conditions[1]}: ", "").replace(f" at {conditions[0]}", "")
     parts += ["Evidence", bullets(evidence.split("; "))]
     used = [text for text in conditions if f"at {text}" in entry["evidence"]]
     parts += [text for condition in used for text in ("", "Computed at", indented(condition))]
+    by_hand = [entry["decisions"]] if entry["decisions"] else []
+    parts += ["", "Decided by hand", bullets([*by_hand, entry["depends"]])]
     return parts + (["", "Note", indented(entry["note"])] if entry["note"] else [])
 
 

@@ -1,12 +1,13 @@
 """Where a print and its derivation differ: the kind of each slip, and where it may come from."""
 
 import re
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from itertools import zip_longest
 
-from sympy import Add, MatAdd, MatMul, Mul, S, Symbol
+from sympy import Add, Function, MatAdd, MatMul, Mul, S, Symbol
 from sympy.matrices import MatrixBase
 
 from boresight.derive.ledger.equation import Equation, Relation, children, is_explicit, negative
@@ -137,29 +138,70 @@ def _swapped_letters(a, b) -> list[tuple[Symbol, Symbol]]:
 
 
 def origin(paper: Paper, equation: Equation, found: list[Difference]) -> tuple[str, str]:
-    """Where the slip is from, and why: `print`, `transcription` or `undecidable`.
+    """Where the slips are from, and why: `print`, `transcription` or `undecidable`; docs/decisions/0008.
 
-    Only letters that look alike, or the small scripts of one letter, can be a scanner's slip.  It is one of copying,
-    not of the derivation, if an equation that the text makes from this one, or makes this one from, prints the right
-    letter and holds; whose hand copied, the text cannot say.  Where nothing shows the right letter, nobody can tell.
+    A scan can lose one mark and take look-alikes for one another; whatever else differs was printed.  What it can do
+    is a slip of copying, not of the derivation, if an equation that the text makes from this one, or makes this one
+    from, prints the right letter and holds; whose hand copied, the text cannot say.
     """
+    marks = [lost_mark(difference) for difference in found]
+    causes: dict[str, list[str]] = {}
+    for mark in sorted(mark for mark in marks if mark):
+        causes.setdefault(mark[1], []).append(mark[0])
+    open_ = "; ".join(f"{', '.join(dict.fromkeys(what))} ({cause})" for cause, what in causes.items())
+    printed = [difference for difference, mark in zip(found, marks, strict=True) if not mark]
+    if printed:
+        reasons = dict.fromkeys(BEYOND_A_SCAN.get(difference.kind, BEYOND_A_SCAN[""]) for difference in printed)
+        return "print", " and ".join(reasons) + (f"; undecidable beside that: {open_}" if open_ else "")
     pairs = sorted({(str(d.printed), str(d.derived)) for d in found if d.kind == "letter"})
-    if any(d.kind != "letter" for d in found):
-        return "print", "no scanner turns one sign into the other or adds a term"
-    if not all(_look_alike(a, b) for a, b in pairs):
-        return "print", "the letters do not look alike"
-    shown = ", ".join(f"{a} for {b}" for a, b in pairs)
-    for other in _connected(paper, equation):
-        printed = names(other.printed)
-        if all(b in printed or f"{b}_b" in printed for _, b in pairs) and _sound(paper, other):
+    for other in _connected(paper, equation) if pairs else ():
+        right = names(other.printed)
+        if all(b in right or f"{b}_b" in right for _, b in pairs) and _sound(paper, other):
             return "transcription", (
-                f"{shown}: look-alikes, and ({other.number}), which the text ties to this one by substitution, "
+                f"{open_}: ({other.number}), which the text ties to this one by substitution, "
                 "prints the right letter and holds; so the derivation was right and a copy of it is not"
             )
-    return (
-        "undecidable",
-        f"{shown}: small scripts or look-alikes, and no equation tied to this one prints the right letter",
-    )
+    return "undecidable", f"{open_}: a scan can do that, and no equation tied to this one shows the right form"
+
+
+BEYOND_A_SCAN = {
+    "sign": "no scan turns a sign",
+    "letter": "no scan takes a letter for one that does not look alike",
+    "": "no scan adds a term, or loses one",
+}
+
+
+def lost_mark(difference: Difference) -> tuple[str, str] | None:
+    """What a scan may have done to make the printed form of the derived one, and how; None if no scan can."""
+    a, b = difference.printed, difference.derived
+    x, y = str(a), str(b)
+    if difference.kind == "letter":
+        if _look_alike(x, y):
+            return f"{x} for {y}", "small scripts or look-alikes"
+        return (f"{x} for {y}", "a letter lost") if _without_one(y, x) else None
+    if difference.kind == "shape" and isinstance(a, Symbol) and isinstance(b, Symbol):
+        return f"{x} for {y}", "digits"
+    if difference.kind == "structure" and not isinstance(a, Relation) and not isinstance(b, Relation):
+        if NORM(a) == b:
+            return "a pair of bars", "lost"
+        if _written(a) == _written(b):
+            return "a pair of brackets", "lost"
+    return None
+
+
+NORM = Function("norm")
+
+
+def _without_one(longer: str, shorter: str) -> bool:
+    return any(longer[:i] + longer[i + 1 :] == shorter for i in range(len(longer)))
+
+
+def _written(expression) -> Counter:
+    """The letters, numbers and sums that are written in it: brackets move them, and neither add one nor take one."""
+    inside = children(expression)
+    own: list = [Add] if isinstance(expression, Add | MatAdd) else []
+    own += [] if inside or expression in (1, -1) else [expression]
+    return sum((_written(part) for part in inside), Counter(own))
 
 
 def _look_alike(a: str, b: str) -> bool:

@@ -4,21 +4,26 @@
 - first-order: they differ by a remainder which falls fourfold when the errors are halved; its size is given.
 - definition: nothing to prove, and no other equation of the paper contradicts it.
 - erratum: read literally with the paper's own definitions the print is refuted, or has no meaning; with numbers at a
-  stated point, `kind` from the comparison of the trees, and `origin` by the rule of `_origin`.
+  stated point, `kind` from the comparison of the trees, and `origin`.
+
+What is decided by hand is said with each status, and whether it survives each decision made otherwise: see decisions.
 """
 
+import re
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from functools import cache
+from itertools import zip_longest
 
 import mpmath as mp
 
 from boresight import BoresightError
 from boresight.derive.ledger.carried import check_maps
+from boresight.derive.ledger.decisions import decisions
 from boresight.derive.ledger.differences import differences
 from boresight.derive.ledger.differences import origin as origin_of
 from boresight.derive.ledger.equation import Equation
-from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
+from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate, residual
 from boresight.derive.ledger.judge import EXACT, SEEDS, judge, largest_residual
 from boresight.derive.ledger.lines import check_derivation
 from boresight.derive.ledger.numbers import Matrix, digits, middle
@@ -32,12 +37,16 @@ UNITS = {
     "m/s": (mp.mpf(1), "m/s"),
     "m/s^2": (mp.mpf(1), "m/s^2"),
     "1": (mp.mpf(1), ""),
+    "SI": (mp.mpf(1), "in SI units of the entry"),
 }
 
 
 @dataclass(frozen=True)
 class Entry:
-    """One line of the ledger; `printed` and `derived` are LaTeX, `kind` and `origin` empty but for an erratum."""
+    """One line of the ledger; `printed` and `derived` are LaTeX, `kind` and `origin` empty but for an erratum.
+
+    found: in a sentence.  decisions: what was decided by hand; depends: whether the status survives other decisions.
+    """
 
     paper: str
     number: str
@@ -48,6 +57,9 @@ class Entry:
     derived: str
     note: str
     evidence: str
+    found: str
+    decisions: str
+    depends: str
 
     def to_dict(self) -> dict[str, str]:
         return asdict(self)
@@ -84,28 +96,41 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
     ours = judge(paper, equation, equation.derived)
     if ours.status == "refuted":
         raise BoresightError(
-            f"{equation.paper} ({equation.number}): the derived form itself is refuted, {ours.why}; "
+            f"{equation.paper} {equation.label}: the derived form itself is refuted, {ours.why}; "
             f"check derive/papers/{paper.name.replace('-', '_')}/derived.py"
         )
     verdict = judge(paper, equation, equation.read())
     status = "erratum" if verdict.status == "refuted" else verdict.status
     kind = origin = ""
     notes = [equation.note] if equation.note else []
-    notes += [f"{r.printed} is read as {r.meant}: {r.why}." for r in equation.readings]
     if status == "erratum":
-        found = differences(equation.read(), equation.derived)
-        kinds = {difference.kind for difference in found}
+        slips = differences(equation.read(), equation.derived)
+        kinds = {slip.kind for slip in slips}
         kind = kinds.pop() if len(kinds) == 1 else "structure"
-        origin, why = origin_of(paper, equation, found)
+        origin, why = origin_of(paper, equation, slips)
         notes.insert(0, f"Origin {origin}: {why}.")
         evidence = f"{verdict.why}; {_side_by_side(paper, equation)}"
+        letters = dict.fromkeys(f"{slip.printed} for {slip.derived}" for slip in slips)
+        if kind == "letter":
+            found = f"It prints {', '.join(letters)}."
+        else:
+            found = f"I{verdict.why[1:]}." if verdict.empty or not equation.note else re.split(r"(?<=\.) ", notes[1])[0]
+    elif status == "definition" and equation.introduces:
+        what = ", ".join(symbol.name for symbol in equation.introduces)
+        evidence = f"both sides agree to 28 digits because the witness makes {what} so"
+        found = f"It gives {what} {'its' if len(equation.introduces) == 1 else 'their'} meaning."
     elif status == "definition":
         evidence = "holds in every equation that uses " + ", ".join(symbol.name for symbol in equation.defines)
+        found = f"It {evidence}."
     elif status == "first-order":
-        evidence = "remainder falls fourfold when the errors are halved; " + _size(paper, equation)
+        size = _size(paper, equation)
+        evidence = f"remainder falls fourfold when the errors are halved; {size} at {paper.conditions.text}"
+        found = f"Its remainder is {size}."
     else:
         evidence = f"both sides agree to 28 digits at {paper.witness.words}, {len(SEEDS)} points"
+        found = "Both sides agree to 28 digits."
     evidence += paper.evidence(equation.number)
+    by_hand = decisions(paper, equation, verdict)
     return Entry(
         paper=equation.paper,
         number=equation.number,
@@ -116,14 +141,31 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
         derived=latex_relations(equation.derived, equation.alphabet),
         note=" ".join(notes),
         evidence=evidence,
+        found=found,
+        decisions=" ".join(by_hand.taken),
+        depends=str(by_hand),
     )
 
 
 def _size(paper: Paper, equation: Equation) -> str:
-    """The largest remainder of the derived form at the paper's own numbers."""
-    largest = max(largest_residual(equation.derived, point) for point in paper_points(paper))
-    factor, unit = UNITS[equation.unit]
-    return f"at most {mp.nstr(largest * factor, 3)} {unit}".rstrip() + f" at {paper.conditions.text}"
+    """The largest remainder of the derived form at the paper's own numbers, for each unit of its rows."""
+    largest: dict[str, mp.mpf] = {}
+    for point in paper_points(paper):
+        rows = 0
+        for relation in equation.derived:
+            left = residual(relation.sides, point)
+            own = len(left) // (len(relation.sides) - 1)
+            for k, entry in enumerate(left):
+                unit = equation.unit if isinstance(equation.unit, str) else equation.unit[rows + k % own]
+                largest[unit] = max(largest.get(unit, mp.mpf(0)), abs(middle(entry)))
+            rows += own
+    sizes = [_with_unit(size, unit) for unit, size in largest.items() if size > EXACT]
+    return "at most " + " and ".join(filter(None, (", ".join(sizes[:-1]), sizes[-1])))
+
+
+def _with_unit(size, unit: str) -> str:
+    factor, name = UNITS[unit]
+    return f"{mp.nstr(size * factor, 3)} {name or '(no unit)'}"
 
 
 @cache
@@ -133,27 +175,72 @@ def paper_points(paper: Paper) -> tuple[Point, ...]:
     return tuple(Point(witness.values(base, paper.definitions)) for base in bases)
 
 
+@dataclass(frozen=True)
+class Numbers:
+    """A side of a relation where print and derivation differ, entry by entry in `unit`.
+
+    what: the left side, if it is a letter.  true: by the witness.  printed: empty if it has no value, or another shape.
+    """
+
+    what: str
+    true: tuple[mp.mpf, ...]
+    printed: tuple[mp.mpf, ...]
+    derived: tuple[mp.mpf, ...]
+    unit: str
+
+
+def numbers_of(paper: Paper, equation: Equation) -> list[Numbers]:
+    """The numbers of every side that is misprinted, at the paper's stated point."""
+    point, rows, result = Point(paper.witness.values(paper.point.at, paper.definitions)), 0, []
+
+    def entries(side, factor) -> tuple[mp.mpf, ...]:
+        value = evaluate(side, point)
+        return tuple(middle(entry) * factor for entry in (value if isinstance(value, Matrix) else [value]))
+
+    for printed, derived in zip(equation.read(), equation.derived, strict=False):
+        factor, name = UNITS[equation.unit if isinstance(equation.unit, str) else equation.unit[rows]]
+        true = entries(derived.sides[0], factor)
+        rows += len(true)
+        what = str(derived.sides[0]) if derived.sides[0].is_Symbol else ""
+        last = printed.sides[-1]
+        for ours, theirs in dict.fromkeys(zip_longest(derived.sides, printed.sides, fillvalue=last)):
+            right = entries(ours, factor)
+            try:
+                wrong = entries(theirs, factor)
+            except (ValueError, KeyError):
+                wrong = ()
+            if len(wrong) != len(right):
+                result.append(Numbers(what, true, (), right, name))
+            elif max(abs(a - b) for a, b in zip(wrong, right, strict=True)) > EXACT:
+                result.append(Numbers(what, true, wrong, right, name))
+    return result
+
+
+LONG = 4  # of more numbers only the largest difference is said
+
+
 def _side_by_side(paper: Paper, equation: Equation) -> str:
     """Printed and derived at the stated point, as numbers."""
-    point = Point(paper.witness.values(paper.point.at, paper.definitions))
-    factor, unit = UNITS[equation.unit]
+    parts = []
+    for n in numbers_of(paper, equation):
+        what, unit = f"{n.what} " if n.what else "", f" {n.unit}" if n.unit else ""
+        if n.printed and len(n.true) > LONG:
+            printed, derived = (_apart(n.true, form) for form in (n.printed, n.derived))
+            parts.append(f"{what}sides differ by {printed} as printed, by {derived} as derived{unit}")
+        elif n.printed:
+            true, printed, derived = (
+                "[" + ", ".join(mp.nstr(value, 5) for value in form) + "]" for form in (n.true, n.printed, n.derived)
+            )
+            parts.append(f"{what}true {true}, printed {printed}, derived {derived}{unit}")
+    if not parts:
+        left = largest_residual(equation.derived, Point(paper.witness.values(paper.point.at, paper.definitions)))
+        parts.append(f"derived leaves {_digits(left)}")
+    return f"at {paper.point.text}: " + "; ".join(parts)
 
-    def numbers(side) -> str:
-        value = evaluate(side, point)
-        entries = value if isinstance(value, Matrix) else [value]
-        return "[" + ", ".join(mp.nstr(middle(entry) * factor, 5) for entry in entries) + "]"
 
-    text = f"at {paper.point.text}: "
+def _apart(true: tuple[mp.mpf, ...], form: tuple[mp.mpf, ...]) -> str:
+    return _digits(max(abs(a - b) for a, b in zip(true, form, strict=True)))
 
-    def left(relations) -> str:
-        size = largest_residual(relations, point)
-        return mp.nstr(size, 3) if size > EXACT else f"less than {float(EXACT):.0e}"
 
-    try:
-        largest_residual(equation.read(), point)
-    except (ValueError, KeyError):
-        return text + f"derived leaves {left(equation.derived)}"
-    if equation.unit == "1":  # matrices: how far the sides are from one another says more than 9 numbers
-        return text + f"sides differ by {left(equation.read())} as printed, by {left(equation.derived)} as derived"
-    printed, derived = equation.read()[0].sides, equation.derived[0].sides
-    return text + f"true {numbers(derived[0])}, printed {numbers(printed[-1])}, derived {numbers(derived[-1])} {unit}"
+def _digits(size) -> str:
+    return mp.nstr(size, 3) if size > EXACT else f"less than {float(EXACT):.0e}"

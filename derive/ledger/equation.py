@@ -156,7 +156,7 @@ class Derivation:
 
 @dataclass(frozen=True)
 class Reading:
-    """How a letter that cannot be read literally is read, and why: a dropped hat, a label.  It changes no number."""
+    """Which of the things that a printed sign means in the paper is read, and why; docs/decisions/0008."""
 
     printed: Symbol
     meant: Symbol
@@ -164,15 +164,31 @@ class Reading:
 
 
 @dataclass(frozen=True)
+class Meaning:
+    """What letters are taken for that the paper leaves open, and what else they could be; docs/decisions/0008.
+
+    senses: in words, and by name the LaTeX of what the letters are in terms of others; a letter without LaTeX is what
+    the witness has for it.  The first sense is taken: what the text says, at `said`, or if it says nothing the one
+    with which the print stands, if there is one.
+    """
+
+    senses: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
+    said: str = ""
+
+
+@dataclass(frozen=True)
 class Equation:
-    """One numbered equation.
+    """One numbered equation, or a definition without a number under the letter that it defines.
 
     latex: each display of the source text, verbatim without its number; lines: where it stands there, counted from 1.
     printed: what `latex` says, symbol by symbol.  readings: what of it must be read otherwise to have a meaning at all.
     derived: what follows from the derivation, in the layout of the print.
-    defines: the symbols to which it gives their meaning, if it is a definition.
+    defines: the symbols to which it gives their meaning, if it is a definition that the witness takes as given.
+    introduces: those to which it gives their meaning by construction, where the witness makes them by itself.
+    meanings: what letters are taken for that the paper leaves open.  conventions: what else is read into the notation.
     leads_to: the equations which, as the text says, are made from this one.
     small: the errors, parts of the witness's conditions, in which it is of first order; all of them if empty.
+    unit: of all rows, or of each row of one side of the relations in turn.
     quantities: the letters of the print; step_letters: what more the derivation needs.
     """
 
@@ -185,9 +201,12 @@ class Equation:
     derivation: Derivation
     readings: tuple[Reading, ...] = ()
     defines: tuple[Symbol, ...] = ()
+    introduces: tuple[Symbol, ...] = ()
+    meanings: tuple[Meaning, ...] = ()
+    conventions: tuple[str, ...] = ()
     leads_to: tuple[str, ...] = ()
     note: str = ""
-    unit: str = ""
+    unit: str | tuple[str, ...] = ""
     small: tuple[str, ...] = ()
     quantities: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
     step_letters: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
@@ -196,6 +215,15 @@ class Equation:
     def alphabet(self) -> tuple[Quantity, ...]:
         """The letters in which it and its derivation are shown; of one letter's spellings the last is written."""
         return (*self.quantities, *self.step_letters)
+
+    @property
+    def numbered(self) -> bool:
+        return self.number.isdigit()
+
+    @property
+    def label(self) -> str:
+        """(19), or the letter of a definition without a number."""
+        return f"({self.number})" if self.numbered else self.number
 
     def read(self) -> tuple[Relation, ...]:
         """The print after its readings."""

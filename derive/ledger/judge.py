@@ -1,50 +1,124 @@
 """The status of a form of an equation, computed at finite errors: exact, first-order, a definition, or refuted."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
+from unicodedata import normalize
 
 import mpmath as mp
+from sympy import Symbol
+from sympy.core.function import AppliedUndef
 
 from boresight.derive.ledger.equation import Equation, Relation
-from boresight.derive.ledger.evaluate import Point, residual
-from boresight.derive.ledger.numbers import Matrix, largest
+from boresight.derive.ledger.evaluate import Point, evaluate, residual
+from boresight.derive.ledger.numbers import Matrix, largest, middle, near
 from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.reader import SUM, SUM_OVER, read
 
 EXACT = mp.mpf("1e-28")
-FOURFOLD = mp.mpf("0.25025")  # a quarter; at errors of 5e-8 rad the next order changes it by far less than 0.1 %
 SEEDS = (1, 2, 3)
-FULL, SMALL, HALF = 1.0, 1e-6, 5e-7
+FULL = 1.0
+SCALES = (1e-6, 5e-7, 2.5e-7)  # each half of the one before
+SLACK = 1.001  # of the ratio that an order asks for: the next order is below 1e-6 of it
+
+Sense = tuple[str, tuple[tuple[str, str], ...]]  # of a Meaning
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What the witness says: exact, first-order, definition or refuted; why, in a few words."""
+    """What the witness says: exact, first-order, definition or refuted; why, in a few words.
+
+    empty: it is refuted because it has no meaning, or states nothing of first order.
+    """
 
     status: str
     why: str = ""
+    empty: bool = False
 
 
-def judge(paper: Paper, equation: Equation, relations: tuple[Relation, ...]) -> Verdict:
-    """The verdict on `relations` in the place of the equation's own."""
+def judge(paper: Paper, equation: Equation, relations: tuple[Relation, ...], senses: Sequence[Sense] = ()) -> Verdict:
+    """The verdict on `relations` in the place of the equation's own; senses: of its meanings, those taken if empty."""
+    relations = meant(equation, relations, senses or tuple(meaning.senses[0] for meaning in equation.meanings))
     if equation.defines:
         return _judge_definition(paper, equation, relations)
-    return _judge_at(relations, lambda seed, scale: witness_point(paper, seed, scale, equation.small))
+    verdict = judge_at(relations, lambda seed, scale: witness_point(paper, seed, scale, equation.small))
+    if not equation.introduces or verdict.status == "refuted":
+        return verdict
+    return Verdict("definition") if verdict.status == "exact" else Verdict("refuted", "its sides are not the same")
 
 
-def _judge_at(relations, point, seeds=SEEDS) -> Verdict:
-    """exact, first-order or refuted, from the residuals at points of three sizes."""
-    order = 0
+def meant(equation: Equation, relations: Iterable[Relation], senses: Iterable[Sense]) -> tuple[Relation, ...]:
+    """Relations with letters in these senses."""
+    mapping: dict = {}
+    for _, values in senses:
+        mapping |= dict(_substitute(equation.quantities, name, latex) for name, latex in values)
+    return tuple(relation.replaced(mapping) for relation in relations) if mapping else tuple(relations)
+
+
+@cache
+def _substitute(quantities: tuple, name: str, latex: str) -> tuple[Symbol, Any]:
+    (relation,) = read((latex,), quantities)
+    name = normalize("NFC", name)
+    return next(q.symbol for q in quantities if q.symbol.name == name), relation.sides[0]
+
+
+def judge_at(
+    relations: Iterable[Relation], point: Callable[[int, float], Point], seeds: Iterable[int] = SEEDS
+) -> Verdict:
+    """exact, first-order or refuted, from the residuals at points of four sizes."""
+    order, relations = 0, tuple(relations)
     for seed in seeds:
         try:
-            small, half = (largest_residual(relations, point(seed, scale)) for scale in (SMALL, HALF))
-            if small > EXACT and half > FOURFOLD * small:
-                return Verdict("refuted", f"halving the errors leaves {mp.nstr(half / small, 4)} of the difference")
-            if small > EXACT or largest_residual(relations, point(seed, FULL)) > EXACT:
-                order = 1
+            at = [point(seed, scale) for scale in SCALES]
+            for relation in relations:
+                fall = falls(relation, at, 2)
+                if fall.why:
+                    return Verdict("refuted", fall.why)
+                changes = _changes(relation, at) if fall.rows else []
+                for row in sorted(fall.rows):
+                    if not changes[min(row, len(changes) - 1)]:  # a lone 0 has one row
+                        return Verdict("refuted", f"row {row + 1} has no part of first order", True)
+                order |= bool(fall.rows)
+            order = order or largest_residual(relations, point(seed, FULL)) > EXACT
         except (ValueError, KeyError, ZeroDivisionError) as error:
-            return Verdict("refuted", f"it has no meaning: {error.args[0] if error.args else error}")
-    return Verdict(("exact", "first-order")[order])
+            return Verdict("refuted", f"it has no meaning: {error.args[0] if error.args else error}", True)
+    return Verdict("first-order" if order else "exact")
+
+
+@dataclass(frozen=True)
+class Fall:
+    """How a remainder falls: why not as asked for, and the rows in which there is one."""
+
+    why: str = ""
+    rows: frozenset[int] = frozenset()
+
+
+def falls(relation: Relation, at: Sequence[Point], power: int) -> Fall:
+    """Whether each entry's remainder falls 2^power-fold when the errors are halved, twice; `at`: points of SCALES."""
+    columns = getattr(evaluate(relation.sides[-1], at[0]), "cols", 1)
+    rows, most = set(), SLACK / 2**power
+    larger = [abs(near(entry)) for entry in residual(relation.sides, at[0])]
+    size = len(larger) // (len(relation.sides) - 1)
+    for point in at[1:]:
+        smaller = [abs(near(entry)) for entry in residual(relation.sides, point)]
+        for k, (before, after) in enumerate(zip(larger, smaller, strict=True)):
+            if before > EXACT:
+                rows.add(k % size // columns)
+                if after > most * before:
+                    share, row = mp.nstr(mp.mpf(after / before), 4), k % size // columns + 1
+                    return Fall(f"halving the errors leaves {share} of the difference in row {row}")
+        larger = smaller
+    return Fall("", frozenset(rows))
+
+
+def _changes(relation: Relation, at: Sequence[Point]) -> list[bool]:
+    """Of each row of the last side, whether an entry has a part of first order: what it changes by halves."""
+    values: list[Any] = [evaluate(relation.sides[-1], point) for point in at]
+    columns = getattr(values[0], "cols", 1)
+    entries = [[middle(entry) for entry in (v if isinstance(v, Matrix) else [v])] for v in values]
+    found = [abs(b - c) > abs(a - b) * SLACK / 4 for a, b, c in zip(*entries, strict=True)]
+    return [any(found[i : i + columns]) for i in range(0, len(found), columns)]
 
 
 def _judge_definition(paper: Paper, equation: Equation, relations: tuple[Relation, ...]) -> Verdict:
@@ -56,7 +130,8 @@ def _judge_definition(paper: Paper, equation: Equation, relations: tuple[Relatio
             name for name, value in usual.values.items() if not callable(value) and _differs(value, given.values[name])
         }
     except (ValueError, KeyError, ZeroDivisionError) as error:
-        return Verdict("refuted", f"it does not define {', '.join(map(str, equation.defines))}: {error}")
+        what = ", ".join(map(str, equation.defines))
+        return Verdict("refuted", f"it does not define {what}: {error.args[0] if error.args else error}", True)
     users = [e for e in paper.equations if e.number != equation.number and moved & names(e.derived)]
     # What held exactly must hold exactly still: one point tells, and most contradictions show here.
     for user in users:
@@ -65,14 +140,14 @@ def _judge_definition(paper: Paper, equation: Equation, relations: tuple[Relatio
         except ValueError:
             contradicted = True
         if contradicted:
-            return Verdict("refuted", f"contradicted by ({user.number})")
+            return Verdict("refuted", f"contradicted by {user.label}")
     for user in users:
 
         def point(seed, scale, small=user.small):
             return witness_point(paper, seed, scale, small, changed)
 
-        if _judge_at(user.derived, point, (seed,)).status == "refuted":
-            return Verdict("refuted", f"contradicted by ({user.number})")
+        if judge_at(user.derived, point, (seed,)).status == "refuted":
+            return Verdict("refuted", f"contradicted by {user.label}")
     return Verdict("definition")
 
 
@@ -94,6 +169,7 @@ def _differs(a, b) -> bool:
 
 
 def names(relations: Iterable[Relation]) -> set[str]:
-    return {
-        symbol.name for relation in relations for side in relation.sides for symbol in getattr(side, "free_symbols", ())
-    }
+    """The letters of relations; a sum is over the samples of its window."""
+    sides = [side for relation in relations for side in relation.sides]
+    found = {symbol.name for side in sides for symbol in getattr(side, "free_symbols", ())}
+    return found | {SUM_OVER for side in sides if any(node.func == SUM for node in side.atoms(AppliedUndef))}

@@ -27,7 +27,7 @@ from boresight.derive.ledger.equation import (
 )
 from boresight.derive.ledger.evaluate import DIGITS, Point, residual
 from boresight.derive.ledger.free import free_point
-from boresight.derive.ledger.judge import EXACT, FOURFOLD, FULL, HALF, SEEDS, SMALL, judge, witness_point
+from boresight.derive.ledger.judge import EXACT, FULL, SCALES, SEEDS, SLACK, judge, witness_point
 from boresight.derive.ledger.lines import judge_line, line_point
 from boresight.derive.ledger.numbers import Matrix, digits, exact, largest, middle
 from boresight.derive.ledger.paper import Paper
@@ -217,8 +217,8 @@ def _reason(form, mutant, free: Point, true: Callable[[float], Point]) -> str:
             return SAME
     if same(*at(true(FULL))):
         return ALIAS
-    small, half = (largest(a - b for a, b in zip(*at(true(scale)), strict=True)) for scale in (SMALL, HALF))
-    return SECOND_ORDER if half <= FOURFOLD * small else UNEXPLAINED
+    small, half = (largest(a - b for a, b in zip(*at(true(scale)), strict=True)) for scale in SCALES[:2])
+    return SECOND_ORDER if half <= SLACK / 4 * small else UNEXPLAINED
 
 
 @cache

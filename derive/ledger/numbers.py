@@ -150,6 +150,11 @@ def middle(value: Any) -> mp.mpf:
     return mp.mp.make_mpf(from_man_exp(int(man), int(exp)))
 
 
+def near(value: Any) -> float:
+    """The middle of a ball as a float.  Raises as `middle` does."""
+    return float(_judged(value))
+
+
 def largest(values: Iterable[Any]) -> mp.mpf:
     """The largest magnitude.  Raises as `middle` does."""
     return middle(max(abs(_judged(value)) for value in values))

@@ -19,7 +19,8 @@ class Witness:
 
     base: a dataclass of what a point is made of.  values: from a base and the equations that define letters, by number,
     the value of each letter by name.  wide: the largest sizes at which an equation is judged; `errors` shrink with the
-    scale unless an equation names its own.  words: what the witness is, for the evidence.
+    scale unless an equation names its own.  words: what the witness is, for the evidence.  parts: what those parts of
+    the base are that may be small, in words.  left_out: by number, what the witness leaves out that would be there.
     """
 
     base: type
@@ -27,6 +28,8 @@ class Witness:
     wide: Any
     errors: tuple[str, ...]
     words: str = "finite rotations"
+    parts: Mapping[str, str] = field(default_factory=dict)
+    left_out: Mapping[str, str] = field(default_factory=dict)
 
     def at(self, seed: int, scale: float, small: tuple[str, ...], definitions: Mapping) -> Mapping[str, Any]:
         """Values at a random point whose errors, or those of `small`, are `scale` times the wide ones."""
@@ -47,11 +50,11 @@ class Paper:
     """conditions: the paper's own numbers, for sizes.  point: where the numbers of an erratum are given.
 
     evidence: what the ledger says of an equation beyond its status; findings: what was computed about the text beside.
-    letters: those of the derivations that the paper does not print; structure: what letters are by their nature, see
+    letters: those of the derivations that the paper does not print; letters_of: by number, the letters as that equation
+    means them, where a spelling of the page is several; structure: what letters are by their nature, see
     ledger/free.py.  conventions: the paper's own axes and signs, a sentence each.  tests: those of
-    tests/derive/test_PAPER.py that hold single equations, with their numbers.
-    ledger/free.py.  maps: to the models that make C from it; unflown: the equations of which no function that flies
-    computes a side, each with why.
+    tests/derive/test_PAPER.py that hold single equations, with their numbers.  maps: to the models that make C from it;
+    unflown: the equations of which no function that flies computes a side, each with why.
     """
 
     name: str
@@ -64,6 +67,7 @@ class Paper:
     evidence: Callable[[str], str]
     findings: Callable[[], tuple[str, ...]]
     letters: Callable[[], tuple[Quantity, ...]] = tuple
+    letters_of: Callable[[str], tuple[Quantity, ...]] | None = None
     structure: Mapping[str, Any] = field(default_factory=dict)
     conventions: tuple[str, ...] = ()
     tests: Mapping[str, str] = field(default_factory=dict)
@@ -72,7 +76,7 @@ class Paper:
 
     @cached_property
     def equations(self) -> tuple[Equation, ...]:
-        """All numbered equations, in the paper's order."""
+        """All equations, in the paper's order."""
         return self.make_equations()
 
     def equation(self, number: str) -> Equation:
@@ -85,8 +89,8 @@ class Paper:
 
     @cached_property
     def definitions(self) -> dict[str, tuple[Relation, ...]]:
-        """What the paper's definitions say, by number, for the witness to take as given."""
-        return {equation.number: equation.read() for equation in self.equations if equation.defines}
+        """What the paper's definitions say, corrected, by number, for the witness to take as given."""
+        return {equation.number: equation.derived for equation in self.equations if equation.defines}
 
     def letter(self, name: str) -> Quantity:
         """The letter of a symbol's name.  Raises KeyError."""

@@ -8,6 +8,7 @@ a \\times b, \\exp(A), \\vee(A), \\mathrm{E}[A], and \\flown{name}: the matrix o
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from types import MappingProxyType
 
 from sympy import Function, Integer, Mul, S, StrictLessThan, cos, sin, sqrt, tan
@@ -24,7 +25,7 @@ OPERATORS = {
     r"\vee": Function("vee", commutative=False),
     r"\mathrm{E}": Function("E", commutative=False),
 }
-SUM = r"\sum_{k\in\Omega_n}"
+SUM_LATEX, SUM, SUM_OVER = r"\sum_{k\in\Omega_n}", Function("Σ"), "Ω_n"
 ENTRY = re.compile(r"\((\d),(\d)\)")
 ENDS = (
     "=",
@@ -55,14 +56,14 @@ def read(
     Raises BoresightError at the first piece of LaTeX that is neither structure nor a quantity of the table.
     """
     joined: list[str] = []
-    for text in (_plain(row) for display in displays for row in _rows(display)):
+    for text in (plain(row) for display in displays for row in _rows(display)):
         if joined and text[0] in "=+-":
             joined[-1] += text
         else:
             joined.append(text)
     # A letter with arguments is a letter of its own: \\hat{C}_b^n(...) beside \\hat{C}_b^n.
     table = {
-        _plain(quantity.latex) + mark: quantity
+        plain(quantity.latex) + mark: quantity
         for quantity in quantities
         for mark in (("(", "[") if quantity.function else ("",))
     }
@@ -86,7 +87,8 @@ def _rows(display: str) -> Iterator[str]:
     yield row
 
 
-def _plain(latex: str) -> str:
+@cache
+def plain(latex: str) -> str:
     """LaTeX without what only sets it: spaces, the sizes of brackets and matrices, the two shapes of epsilon."""
     latex = re.sub(r"(\[[^\[\]]*;[^\[\]]*\])", r"\1^T", latex)  # [a; b; c] as in MATLAB: a column
     latex = re.sub(r"(?<!\\)\\ |\\quad", ";", latex)  # [a \ b \ c]^T: the spaces separate
@@ -190,8 +192,8 @@ class _Reader:
         for name, function in OPERATORS.items():
             if self.take(name):
                 return function(self.group("[", "]") if self.ahead("[") else self.group("(", ")"))
-        if self.take(SUM):
-            return Function("Σ")(self.product())
+        if self.take(SUM_LATEX):
+            return SUM(self.product())
         if self.ahead(r"\|"):
             return self.power(Function("norm")(self.group(r"\|", r"\|")))
         if self.take(r"\{"):

@@ -20,7 +20,7 @@ def paper_page(paper: Paper, functions: Functions) -> Page:
     page = equations_page(paper.name, [(paper, e) for e in paper.equations], functions)
     return replace(
         page,
-        lead=(f"{paper.reference}.", f"{len(entries)} equations: {counts(entries)}."),
+        lead=(f"{paper.reference}.", f"{counted(paper.equations)}: {counts(entries)}."),
         front=(
             Section("Conventions", (*map(Prose, (*CONVENTIONS, *paper.conventions)), *STATUSES)),
             Section("Notation", (notation(paper),)),
@@ -53,7 +53,7 @@ def equations_page(title: str, chosen: Iterable[tuple[Paper, Equation]], functio
         title,
         shown,
         back=(Section("Conditions", notes, "conditions"),) if notes else (),
-        anchors=({f"({e.number})": anchor(e) for _, e in chosen} if len(letters) == 1 else {})
+        anchors=({e.label: anchor(e) for _, e in chosen if e.numbered} if len(letters) == 1 else {})
         | dict.fromkeys(numbered.values(), "conditions"),
         letters=tuple(quantity for one in letters for quantity in (*one.quantities(), *one.letters())),
     )
@@ -74,7 +74,7 @@ def equation_section(paper: Paper, equation: Equation, functions: Functions) -> 
     first, last = equation.lines
     source = f"source line {first}" if first == last else f"source lines {first} to {last}"
     source = source if equation.latex else "derived here"
-    title = f"{equation.paper} ({equation.number})"
+    title = f"{equation.paper} {equation.label}"
     return Section(title, tuple(blocks), anchor(equation), status(entry), source)
 
 
@@ -122,6 +122,7 @@ def evidence(paper: Paper, equation: Equation, entry: Entry) -> list[Block]:
     blocks: list[Block] = [Prose(sentences(judged), "Evidence")]
     if own:
         blocks.append(Prose(sentences(own), "What it does" if entry.status == "erratum" else "Sizes"))
+    blocks.append(Prose(f"{entry.decisions} {entry.depends}".strip(), "Decided by hand"))
     return blocks
 
 
@@ -197,7 +198,13 @@ def status(entry: Entry) -> str:
 
 
 def anchor(equation: Equation) -> str:
-    return f"eq-{equation.number}"
+    return f"eq-{equation.number}" if equation.numbered else f"line-{equation.lines[0]}"
+
+
+def counted(equations: Iterable[Equation]) -> str:
+    numbers = [equation.numbered for equation in equations]
+    beside = f" and {numbers.count(False)} without a number" if False in numbers else ""
+    return f"{numbers.count(True)} equations{beside}"
 
 
 def counts(entries: Iterable[Entry]) -> str:

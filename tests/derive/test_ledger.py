@@ -18,40 +18,41 @@ pytestmark = pytest.mark.usefixtures("many_digits")
 
 STATUS = {
     "song-lee-2001": {
-        "definition": "1 2 3 14 16 22",
-        "exact": "4 17 21 23 24",
+        "definition": "1 2 3 4 14 16 δμ 22",
+        "exact": "17 21 23 24",
         "first-order": "5 6 12 13 15 18 19 20",
-        "erratum": "7 8 9 10 11 25 26 27 28",
+        "erratum": "7 8 9 10 B 11 25 26 27 28",
     },
     "kim-2018": {
-        "definition": "1 8 16 22 27 28 30",
-        "exact": "3 13 14 15 24 25 26 31",
+        "definition": "1 4 8 15 16 22 28 30",
+        "exact": "3 13 14 24 25 26 31",
         "first-order": "2 7 10 12 18 19",
-        "erratum": "4 5 6 9 11 17 20 21 23 29 32",
+        "erratum": "5 6 9 11 17 20 21 23 27 29 32 Ω_n",
     },
     "kang-2025": {"definition": "", "exact": "", "first-order": "1 2", "erratum": "3 4 5 6"},
     "delay-error": {"first-order": "1 2 3 4 5"},
 }
 ORIGIN = {
     "song-lee-2001": {
-        ("letter", "undecidable"): "7 10 11",
+        ("letter", "undecidable"): "7 10 B 11",
         ("letter", "transcription"): "8 9 26 27 28",
         ("sign", "print"): "25",
     },
     "kim-2018": {
-        ("structure", "print"): "4 6 9 20 29 32",
-        ("letter", "undecidable"): "5 21",
+        ("structure", "print"): "6 9 20 29 Ω_n",
+        ("structure", "undecidable"): "32",
+        ("letter", "undecidable"): "5 21 27",
         ("sign", "print"): "11",
-        ("shape", "print"): "17 23",
+        ("shape", "undecidable"): "17 23",
     },
-    "kang-2025": {("structure", "print"): "3 4 5 6"},
+    "kang-2025": {("structure", "print"): "3 5 6", ("structure", "undecidable"): "4"},
 }
-READINGS = {"song-lee-2001": "25 26 27 28", "kim-2018": "2 12 27", "kang-2025": "6"}
+READINGS = {"song-lee-2001": "25 26 27 28", "kim-2018": "2 12", "kang-2025": "6"}
 # Derived forms whose remainder falls fourfold when the errors are halved; eightfold: a skew-symmetric part.
 FALLS = {
     4: {
         "song-lee-2001": STATUS["song-lee-2001"]["first-order"],
-        "kim-2018": STATUS["kim-2018"]["first-order"] + " 4 5 9 11 20 29",
+        "kim-2018": STATUS["kim-2018"]["first-order"] + " 5 9 11 20 29",
         "kang-2025": "1 2 3 5",
     },
     8: {"kim-2018": "21", "kang-2025": "4"},
@@ -67,7 +68,8 @@ def each(table):
 def test_every_numbered_equation_is_there_once_and_in_order_with_the_status_that_follows(name):
     entries = ledger(paper(name))
     assert len(entries) == sum(len(numbers.split()) for numbers in STATUS[name].values())
-    assert [int(entry.number) for entry in entries] == list(range(1, len(entries) + 1))
+    numbers = [int(entry.number) for entry in entries if entry.number.isdigit()]
+    assert numbers == list(range(1, len(numbers) + 1))
     for status, numbers in STATUS[name].items():
         assert [entry.number for entry in entries if entry.status == status] == numbers.split()
 
@@ -82,7 +84,10 @@ def test_kind_and_origin_belong_to_errata_alone_and_follow_the_rule(name):
 def test_an_entry_is_the_documented_row_of_strings(name):
     for entry in ledger(paper(name)):
         row = entry.to_dict()
-        assert list(row) == ["paper", "number", "status", "kind", "origin", "printed", "derived", "note", "evidence"]
+        assert list(row) == [
+            *("paper", "number", "status", "kind", "origin", "printed", "derived", "note", "evidence"),
+            *("found", "decisions", "depends"),
+        ]
         assert all(isinstance(value, str) for value in row.values())
 
 
@@ -129,7 +134,7 @@ def test_a_reading_is_there_only_because_the_letter_as_printed_fails(name, numbe
         assert judge(one, equation, literal).status == "refuted", reading
 
 
-@pytest.mark.parametrize("number", STATUS["song-lee-2001"]["definition"].split())
+@pytest.mark.parametrize("number", ["1", "2", "3", "14", "16", "22"])
 def test_a_definition_contradicts_nothing_and_a_wrong_one_something(number):
     one = paper("song-lee-2001")
     equation = one.equation(number)

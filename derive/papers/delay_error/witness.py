@@ -49,7 +49,7 @@ class Conditions:
     noise: tuple = (0.5, 2.0, 1.0)
 
 
-ERRORS = ("swing", "surge", "delay")
+ERRORS = ("swing", "surge", "phi", "dmu", "delay")
 (ROLL,) = degrees(5)
 CONDITIONS = Conditions(
     swing=float(ROLL), wave=(0.7, 60.0, 3.0), surge=2.0, phi=float(ROLL) / 2.5, dmu=float(ROLL) / 2.5, delay=0.01

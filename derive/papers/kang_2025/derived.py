@@ -4,7 +4,7 @@ from functools import cache
 
 from sympy import Function, S, sin
 
-from boresight.derive.ledger.equation import Equation, Reading, letter, product
+from boresight.derive.ledger.equation import Equation, Meaning, Reading, letter, product
 from boresight.derive.ledger.free import of, rotation
 from boresight.derive.ledger.lines import (
     DEFINITION,
@@ -72,6 +72,19 @@ def letters():
     )
 
 
+ARM = Meaning(
+    (
+        ("L runs from the master to the slave", ()),
+        ("L runs from the slave to the master", (("L", "-L"),)),
+    )
+)
+HEIGHT = Meaning(
+    (
+        ("a is the height of the wave, crest to trough", ()),
+        ("a is its amplitude, as the heights of Table 1 need it", (("a", r"\frac{a}{2}"),)),
+    ),
+    said="the text under (6)",
+)
 STRUCTURE = {
     **dict.fromkeys(("C_S2n", "C_M2S", "C_M2n", "C_S2e", "C_e2n"), rotation),
     "C_n2M": of("C_M2n", lambda C: C.T),
@@ -127,6 +140,7 @@ def lever_arm():
         unit="m/s",
         leads_to=("3",),
         small=("lever", "v_n", "velocity_error"),
+        meanings=(ARM,),
         note="Both signs and both terms are right. Whether the transport rate belongs to ω_in, as the text says, is "
         "below what is dropped.",
     )  # fmt: skip
@@ -177,6 +191,7 @@ def velocity_residual():
              first_order(), "the lever arm's part now is as (1) has it", substitute("1"), result=True),
         unit="m/s",
         small=("delay", "step"),
+        meanings=(ARM,),
         note="The print moves the slave's velocity back by the delay, but not the lever-arm velocity, which is of the "
         "same order in the delay. Its sign is right: (3) subtracts the change during the delay, where (5) adds it. "
         "Capital and small letters of the indices are labels.",
@@ -200,8 +215,8 @@ def attitude_matrix():
              "the brackets hold the whole difference", substitute("5", "1", of="4"), result=True),
         unit="1",
         leads_to=("5",),
-        note="As printed the 2 divides the transposed matrix alone. Brackets, or a long bar, may have been lost in "
-        "the scan: the rule of the origin knows of letters only. If (4) is taken as it stands, (5) lacks a factor 2/3.",
+        note="As printed the 2 divides the transposed matrix alone. If (4) is taken as it stands, (5) lacks a factor "
+        "2/3.",
     )  # fmt: skip
 
 
@@ -278,9 +293,10 @@ def wave():
                 "0.16 of a period",
             ),
         ),
+        meanings=(HEIGHT,),
         note="The text calls a the height of the wave, and Table 1 gives the heights of the code; in (6) it is the "
-        "amplitude, half of that. If a is an amplitude (6) stands, and the column of Table 1 is half of the heights. "
-        "f is called a period, and is 0.1 Hz: a label.",
+        "amplitude, half of that. If a is an amplitude (6) stands, and the column of Table 1 is half of the heights: "
+        "which of the two is wrong cannot be decided. f is called a period, and is 0.1 Hz: a label.",
     )  # fmt: skip
 
 

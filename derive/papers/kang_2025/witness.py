@@ -64,6 +64,23 @@ class Conditions:
 
 ERRORS = ("velocity_error", "phi", "gyro_error", "dmu", "delay", "step")
 
+PARTS = {
+    "velocity_error": "the velocity error",
+    "phi": "the attitude error",
+    "gyro_error": "the gyro error",
+    "dmu": "the error of the misalignment",
+    "delay": "the delay",
+    "step": "the step",
+    "lever": "the lever arm",
+    "v_n": "the ship's velocity",
+}
+LEFT_OUT = {
+    **dict.fromkeys(
+        ("3", "4", "5"), "errors of the master, which reports exactly what it was, and bending of the hull"
+    ),
+    "6": "all waves but one",
+}
+
 DEGREE = math.pi / 180
 MIL = 360 / 6400 * DEGREE
 ROLL, WAVE_RATE, DELAY = 5 * DEGREE, 0.1, 0.01  # of a stated hull; Hz of Table 1; s, the longest of Table 2

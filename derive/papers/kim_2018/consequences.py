@@ -235,11 +235,17 @@ def printed_window(n: int, N: int) -> range:
 
 def _window() -> str:
     half, none = (len(printed_window(n, 100)) for n in (50, 100))
+    return (
+        f"with N = 100 the printed set has {half} samples at n = 50, so that T_w is halved, {none} from n = 100 on: "
+        "both statistics are 0 and the platform is at rest for ever"
+    )
+
+
+def _length() -> str:
     turning = [(0, 0, -10)] * 3  # deg/s
     sums = [sp.Rational(sum(sample[i] for sample in turning), 3) for i in range(3)]
     return (
-        f"with N = 100 the printed set has {half} samples at n = 50, so that T_w is halved, {none} from n = 100 on: "
-        "both statistics are 0 and the platform is at rest for ever; without a norm a turn of -10 deg/s about one axis "
+        "without a norm a turn of -10 deg/s about one axis "
         f"has components of at most {max(sums)} deg/s, below any threshold, where the derived T_w is "
         f"{paper.moving_mean(turning)} deg/s"
     )
@@ -254,5 +260,6 @@ _EVIDENCE: dict[str, Callable[[], str]] = {
     "20": lambda: _held(0.5, "solved for φ_u the printed product, I - 2 Φ̌, gives half of it"),
     "21": lambda: _held(0.5, "C_b2n for C_b2p leaves half of φ_u"),
     "29": _feedback,
-    "32": _window,
+    "32": _length,
+    "Ω_n": _window,
 }

@@ -1,6 +1,7 @@
 """The numbered equations as they are printed, each beside its derivation."""
 
 from functools import cache
+from unicodedata import normalize
 
 from sympy import Function, ImmutableMatrix, Matrix, Rational, S, StrictLessThan, Symbol, cos, eye, sin, symbols, tan
 from sympy.functions.elementary.complexes import transpose
@@ -19,6 +20,7 @@ from boresight.derive.ledger.equation import (
 )
 from boresight.derive.ledger.reader import read
 from boresight.derive.mechanics.rotation import skew
+from boresight.derive.papers.kim_2018.decided import DECIDED
 from boresight.derive.papers.kim_2018.printed import PRINTED, letters_of, quantities
 from boresight.derive.papers.kim_2018.results import quaternion_error
 
@@ -55,6 +57,8 @@ def equations() -> tuple[Equation, ...]:
         printed = read(latex, letters_of(str(number)))
         if as_vector:  # a matrix set equal to a vector is read as the vector of its skew-symmetric part
             printed = tuple(Relation((r.sides[0], vec(r.sides[1]), *r.sides[2:])) for r in printed)
+        more = {"unit": unit, **more, **DECIDED.get(str(number), {})}
+        more["introduces"] = tuple(letters[name] for name in more.get("introduces", ()))
         meant = {reading.printed: reading.meant for reading in readings}
         result.append(
             Equation(
@@ -66,7 +70,6 @@ def equations() -> tuple[Equation, ...]:
                 derived=tuple(r.replaced(meant) for r in printed) if derived is None else tuple(derived),
                 derivation=Derivation(tuple(Step(*step) for step in steps)),
                 readings=readings,
-                unit=unit,
                 quantities=quantities(),
                 **more,
             )
@@ -146,36 +149,15 @@ def equations() -> tuple[Equation, ...]:
     )
 
     # (4) to (6)  the measurement of the transfer alignment.
-    slave, master, master_error = s("v̂_SINS|v̂_MINS|Δv_MINS")
+    master, master_error = s("v̂_MINS|Δv_MINS")
     late = product(v_rate, delay)
     add(
         4,
-        [
-            Relation(
-                (
-                    one("Z_v"),
-                    total(slave, negative(master)),
-                    total(total(v, dv), negative(total(v, negative(late), master_error))),
-                    total(dv, late, one("ν_v")),
-                )
-            )
-        ],
-        [
-            (
-                "substitute",
-                (Relation((master, total(nc("v_old"), master_error))),),
-                "the master's velocity is as old as its attitude in (5)",
-            ),
-            (
-                "keep first order",
-                (Relation((nc("v_old"), total(v, negative(late)))),),
-                "in the delay; the noise is that of the master",
-            ),
-        ],
+        None,
+        [("define", (), "what the velocities differ by; ν_v is minus all by which the master's errs")],
         unit="m/s",
         leads_to=("6",),
-        note="The line leaves out the delay, for which (6) has a column. If the delay were part of Δv_MINS, (4) would "
-        "define it and stand, but then no column of the delay could stand in the first row of (6).",
+        note="(6) has a column for the delay: there ν_v is the master's own error, and (4) would leave out v̇ Δt.",
     )
     turned = one("C_r2n(k-δt)")
     hats = s("Ĉ_r2n|Ĉ_b2r|Ĉ_n2b")
@@ -239,10 +221,20 @@ def equations() -> tuple[Equation, ...]:
         ],
         [
             (
+                "substitute",
+                (Relation((master, total(nc("v_old"), master_error))),),
+                "the master's velocity is as old as its attitude in (5)",
+            ),
+            (
+                "keep first order",
+                (Relation((one("Z_v"), total(dv, late, one("ν_v")))),),
+                "in the delay, v_old = v - v̇ Δt; the noise is minus the master's own error",
+            ),
+            (
                 "collect",
                 (Relation((column(*s("Z_v|Z_dcm")), total(product(*s("H_X|X")), column(*s("ν_v|ν_dcm"))))),),
-                "(4) and (5), as derived, in the order of (1)",
-            )
+                "this and (5), as derived, in the order of (1)",
+            ),
         ],
         note="Four slips: a column is lost between I and C_r2n, so that the blocks do not fit; f stands where the "
         "acceleration over the ground belongs, which is without gravity and Coriolis; its sign, and that of d, which "
@@ -576,11 +568,14 @@ def equations() -> tuple[Equation, ...]:
     taken = [("define", (), "error = computed - true, so it is taken off")]
     add(
         27,
-        None,
+        [
+            Relation((one(name), total(letters[normalize("NFC", f"{name}\u0302")], negative(one(f"δ{name}")))))
+            for name in "lLh"
+        ],
         taken,
         defines=s("δl|δL|δh"),
-        readings=(Reading(one("δ"), one("δl"), "a dropped letter, as its two neighbours show"),),
         leads_to=("9",),
+        note="A letter is lost after δ; its two neighbours show it, and the text under (8) has it.",
     )
     add(28, None, taken, defines=s("δv_e|δv_n|δv_u"), leads_to=("9", "10"))
     q = s("q_0|q_1|q_2|q_3")
@@ -638,19 +633,21 @@ def equations() -> tuple[Equation, ...]:
         32,
         [
             Relation((one("T_w"), StrictLessThan(norm(product(1 / N, add_up(y_w))), one("γ_w"), evaluate=False))),
-            Relation((one("Ω_n"), samples(n, one("index"), n + N - 1))),
             third,
         ],
         [
             ("take the length", (), "a vector is not less than a number, and its components may be negative"),
-            (
-                "count",
-                (),
-                "N samples from the n-th on end at n + N - 1; the print has N - n of them, none from n = N on",
-            ),
         ],
         unit="rad/s",
-        note="w stands for ω, l for k: labels. At rest T_w is the Earth's rate and the bias, not zero.",
+        note="w stands for ω: a label. At rest T_w is the Earth's rate and the bias, not zero.",
+    )
+    add(
+        "Ω_n",
+        [Relation((one("Ω_n"), samples(n, one("index"), total(n, N, S.NegativeOne))))],
+        [("count", (), "N samples from the n-th on end at n + N - 1; the print has N - n, none from n = N on")],
+        defines=s("Ω_n"),
+        leads_to=("31", "32"),
+        note="N samples are meant, for (31) and (32) divide by N. The index is k there and l here: a label.",
     )
     return tuple(result)
 

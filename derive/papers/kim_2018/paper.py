@@ -5,11 +5,13 @@ from boresight.derive.papers.kim_2018.consequences import evidence, findings
 from boresight.derive.papers.kim_2018.derived import equations
 from boresight.derive.papers.kim_2018.letters import STRUCTURE, letters
 from boresight.derive.papers.kim_2018.maps import MAPS, UNFLOWN
-from boresight.derive.papers.kim_2018.printed import quantities
+from boresight.derive.papers.kim_2018.printed import letters_of, quantities
 from boresight.derive.papers.kim_2018.witness import (
     CONDITIONS,
     CONDITIONS_TEXT,
     ERRORS,
+    LEFT_OUT,
+    PARTS,
     STATED,
     STATED_TEXT,
     Base,
@@ -23,11 +25,12 @@ PAPER = Paper(
     "Algorithm, 2018",
     make_equations=equations,
     quantities=quantities,
-    witness=Witness(Base, values, Conditions(), ERRORS, "finite errors"),
+    witness=Witness(Base, values, Conditions(), ERRORS, "finite errors", PARTS, LEFT_OUT),
     conditions=Stated(CONDITIONS, CONDITIONS_TEXT, 4),
     point=Stated(STATED, STATED_TEXT),
     evidence=evidence,
     findings=findings,
+    letters_of=letters_of,
     conventions=(
         "n is east, north, up; b is right, front, up; p is the computed n, r the axes of the master.",
         "From (8) on φ is the attitude error: the computed attitude is C_b2p = (I - [φ x]) C_b2n.",

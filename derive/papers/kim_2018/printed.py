@@ -1,5 +1,5 @@
 # ruff: noqa: E501  verbatim displays are not wrapped
-"""The 32 equations of Kim 2018, verbatim, and the letters in which they are written.
+"""The 32 equations of Kim 2018 and one without a number, verbatim, and the letters in which they are written.
 
 (21), which the text under it cites, is the last row of the block that is tagged (20).
 """
@@ -179,14 +179,13 @@ PRINTED: dict[str, tuple[tuple[int, int], tuple[str, ...]]] = {
         (202, 204),
         (
             r"T_w = \frac{1}{N} \sum_{k \in \Omega_n} y_k^w < \gamma_w",
-            r"\Omega_n = \{n \leq l \leq N-1\}",
             r"\bar{y}_n^a = \frac{1}{N} \sum_{k \in \Omega_n} y_k^a",
         ),
     ),
+    "Ω_n": ((204, 204), (r"\Omega_n = \{n \leq l \leq N-1\}",)),
 }
 
 # The text between the equations: line, and what it says.
-WINDOW = (204, r"\Omega_n = \{n \leq l \leq N-1\}")
 DETECTORS = (198, "각속도 이동평균값과 각속도의 이동표준편차")  # the moving mean of the rate and its moving deviation
 CITED = ("21",)  # numbers that the text cites and no display is tagged with
 
@@ -206,7 +205,7 @@ MEANT = {
     "26": ("I_15x15",),
     "29": ("Q_b2n",),
     "30": ("ν_y",),
-    "32": ("index",),
+    "Ω_n": ("index",),
 }
 # Other spellings of a letter.
 SPELLINGS = {

@@ -14,7 +14,7 @@ from unicodedata import normalize
 from boresight.derive.ledger import ellipsoid, navigation
 from boresight.derive.ledger.ellipsoid import WORKING
 from boresight.derive.ledger.equation import Relation
-from boresight.derive.ledger.evaluate import solve
+from boresight.derive.ledger.evaluate import Point, evaluate, solve
 from boresight.derive.ledger.navigation import Truth, stack
 from boresight.derive.ledger.numbers import Matrix, cos, digits, exact, eye, norm, sqrt, zeros
 from boresight.derive.ledger.witness import (
@@ -86,6 +86,28 @@ ERRORS = (
     "position_error", "velocity_error", "phi", "gyro_bias", "accel_bias", "gyro_noise", "accel_noise",
     "theta", "delay", "master_velocity_error", "master_attitude_error", "step",
 )  # fmt: skip
+
+PARTS = {
+    "position_error": "the position error",
+    "velocity_error": "the velocity error",
+    "phi": "the attitude error",
+    "gyro_bias": "the gyro bias",
+    "accel_bias": "the accelerometer bias",
+    "gyro_noise": "the gyros' noise",
+    "accel_noise": "the accelerometers' noise",
+    "theta": "the error of the mounting",
+    "delay": "the delay",
+    "master_velocity_error": "the master's velocity error",
+    "master_attitude_error": "the master's attitude error",
+    "step": "the step",
+}
+LEFT_OUT = {
+    **dict.fromkeys(("2", "3"), "errors of the sensors, of the position and of gravity"),
+    **dict.fromkeys(("4", "5", "6"), "bending between master and slave, and all of the delay but a constant one"),
+    **dict.fromkeys(("7", "10", "11"), "errors of the sensors but bias and white noise"),
+    **dict.fromkeys(("13", "14"), "changes of F during the step"),
+    **dict.fromkeys(("18", "19", "20", "21", "22", "29"), "the error of the attitude that the alignment left"),
+}
 
 DEGREE, HOUR, G = math.pi / 180, 3600.0, 9.80665
 MILE = 1852.0
@@ -209,7 +231,6 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         **{q.symbol.name: zeros(*q.shape) for q in quantities() if q.kind == "block"},
         "I": eye(3), "I_3x3": eye(3), "I_15x15": eye(15),
         "N": exact(WINDOW_OF), "n": exact(WINDOW_AT), "index": exact(0),
-        "Ω_n": _between(WINDOW_AT, 0, WINDOW_AT + WINDOW_OF - 1),
         "θ̇": zeros(3, 1), "Δṫ": exact(0), "ΔT": base.step[0], "Δt": base.delay[0],
         "norm": norm, "samples": _between, "vee": _vee,
         "entry": lambda M, i, j: M[int(i) - 1, int(j) - 1],
@@ -248,6 +269,7 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         ("δl|δL|δh", defined("27", δl=1, δL=1, δh=1)),
         ("δv_e|δv_n|δv_u", defined("28", δv_e=1, δv_n=1, δv_u=1)),
         ("y_k|s_k|ν_y", defined("30", y_k=6, s_k=6, ν_y=6)),
+        ("Ω_n", lambda a: [evaluate(definitions["Ω_n"][0].sides[1], Point(a))]),
         ("y_a|y_w", lambda a: [a["y_k"][0:3, 0], a["y_k"][3:6, 0]]),
         ("ν_a|ν_w", lambda a: _noise(base, NOW)),
         ("T_a|T_w|ȳ_a|γ_a|γ_w", lambda a: _detector(base)),

@@ -6,7 +6,7 @@ from unicodedata import normalize
 from sympy import ImmutableMatrix, Matrix, eye
 from sympy.simplify.fu import TR2i
 
-from boresight.derive.ledger.equation import Equation, Reading, total
+from boresight.derive.ledger.equation import Equation, Meaning, Reading, total
 from boresight.derive.ledger.lines import (
     EXACT_LINE,
     IDENTITY,
@@ -162,6 +162,18 @@ def _dropped_hat(name: str, why: str) -> Reading:
     return Reading(known[name], known[normalize("NFC", hat)], f"{why}: a dropped hat")
 
 
+ERROR_OF_MU = Meaning(
+    (
+        ("δμ is μ̂ - μ", ()),
+        (
+            "δμ is μ - μ̂",
+            (("δμ(k)", r"-\delta\mu^r(k)"), *((f"δμ_{axis}", rf"-\delta\mu_{axis}") for axis in "xyz")),
+        ),
+    ),
+    said="line 126",
+)
+
+
 def _row(i: int, word: str) -> Derived:
     letter, name = TRUE[i - 1], "φθψ"[i - 1]
     measured = rf"{HAT_B[i - 1]} - {HAT_R[i - 1]} - {GAP_HAT[i - 1]}"
@@ -187,7 +199,7 @@ WRITTEN: dict[str, Derived] = {
              "the computer takes the axes n', turned from n by ε, for n: this says what n' is"),
         line(r"C_b^{n'} = C_n^{n'} C_b^n", EXACT_LINE, "components pass from b to n and from n to n'"),
         line(rf"{COMPUTED} = C_n^{{n'}} C_b^n", EXACT_LINE, "C_b2n' stands in both", chain("1", "2"), result=True),
-        unit="1", leads_to=("5", "6"),
+        unit="1", leads_to=("5", "6"), introduces=("C_n2n'",),
     ),
     # The left side to first order in the errors of the angles.
     "5": derived(
@@ -286,20 +298,25 @@ WRITTEN: dict[str, Derived] = {
              FIRST, "with (6)", chain("1", "4", "7", "(6)"), result=True),
         unit="1", leads_to=("11",), small=("euler_error",),
     ),
-    # B = -C_n^b E C_b^n, and C_n^b [eps x] C_b^n = [(C_n^b eps) x].
-    "11": derived(
+    # (10) with skew matrices; the text has it between (10) and (11).
+    "B": derived(
         line(r"C_b^n (I + B) = (I - E) C_b^n", FIRST, "two sides of (10)", chain("(10)")),
         line(r"C_b^n B = -E C_b^n", FIRST, "C_b2n stands on both sides", add("-C_b^n")),
-        line(r"B = -C_n^b E C_b^n", FIRST, "from the left with C_n2b", multiply(left="C_n^b")),
+        line(r"B = -C_n^b E C_b^n", FIRST, "from the left with C_n2b; with finite rotations it is exact, see (11)",
+             multiply(left="C_n^b"), result=True),
+        unit="1", leads_to=("11",),
+    ),
+    # C_n^b [eps x] C_b^n = [(C_n^b eps) x].
+    "11": derived(
         line(r"C_n^b E C_b^n = [(C_n^b \epsilon^n) \times]", IDENTITY,
              "a turned skew matrix is the skew matrix of the turned vector"),
         line(r"[\beta^b \times] = -[(C_n^b \epsilon^n) \times]", FIRST, "so the sides are skew",
-             multiply_out("4", of="3")),
+             multiply_out("1", of="(B)")),
         line(r"C_b^n \exp(B) = \exp(-E) C_b^n", EXACT_LINE,
              "with finite rotations it is exact: (10) before it was cut"),
         line(r"\exp(B) = C_n^b \exp(-E) C_b^n", EXACT_LINE, "from the left with C_n2b", multiply(left="C_n^b")),
         line(r"\exp(B) = \exp(-C_n^b E C_b^n)", EXACT_LINE, "a turned rotation is the rotation by the turned vector",
-             multiply_out("4")),
+             multiply_out("1")),
         line(r"\beta^b = -C_n^b \epsilon^n", EXACT_LINE, "of rotations their vectors", take_rotation_vector(),
              result=True),
         unit="rad", leads_to=("12",),
@@ -418,6 +435,10 @@ WRITTEN: dict[str, Derived] = {
         line(rf"\flown{{H}} = {STATES_MEASURED}", IDENTITY, "and these are its blocks, by the turns and their axes"),
         unit="rad", leads_to=("26", "27", "28"),
     ),
+    "δμ": derived(
+        prose("the estimate less the true misalignment: error = computed - true"),
+        defines=("δμ_x", "δμ_y", "δμ_z"), leads_to=("19", "25"),
+    ),
     # The exact kinematics of the true and of the computed attitude, subtracted.
     "20": derived(
         line(r"\dot{C}_b^n = C_b^n [\omega_{ib}^b \times] - \Omega_{in}^n C_b^n", EXACT_LINE,
@@ -518,9 +539,9 @@ WRITTEN: dict[str, Derived] = {
         line(r"\hat{\mu}^r(k^+) = \flown{corrected_mu}", EXACT_LINE,
              "the true misalignment is the estimate less its error", add(r"\mu^r(k^-)"), result=True),
         unit="rad",
+        meanings=(ERROR_OF_MU,),
         readings=tuple(_dropped_hat(name, "the text says that the estimate is renewed") for name in ("μ(k+)", "μ(k-)")),
-        note="The sign of δμ is wrong, for the true misalignment is the estimate less its error. Reading δμ as μ - μ̂ "
-        "would save this sign and refute (19), with which the text's definition agrees.",
+        note="The sign of δμ is wrong, for the true misalignment is the estimate less its error.",
     ),
     "26": _row(1, "roll"),
     "27": _row(2, "pitch"),

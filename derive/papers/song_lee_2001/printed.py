@@ -1,5 +1,5 @@
 # ruff: noqa: E501  verbatim displays are not wrapped
-"""The 28 numbered equations of Song and Lee 2001, verbatim, and the letters in which they are written."""
+"""The 28 numbered equations of Song and Lee 2001 and two without a number, verbatim, and the letters in which they are written."""
 
 from functools import cache
 from unicodedata import normalize
@@ -40,6 +40,7 @@ PRINTED: dict[str, tuple[tuple[int, int], tuple[str, ...]]] = {
             r"\begin{aligned} \hat{C}_b^{b'} &\equiv C_b^{b'} = C_b^{b'} C_b^b = C_b^{n'}(I+B) \\ &\equiv C_b^{n'} = C_n^{n'} C_b^n = (I-E)C_b^n \end{aligned}",
         ),
     ),
+    "B": ((80, 80), (r"B = -C_n^{n'} E C_b^n",)),
     "11": ((82, 82), (r"\beta^b = -C_n^{n'} \epsilon^n",)),
     "12": (
         (86, 86),
@@ -89,6 +90,14 @@ PRINTED: dict[str, tuple[tuple[int, int], tuple[str, ...]]] = {
             r"Z = \begin{bmatrix} -\cos\psi_b/\cos\theta_b & -\sin\psi_b/\cos\theta_b & 0 \\ \sin\psi_b & -\cos\psi_b & 0 \\ -\tan\theta_b \cos\psi_b & -\tan\theta_b \sin\psi_b & -1 \end{bmatrix} \begin{bmatrix} \varepsilon_n \\ \varepsilon_e \\ \varepsilon_d \end{bmatrix} - \begin{bmatrix} 1 & \sin\phi_r \tan\theta_r & \cos\phi_r \tan\theta_r \\ 0 & \cos\phi_r & -\sin\phi_r \\ 0 & \sin\phi_r/\cos\theta_r & \cos\phi_r/\cos\theta_r \end{bmatrix} \begin{bmatrix} \delta\mu_x \\ \delta\mu_y \\ \delta\mu_z \end{bmatrix} - \begin{bmatrix} \delta\phi_r \\ \delta\theta_r \\ \delta\psi_r \end{bmatrix}",
         ),
     ),
+    "δμ": (
+        (126, 126),
+        (
+            r"\delta\mu_x = \hat{\mu}_x - \mu_x",
+            r"\delta\mu_y = \hat{\mu}_y - \mu_y",
+            r"\delta\mu_z = \hat{\mu}_z - \mu_z",
+        ),
+    ),
     "20": ((134, 134), (r"\dot{\varepsilon}^n = -\Omega_{in}^n \varepsilon^n - C_b^n \delta\omega^b",)),
     "21": ((138, 138), (r"\delta\dot{\mu}^r = 0",)),
     "22": (
@@ -129,9 +138,6 @@ PRINTED: dict[str, tuple[tuple[int, int], tuple[str, ...]]] = {
         ),
     ),
 }
-
-# The formula of the text between (10) and (11), line 80.
-PROSE_FORMULA = (80, r"B = -C_n^{n'} E C_b^n")
 
 # Table 1, lines 210 to 216: a row for each set of matched angles, a column for each motion, both in the order of AXES;
 # o: estimable, X: not, for the errors about n, e, d.

@@ -52,6 +52,18 @@ class Conditions:
 
 ERRORS = ("euler_error", "master_error", "mu", "mu_error", "gyro_error")
 
+PARTS = {
+    "euler_error": "the slave's attitude error",
+    "master_error": "the master's attitude error",
+    "mu": "the misalignment",
+    "mu_error": "the error of its estimate",
+    "gyro_error": "the gyro error",
+}
+LEFT_OUT = {
+    "20": "the error of ω_in_n, which errors of velocity and position make",
+    "21": "bending: the mounting is rigid",
+}
+
 DEGREE = pi / 180
 # The paper's simulation: motion and misalignment of 3 degrees on each axis, the slave's attitude taken from the master,
 # master noise of 1 arcmin, gyros of 1 deg/h; Earth rate.
@@ -91,7 +103,12 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> dict:
     Raises ValueError, KeyError or ZeroDivisionError where a definition does not define.
     """
     found = dict(_attitudes(base, tuple(definitions[number] for number in ("1", "2", "3"))))
-    for number, unknown in (("14", {"Δφ": 1, "Δθ": 1, "Δψ": 1}), ("16", {"Z": 3}), ("22", {"X": 6})):
+    for number, unknown in (
+        ("14", {"Δφ": 1, "Δθ": 1, "Δψ": 1}),
+        ("δμ", {"δμ_x": 1, "δμ_y": 1, "δμ_z": 1}),
+        ("16", {"Z": 3}),
+        ("22", {"X": 6}),
+    ):
         found |= solve(definitions[number], unknown, found)
     found |= {f"X_{i + 1}": found["X"][i] for i in range(6)}
     found |= {f"Z_{word}": found["Z"][i] for i, word in enumerate(("roll", "pitch", "yaw"))}
@@ -169,7 +186,6 @@ def _attitudes(base: Base, definitions: tuple[tuple[Relation, ...], ...]) -> dic
     put("β_x β_y β_z", beta)
     put("μ_x μ_y μ_z", mu)
     put("μ̂_x μ̂_y μ̂_z", mu_hat)
-    put("δμ_x δμ_y δμ_z", base.mu_error)
     put("Δφ̂ Δθ̂ Δψ̂", angles(C_r * finite_rotation(mu_hat)) - Matrix(base.euler_r))
 
     # (20), (21)  rates, along the exact motion of n and b; the mounting is rigid.
