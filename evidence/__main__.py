@@ -3,26 +3,27 @@
 import multiprocessing
 import sys
 from concurrent.futures import ProcessPoolExecutor, as_completed
+from itertools import product
 
 from boresight.evidence import results
-from boresight.evidence.kinds import KINDS, make, out_of_date
-from boresight.evidence.sources import folders
+from boresight.evidence.kinds import KINDS, PAPER_KINDS, Kind, make, out_of_date
+from boresight.evidence.sources import Derivations, Folder, derivations, folders
 from boresight.evidence.table import PAGE, page
 
 JOBS = 2
 
 
 def main() -> int:
-    """Everything, or the folders named on the command line."""
+    """Everything, or the folders and papers named on the command line."""
     named = sys.argv[1:]
     for kind in KINDS:
         if kind.missing:
             print(f"{kind.name}: skipped, {kind.missing}")
+    pairs: list[tuple[Kind, Folder | Derivations]] = [*product(KINDS, folders()), *product(PAPER_KINDS, derivations())]
     with ProcessPoolExecutor(JOBS, mp_context=multiprocessing.get_context("spawn")) as pool:
         running = {
             pool.submit(make, folder, kind.name): (folder, kind)
-            for kind in KINDS
-            for folder in folders()
+            for kind, folder in pairs
             if not kind.missing and (not named or folder.name in named) and out_of_date(folder, kind)
         }
         failed = 0

@@ -19,7 +19,8 @@ from boresight.evidence.misra import version as misra_version
 from boresight.evidence.mutants import mutants
 from boresight.evidence.riscv import riscv
 from boresight.evidence.rounding import rounding
-from boresight.evidence.sources import Folder
+from boresight.evidence.sources import Derivations, Folder
+from boresight.evidence.spoilt import spoilt
 from boresight.evidence.targets import CLANG, GCC, M4F, RV32
 from boresight.evidence.trace import trace
 
@@ -28,10 +29,13 @@ UNITS = dict[str, dict[str, Any]]
 
 @dataclass(frozen=True)
 class Kind:
-    """One kind of evidence: tools names the version that its results hang on; missing says why it cannot be made."""
+    """One kind of evidence, of generated folders or of papers.
+
+    tools names the version that its results hang on; missing says why it cannot be made.
+    """
 
     name: str
-    make: Callable[[Folder, Path], UNITS]
+    make: Callable[[Any, Path], UNITS]
     missing: str
     tools: Callable[[], str]
 
@@ -47,15 +51,18 @@ KINDS = (
     Kind("eva", eva, EVA_MISSING, eva_version),
 )
 
+# Of papers, not of generated folders.
+PAPER_KINDS = (Kind("shown", spoilt, "", lambda: ""),)
 
-def out_of_date(folder: Folder, kind: Kind) -> bool:
+
+def out_of_date(folder: Folder | Derivations, kind: Kind) -> bool:
     before = results.read(folder).get(kind.name, {})
     return bool(before.get("sources") != results.sources_hash(folder) or before.get("tools") != kind.tools())
 
 
-def make(folder: Folder, name: str) -> tuple[UNITS, float]:
-    """One kind of evidence of one folder, and the processor time that it took, with the compilers and tools."""
-    kind = next(kind for kind in KINDS if kind.name == name)
+def make(folder: Folder | Derivations, name: str) -> tuple[UNITS, float]:
+    """One kind of evidence of one folder or paper, and the processor time that it took, with compilers and tools."""
+    kind = next(kind for kind in (*KINDS, *PAPER_KINDS) if kind.name == name)
     start = sum(os.times()[:4])
     with tempfile.TemporaryDirectory() as out:
         units = kind.make(folder, Path(out))

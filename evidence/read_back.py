@@ -8,8 +8,9 @@ in derive/ledger: a letter is known by its own spelling, the paper's LaTeX of it
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache, reduce
+from functools import cache, lru_cache, reduce
 from html.parser import HTMLParser
+from itertools import takewhile
 from typing import Any
 from unicodedata import combining, lookup, normalize
 
@@ -42,7 +43,7 @@ SIGNS = {
 PLAIN = set("()[]‖{}")  # fences that \left and \right may set
 
 
-@cache
+@lru_cache(10_000)
 def latex_tokens(latex: str) -> Row:
     """The row of tokens of one formula."""
     found = re.findall(r"\\[A-Za-z]+|\\.|\s+|.", latex, re.DOTALL)
@@ -146,11 +147,19 @@ class _Latex:
 def _digits_joined(tokens: Iterable[Token]) -> Row:
     result: list[Token] = []
     for kind, what in tokens:
+        if kind in ("up", "down") and kind in _scripts(result):
+            raise RefusedError("two scripts at one place")
         if kind == "number" and result and result[-1][0] == "number":
             result[-1] = ("number", result[-1][1] + what)
         else:
             result.append((kind, what))
     return tuple(_scripts_in_order(result))
+
+
+def _scripts(tokens: list[Token]) -> list[str]:
+    """The kinds of the scripts that the last sign has so far."""
+    kinds = [kind for kind, _ in tokens]
+    return list(takewhile(("up", "down").__contains__, reversed(kinds)))
 
 
 def _scripts_in_order(tokens: list[Token]) -> list[Token]:
@@ -339,13 +348,21 @@ def _named(row: Row) -> bool:
 Line = list[Any]  # of columns: a character with its hats and dots, or a matrix as rows of cells, each a Line
 
 
-@cache
 def text_tokens(text: str, names: tuple[str, ...]) -> Row:
     """names: of the letters, as text shows them."""
     line: Line = []
     for block in _blocks([_clusters(row) for row in text.splitlines()]):
         line += [*([" "] if line else []), *_level(block)]
-    return _text_row(line, sorted(names, key=len, reverse=True))
+    return _text_row(line, _by_first(names))
+
+
+@cache
+def _by_first(names: tuple[str, ...]) -> dict[str, list[str]]:
+    """The names that begin with a letter, the longest first."""
+    found: dict[str, list[str]] = {}
+    for name in sorted(names, key=len, reverse=True):
+        found.setdefault(name[0], []).append(name)
+    return found
 
 
 def _clusters(row: str) -> list[str]:
@@ -418,7 +435,8 @@ def _cells(columns: Line) -> list[Line]:
     return cells
 
 
-def _text_row(line: Line, names: list[str]) -> Row:
+def _text_row(line: Line, names: dict[str, list[str]]) -> Row:
+    line = [column for column in line if column not in ("›", "‹")]  # marks
     tokens: list[Token] = []
     at = 0
     while at < len(line):
@@ -449,9 +467,9 @@ def _row_matrix(columns: Line) -> int:
     return 0
 
 
-def _text_token(rest: str, names: list[str]) -> tuple[str, Token | None]:
+def _text_token(rest: str, names: dict[str, list[str]]) -> tuple[str, Token | None]:
     """The text of the next token and the token, which is None for a space."""
-    for name in names:
+    for name in names.get(rest[0], ()):
         if rest.startswith(name) and not re.match(rf"(?!_\{{)[\w']|{HATS}", rest[len(name) :]):
             return name, ("letter", name)
     for pattern, kind in TEXT.items():
@@ -462,10 +480,10 @@ def _text_token(rest: str, names: list[str]) -> tuple[str, Token | None]:
 
 HATS = "[\u0300-\u036f]"
 TEXT = {
-    r" |›|‹": "",
-    r"\^(?:(T)|(∨)|(-)?([0-9]+)(?![0-9./])|\((-)?([0-9]+)/([0-9]+)\))": "up",
+    r" ": "",
+    r"\^(?:(T)|(∨)|(-)?([0-9]+)|\((-)?([0-9]+)/([0-9]+)\))": "up",
     r"_\{([0-9]+),([0-9]+)\}": "down",
-    r"Σ(?= )": "sum",
+    r"Σ_\{([^{}]+)\}(?= )": "sum",
     r"[0-9]+(?!\w)": "number",
     r"(?:arc)?(?:sin|cos|tan)(?=\()|exp(?=\()": "named",
     r"√(?=\()": "named",
@@ -484,13 +502,19 @@ def _text_meaning(kind: str, match: re.Match[str]) -> Token | None:
         minus, whole, minus_of, above, below = number
         over = (("sign", "/"), ("number", below)) if below else ()
         return "up", (*((("sign", "-"),) if minus or minus_of else ()), ("number", whole or above), *over)
+    if kind == "sum":
+        letters = re.findall("_?[^_]|_", match[1])
+        return "sum", tuple(("down", (("glyph", c[1:]),)) if c[0] == "_" else _sum_sign(c) for c in letters)
     if kind == "down":
         return "down", (("number", match[1]), ("sign", ","), ("number", match[2]))
     return {
-        "sum": ("sum", ()),
         "upright": ("upright", (("glyph", "E"),)),
         "sign": ("sign", "*" if match[0] == "⋅" else match[0]),
     }.get(kind, (kind, match[0]))
+
+
+def _sum_sign(letter: str) -> Token:
+    return ("glyph", letter) if letter.isalpha() else ("sign", letter)
 
 
 # ---- How a letter is spelled -----------------------------------------------------------------------------------------
@@ -557,6 +581,7 @@ class Spelling:
     letters: Mapping[Row, tuple[str, ...]]
     functions: Mapping[Row, str]
     text: Mapping[str, str]
+    samples: Row | None = None  # the index of a sum
 
     @property
     def longest(self) -> int:
@@ -570,8 +595,10 @@ def spelling(names: Iterable[str], functions: Iterable[str], latex: Mapping[str,
     for name in names:
         row = _letter_tokens(name, latex)
         letters[row] = (*letters.get(row, ()), name)
+    sums = [row for name in latex if name == "Σ(" for row in latex_tokens(latex[name])]
     heads = {latex_tokens(latex[f + "("]) if f + "(" in latex else name_tokens(f): f for f in functions}
-    return Spelling(letters, heads, {text_name(name): name for name in (*names, *functions)})
+    text = {text_name(name): name for name in (*names, *functions)}
+    return Spelling(letters, heads, text, sums[0][1] if sums else None)
 
 
 def _letter_tokens(name: str, latex: Mapping[str, str]) -> Row:
@@ -608,9 +635,11 @@ class Formula:
         """meant: the names that are taken where a spelling has several."""
         self.row, self.spelled, self.values, self.meant = row, spelled, values, meant
         self.at = 0
+        self.matrices: list = []  # the values of those that are written out, so that no 0 hides an entry
 
-    def whole(self, row: Row, rule: Callable[["Formula"], Any]) -> Any:
+    def inside(self, row: Row, rule: Callable[["Formula"], Any]) -> Any:
         inner = Formula(row, self.spelled, self.values, self.meant)
+        inner.matrices = self.matrices
         value = rule(inner)
         inner.end()
         return value
@@ -644,12 +673,20 @@ class Formula:
         return Broken("<", (value, self.sum())) if self.take("<") else value
 
     def sum(self) -> Any:
-        value = self.product() if not self.take("-") else times(-1, self.product())
+        value = self.subtracted() if self.take("-") else self.product()
         while self.ahead("+", "-"):
-            sign = 1 if self.take("+") else -1
-            self.take("-")
-            value = plus(value, times(sign, self.product()))
+            if self.take("+"):
+                value = plus(value, self.product())
+            else:
+                self.need("-")
+                value = plus(value, self.subtracted())
         return value
+
+    def subtracted(self) -> Any:
+        """The negative of the product that follows a minus, which is not 0."""
+        if self.row[self.at : self.at + 1] == (("number", "0"),):
+            raise RefusedError("-0 is no number")
+        return times(-1, self.product())
 
     def product(self) -> Any:
         value = self.factor()
@@ -717,17 +754,18 @@ class Formula:
                 raise RefusedError(f"{what} is no number")
             return int(what)
         if kind == "fraction":
-            return divided(self.whole(what[0], Formula.sum), self.whole(what[1], Formula.sum))
+            return divided(self.inside(what[0], Formula.sum), self.inside(what[1], Formula.sum))
         if kind == "root":
-            return root(self.whole(what, Formula.sum))
+            return root(whole(self.inside(what, Formula.sum)))
         if kind == "named":
             return self.elementary(what)
         if kind == "upright" and what == (("glyph", "E"),):
             return self.expectation()
         if kind == "table":
-            return assembled([[self.whole(cell, Formula.sum) for cell in row] for row in what])
+            self.matrices.append(assembled([[self.inside(cell, Formula.sum) for cell in row] for row in what]))
+            return self.matrices[-1]
         if kind == "sum":
-            return self.over_samples()
+            return self.over_samples(what)
         if kind == "sign":
             return self.fenced(what)
         raise RefusedError(f"{kind} {what} is no formula")
@@ -790,11 +828,12 @@ class Formula:
             value = self.sum()
             self.need(")")
         else:
-            found = self.letter() if self.at < len(self.row) else None
+            bare = self.at < len(self.row) and self.row[self.at][0] in ("glyph", "accent")
+            found = self.letter() if bare else None
             if found is None:
                 raise RefusedError(f"{name} of nothing")
             value = self.values.letters[found]
-        value = FUNCTIONS[name](value)
+        value = FUNCTIONS[name](whole(value))
         return value if power is None else raised(value, power)
 
     def expectation(self) -> Any:
@@ -817,7 +856,9 @@ class Formula:
         self.values = given
         return result
 
-    def over_samples(self) -> Any:
+    def over_samples(self, index: Row) -> Any:
+        if index != self.spelled.samples:
+            raise RefusedError("the index of a sum is unknown")
         start, given, parts = self.at, self.values, []
         for sample in given.samples:
             self.at, self.values = start, given.changed(sample)
@@ -833,7 +874,7 @@ class Formula:
         if sign == "‖":
             value = self.sum()
             self.need("‖")
-            return norm(value)
+            return norm(whole(value))
         if sign == "[":
             value = turning(self.product())
             self.need("×")
@@ -884,6 +925,13 @@ def times(a: Any, b: Any) -> Any:
     return quaternion(a, b) if shape(a) == shape(b) == (4, 1) else a * b
 
 
+def whole(value: Any) -> Any:
+    """The value, which must be one."""
+    if _broken(value):
+        raise RefusedError("it has no value")
+    return number(value)
+
+
 def _chained(a: Matrix, b: Matrix) -> bool:
     return a.cols == b.rows or shape(a) == shape(b) == (4, 1)
 
@@ -896,6 +944,8 @@ def divided(a: Any, b: Any) -> Any:
     b = number(b)
     if isinstance(b, Matrix) or _broken(a, b):
         raise RefusedError("divided by a matrix")
+    if arb(b).contains(0):
+        raise RefusedError("divided by 0")
     return exact(a) / exact(b)
 
 
@@ -904,9 +954,9 @@ def exact(value: Any) -> Any:
 
 
 def root(value: Any) -> Any:
-    if isinstance(number(value), Matrix | Broken):
+    if isinstance(value, Matrix):
         raise RefusedError("the root of a matrix")
-    return sqrt(number(value))
+    return sqrt(value)
 
 
 def quaternion(p: Matrix, q: Matrix) -> Matrix:
@@ -924,9 +974,7 @@ def turning(value: Any) -> Matrix:
 
 
 def raised(value: Any, power: Any) -> Any:
-    value = number(value)
-    if _broken(value):
-        raise RefusedError("a power of what has no value")
+    value = whole(value)
     if power in ("T", "∨"):
         if not isinstance(value, Matrix) or (power == "∨" and shape(value) != (3, 3)):
             raise RefusedError(f"{power} of a number")
@@ -946,7 +994,7 @@ def raised(value: Any, power: Any) -> Any:
 
 def assembled(rows: list[list]) -> Any:
     """A matrix of numbers or of blocks, of which a 0 has any shape."""
-    if len({len(row) for row in rows}) > 1:
+    if len({len(row) for row in rows}) != 1 or not rows[0]:
         raise RefusedError("the rows of a matrix are not equally long")
     if any(_broken(*row) for row in rows):
         raise RefusedError("an entry has no value")
@@ -993,4 +1041,9 @@ def equal(a: Any, b: Any) -> bool:
     if shape(a) != shape(b):
         return False
     pairs = zip(a, b, strict=True) if isinstance(a, Matrix) else [(a, b)]
-    return all(arb(x).overlaps(arb(y)) for x, y in pairs)
+    return all(_same(arb(x), arb(y)) for x, y in pairs)
+
+
+def _same(x: arb, y: arb) -> bool:
+    """Whether they agree to 12 digits at least; a ball that is too wide to tell does not."""
+    return bool(x.overlaps(y) and (x - y).rad() < 1e-12 * (1 + abs(y.mid())))

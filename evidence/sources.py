@@ -7,6 +7,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from boresight.derive.papers import PAPERS
 from boresight.runtime.manifest import GENERATED, read_manifest
 
 LIBM = re.compile(r"BS_(SIN|COS|ATAN2)\(")
@@ -36,9 +37,27 @@ class Folder:
         """Of the files that the manifest lists, those below this folder whose path matches."""
         return [self.path / name for name in sorted(self.manifest["files"]) if Path(name).match(pattern)]
 
+    @property
+    def sources(self) -> list[Path]:
+        """What its results depend on."""
+        return self.files("src/*") + self.files("include/*") + self.files("selftest/*")
+
     @cached_property
     def units(self) -> list["Source"]:
         return [Source(self, path) for path in self.files("src/*.c")]
+
+
+@dataclass(frozen=True)
+class Derivations:
+    """One paper: its equations, their derivations, and how they are shown."""
+
+    name: str
+
+    @property
+    def sources(self) -> list[Path]:
+        """What its results depend on: all that derives and shows, and what reads it back."""
+        root = Path(__file__).resolve().parent
+        return [*sorted((root.parent / "derive").rglob("*.py")), root / "read_back.py", root / "spoilt.py"]
 
 
 @dataclass(frozen=True)
@@ -97,6 +116,10 @@ class Source:
     def calls_libm(self) -> bool:
         """Whether a function of the target's library takes part that need not be correctly rounded."""
         return any(LIBM.search(path.read_text()) for path in self.text if path.name != "boresight.h")
+
+
+def derivations() -> list[Derivations]:
+    return [Derivations(name) for name in PAPERS]
 
 
 def folders() -> list[Folder]:

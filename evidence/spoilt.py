@@ -1,10 +1,14 @@
 """Formulas as they are shown against what was judged, at free random numbers; and every single change of a formula."""
 
 import random
-from collections.abc import Callable, Iterable, Iterator, Mapping
+import re
+from collections import Counter
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property, reduce
+from functools import cache, cached_property, reduce
+from html import escape
 from itertools import pairwise, product
+from pathlib import Path
 from typing import Any
 
 from flint import arb
@@ -22,6 +26,7 @@ from boresight.derive.papers import PAPERS, paper
 from boresight.evidence.read_back import (
     Broken,
     Formula,
+    Node,
     RefusedError,
     Row,
     Spelling,
@@ -29,11 +34,13 @@ from boresight.evidence.read_back import (
     equal,
     latex_tokens,
     mathml_tokens,
+    parsed,
     plus,
     spelling,
     text_tokens,
     times,
 )
+from boresight.evidence.sources import Derivations
 
 DIGITS = 30
 WRITERS: dict[str, Callable[..., str]] = {"latex": latex_relation, "mathml": mathml_relation, "text": text_relation}
@@ -66,8 +73,8 @@ class Shown:
         return spelling(dict.fromkeys([*names, *self.symbols]), self.heads.keys() - {"samples"}, latex)
 
     @cached_property
-    def judged(self) -> tuple[list, Values]:
-        """The values of the sides, and the free values of the letters at which they were computed."""
+    def judged(self) -> tuple[list, list, Values]:
+        """The values of the sides, those of the matrices in them, and the free values at which they were computed."""
         shapes: dict[str, tuple[int, ...]] = {q.symbol.name: q.shape for q in self.quantities if not q.function}
         unknown = [name for name in self.symbols if name not in shapes]
         choices = [SHAPES[:: -1 if self.symbols[name].is_commutative else 1] for name in unknown]
@@ -81,7 +88,7 @@ class Shown:
                     failed = error
                     continue
                 if not unknown or all(alike(a, b) for a, b in pairwise(sides)):
-                    return sides, values
+                    return sides, [judged_value(node, values) for node in matrices(self.relation.sides)], values
         raise failed
 
     def tokens(self, form: str, text: str) -> Row:
@@ -89,19 +96,27 @@ class Shown:
             return text_tokens(text, tuple(self.spelled.text))
         return latex_tokens(text) if form == "latex" else mathml_tokens(text)
 
-    def read_back(self, form: str, text: str) -> list:
-        """The values of the sides of a rendered formula.  Raises RefusedError."""
-        row = self.tokens(form, text)
-        with digits(DIGITS):
-            try:
-                return Formula(row, self.spelled, self.judged[1], self.symbols).sides()
-            except (ValueError, ZeroDivisionError) as error:
-                raise RefusedError(str(error)) from error
-
     def holds(self, form: str, text: str) -> bool:
         """Whether what is shown is what was judged.  Raises RefusedError."""
-        values, judged = self.read_back(form, text), self.judged[0]
-        return len(values) == len(judged) and all(map(equal, values, judged))
+        row = self.tokens(form, text)
+        with digits(DIGITS):
+            sides, matrices, values = self.judged
+            formula = Formula(row, self.spelled, values, self.symbols)
+            try:
+                found = formula.sides()
+            except (ValueError, ZeroDivisionError) as error:
+                raise RefusedError(str(error)) from error
+            same = len(found) == len(sides) and len(formula.matrices) == len(matrices)
+            return same and all(map(equal, [*found, *formula.matrices], [*sides, *matrices]))
+
+
+def matrices(expressions: Iterable) -> Iterator:
+    """The matrices that are written out, as one reads them; each after those within it."""
+    for node in expressions:
+        yield from matrices(children(node))
+        row = isinstance(node, AppliedUndef) and node.func.__name__ == "row"
+        if row or (isinstance(node, MatrixBase) and node.shape != (1, 1)):
+            yield node
 
 
 def nodes(relation: Relation) -> Iterator:
@@ -119,22 +134,19 @@ def alike(a: Any, b: Any) -> bool:
 
 def free(shapes: Mapping[str, tuple[int, ...]], heads: Mapping[str, bool], present: Iterable[str]) -> Values:
     """Every letter drawn by itself; a function is a random linear one of its arguments."""
-    generator = random.Random(1)
+    letters = {name: drawn(name, shape) for name, shape in shapes.items()}
+    samples = tuple({**letters, **{name: drawn(f"{name} at {i}", shapes[name]) for name in present}} for i in range(3))
+    scattered = {name: (drawn(f"{name} 1", shapes[name]), drawn(f"{name} 2", shapes[name])) for name in present}
+    results = {name: (6,) if name == "samples" else () if commutes else (3, 3) for name, commutes in heads.items()}
+    return Values(letters, {name: linear(name, shape) for name, shape in results.items()}, samples, scattered)
 
-    def drawn(shape: tuple[int, ...]) -> Any:
-        if not shape:
-            return arb(generator.randint(200, 1200)) / 997
-        rows, columns = (*shape, 1)[:2]
-        return Matrix([[arb(generator.randint(200, 1200)) / 997 for _ in range(columns)] for _ in range(rows)])
 
-    letters = {name: drawn(shape) for name, shape in shapes.items()}
-    samples = tuple({**letters, **{name: drawn(shapes[name]) for name in present}} for _ in range(3))
-    scattered = {name: (drawn(shapes[name]), drawn(shapes[name])) for name in present}
-    functions = {
-        name: linear(name, (6,) if name == "samples" else () if commutes else (3, 3))
-        for name, commutes in heads.items()
-    }
-    return Values(letters, functions, samples, scattered)
+@cache
+def drawn(name: str, shape: tuple[int, ...]) -> Any:
+    generator = random.Random(name)
+    rows, columns = (*shape, 1, 1)[:2]
+    numbers = [[arb(generator.randint(200, 1200)) / 997 for _ in range(columns)] for _ in range(rows)]
+    return Matrix(numbers) if shape else numbers[0][0]
 
 
 def linear(name: str, shape: tuple[int, ...]) -> Any:
@@ -177,9 +189,9 @@ def _in_parts(side: Any, point: Point) -> Any:
         return reduce(plus if isinstance(side, Add | MatAdd) else times, parts)
 
 
-def rendered(shown: Shown, form: str) -> str:
+def rendered(shown: Shown, form: str, marks: Collection[tuple[int, ...]] = ()) -> str:
     """As the pages have it; text is 94 columns wide, for it is indented."""
-    return WRITERS[form](shown.relation, shown.quantities, *([94] if form == "text" else []))
+    return WRITERS[form](shown.relation, shown.quantities, *([94] if form == "text" else []), marks)
 
 
 def of_paper(name: str) -> list[Shown]:
@@ -200,3 +212,202 @@ def of_paper(name: str) -> list[Shown]:
 
 def of_papers() -> list[Shown]:
     return [shown for name in PAPERS for shown in of_paper(name)]
+
+
+# ---- Every single change ---------------------------------------------------------------------------------------------
+
+# What a sign, a function, or a word of LaTeX may be taken for.
+CONFUSED = (
+    "+|- −|+ (|) [|] {|} _|^ =|< ⋅|× /|⋅ ∨|T φ|ψ φ|ϕ ε|e δ|Δ v|ν ω|w θ|Θ Φ|Ψ 0|O l|1 i|e b|n e|n x|y y|z n|r 1|2 2|3 "
+    "3|4 0|2 \u0302|\u0307 \u0302|\u0304 ^|˙ ^|¯ sin|cos cos|tan"
+)
+WORDS = (
+    r"\hat|\dot \hat|\bar \dot|\bar \sin|\cos \cos|\tan \phi|\psi \phi|\varphi \phi|\Phi \delta|\Delta "
+    r"\theta|\Theta \omega|\Omega \psi|\Psi \nu|v \,|+ \times|\, \leq|< \dot| \hat| \left| \right|"
+)
+INSERTED = {"latex": "()-2_^'{}", "text": "()-2_^'⋅\u0302\u0307", "mathml": ""}
+
+
+def others(sign: str) -> list[str]:
+    """What a sign may be taken for: of another case, the next digit, one that looks alike."""
+    found = taken_for(CONFUSED, sign)
+    return [*dict.fromkeys([*found, *([sign.swapcase()] if sign.isalpha() else [])])]
+
+
+def taken_for(pairs: str, word: str) -> list[str]:
+    split = (pair.split("|") for pair in pairs.split())
+    return [one if word == other else other for one, other in split if word in (one, other)]
+
+
+def changes(form: str, text: str) -> Iterator[tuple[str, str]]:
+    """Every single change of a rendered formula, each once: what is done, and the formula after it."""
+    seen = {text}
+    for what, changed in _elements(text) if form == "mathml" else _characters(form, text):
+        if changed not in seen:
+            seen.add(changed)
+            yield what, changed
+
+
+def _characters(form: str, text: str) -> Iterator[tuple[str, str]]:
+    for i, sign in enumerate(text):
+        yield "drop", text[:i] + text[i + 1 :]
+        yield "double", text[:i] + sign + text[i:]
+        for other in others(sign):
+            yield "exchange", text[:i] + other + text[i + 1 :]
+        for more in INSERTED[form]:
+            yield "insert", text[:i] + more + text[i:]
+    for left, right in _pairs(text):
+        yield "drop a pair", text[:left] + text[left + 1 : right] + text[right + 1 :]
+    if form == "text":
+        for match in re.finditer(r"sin|cos|tan", text):
+            for other in others(match[0]):
+                yield "exchange", text[: match.start()] + other + text[match.end() :]
+        for match in re.finditer(r"_\w+|\{[^{}]*\}|\([^()]*\)", text):
+            yield "drop", text[: match.start()] + text[match.end() :]
+        return
+    for match in re.finditer(r"\\[A-Za-z]+|\\.", text):
+        before, after = text[: match.start()], text[match.end() :]
+        yield "drop", before + after
+        for word in taken_for(WORDS, match[0]):
+            yield "exchange", before + word + after
+    for match in re.finditer(r"\\(?:hat|dot|bar|check|overline)\{([^{}]*)\}|[_^](?:\{[^{}]*\}|\w)", text):
+        yield "drop", text[: match.start()] + (match[1] or "") + text[match.end() :]
+    for match in re.finditer(r"\\left\(((?:(?!\\left|\\right).)*)\\right\)", text):
+        yield "drop a pair", text[: match.start()] + match[1] + text[match.end() :]
+    for match in re.finditer(r"\\frac(\{[^{}]*\})(\{[^{}]*\})", text):
+        yield "exchange", text[: match.start()] + r"\frac" + match[2] + match[1] + text[match.end() :]
+
+
+def _pairs(text: str) -> Iterator[tuple[int, int]]:
+    """Where a bracket opens and where it closes."""
+    for left, right in (("(", ")"), ("[", "]"), ("{", "}")):
+        opened: list[int] = []
+        for i, sign in enumerate(text):
+            if sign == left:
+                opened.append(i)
+            elif sign == right and opened:
+                yield opened.pop(), i
+
+
+def _elements(text: str) -> Iterator[tuple[str, str]]:
+    """Of MathML, changes of its elements and of their texts."""
+    root = parsed(text)
+    spans: dict[int, tuple[int, int]] = {}
+    text = _spanned(root, spans, 0)
+
+    def with_(place: Node, *instead: Node) -> str:
+        start, end = spans[id(place)]
+        return text[:start] + "".join(_spanned(node, {}, 0) for node in instead) + text[end:]
+
+    for node in _below(root):
+        for child in node.children:
+            yield "drop", with_(child)
+            yield "double", with_(child, child, child)
+            for sign in ("−", "(", ")") if node.tag in ("math", "mrow", "mtd") else ():
+                yield "insert", with_(child, Node("mo", False, [], sign), child)
+            if child.children:
+                yield "unwrap", with_(child, *child.children)
+                if child.tag != "mrow":
+                    yield "exchange", with_(child, Node(child.tag, False, child.children[::-1]))
+                for part in child.children if child.tag not in ("mrow", "mtable") else ():
+                    yield "unwrap", with_(child, part)
+                if child.tag in ("msub", "msup"):
+                    other = "msup" if child.tag == "msub" else "msub"
+                    yield "exchange", with_(child, Node(other, False, child.children))
+                if child.tag == "msubsup":
+                    base, below, above = child.children
+                    yield "exchange", with_(child, Node("msubsup", False, [base, above, below]))
+                    yield "drop", with_(child, Node("msub", False, [base, below]))
+                    yield "drop", with_(child, Node("msup", False, [base, above]))
+            for other in others(child.text) if child.text else ():
+                yield "exchange", with_(child, Node(child.tag, child.upright, [], other))
+        for left, right in _fences(node.children):
+            parts = node.children
+            kept = [*parts[:left], *parts[left + 1 : right], *parts[right + 1 :]]
+            yield "drop a pair", with_(node, Node(node.tag, False, kept))
+
+
+def _fences(nodes_: list[Node]) -> Iterator[tuple[int, int]]:
+    for pair in ("()", "[]", "‖", "{}"):
+        found = [i for i, node in enumerate(nodes_) if node.text and node.text in pair]
+        yield from zip(found[::2], found[1::2], strict=False)
+
+
+def _below(node: Node) -> Iterator[Node]:
+    yield node
+    for child in node.children:
+        yield from _below(child)
+
+
+def _spanned(node: Node, spans: dict[int, tuple[int, int]], start: int) -> str:
+    """The node as HTML; where it and those below it stand in the text goes into `spans`."""
+    upright = ' mathvariant="normal"' if node.upright else ""
+    html = f"<{node.tag}{upright}>{escape(node.text)}"
+    for child in node.children:
+        html += _spanned(child, spans, start + len(html))
+    html += f"</{node.tag}>"
+    spans[id(node)] = (start, start + len(html))
+    return html
+
+
+REFUSED, UNEQUAL = "refused", "unequal"
+SAME, BRACKET = "the same signs", "a bracket that changes nothing"
+EVEN = "a minus that changes no value"
+VALUE = "the same value"
+
+
+def outcome(shown: Shown, form: str, text: str, changed: str) -> str:
+    """What becomes of a changed formula; where it is taken for the judged one, why."""
+    try:
+        if not shown.holds(form, changed):
+            return UNEQUAL
+    except RefusedError:
+        return REFUSED
+    before, after = shown.tokens(form, text), shown.tokens(form, changed)
+    if before == after:
+        return SAME
+    if _without("()", before) == _without("()", after):
+        return BRACKET
+    return EVEN if _without("()-", before) == _without("()-", after) else VALUE
+
+
+def _without(signs: str, row: Any) -> Any:
+    """The row and those in it without some signs."""
+    if isinstance(row, tuple):
+        return tuple(_without(signs, part) for part in row if part not in [("sign", sign) for sign in signs])
+    return row
+
+
+def places(node: Any, at: tuple[int, ...] = ()) -> Iterator[tuple[int, ...]]:
+    """Every place of a relation that can be marked."""
+    for i, child in enumerate(node.sides if isinstance(node, Relation) else children(node)):
+        yield (*at, i)
+        yield from places(child, (*at, i))
+
+
+def spoilt(of: Derivations, out: Path) -> dict[str, dict[str, Any]]:
+    """By format: how many formulas of a paper are read back, also with a place marked; and every change of each.
+
+    same: changes that are taken for the judged formula, by their reason; left: those that have none.
+    """
+    found: dict[str, dict[str, Any]] = {}
+    for form in WRITERS:
+        outcomes: Counter[str] = Counter()
+        left, wrong, marked = [], [], 0
+        formulas = of_paper(of.name)
+        for one in formulas:
+            text = rendered(one, form)
+            for place in places(one.relation):
+                marked += 1
+                if not one.holds(form, rendered(one, form, {place})):
+                    wrong.append(f"{one.where}, {place} marked")
+            for what, changed in changes(form, text):
+                outcomes[result := outcome(one, form, text, changed)] += 1
+                if result == VALUE:
+                    left.append(f"{one.where}, {what}: {changed}")
+        found[form] = {
+            "formulas": len(formulas), "marked": marked, "wrong": wrong, "tried": outcomes.total(),
+            "refused": outcomes[REFUSED], "unequal": outcomes[UNEQUAL],
+            "same": {reason: outcomes[reason] for reason in (SAME, BRACKET, EVEN)}, "left": left,
+        }  # fmt: skip
+    return found

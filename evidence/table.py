@@ -5,7 +5,7 @@ from typing import Any
 
 from boresight.evidence import results
 from boresight.evidence.misra import DEVIATED
-from boresight.evidence.sources import Source, folders
+from boresight.evidence.sources import Source, derivations, folders
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "evidence.md"
 BEGIN, END = "<!-- from here on written by make evidence -->\n", "<!-- to here -->\n"
@@ -28,7 +28,21 @@ def tables() -> str:
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         lines = [HEAD, ("---",) * len(HEAD), *rows]
         parts.append(f"\n## {folder.name}\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines) + "\n")
-    return "".join(parts) + "\n"
+    return "".join(parts) + shown() + "\n"
+
+
+SHOWN = ("paper", "format", "formulas", "changes", "refused", "unequal", "say the same", "left")
+
+
+def shown() -> str:
+    """How every single change of a shown formula came out, by paper and format."""
+    rows: list[tuple[str, ...]] = [SHOWN, ("---",) * len(SHOWN)]
+    for paper in derivations():
+        for form, of in results.read(paper).get("shown", {}).get("units", {}).items():
+            counts = (of[key] for key in ("formulas", "tried", "refused", "unequal"))
+            same = ", ".join(f"{count} {reason}" for reason, count in of["same"].items() if count) or "0"
+            rows.append((paper.name, form, *map(str, counts), same, str(len(of["left"]))))
+    return "\n## Formulas as they are shown\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in rows) + "\n"
 
 
 def row(unit: Source, of: dict[str, dict[str, Any]]) -> tuple[str, ...]:

@@ -39,7 +39,7 @@ PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \setcounter{secnumdepth}{0}
 \raggedbottom
 % Where print and derivation differ.
-\newcommand{\slip}[1]{\textcolor{wrong}{\underline{#1}}}
+\newcommand{\slip}[1]{\textcolor{wrong}{\underline{{}#1}}}
 % No heading at the foot of a page: a new one begins if less than this is left.
 \newcommand{\room}[1]{\par\begingroup\dimen0=\pagegoal\advance\dimen0 by -\pagetotal
 \ifdim#1>\dimen0 \newpage\fi\endgroup}

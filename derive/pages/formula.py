@@ -37,9 +37,8 @@ class Writer:
         """The terms of the chain, each with what stands before it: =, +, - or, at the start, nothing."""
         result: list[tuple[str, str]] = []
         for i, side in enumerate(relation.sides):
-            signs = [("-" if minus else "+", text) for minus, text in self._terms(side, (i,))]
-            head = signs[0][1] if signs[0][0] == "+" else self.minus(signs[0][1])
-            terms = [("=" * bool(i), head), *signs[1:]]
+            (_, first), *others = self._terms(side, (i,))
+            terms = [("=" * bool(i), first), *others]
             if (i,) in self.marks and isinstance(side, Add | MatAdd):
                 terms[0] = (terms[0][0], self.OPEN_MARK + terms[0][1])
                 terms[-1] = (terms[-1][0], terms[-1][1] + self.CLOSE_MARK)
@@ -118,9 +117,7 @@ class Writer:
         if isinstance(expression, MatrixBase):
             return self._matrix(expression, at)
         if isinstance(expression, Add | MatAdd):
-            (minus, text), *rest = self._terms(expression, at)
-            text = self.minus(text) if minus else text
-            return text + "".join(f" {'-' if minus else '+'} {term}" for minus, term in rest), SUM
+            return " ".join(part for term in self._terms(expression, at) for part in term if part), SUM
         if isinstance(expression, Mul | MatMul):
             minus, text, level = self._product(expression, at)
             return (self.minus(text), SUM) if minus else (text, level)
@@ -137,23 +134,30 @@ class Writer:
 
     LESS = "<"
 
-    def _terms(self, expression, at: Place) -> list[tuple[bool, str]]:
-        """Of a sum or a single term: whether it is subtracted, and its text."""
-        if not isinstance(expression, Add | MatAdd):
-            return [self._term(expression, at, COMPARED)]
-        return [self._term(argument, (*at, i), PRODUCT) for i, argument in enumerate(expression.args)]
+    def _terms(self, expression, at: Place) -> list[tuple[str, str]]:
+        """Of a sum or a single term: the sign before each term, and its text; a mark holds a minus too."""
+        terms, level = [(expression, at)], COMPARED
+        if isinstance(expression, Add | MatAdd):
+            terms, level = [(argument, (*at, i)) for i, argument in enumerate(expression.args)], PRODUCT
+        result: list[tuple[str, str]] = []
+        for term, place in terms:
+            minus, text = self._term(term, place, level)
+            sign = ("-" if minus else "+") if result else ""
+            text = self.minus(text) if minus and not result else text
+            if place in self.marks:
+                text = f"{'- ' * (sign == '-')}{text}"
+                text, sign = f"{self.OPEN_MARK}{text}{self.CLOSE_MARK}", sign.strip("-")
+            result.append((sign, text))
+        return result
 
     def _term(self, expression, at: Place, level: int) -> tuple[bool, str]:
+        """Whether it is negative, and the text of the rest."""
         if isinstance(expression, Rational) and expression < 0:
-            minus, text = True, self._written(-expression, at)[0]
-        elif isinstance(expression, Mul | MatMul):
+            return True, self._written(-expression, at)[0]
+        if isinstance(expression, Mul | MatMul):
             minus, text, _ = self._product(expression, at)
-        else:
-            minus, text = False, self.hold(self._written(expression, at), level)
-        if at in self.marks:
-            # Its sign is part of what is marked: the mark of a term that is subtracted begins before the minus.
-            return False, self.OPEN_MARK + (self.minus(text) if minus else text) + self.CLOSE_MARK
-        return minus, text
+            return minus, text
+        return False, self.hold(self._written(expression, at), level)
 
     def _product(self, expression, at: Place) -> tuple[bool, str, int]:
         """Whether it is negative, the text of the rest, and how strongly that holds together.

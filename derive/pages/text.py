@@ -8,6 +8,7 @@ from unicodedata import combining, normalize
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.pages.formula import ATOM, ELEMENTARY, FRACTION, PREFIX, Piece, Place, Writer
+from boresight.derive.pages.latex import greek
 
 FIRST = 0xE000  # a matrix is one character of the private area until the lines are laid out
 
@@ -65,14 +66,17 @@ class _Text(Writer):
         return "√" + self.bracketed(text)
 
     def raised(self, base, exponent):
-        return f"{base}^{exponent if re.fullmatch(r'-?[0-9]+|T|∨', exponent) else self.bracketed(exponent)}"
+        return f"{base}^{exponent if re.fullmatch(r'›?(-?[0-9]+|T|∨)‹?', exponent) else self.bracketed(exponent)}"
 
     def applied(self, name, argument, exponent):
         text = ELEMENTARY[name] + self.bracketed(argument[0])
         return (self.raised(text, exponent), PREFIX) if exponent else (text, ATOM)
 
     def summed(self, name, argument):
-        return f"Σ {argument}", PREFIX
+        index = re.sub(r"\s|\\sum_|[{}]", "", self.letters[name + "("])
+        for word in re.findall(r"\\[A-Za-z]+", index):
+            index = index.replace(word, "∈" if word == r"\in" else greek(word[1:]))
+        return f"Σ_{{{index}}} {argument}", PREFIX
 
     def entry(self, base, row, column):
         base = self.bracketed(base) if "_" in base and base[0] != "(" else base

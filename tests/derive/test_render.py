@@ -134,7 +134,7 @@ def test_every_erratum_is_marked_where_print_and_derivation_differ_in_every_form
 
 
 @pytest.mark.parametrize(
-    "number, printed, derived", [("9", "φ", "ψ"), ("25", "δμ(k)", "-δμ(k)"), ("7", "C_b2n", "C_n2b")]
+    "number, printed, derived", [("9", "φ", "ψ"), ("25", "δμ(k)", "- δμ(k)"), ("7", "C_b2n", "C_n2b")]
 )
 def test_the_slip_is_what_is_marked(number, printed, derived):
     before, after = render(PAPER, number).split("derived\n")[:2]

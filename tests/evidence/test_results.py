@@ -4,7 +4,8 @@ import pytest
 from committed import NAMES, folder_of
 
 from boresight.evidence import results
-from boresight.evidence.kinds import KINDS
+from boresight.evidence.kinds import KINDS, PAPER_KINDS
+from boresight.evidence.sources import derivations
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -14,8 +15,16 @@ def test_results_are_of_the_committed_sources(name):
     assert not stale, f"{', '.join(stale)} of {name}: run 'make evidence'"
 
 
-def test_no_result_is_of_a_folder_that_is_gone():
-    assert {path.stem for path in results.PLACE.glob("*.json")} <= set(NAMES)
+@pytest.mark.parametrize("paper", derivations(), ids=lambda paper: paper.name)
+def test_results_of_a_paper_are_of_the_derivations_here(paper):
+    kept, wanted = results.read(paper), results.sources_hash(paper)
+    stale = [kind.name for kind in PAPER_KINDS if kept.get(kind.name, {}).get("sources") != wanted]
+    assert not stale, f"{', '.join(stale)} of {paper.name}: run 'make evidence'"
+
+
+def test_no_result_is_of_a_folder_or_a_paper_that_is_gone():
+    names = [*NAMES, *(paper.name for paper in derivations())]
+    assert {path.stem for path in results.PLACE.glob("*.json")} <= set(names)
 
 
 def test_a_changed_source_changes_the_hash(em_copy):
