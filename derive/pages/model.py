@@ -22,14 +22,13 @@ from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation, as_written, product, total
 from boresight.derive.mechanics.rotation import skew
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
-from boresight.derive.pages.named import CONSTANTS, Named, Naming, component_letters, naming, nodes, operations, rebuilt
+from boresight.derive.pages.named import CONSTANTS, Named, Naming, component_letters, crossed, naming, nodes, operations, rebuilt
 from boresight.derive.pages.page import Block, Form, Formulas, Page, Prose, Section, Table
 
 LONG = 150  # operations: what is longer is broken into parts that have letters
 WIDE = 52  # characters: a matrix that is wider is given entry by entry
 JACOBIAN = 60  # operations: a longer h or f is not differentiated for the reader
 
-crossed = Letter("skew", commutative=False)
 z_, h_, f_, F_, G_, H_, Q_, Q_c, S_, Phi = (
     Symbol(name, commutative=False) for name in "z h f F G H Q Q_c S Phi".split()
 )

@@ -11,7 +11,7 @@ from fractions import Fraction
 from itertools import count
 from typing import Any
 
-from sympy import Add, Basic, ImmutableMatrix, Integer, Matrix, Mul, Pow, Rational, S, Symbol, sin, sqrt
+from sympy import Add, Basic, Function, ImmutableMatrix, Integer, Matrix, Mul, Pow, Rational, S, Symbol, sin, sqrt
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
 
@@ -402,7 +402,7 @@ def _turned(made: Naming, rotations: list[Named]) -> None:
                 name = v.letter.name.removesuffix(source) + target
                 if made.free(name) and made.together(C.entries, v.entries):
                     once.append(array(name, matrix * v.entries, f"{v.meaning}, in the axes {target}", product(letter, v.letter), axes))
-                for w in here:
+                for w in here if v.letter.name.startswith("omega") else ():
                     if v is not w and made.free(f"u_{target}") and made.together(C.entries, v.entries, w.entries):
                         meaning = f"the cross product of {v.letter} and {w.letter}, in the axes {target}"
                         turned = product(letter, crossed(v.letter), w.letter)
@@ -411,9 +411,7 @@ def _turned(made: Naming, rotations: list[Named]) -> None:
     made.put_found(twice)
 
 
-def crossed(letter: Symbol) -> Symbol:
-    """[v x], the skew-symmetric matrix of a vector."""
-    return Symbol(f"[{letter.name} x]", commutative=False)
+crossed = Function("skew", commutative=False)  # [v x], the matrix of the cross product
 
 
 # ---------------------------------------------------------------- the Earth
