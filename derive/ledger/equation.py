@@ -139,6 +139,12 @@ class Derivation:
 
         return html_cell(Page("", (Section("", steps(self, ())),)))
 
+    @property
+    def equations(self) -> set[str]:
+        """The numbers of the equations on which its passages stand, "8" of "(8)" and of "(8).2"."""
+        rows = (row for one in self.lines if one.passage for row in (one.passage.of, *one.passage.using))
+        return {row[1:].partition(")")[0] for row in rows if row.startswith("(")}
+
     def before(self, index: int) -> int:
         """The index of the line before step `index`.  Raises ValueError if there is none."""
         return max(i for i in range(index) if self.steps[i].formulas)

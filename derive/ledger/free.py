@@ -11,9 +11,9 @@ from functools import cache
 from typing import Any
 
 from boresight.derive.ledger.evaluate import Point
-from boresight.derive.ledger.numbers import Matrix, exact, eye
+from boresight.derive.ledger.numbers import Matrix, exact, eye, middle
 from boresight.derive.ledger.paper import Paper
-from boresight.derive.ledger.witness import finite_rotation, uniform
+from boresight.derive.ledger.witness import finite_rotation, skew, uniform
 
 
 @dataclass(frozen=True)
@@ -28,18 +28,37 @@ def of(letters: str, function: Callable) -> Of:
     return Of(tuple(letters.split("|")), function)
 
 
-def rotation(generator: random.Random) -> Matrix:
-    return finite_rotation(uniform(generator, "1.2"))
+@dataclass(frozen=True)
+class Kind:
+    """What a letter is by itself: how it is drawn, and whether a value is of the kind."""
+
+    drawn: Callable[[random.Random], Any]
+    holds: Callable[[Any], bool]
+
+    def __call__(self, generator: random.Random) -> Any:
+        return self.drawn(generator)
 
 
-def positive(size: int) -> Callable[[random.Random], Matrix]:
+def _none(M: Matrix) -> bool:
+    return all(abs(middle(entry)) < 1e-28 for entry in M)
+
+
+def positive(size: int) -> Kind:
     """Symmetric and positive definite."""
 
     def drawn(generator: random.Random) -> Matrix:
         root = Matrix([[exact(generator.uniform(-1, 1)) for _ in range(size)] for _ in range(size)])
         return root * root.T + eye(size)
 
-    return drawn
+    return Kind(drawn, lambda M: _none(M - M.T) and all(M[:k, :k].det() > 0 for k in range(1, size + 1)))
+
+
+rotation = Kind(
+    lambda generator: finite_rotation(uniform(generator, "1.2")),
+    lambda C: _none(C * C.T - eye(3)) and C.det() > 0,
+)
+skew_symmetric = Kind(lambda generator: skew(uniform(generator, 1)), lambda M: _none(M + M.T))
+positive_number = Kind(lambda generator: exact(generator.uniform(0.2, 1.2)), lambda x: x > 0)
 
 
 @dataclass
@@ -71,10 +90,9 @@ class Free(Mapping):
         letter = self.paper.letter(name)
         if letter.function:
             return self.paper.function(name)
-        if not letter.shape:
-            return exact(generator.uniform(0.2, 1.2))
-        rows, columns = (*letter.shape, 1)[:2]
-        return Matrix([[exact(generator.uniform(0.2, 1.2)) for _ in range(columns)] for _ in range(rows)])
+        rows, columns = (*letter.shape, 1, 1)[:2]
+        drawn = [[_number(generator) for _ in range(columns)] for _ in range(rows)]
+        return Matrix(drawn) if letter.shape else drawn[0][0]
 
     def changed(self, values: Mapping[str, Any]) -> "Free":
         return Free(self.paper, self.seed, {**self.changes, **values})
@@ -84,6 +102,11 @@ class Free(Mapping):
 
     def __len__(self) -> int:
         return len(self.made)
+
+
+def _number(generator: random.Random):
+    """Of either sign, and not near zero."""
+    return exact(generator.choice((-1, 1)) * generator.uniform(0.2, 1.2))
 
 
 @cache

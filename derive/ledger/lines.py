@@ -5,7 +5,7 @@ kinematics and never from the line; only a definition gives its letter the value
 """
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from itertools import pairwise
 from types import MappingProxyType
 from typing import Any
@@ -92,8 +92,14 @@ def judge_line(paper: Paper, equation: Equation, index: int, relation: Relation 
     one = equation.derivation.steps[index]
     assert isinstance(one, Line) and one.claim is not None and one.relation is not None
     relation = one.relation if relation is None else relation
+    unknown = {*one.claim.small} - {part.name for part in fields(paper.witness.base)}
+    if unknown:
+        return LineVerdict(False, f"the witness has no error {', '.join(sorted(unknown))}")
     try:
-        return _judged(paper, equation, one.claim, relation, _given(equation, index))
+        verdict = _judged(paper, equation, one.claim, relation, _given(equation, index))
+        if verdict.holds and one.claim.kind not in ("definition", "identity") and _holds_freely(paper, relation):
+            return LineVerdict(False, "it holds for any values of its letters: it is an identity")
+        return verdict
     except (ValueError, KeyError, ZeroDivisionError, BoresightError, TypeError) as error:
         return LineVerdict(False, f"it has no meaning: {error.args[0] if error.args else error}")
 
@@ -155,9 +161,19 @@ def _judged(paper: Paper, equation: Equation, claim: Claim, relation: Relation, 
         verdict = _falls(whole, point, 2) if claim.small else _exactly(whole, (point(seed, FULL) for seed in SEEDS))
         if _exactly(relation, (point(seed, FULL) for seed in SEEDS)).holds:
             return LineVerdict(False, "nothing is dropped")
-        return replace(verdict, size=_size(paper, term, given))
+        size, side = (_size(paper, part, given) for part in (term, relation.sides[0]))
+        if size > side / 100:
+            return LineVerdict(False, f"what is dropped, {mp.nstr(size, 3)}, is no small part of {mp.nstr(side, 3)}")
+        return replace(verdict, size=mp.nstr(size, 3))
     power = {"first-order": 2, "limit": 1}.get(claim.kind, claim.order + 1)
     return _falls(relation, point, power)
+
+
+def _holds_freely(paper: Paper, relation: Relation) -> bool:
+    try:
+        return _exactly(relation, (free_point(paper, seed) for seed in SEEDS)).holds
+    except (ValueError, KeyError, ZeroDivisionError):
+        return False
 
 
 def _known(name: str, point: Point) -> bool:
@@ -208,7 +224,8 @@ def _moves(values: tuple, most) -> bool:
     return abs(values[0]) > EXACT and abs(values[1]) > most * abs(values[0])
 
 
-def _size(paper: Paper, term, given: tuple) -> str:
+def _size(paper: Paper, term, given: tuple) -> mp.mpf:
+    """The largest entry at the paper's own numbers."""
     from boresight.derive.ledger.entries import paper_points
 
     worst = mp.mpf(0)
@@ -216,7 +233,7 @@ def _size(paper: Paper, term, given: tuple) -> str:
         for definition in given:
             point = point.changed({definition.sides[0].name: evaluate(definition.sides[-1], point)})
         worst = max(worst, *(abs(entry) for entry in _entries(term, point)))
-    return mp.nstr(worst, 3)
+    return worst
 
 
 # ---- Equations from lines --------------------------------------------------------------------------------------------
@@ -287,6 +304,8 @@ def check_derivation(paper: Paper, equation: Equation) -> None:
     """Raises BoresightError at the first line or passage that does not hold, and at a definition that nothing uses."""
     from boresight.derive.ledger.passages import judge_passage
 
+    if equation.number in _stands_on(paper, equation):
+        raise BoresightError(f"{paper.name} ({equation.number}): its derivation stands on itself")
     steps = equation.derivation.steps
     for index, step in enumerate(steps):
         if not isinstance(step, Line) or step.relation is None:
@@ -303,3 +322,14 @@ def check_derivation(paper: Paper, equation: Equation) -> None:
             used = names([relation for i in later for relation in steps[i].formulas])
             if letter.name not in used and not any(index in equation.derivation.taken(i) for i in later):
                 raise BoresightError(f"{where}: nothing uses {letter}")
+
+
+def _stands_on(paper: Paper, equation: Equation) -> set[str]:
+    """The numbers of the equations on which a derivation stands, and those on which theirs do."""
+    found: set[str] = set()
+    left = [equation]
+    while left:
+        new = left.pop().derivation.equations - found
+        found |= new
+        left += [paper.equation(number) for number in new]
+    return found

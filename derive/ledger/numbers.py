@@ -75,6 +75,9 @@ class Matrix:
     def inv(self) -> "Matrix":
         return Matrix(self.balls.inv())
 
+    def det(self) -> Any:
+        return self.balls.det()
+
     def solve(self, right: "Matrix") -> "Matrix":
         """The x of self x = right.  Raises ZeroDivisionError where the balls do not determine it."""
         return Matrix(self.balls.solve(right.balls))

@@ -161,7 +161,7 @@ def _judged(paper: Paper, equation: Equation, index: int, passage: Passage, repl
     def relation_of(label: str) -> Relation:
         return _relation(paper, equation, index, label, replaced)
 
-    after = relation_of(str(index + 1))
+    after = replaced.get(index, equation.derivation.steps[index].formulas[0])
     if passage.operation == "chain":
         lines = [relation_of(row) for row in passage.using]
         return _all(_chained(lines, after, free_point(paper, seed)) for seed in SEEDS)
@@ -180,13 +180,11 @@ def _relation(paper: Paper, equation: Equation, index: int, label: str, replaced
     steps = equation.derivation.steps
     if label.startswith("("):
         number, _, part = label.removeprefix("(").partition(")")
-        if number == equation.number:
-            raise BoresightError(f"({number}) cannot stand on itself")
         derived = paper.equation(number).derived
         return derived[int(part.removeprefix(".")) - 1 if part else 0]
     if label:
         at = int(label) - 1
-        if not 0 <= at <= index:
+        if not 0 <= at < index:
             raise BoresightError(f"line {label} does not stand before line {index + 1}")
     else:
         at = equation.derivation.before(index)
@@ -194,6 +192,11 @@ def _relation(paper: Paper, equation: Equation, index: int, label: str, replaced
 
 
 def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, relation_of, point: Point) -> LineVerdict:
+    if passage.operation in ("rearrange", "find the minimum") and len(after.sides) != 2:
+        raise ValueError("the line has more than two sides")
+    for identity in passage.using if passage.operation == "multiply out" else ():
+        if not _same(_difference(relation_of(identity), point), [0] * len(_difference(relation_of(identity), point))):
+            raise ValueError(f"{identity} is no identity")
     if passage.operation == "rearrange":
         first, second = (_difference(relation, point) for relation in (before, after))
         holds = any(_same(first, [entry * sign for entry in second]) for sign in (1, -1))
@@ -294,7 +297,11 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
         return [evaluate(side, point.changed({x: point.values[x] * 0 for x in letters})) for side in before.sides]
     if name == "carry over":
         others = [_expression(paper, text) for text in passage.with_]
-        said = before.replaced(dict(zip(_symbols(paper, passage.letters), others, strict=True)))
+        named = _symbols(paper, passage.letters)
+        for letter, other in zip(named, others, strict=True):
+            if isinstance(other, Symbol) and paper.letter(other.name).kind != paper.letter(letter.name).kind:
+                raise ValueError(f"{other} is another kind of quantity than {letter}")
+        said = before.replaced(dict(zip(named, others, strict=True)))
         return [evaluate(side, point) for side in said.sides]
     if name == "differentiate":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]

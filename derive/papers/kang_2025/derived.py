@@ -5,7 +5,7 @@ from functools import cache
 from sympy import Function, S, sin
 
 from boresight.derive.ledger.equation import Equation, Meaning, Reading, letter, product
-from boresight.derive.ledger.free import of, rotation
+from boresight.derive.ledger.free import of, rotation, skew_symmetric
 from boresight.derive.ledger.lines import (
     DEFINITION,
     EXACT_LINE,
@@ -32,7 +32,7 @@ from boresight.derive.ledger.passages import (
     take_skew_part,
     take_vector,
 )
-from boresight.derive.ledger.witness import skew, uniform
+from boresight.derive.ledger.witness import skew
 from boresight.derive.papers.kang_2025.printed import PRINTED, quantities
 
 NAME = "kang-2025"
@@ -90,7 +90,7 @@ STRUCTURE = {
     "C_n2M": of("C_M2n", lambda C: C.T),
     "[ω_in_n x]": of("ω_in_n", skew),
     "[ω_ib_b x]": of("ω_ib_b", skew),
-    "A": lambda generator: skew(uniform(generator, 1)),
+    "A": skew_symmetric,
     "v_s": of("v_s(k)", lambda v: v),  # the indices s and S are one label, and k is now
     "v_S": of("v_s(k)", lambda v: v),
     "I": lambda generator: eye(3),
@@ -249,7 +249,7 @@ def attitude_residual():
         line(r"A = [z_{DCM} \times] + \delta t_d [w_{nb}^n \times]", first_order(), "(4) takes it",
              substitute("7", "(4)")),
         line(r"\vee(A) = z_{DCM} + \delta t_d w_{nb}^n", first_order(), "A is skew-symmetric", take_vector()),
-        line(r"\vee(A) = [-A(2,3); A(1,3); -A(1,2)]", EXACT_LINE,
+        line(r"\vee(A) = [-A(2,3); A(1,3); -A(1,2)]", IDENTITY,
              "by its entries; the signs of the print are right"),
         line(r"[-A(2,3); A(1,3); -A(1,2)] = z_{DCM} + \delta t_d w_{nb}^n", first_order(), "both are the vector of A",
              multiply_out("15", of="14")),
