@@ -55,12 +55,15 @@ PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \begin{document}
 """
 
+# Contents of sections alone, without the space that sets them off from subsections.
+CLOSE = r"\makeatletter\renewcommand*\l@section{\@dottedtocline{1}{0em}{1.5em}}\makeatother" + "\n"
+
 
 def latex_page(page: Page) -> str:
     """Of several sections with their contents; equations are subsections where something stands before them."""
     parts = [PREAMBLE, rf"\begin{{center}}\LARGE\bfseries {tex(page.title)}\end{{center}}"]
     parts += [tex(text) + r"\par" for text in page.lead]
-    parts += [r"\tableofcontents"] if len(page.sections) > 1 else []
+    parts += [("" if page.front else CLOSE) + r"\tableofcontents"] if len(page.sections) > 1 else []
     parts += [_section(section, "section", page) for section in page.front]
     parts += [r"\room{16\baselineskip}\section{Equations}"] if page.front else []
     parts += [_section(section, "subsection" if page.front else "section", page) for section in page.sections]
@@ -85,7 +88,8 @@ def _block(block: Block, page: Page) -> str:
         return label + tex(block.text, page.anchors) + r"\par"
     if isinstance(block, Formulas):
         head = [rf"\textbf{{{tex(block.label.capitalize())}}}"] if block.label else []
-        return "\n".join([*head, *map(_formula, block.verbatim or map(_latex, block.forms))])
+        formulas = map(_formula, block.verbatim or map(_latex, block.forms))
+        return "\n".join([*head, "\n\\par\\penalty100\n".join(formulas)])  # a page may end between two of them
     if isinstance(block, Pair):
         return "\n".join(_block(part, page) for part in (block.left, block.right))
     return _table(block)
@@ -162,6 +166,7 @@ def tex(text: str, anchors: Mapping[str, str] = MappingProxyType({})) -> str:
 
 def _plain(text: str) -> str:
     text = re.sub(r"([&%$#{}_])", r"\\\1", text).replace("--", "-{}-")
+    text = re.sub("[<>]", r"$\g<0>$", text)
     return re.sub(r"\^(-?\d+|T\b)?", lambda found: rf"$^{{{found[1]}}}$" if found[1] else r"\^{}", text)
 
 

@@ -47,6 +47,7 @@ class Description:
         self.naming: Naming = naming(model, groups)
         self.called = component_letters(model)
         self.counted = count(1)
+        self.noise: list[tuple[Any, Any]] = []  # densities that are no inputs themselves
         self.shapes: dict[str, tuple[int, ...]] = {}
         for one in (*self.naming.vectors.values(), *self.naming.named):
             if one.entries.shape != (1, 1):
@@ -66,6 +67,7 @@ class Description:
                 yield "f", model.f
                 yield from self._differentiated("F", model.f)
             yield "G", model.G
+            yield "noise", model.noise
         for m in model.measurements:
             if m.z is not None:
                 yield f"{m.name} z", m.z
@@ -353,8 +355,10 @@ def _variables(model: Model, listed: Iterable[Variable]) -> Table:
         if v.size > 1 and len(set(heads)) == 1 and heads[0]:
             symbols = [Symbol(f"{heads[0]}_{','.join(axes)}")]
         meaning = v.meaning + f" ({v.frame})" * bool(v.frame)
-        letters = () if [s.name for s in symbols] == [v.name] else tuple(map(form, symbols))
-        rows.append((v.name, letters if alike else (), units[0] if alike else "", boxes[0] if alike else "", meaning))
+        letters: str | tuple[Form, ...] = tuple(map(form, symbols))
+        if heads[0] == v.name or symbols[0].name == v.name:
+            letters = ", ".join(axes) if v.size > 1 else ""
+        rows.append(((form(Symbol(v.name)),), letters if alike else (), units[0] if alike else "", boxes[0] if alike else "", meaning))
         if not alike:
             rows += [("", (form(called[s]),), u, box, "") for s, u, box in zip(v.symbols, units, boxes, strict=True)]
     return Table(("name", "letters", "unit", "valid", "meaning"), tuple(rows), prose=4)
@@ -424,15 +428,12 @@ def _dynamics(shown: Description, units: Mapping[str, Any]) -> list[Section]:
         blocks += shown.matrix("F", F_, states, states)
         blocks.append(Prose("Every other entry of F is zero."))
     F = Section("System matrix F", (*blocks, *_in_c(model, units, "F"), *_stands_on(model.equations)), "F")
-    columns = tuple(tuple(form(s) for s in part.letters) for part in noises)
-    density = ", ".join(
-        f"{part.letter} ({v.unit})" if (v := _variable(model, str(part.letter))) else str(part.letter) for part in noises
-    )
+    listed = ", ".join(str(part.letter) for part in noises)
     G = Section(
         "Noise",
         (
-            Prose(f"The columns of G, and the root densities of their white noises: {density}."),
-            Table(("noise", "columns of G"), tuple((str(p.letter), c) for p, c in zip(noises, columns, strict=True))),
+            Prose(f"The columns of G are in this order: {listed}. These are the root densities of the white noises w."),
+            *shown.formulas(shown.noise),
             *shown.matrix("G", G_, states, noises),
             Prose("Every other entry of G is zero. S is the diagonal matrix of the squares of the root densities."),
             Formulas((form(Q_c, product(G_, S_, transpose(G_))),)),
@@ -460,15 +461,12 @@ def _dynamics(shown: Description, units: Mapping[str, Any]) -> list[Section]:
     return [F, G, discrete]
 
 
-def _variable(model: Model, name: str) -> Variable | None:
-    return next((v for v in model.inputs if v.name == name), None)
-
-
 def _noises(shown: Description) -> list[Part]:
     """The columns of G: those of one input together."""
-    rest, parts = list(shown.model.noise), []
+    model = shown.model
+    rest, parts = list(model.noise), []
     while rest:
-        for v in shown.model.inputs:
+        for v in model.inputs:
             if tuple(rest[: v.size]) == v.symbols:
                 parts.append(Part(Symbol(v.name), [shown.called[s] for s in v.symbols]))
                 rest = rest[v.size :]
@@ -476,6 +474,7 @@ def _noises(shown: Description) -> list[Part]:
         else:
             letter = Symbol(f"w_{len(parts) + 1}")
             parts.append(Part(letter, [letter]))
+            shown.noise.append((letter, shown.naming.groups["noise"][model.noise.rows - len(rest)]))
             rest = rest[1:]
     return parts
 
@@ -644,10 +643,12 @@ def letter_latex(name: str) -> str:
     if block := re.fullmatch(r"([A-Z]\w*?)_(\w+),([a-zA-Z]\w*)", name):
         return rf"{letter_latex(block[1])}_{{{letter_latex(block[2])},{letter_latex(block[3])}}}"
     head, *below = name.split("_")
+    if head == "d" and below and below[0] in GREEK.split():
+        head, below = f"d{below[0]}", below[1:]
     above = ""
     if below and (turn := re.fullmatch(r"(\w)2(\w)", below[0])):
         below[0], above = turn[1], f"^{{{turn[2]}}}"
-    index = ",".join(_word(part) for part in below if part)
+    index = ",".join(_word(part) for part in ",".join(below).split(",") if part)
     return _word(head) + (f"_{{{index}}}" if index else "") + above
 
 

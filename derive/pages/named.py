@@ -293,17 +293,19 @@ def naming(model: Model, groups: dict[str, Matrix]) -> Naming:
 
 def component_letters(model: Model) -> dict[Symbol, Symbol]:
     """What each component is called: where v_n is a vector, its component along n is v_N, and so for all such axes."""
-    every = [v for v in (*model.states, *model.inputs)]
+    every = (*model.states, *model.inputs)
     names = {v.name for v in every if v.size > 1}
+    kept = {one.letter.name for one in CONSTANTS}
 
     def axes(v: Variable) -> tuple[str, ...]:
-        return tuple(s.name.rpartition("_")[2] for s in v.symbols)
+        """Suffixes of the components, if they have some."""
+        return tuple(s.name.rpartition("_")[2] for s in v.symbols) if all("_" in s.name for s in v.symbols) else ()
 
-    clashing = {axes(v) for v in every if v.size > 1 and any(s.name in names for s in v.symbols)}
+    clashing = {axes(v) for v in every if v.size > 1 and any(s.name in names for s in v.symbols)} - {()}
 
     def letter(v: Variable, s: Symbol) -> Symbol:
         if axes(v) not in clashing:
-            return Symbol(s.name)
+            return Symbol(s.name + "_0" * (s.name in kept))
         base, _, axis = s.name.rpartition("_")
         return Symbol(f"{base}_{axis.upper()}")
 
@@ -421,7 +423,7 @@ def _constant(name: str, value, meaning: str, shown) -> Named:
     return scalar(name, value, meaning, constant=True, shown=shown)
 
 
-_f = _constant("f", earth.FLATTENING, "flattening, WGS 84", "1/298.257223563")
+_f = _constant("f_ell", earth.FLATTENING, "flattening, WGS 84", "1/298.257223563")
 _a = _constant("a", Integer(earth.SEMI_MAJOR_AXIS), "semi-major axis, m, WGS 84", "6378137")
 _omega = _constant("omega_ie", earth.EARTH_RATE, "the Earth's rate, rad/s, WGS 84", "7.292115e-5")
 _GM = _constant("GM", earth.GRAVITATIONAL_CONSTANT, "the Earth's gravitational constant, m^3/s^2", "3.986004418e14")

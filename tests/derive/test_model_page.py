@@ -5,6 +5,7 @@ import re
 from dataclasses import replace
 from fractions import Fraction
 
+import numpy as np
 import pytest
 from conftest import PENDULUM, ROOT
 from flint import arb, fmpq
@@ -79,6 +80,8 @@ def point(model, seed):
     values = {}
     for v in (*model.states, *model.inputs):
         parts = [low + (high - low) * drawn.randint(1, 999) / 1000 for low, high in zip(v.low, v.high, strict=True)]
+        if v.norm:
+            parts = [part / sum(other**2 for other in parts) ** 0.5 for part in parts]
         values |= {s: arb(Fraction(part).numerator) / Fraction(part).denominator for s, part in zip(v.symbols, parts, strict=True)}
     return values
 
@@ -188,3 +191,64 @@ def made():
 @pytest.mark.parametrize("target", MODELS)
 def test_a_page_shows_every_entry_of_the_model_as_the_model_states_it(made, target):
     assert wrong(*made(target)) == []
+
+
+@pytest.mark.parametrize("block", ["F_phi,phi", "F_dv_E,dv_N", "G_dv_n,accel_noise"])
+def test_a_sign_that_is_flipped_in_one_block_is_seen(made, block):
+    model, page = made("phi-error")
+
+    def spoilt(form):
+        name, right = form.relation.sides
+        return replace(form, relation=Relation((name, -right))) if name.name == block else form
+
+    sections = tuple(
+        replace(s, blocks=tuple(replace(b, forms=tuple(map(spoilt, b.forms))) if isinstance(b, Formulas) and len(b.forms[0].relation.sides) == 2 else b for b in s.blocks))
+        for s in page.sections
+    )
+    found = wrong(model, replace(page, sections=sections))
+    assert found and {place[0] for place in found} == {block[0]}
+
+
+@pytest.mark.parametrize("form", WRITERS)
+@pytest.mark.parametrize("target", ["euler-matching", "phi-error", TANK])
+def test_every_formula_of_a_page_is_shown_as_it_is(made, target, form):
+    _, page = made(target)
+    shown = {one.relation: Shown(str(one.relation.sides[0]), one.relation, one.quantities)
+             for s in page.sections for one in forms(s) if len(one.relation.sides) > 1}  # fmt: skip
+    assert len(shown) > 8
+    assert [one.where for one in shown.values() if not one.holds(form, rendered(one, form))] == []
+
+
+@pytest.mark.parametrize("columns", [80, 100])
+def test_text_of_a_page_fits_and_names_every_long_number(made, columns, monkeypatch):
+    monkeypatch.setenv("COLUMNS", str(columns))
+    for target in ("velocity-attitude", "euler-matching", TANK):
+        text = write(made(target)[1], "text")
+        assert not [line for line in text.splitlines() if len(line) > columns]
+        assert not re.search(r"(?<![\d.])\d{8}", text)
+
+
+def test_the_steps_of_the_noise_are_those_of_the_c(made, library):
+    model, page = made("euler-matching")
+    at = point(model, 2)
+    section = {one.anchor: one for one in page.sections}
+    with numbers.digits(40):
+        values = read(model, page, section["F"], at)
+        states = blocks_of(model)
+        noises = [v for v in model.inputs if set(v.symbols) & set(model.noise)]
+        F, G = numbers.zeros(model.n), numbers.zeros(model.n, model.noise.rows)
+        for (i, j), value in assembled("F", values, states, states, section["F"]).items():
+            F[i, j] = value
+        for (i, j), value in assembled("G", values, states, blocks_of(model, noises), section["G"]).items():
+            G[i, j] = value
+        S = numbers.zeros(model.noise.rows)
+        for i, s in enumerate(model.noise):
+            S[i, i] = at[s] ** 2
+        values = read(model, page, section["step"], at)
+        values |= {"F": F, "G": G, "S": S}
+        shown = {name: [[float(values[name][i, j].mid()) for j in range(model.n)] for i in range(model.n)] for name in ("Phi", "Q")}
+    inputs = {v.name: [[float(at[s].mid()) for s in v.symbols]] for v in model.inputs}
+    for name, value in shown.items():
+        unit = library.manifest["units"][name]
+        given = {field: inputs[field] if len(inputs[field][0]) > 1 else inputs[field][0] for field in unit["fields"]}
+        assert getattr(library, name)(**given)[0] == pytest.approx(np.array(value), rel=1e-12, abs=1e-18)
