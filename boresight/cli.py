@@ -153,7 +153,7 @@ def show(
     ] = "text",
     out: Annotated[Path | None, typer.Option("-o", "--out", help="File to write; needed for pdf.")] = None,
 ) -> None:
-    """A model as an algorithm description, or the derivation of a paper's equations by steps.
+    """Describe a model, or derive the equations of a paper by steps.
 
     With MODEL NUMBER: that equation of a paper which the model is made from.
     """
@@ -163,7 +163,7 @@ def show(
         from boresight.codegen.generate import COMPONENTS
 
         if name in COMPONENTS:
-            raise BoresightError(f"{name} is C that comes from no model; 'boresight show kim-2018 31' shows its equation")
+            raise BoresightError(f"{name} is C without a model; 'boresight show kim-2018 31' shows its equation")
         one_of(name, [*derived_names(), *model_names()], "paper or model")
     one_of(form, FORMATS, "format")
     if form == "pdf" and out is None:

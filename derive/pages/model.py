@@ -22,7 +22,17 @@ from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation, as_written, product, total
 from boresight.derive.mechanics.rotation import skew
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
-from boresight.derive.pages.named import CONSTANTS, Named, Naming, component_letters, crossed, naming, nodes, operations, rebuilt
+from boresight.derive.pages.named import (
+    CONSTANTS,
+    Named,
+    Naming,
+    component_letters,
+    crossed,
+    naming,
+    nodes,
+    operations,
+    rebuilt,
+)
 from boresight.derive.pages.page import Block, Form, Formulas, Page, Prose, Section, Table
 
 LONG = 150  # operations: what is longer is broken into parts that have letters
@@ -30,7 +40,7 @@ WIDE = 52  # characters: a matrix that is wider is given entry by entry
 JACOBIAN = 60  # operations: a longer h or f is not differentiated for the reader
 
 z_, h_, f_, F_, G_, H_, Q_, Q_c, S_, Phi = (
-    Symbol(name, commutative=False) for name in "z h f F G H Q Q_c S Phi".split()
+    Symbol(name, commutative=False) for name in ["z", "h", "f", "F", "G", "H", "Q", "Q_c", "S", "Phi"]
 )
 
 
@@ -91,7 +101,7 @@ class Description:
     def matrix(self, key: str, letter: Symbol, rows: Sequence["Part"], columns: Sequence["Part"]) -> list[Formulas]:
         """The blocks that are not zero, those that are a matrix with a name first as such; then what they need."""
         M = self.naming.groups[key]
-        relations: list[tuple[Any, Any, Matrix | None]] = []
+        relations: list[tuple[Any, Any]] = []
         top = 0
         for row in rows:
             left = 0
@@ -112,7 +122,9 @@ class Description:
         else:
             yield from self.entries(letter, row.letters, column.letters, block)
 
-    def entries(self, letter: Symbol, rows: Sequence[Symbol], columns: Sequence[Symbol], block: Matrix) -> list[tuple[Any, Any]]:
+    def entries(
+        self, letter: Symbol, rows: Sequence[Symbol], columns: Sequence[Symbol], block: Matrix
+    ) -> list[tuple[Any, Any]]:
         return [
             (self.label(letter, a, b), block[i, j])
             for i, a in enumerate(rows)
@@ -135,7 +147,8 @@ class Description:
         if value.shape == (1, 1):
             return [(letter, value[0] if tree is None else tree)]
         if value.cols > 1:
-            return self.entries(letter, *([Symbol(str(i + 1)) for i in range(n)] for n in value.shape), value)
+            rows, columns = ([Symbol(str(i + 1)) for i in range(n)] for n in value.shape)
+            return self.entries(letter, rows, columns, value)
         if tree is not None or width(value) <= WIDE:
             return [(self.shaped(letter, value.shape), value if tree is None else tree)]
         return [(Symbol(f"{letter}_{name}"), part) for name, part in zip(names, value, strict=True)]
@@ -175,7 +188,11 @@ class Description:
             ratio = rows[0].get(v.entries[0], 0)
             if ratio in (1, -1) and all(row.get(s, 0) == ratio for row, s in zip(rows, v.entries, strict=True)):
                 parts.append(v.letter if ratio == 1 else product(S.NegativeOne, v.letter))
-        return total(*sorted(parts, key=lambda part: part.is_Mul)) if parts and all(len(row) == len(parts) for row in rows) else None
+        return (
+            total(*sorted(parts, key=lambda part: part.is_Mul))
+            if parts and all(len(row) == len(parts) for row in rows)
+            else None
+        )
 
     # ---- long expressions --------------------------------------------------------------------------------------
 
@@ -183,7 +200,9 @@ class Description:
         """The relations; where they are long, parts that stand in several places get letters of their own."""
         relations = list(relations)
         plain = [i for i, (_, right) in enumerate(relations) if isinstance(right, MATRICES) or right.is_commutative]
-        entries = [e for i in plain for e in (relations[i][1] if isinstance(relations[i][1], MATRICES) else [relations[i][1]])]
+        entries = [
+            e for i in plain for e in (relations[i][1] if isinstance(relations[i][1], MATRICES) else [relations[i][1]])
+        ]
         where: list[Formulas] = []
         if operations(entries) > LONG:
             definitions, entries = self._parted(entries)
@@ -261,7 +280,9 @@ def ordered(expression: Any) -> Any:
         return expression
     arguments = [ordered(argument) for argument in expression.args]
     if expression.is_Add:
-        arguments.sort(key=lambda part: (part.could_extract_minus_sign(), not part.is_Number, operations([part]), written(part)))
+        arguments.sort(
+            key=lambda part: (part.could_extract_minus_sign(), not part.is_Number, operations([part]), written(part))
+        )
         return as_written(Add, arguments)
     if expression.is_Mul:
         arguments.sort(key=_place)
@@ -323,6 +344,13 @@ def model_page(model: Model, manifest: Mapping[str, Any] | None = None) -> Page:
     return _lettered(shown, Page(model.name, tuple(sections), lead))
 
 
+def formulas(model: Model) -> list[Form]:
+    """Those of F, or of a model without states those of its functions."""
+    sections = model_page(model).sections
+    chosen = [s for s in sections if s.anchor == "F"] or [s for s in sections if s.anchor.startswith("function-")]
+    return [form for section in chosen for form in forms(section)]
+
+
 def forms(section: Section) -> Iterator[Form]:
     for block in section.blocks:
         if isinstance(block, Formulas):
@@ -358,7 +386,15 @@ def _variables(model: Model, listed: Iterable[Variable]) -> Table:
         letters: str | tuple[Form, ...] = tuple(map(form, symbols))
         if heads[0] == v.name or symbols[0].name == v.name:
             letters = ", ".join(axes) if v.size > 1 else ""
-        rows.append(((form(Symbol(v.name)),), letters if alike else (), units[0] if alike else "", boxes[0] if alike else "", meaning))
+        rows.append(
+            (
+                (form(Symbol(v.name)),),
+                letters if alike else (),
+                units[0] if alike else "",
+                boxes[0] if alike else "",
+                meaning,
+            )
+        )
         if not alike:
             rows += [("", (form(called[s]),), u, box, "") for s, u, box in zip(v.symbols, units, boxes, strict=True)]
     return Table(("name", "letters", "unit", "valid", "meaning"), tuple(rows), prose=4)
@@ -380,7 +416,8 @@ def _inputs(model: Model) -> Iterator[Block]:
 
 def _names(shown: Description, used: set[Symbol]) -> list[Section]:
     """The names that stand in the formulas, and the constants; what defines them is followed."""
-    named, constants = [], []
+    named: list[tuple[Named, list[Relation]]] = []
+    constants: list[tuple[Named, list[Relation]]] = []
     for one in reversed(shown.naming.named):
         letters = {one.letter, *one.entries}
         if letters & used:
@@ -400,7 +437,11 @@ def _names(shown: Description, used: set[Symbol]) -> list[Section]:
     )
     return [
         *([Section("Named expressions", tuple(blocks), "names")] if blocks else []),
-        *([Section("Constants", (Table(("constant", "value", "meaning"), rows, prose=2),), "constants")] if rows else []),
+        *(
+            [Section("Constants", (Table(("constant", "value", "meaning"), rows, prose=2),), "constants")]
+            if rows
+            else []
+        ),
     ]
 
 
@@ -552,12 +593,16 @@ def _cycle(model: Model) -> Iterator[Block]:
     if carried := moves("strapdown"):
         yield Prose(f"{p}_strapdown carries {carried} over the step.", f"{next(number)}.")
     else:
-        yield Prose("The caller brings the inputs at this step; no function of the model carries them.", f"{next(number)}.")
+        yield Prose(
+            "The caller brings the inputs at this step; no function of the model carries them.", f"{next(number)}."
+        )
     yield Prose(
         f"Predict with F, G and the step: P becomes Phi P Phi^T + Q (in C {p}_filter_propagate).", f"{next(number)}."
     )
     if not model.measurements:
-        yield Prose("The model has no measurement: it is the dynamics of a filter that one composes.", f"{next(number)}.")
+        yield Prose(
+            "The model has no measurement: it is the dynamics of a filter that one composes.", f"{next(number)}."
+        )
         return
     names = ", ".join(f"{p}_filter_measure_{m.name}" for m in model.measurements)
     yield Prose(
@@ -589,11 +634,12 @@ def _equations(model: Model) -> Iterator[Section]:
     for name, equations in (*parts, *((f.name, f.equations) for f in model.functions)):
         for text in equations:
             cited.setdefault(text, []).append(name)
-    rows = tuple((text, f"boresight show {text.replace('(', '').replace(')', '')}", ", ".join(cited[text])) for text in cited)
+    rows = tuple(
+        (text, f"boresight show {text.replace('(', '').replace(')', '')}", ", ".join(cited[text])) for text in cited
+    )
     if rows:
         table = Table(("equation", "shown by", "what stands on it"), rows, prose=2)
         yield Section("What it stands on", (table,), "equations")
-
 
 
 # ---------------------------------------------------------------- letters

@@ -131,7 +131,8 @@ class Rewriter:
                     ratio = terms[term] / wanted[term]
                     if all(terms[t] == ratio * c for t, c in wanted.items()):
                         terms = {t: c for t, c in terms.items() if t not in wanted} | {letter: ratio}
-                        changed = self.found.add(index) is None
+                        changed = True
+                        self.found.add(index)
         return Add(*(number * term for term, number in terms.items())) if changed else expression
 
     def _product(self, expression, number, before: dict, factors: dict):
@@ -141,7 +142,8 @@ class Rewriter:
                 for base, exponent in wanted.items():
                     factors[base] -= exponent
                 number, factors[letter] = number / coefficient, factors.get(letter, 0) + 1
-                changed = self.found.add(index) is None
+                changed = True
+                self.found.add(index)
         return Mul(number, *(power(*factor) for factor in factors.items())) if changed else expression
 
 
@@ -259,7 +261,11 @@ class Naming:
             if node.is_Add:
                 trial.sum(node)
         parts = [sums[i][0] for i in sorted(trial.found)]
-        found = [one for one in candidates if sum(part is one for part in parts) >= min(2, sum(value.is_Add for value in one.value))]
+        found = [
+            one
+            for one in candidates
+            if sum(part is one for part in parts) >= min(2, sum(value.is_Add for value in one.value))
+        ]
         for index, one in enumerate(found[1:], 2):
             found[index - 1] = renamed(one, f"{one.letter.name}_{index}")
         return self.put(found)
@@ -323,7 +329,12 @@ def _rotations(made: Naming) -> Iterator[Named]:
             name = "C_" + v.name.removeprefix("q_").removesuffix("_wxyz")
             yield array(name, rotation.dcm_from_quaternion(entries), f"the matrix of {v.name}, {v.frame}")
         elif [s.name.partition("_")[0] for s in v.symbols] == ["roll", "pitch", "yaw"]:
-            yield array(f"C_{v.name}", rotation.dcm_from_euler(*entries), f"the matrix of {v.name}, which leads back from {v.frame}", short=2)
+            yield array(
+                f"C_{v.name}",
+                rotation.dcm_from_euler(*entries),
+                f"the matrix of {v.name}, which leads back from {v.frame}",
+                short=2,
+            )
 
 
 def _finite_rotations(made: Naming) -> list[Named]:
@@ -371,7 +382,9 @@ def _quaternion_products(made: Naming, turns: list[Named]) -> list[Named]:
                 back = ImmutableMatrix(rotation.conjugate(other.entries))
                 for factor, text in ((other.entries, ""), (back, "the inverse of ")):
                     meaning = f"the quaternion {one.letter} times {text}{other.letter}"
-                    candidates.append(array("p", rotation.quaternion_product(one.entries, factor), meaning, suffixes="wxyz"))
+                    candidates.append(
+                        array("p", rotation.quaternion_product(one.entries, factor), meaning, suffixes="wxyz")
+                    )
     found = made.put_found(candidates)
     return found + made.put(
         array(f"C_{one.letter}", rotation.dcm_from_quaternion(one.entries), f"the matrix of {one.letter}")
@@ -403,7 +416,15 @@ def _turned(made: Naming, rotations: list[Named]) -> None:
             for v in here:
                 name = v.letter.name.removesuffix(source) + target
                 if made.free(name) and made.together(C.entries, v.entries):
-                    once.append(array(name, matrix * v.entries, f"{v.meaning}, in the axes {target}", product(letter, v.letter), axes))
+                    once.append(
+                        array(
+                            name,
+                            matrix * v.entries,
+                            f"{v.meaning}, in the axes {target}",
+                            product(letter, v.letter),
+                            axes,
+                        )
+                    )
                 for w in here if v.letter.name.startswith("omega") else ():
                     if v is not w and made.free(f"u_{target}") and made.together(C.entries, v.entries, w.entries):
                         meaning = f"the cross product of {v.letter} and {w.letter}, in the axes {target}"
@@ -535,7 +556,9 @@ def _numbers(made: Naming) -> None:
             return value
         if abs(value) not in own:
             name = next(f"c_{i}" for i in count(len(own) + 1) if made.free(f"c_{i}"))
-            own[abs(value)] = scalar(name, abs(value), "a number of the model", constant=True, shown=_decimal(abs(value)))
+            own[abs(value)] = scalar(
+                name, abs(value), "a number of the model", constant=True, shown=_decimal(abs(value))
+            )
         return (-1 if value < 0 else 1) * own[abs(value)].letter
 
     def visit(expression):

@@ -16,7 +16,7 @@ from boresight.derive.ledger import numbers
 from boresight.derive.ledger.equation import Relation
 from boresight.derive.ledger.evaluate import Point, evaluate
 from boresight.derive.ledger.numbers import Matrix
-from boresight.derive.pages.blocks import Formulas, Table
+from boresight.derive.pages.blocks import Formulas
 from boresight.derive.pages.model import forms, model_page
 from boresight.derive.pages.named import component_letters
 from boresight.derive.pages.render import write
@@ -82,7 +82,7 @@ def point(model, seed):
         parts = [low + (high - low) * drawn.randint(1, 999) / 1000 for low, high in zip(v.low, v.high, strict=True)]
         if v.norm:
             parts = [part / sum(other**2 for other in parts) ** 0.5 for part in parts]
-        values |= {s: arb(Fraction(part).numerator) / Fraction(part).denominator for s, part in zip(v.symbols, parts, strict=True)}
+        values |= {s: arb(part) for s, part in zip(v.symbols, parts, strict=True)}
     return values
 
 
@@ -128,7 +128,7 @@ def assembled(letter, values, rows, columns, section):
                 for j in range(width):
                     entry = block if (height, width) == (1, 1) else block[i, j]
                     assert (top + i, left + j) not in found, f"{match[0]} stands twice"
-                    if not (entry == 0):
+                    if entry != 0:
                         found[top + i, left + j] = entry
     return found
 
@@ -197,14 +197,14 @@ def test_a_page_shows_every_entry_of_the_model_as_the_model_states_it(made, targ
 def test_a_sign_that_is_flipped_in_one_block_is_seen(made, block):
     model, page = made("phi-error")
 
-    def spoilt(form):
-        name, right = form.relation.sides
-        return replace(form, relation=Relation((name, -right))) if name.name == block else form
+    def flipped(form):
+        name, *right = form.relation.sides
+        return replace(form, relation=Relation((name, -right[0]))) if name.name == block else form
 
-    sections = tuple(
-        replace(s, blocks=tuple(replace(b, forms=tuple(map(spoilt, b.forms))) if isinstance(b, Formulas) and len(b.forms[0].relation.sides) == 2 else b for b in s.blocks))
-        for s in page.sections
-    )
+    def spoilt(part):
+        return replace(part, forms=tuple(map(flipped, part.forms))) if isinstance(part, Formulas) else part
+
+    sections = tuple(replace(s, blocks=tuple(map(spoilt, s.blocks))) for s in page.sections)
     found = wrong(model, replace(page, sections=sections))
     assert found and {place[0] for place in found} == {block[0]}
 
@@ -217,6 +217,13 @@ def test_every_formula_of_a_page_is_shown_as_it_is(made, target, form):
              for s in page.sections for one in forms(s) if len(one.relation.sides) > 1}  # fmt: skip
     assert len(shown) > 8
     assert [one.where for one in shown.values() if not one.holds(form, rendered(one, form))] == []
+
+
+def test_a_notebook_shows_the_page_and_the_formulas_of_F(made):
+    model, page = made(TANK)
+    assert "<math" in model._repr_html_() and "Measurement reading" in model._repr_html_()
+    (section,) = (s for s in page.sections if s.anchor == "F")
+    assert model._repr_latex_().count(r" \\ ") == len(list(forms(section))) - 1
 
 
 @pytest.mark.parametrize("columns", [80, 100])
@@ -246,7 +253,8 @@ def test_the_steps_of_the_noise_are_those_of_the_c(made, library):
             S[i, i] = at[s] ** 2
         values = read(model, page, section["step"], at)
         values |= {"F": F, "G": G, "S": S}
-        shown = {name: [[float(values[name][i, j].mid()) for j in range(model.n)] for i in range(model.n)] for name in ("Phi", "Q")}
+        n = range(model.n)
+        shown = {name: [[float(arb(values[name][i, j]).mid()) for j in n] for i in n] for name in ("Phi", "Q")}
     inputs = {v.name: [[float(at[s].mid()) for s in v.symbols]] for v in model.inputs}
     for name, value in shown.items():
         unit = library.manifest["units"][name]
