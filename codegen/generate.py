@@ -4,7 +4,6 @@ SymPy and CasADi are imported only once the hashes of the sources say that somet
 """
 
 import hashlib
-import importlib
 import importlib.metadata
 import importlib.util
 import json
@@ -17,10 +16,10 @@ from typing import Any
 
 from boresight import BoresightError
 from boresight.codegen.stamp import PACKAGE, made_from
+from boresight.derive.models import MODELS, built_in
 
 VERSIONED = ("casadi", "numpy", "sympy")  # what the bytes of the output depend on, beside Boresight itself
 COMPONENTS = ("stationary-detector",)  # C that comes from no model
-MODELS = PACKAGE / "derive" / "models"
 
 
 @dataclass(frozen=True)
@@ -56,9 +55,8 @@ class Report:
 
 
 def model_names() -> list[str]:
-    """The built-in models: each is a file that defines a function of the file's own name."""
-    files = [path for path in MODELS.glob("*.py") if f"\ndef {path.stem}(" in path.read_text(encoding="utf-8")]
-    return sorted(path.stem.replace("_", "-") for path in files)
+    """The built-in models."""
+    return list(MODELS)
 
 
 def target_names() -> list[str]:
@@ -73,7 +71,7 @@ def source_of(target: str) -> Path | None:
         if not Path(file).is_file():
             raise BoresightError(f"{file} is not found; give FILE.py:NAME with the path of a Python file")
         return Path(file).resolve()
-    return None if target in COMPONENTS else MODELS / f"{target.replace('-', '_')}.py"
+    return None if target in COMPONENTS else PACKAGE / "derive" / "models" / f"{target.replace('-', '_')}.py"
 
 
 def versions() -> dict[str, str]:
@@ -101,8 +99,7 @@ def load_model(target: str) -> Any:
             raise BoresightError(f"{target} comes from no model; models are {', '.join(model_names())}")
         if target not in model_names():
             raise BoresightError(f"no model {target!r}; there are {', '.join(model_names())}, or give FILE.py:NAME")
-        name = target.replace("-", "_")
-        value = getattr(importlib.import_module(f"boresight.derive.models.{name}"), name)
+        value: Any = built_in(target)
     else:
         file, name = target.rsplit(":", 1)
         path = source_of(target)

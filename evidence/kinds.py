@@ -21,6 +21,7 @@ from boresight.evidence.riscv import riscv
 from boresight.evidence.rounding import rounding
 from boresight.evidence.sources import Derivations, Folder
 from boresight.evidence.spoilt import spoilt
+from boresight.evidence.steps import steps
 from boresight.evidence.targets import CLANG, GCC, M4F, RV32
 from boresight.evidence.trace import trace
 
@@ -52,7 +53,7 @@ KINDS = (
 )
 
 # Of papers, not of generated folders.
-PAPER_KINDS = (Kind("shown", spoilt, "", lambda: ""),)
+PAPER_KINDS = (Kind("shown", spoilt, "", lambda: ""), Kind("steps", steps, "", lambda: ""))
 
 
 def out_of_date(folder: Folder | Derivations, kind: Kind) -> bool:

@@ -33,7 +33,7 @@ GLYPHS = {
     "\\" + word: lookup(f"GREEK {size} LETTER {word.upper().replace('LAMBDA', 'LAMDA')}")
     for size, words in (("SMALL", GREEK.split()), ("CAPITAL", map(str.capitalize, GREEK.split())))
     for word in words
-} | {r"\partial": "∂", r"\varphi": "ϕ"}
+} | {r"\partial": "∂", r"\varphi": "ϕ", r"\vartheta": "ϑ", r"\varrho": "ϱ", r"\varepsilon": "ε"}
 ACCENTS = {r"\hat": "hat", r"\dot": "dot", r"\bar": "bar", r"\overline": "bar", r"\check": "check"}
 NAMED = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp"}
 SIGNS = {

@@ -7,7 +7,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from boresight.derive.papers import PAPERS
+from boresight.derive.papers import DERIVATIONS, PAPERS
 from boresight.runtime.manifest import GENERATED, read_manifest
 
 LIBM = re.compile(r"BS_(SIN|COS|ATAN2)\(")
@@ -49,15 +49,16 @@ class Folder:
 
 @dataclass(frozen=True)
 class Derivations:
-    """One paper: its equations, their derivations, and how they are shown."""
+    """One paper, or one derivation of our own: its equations, their steps, and how they are shown."""
 
     name: str
 
     @property
     def sources(self) -> list[Path]:
-        """What its results depend on: all that derives and shows, and what reads it back."""
+        """What its results depend on: all that derives and shows, and what judges it."""
         root = Path(__file__).resolve().parent
-        return [*sorted((root.parent / "derive").rglob("*.py")), root / "read_back.py", root / "spoilt.py"]
+        judges = (root / f"{name}.py" for name in ("read_back", "spoilt", "steps"))
+        return [*sorted((root.parent / "derive").rglob("*.py")), *judges]
 
 
 @dataclass(frozen=True)
@@ -119,7 +120,7 @@ class Source:
 
 
 def derivations() -> list[Derivations]:
-    return [Derivations(name) for name in PAPERS]
+    return [Derivations(name) for name in (*PAPERS, *DERIVATIONS)]
 
 
 def folders() -> list[Folder]:

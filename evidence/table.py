@@ -1,8 +1,10 @@
 """The table of docs/evidence.md, from the committed results."""
 
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
+from boresight.derive.ledger.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED
 from boresight.evidence import results
 from boresight.evidence.misra import DEVIATED
 from boresight.evidence.sources import Source, derivations, folders
@@ -13,6 +15,11 @@ HEAD = (
     *("unit", "operations", "bytes", "M4F float", "M7 float", "M7 double", "bits", "same sines", "M4F double"),
     *("RISC-V", "mutants killed", "bad input", "rounding", "MISRA", "Eva", "trace"),
 )
+STEPS = (
+    *("paper", "steps", "evaluated", "prose", "mutants", "refuted"),
+    *("say the same", "another name", "second order", "unexplained"),
+)
+REASONS = (SAME, ALIAS, SECOND_ORDER, UNEXPLAINED)
 
 
 def page(text: str) -> str:
@@ -28,7 +35,19 @@ def tables() -> str:
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         lines = [HEAD, ("---",) * len(HEAD), *rows]
         parts.append(f"\n## {folder.name}\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines) + "\n")
-    return "".join(parts) + shown() + "\n"
+    return "".join(parts) + steps() + shown() + "\n"
+
+
+def steps() -> str:
+    """How every single mutation of a step came out, by paper; a dash where nothing is kept."""
+    rows: list[tuple[str, ...]] = [STEPS, ("---",) * len(STEPS)]
+    for paper in derivations():
+        kept = results.read(paper).get("steps", {}).get("units", {}).values()
+        numbers = [sum(of[name] for of in kept) for name in ("steps", "evaluated", "prose", "tried")]
+        reasons = sum((Counter[str](of["survivors"]) for of in kept), Counter[str]())
+        numbers += [numbers[-1] - reasons.total(), *(reasons[reason] for reason in REASONS)]
+        rows.append((paper.name, *(map(str, numbers) if kept else "-" * len(numbers))))
+    return "\n## Steps of the derivations\n\n" + "\n".join(f"| {' | '.join(row)} |" for row in rows) + "\n"
 
 
 SHOWN = ("paper", "format", "formulas", "changes", "refused", "unequal", "say the same", "left")

@@ -139,7 +139,7 @@ def test_no_name_of_a_function_or_model_is_too_long_for_the_table_of_verify(caps
 def test_show_prints_prose_that_fits(run):
     for columns in (80, 100):
         _, out, _ = run("show", "kang-2025", "3", columns=columns)
-        assert "Evidence: " in out
+        assert "As printed: " in out
         assert not fits(out, columns)
 
 

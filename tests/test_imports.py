@@ -46,6 +46,12 @@ def test_a_layer_imports_only_along_the_arrows(layer):
             assert parts[0] not in FORBIDDEN.get(layer, ()), f"{path} imports {name}"
 
 
+def test_no_module_is_found_by_a_string():
+    """A reader, and what looks for who uses a name, follows imports; a user's own file is run by its path."""
+    for path in (path for layer in LAYERS for path in files(layer)):
+        assert not re.search(r"\bimport_module\(|\b__import__\(", path.read_text()), path
+
+
 def test_codegen_takes_from_runtime_only_the_library_the_manifest_and_the_filter():
     for path in files("codegen"):
         for name in imported(path):

@@ -28,7 +28,7 @@ def check_maps(paper: Paper, number: str) -> None:
 
 
 def _check(paper: Paper, one: Map, match: Match, seed: int) -> None:
-    model, point = _model(one), witness_point(paper, seed, FULL)
+    model, point = model_of(one), witness_point(paper, seed, FULL)
     where = f"{paper.name} ({match.equation}), {match.paper} and {match.ours} of {model.name}"
     theirs, (ours, rows, columns) = _value(paper, match.paper, point), _carried(paper, model, one, match, point)
     if (theirs.rows, theirs.cols) != (ours.rows, ours.cols):
@@ -105,7 +105,7 @@ def _carried(paper: Paper, model: Model, one: Map, match: Match, point: Point) -
 
 
 @cache
-def _model(one: Map) -> Model:
+def model_of(one: Map) -> Model:
     return one.model()
 
 

@@ -97,8 +97,10 @@ def _standing(node, part) -> list[Place]:
 
 def _own(mine, other) -> list[Place]:
     """Which parts of a sum or a product the other lacks; the whole if all, or if sign or number differ."""
-    if not isinstance(mine, Add | MatAdd | Mul | MatMul) or _is_minus(mine) != _is_minus(other):
+    if _is_minus(mine) != _is_minus(other):
         return [()]
+    if not isinstance(mine, Add | MatAdd | Mul | MatMul):
+        return [] if mine in children(other) and isinstance(other, Add | MatAdd | Mul | MatMul) else [()]
     kind = Add | MatAdd if isinstance(mine, Add | MatAdd) else Mul | MatMul
     theirs = list(other.args) if isinstance(other, kind) else [other]
     own: list[Place] = []

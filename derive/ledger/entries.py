@@ -225,7 +225,7 @@ def _side_by_side(paper: Paper, equation: Equation) -> str:
     for n in numbers_of(paper, equation):
         what, unit = f"{n.what} " if n.what else "", f" {n.unit}" if n.unit else ""
         if n.printed and len(n.true) > LONG:
-            printed, derived = (_apart(n.true, form) for form in (n.printed, n.derived))
+            printed, derived = (apart(n.true, form) for form in (n.printed, n.derived))
             parts.append(f"{what}sides differ by {printed} as printed, by {derived} as derived{unit}")
         elif n.printed:
             true, printed, derived = (
@@ -238,7 +238,7 @@ def _side_by_side(paper: Paper, equation: Equation) -> str:
     return f"at {paper.point.text}: " + "; ".join(parts)
 
 
-def _apart(true: tuple[mp.mpf, ...], form: tuple[mp.mpf, ...]) -> str:
+def apart(true: tuple[mp.mpf, ...], form: tuple[mp.mpf, ...]) -> str:
     return _digits(max(abs(a - b) for a, b in zip(true, form, strict=True)))
 
 

@@ -41,13 +41,21 @@ def letter(
 
 @dataclass(frozen=True)
 class Relation:
-    """sides[0] = sides[1] = ...; two or more."""
+    """sides[0] = sides[1] = ...; two or more.
+
+    layout: of a product of scalars, which SymPy sorts, the factors as the page has them; each group is one fraction.
+    """
 
     sides: tuple
+    layout: Mapping = field(default_factory=dict, repr=False, compare=False)
 
     def replaced(self, mapping: Mapping) -> "Relation":
         """Each symbol of `mapping` replaced by another, the layout kept."""
-        return Relation(tuple(replaced(side, mapping) for side in self.sides))
+        layout = {
+            replaced(whole, mapping): tuple(tuple(replaced(factor, mapping) for factor in group) for group in groups)
+            for whole, groups in self.layout.items()
+        }
+        return Relation(tuple(replaced(side, mapping) for side in self.sides), layout)
 
 
 @dataclass(frozen=True)

@@ -281,7 +281,7 @@ def build(
         form = read(latex, letters_of(number) if letters_of else quantities)
         if one.as_vector:
             vee = Function("vee", commutative=False)
-            form = tuple(Relation((r.sides[0], vee(r.sides[1]), *r.sides[2:])) for r in form)
+            form = tuple(replace(r, sides=(r.sides[0], vee(r.sides[1]), *r.sides[2:])) for r in form)
         steps = read_lines(one.lines, (*quantities, *letters), flown)
         equation = Equation(
             paper=paper,
@@ -298,6 +298,24 @@ def build(
         results = tuple(step.relation for step in steps if step.result and step.relation is not None)
         result.append(replace(equation, printed=form or results, derived=results or equation.read()))
     return tuple(result)
+
+
+@dataclass(frozen=True)
+class Steps:
+    """How many steps a paper's derivations have; how many are evaluated, and how many are prose."""
+
+    steps: int
+    evaluated: int
+    prose: int
+
+    def __str__(self) -> str:
+        return f"steps: {self.steps}, evaluated {self.evaluated}, prose {self.prose}"
+
+
+def count_steps(equations: Iterable[Equation]) -> Steps:
+    steps = [step for equation in equations for step in equation.derivation.steps]
+    evaluated = sum(isinstance(step, Line) and step.claim is not None for step in steps)
+    return Steps(len(steps), evaluated, sum(not step.formulas for step in steps))
 
 
 def check_derivation(paper: Paper, equation: Equation) -> None:

@@ -112,6 +112,7 @@ class _Reader:
         self.text, self.table, self.flown, self.at = text, table, flown, 0
         # The longest letter first: \hat{\phi}_b before \hat{\phi}.
         self.letters = sorted(table, key=len, reverse=True)
+        self.layout: dict = {}
 
     def ahead(self, *tokens: str) -> bool:
         return self.text.startswith(tokens, self.at)
@@ -137,7 +138,7 @@ class _Reader:
             sides.append(StrictLessThan(side, self.sum(), evaluate=False) if self.take("<") else side)
         if self.at < len(self.text):
             self.refuse()
-        return Relation(tuple(sides))
+        return Relation(tuple(sides), self.layout)
 
     def sum(self):
         terms = [_minus(self.product()) if self.take("-") else self.product()]
@@ -154,7 +155,7 @@ class _Reader:
         while self.at < len(self.text) and not self.ahead(*ENDS):
             entry = ENTRY.match(self.text, self.at)
             if self.take("/"):
-                factors[-1] = factors[-1] / self.factor()
+                factors[-1] = self.divided(factors[-1], self.factor())
             elif self.take(r"\times"):
                 factors = [CROSS(product(*factors), self.factor())]
             elif entry:
@@ -163,9 +164,28 @@ class _Reader:
             else:
                 factors.append(self.factor())
         try:
-            return product(*factors)
+            whole = product(*factors)
         except ShapeError:  # the page has it so: it is read, and has no value
             return as_written(Mul, factors)
+        if len(factors) > 1:
+            self.keep(whole, [group for factor in factors for group in self.groups(factor)])
+        return whole
+
+    def groups(self, expression) -> tuple:
+        return self.layout.get(expression, ((expression,),))
+
+    def keep(self, whole, groups) -> None:
+        """Note how the page has a product of scalars."""
+        if isinstance(whole, Mul) and whole.is_commutative:
+            self.layout[whole] = tuple(groups)
+
+    def divided(self, above, below):
+        if not above.is_commutative and not below.is_number:
+            return product(above, below**-1)
+        whole = above / below
+        over, under = (tuple(factor for group in self.groups(part) for factor in group) for part in (above, below))
+        self.keep(whole, [(*over, *(factor**-1 for factor in under))])
+        return whole
 
     def factor(self):
         for name in self.letters:
@@ -178,7 +198,7 @@ class _Reader:
             if self.take(name):
                 return function(self.factor())
         if self.take(r"\frac"):
-            return self.group("{", "}") / self.group("{", "}")
+            return self.divided(self.group("{", "}"), self.group("{", "}"))
         if self.take(r"\sqrt"):
             return sqrt(self.group("{", "}"))
         if self.take(r"\begin{bmatrix}"):

@@ -6,10 +6,11 @@ matrices.  None of the formulas that a paper prints is used to make the numbers 
 
 import math
 import random
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import fields, replace
 from functools import cache
 from typing import Any
+from unicodedata import normalize
 
 from boresight.derive.ledger.numbers import Matrix, asin, atan2, exact, norm, sqrt
 
@@ -69,6 +70,33 @@ def rate(function: Callable) -> Any:
     """The derivative at zero of a function of time, central difference: right to 1e-32."""
     step = exact("1e-16")
     return (function(step) - function(-step)) / (2 * step)
+
+
+class Letters(Mapping):
+    """Values by name, each group worked out when one of its letters is asked for."""
+
+    def __init__(self, groups: tuple[tuple[str, Callable], ...], given: Mapping):
+        split = [(tuple(normalize("NFC", names).split("|")), make) for names, make in groups]
+        self._of = {name: (names, make) for names, make in split for name in names}
+        self._known = {normalize("NFC", name): value for name, value in given.items()}
+        self._open: set[str] = set()
+
+    def __getitem__(self, name):
+        if name not in self._known:
+            if name not in self._of:
+                raise KeyError(f"the paper does not define {name}")
+            if name in self._open:
+                raise KeyError(f"{name} is defined by itself")
+            self._open.add(name)
+            names, make = self._of[name]
+            self._known.update(zip(names, make(self), strict=True))
+        return self._known[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter({*self._known, *self._of})
+
+    def __len__(self) -> int:
+        return len({*self._known, *self._of})
 
 
 POSITIVE = ("delay", "step")  # of a base: their first component alone counts

@@ -55,14 +55,14 @@ class Table:
 Block = Prose | Formulas | Pair | Table
 
 # A letter's name within prose: [v x], or one that has an index or is not of ASCII.
-NAME = re.compile(r"\[[^\]\s]+ x\]|(?:[^\W\d_]|∂)[\w'\u0300-\u036f]*(?:\([kn][-+\dα]*\))?")
+NAME = re.compile(r"\[[^\]\s]+ x\]|(?:[^\W\d_]|∂)[\w'\u0300-\u036f]*(?:\([kn][-+\dα]*\)|\^[a-z]\b)?")
 
 
 REFERENCE = re.compile(r"(?<![\w)])\(\d+\)|\[\d+\]")  # (8), and the note [1]
 
 
 def is_name(text: str) -> bool:
-    return not text.isascii() or "_" in text or text.endswith("x]")
+    return not text.isascii() or "_" in text or "^" in text or text.endswith("x]")
 
 
 @dataclass(frozen=True)

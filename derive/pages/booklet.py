@@ -27,7 +27,7 @@ from boresight.derive.pages.latex import latex_name, latex_relation
 
 PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \usepackage[margin=25mm]{geometry}
-\usepackage{amsmath,amssymb,array,longtable,graphicx,xcolor}
+\usepackage{amsmath,amssymb,array,longtable,multicol,graphicx,xcolor}
 \usepackage[hidelinks]{hyperref}
 \definecolor{wrong}{HTML}{B00020}
 \setlength{\parindent}{0pt}
@@ -37,6 +37,9 @@ PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \setlength{\extrarowheight}{2pt}
 \setcounter{MaxMatrixCols}{30}
 \setcounter{secnumdepth}{0}
+\setlength{\LTpre}{2pt}
+\setlength{\LTpost}{4pt}
+\setlength{\columnsep}{2.5em}
 \raggedbottom
 % Where print and derivation differ.
 \newcommand{\slip}[1]{\textcolor{wrong}{\underline{{}#1}}}
@@ -55,15 +58,13 @@ PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \begin{document}
 """
 
-# Contents of sections alone, without the space that sets them off from subsections.
-CLOSE = r"\makeatletter\renewcommand*\l@section{\@dottedtocline{1}{0em}{1.5em}}\makeatother" + "\n"
-
 
 def latex_page(page: Page) -> str:
     """Of several sections with their contents; equations are subsections where something stands before them."""
     parts = [PREAMBLE, rf"\begin{{center}}\LARGE\bfseries {tex(page.title)}\end{{center}}"]
     parts += [tex(text) + r"\par" for text in page.lead]
-    parts += [("" if page.front else CLOSE) + r"\tableofcontents"] if len(page.sections) > 1 else []
+    contents = r"\begin{multicols}{2}\tableofcontents\end{multicols}"
+    parts += [contents] if len(page.sections) > 1 else []
     parts += [_section(section, "section", page) for section in page.front]
     parts += [r"\room{16\baselineskip}\section{Equations}"] if page.front else []
     parts += [_section(section, "subsection" if page.front else "section", page) for section in page.sections]
@@ -171,13 +172,13 @@ def _plain(text: str) -> str:
 
 
 def pdf_from_latex(document: str) -> bytes:
-    """A LaTeX document compiled by pdflatex in a folder of its own, twice for its contents."""
+    """A LaTeX document compiled by pdflatex in a folder of its own, three times for the pages of its contents."""
     if shutil.which("pdflatex") is None:
         raise BoresightError("pdflatex is not installed: install texlive-latex-recommended, or use --format html")
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "document.tex").write_text(document, encoding="utf-8")
         command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "document.tex"]
-        for _ in range(2 if r"\tableofcontents" in document else 1):
+        for _ in range(3 if r"\tableofcontents" in document else 1):
             run = subprocess.run(command, cwd=folder, capture_output=True, timeout=120, check=False)
         made = Path(folder) / "document.pdf"
         if run.returncode or not made.exists():

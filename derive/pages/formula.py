@@ -3,7 +3,7 @@
 A place in a relation is the tuple of indices that lead to it: of the side, then of `children` at each node.
 """
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
 from itertools import groupby
 
 from sympy import Add, Expr, Float, MatAdd, MatMul, MatPow, Mul, Pow, Rational, S, StrictLessThan, Symbol
@@ -32,10 +32,12 @@ class Writer:
     def __init__(self, quantities: Iterable[Quantity], marks: Collection[Place]):
         self.letters = {q.symbol.name + "(" * q.function: q.latex for q in quantities}
         self.marks = frozenset(marks)
+        self.layout: Mapping = {}
 
     def pieces(self, relation: Relation) -> list[tuple[str, str]]:
         """The terms of the chain, each with what stands before it: =, +, - or, at the start, nothing."""
         result: list[tuple[str, str]] = []
+        self.layout = relation.layout
         for i, side in enumerate(relation.sides):
             (_, first), *others = self._terms(side, (i,))
             terms = [("=" * bool(i), first), *others]
@@ -170,9 +172,16 @@ class Writer:
             first = -expression.args[0]
             factors[:1] = [(first, factors[0][1])] if first != 1 else []
         texts: list[Piece] = []
-        for scalar, run in groupby(factors, lambda factor: _is_scalar(factor[0])):
-            listed = list(run)
-            texts += self._fraction(listed) if scalar else [self.write(*factor) for factor in listed]
+        groups = self.layout.get(expression) or (minus and self.layout.get(-expression))
+        if groups:
+            minus &= expression not in self.layout
+            at_factor = dict(factors)
+            for group in groups:
+                texts += self._fraction([(factor, at_factor.get(factor, (*at, -1))) for factor in group])
+        else:
+            for scalar, run in groupby(factors, lambda factor: _is_scalar(factor[0])):
+                listed = list(run)
+                texts += self._fraction(listed) if scalar else [self.write(*factor) for factor in listed]
         if len(texts) == 1:
             return minus, self.hold(texts[0], PRODUCT), max(texts[0][1], PRODUCT)
         last = len(texts) - 1

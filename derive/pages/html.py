@@ -6,11 +6,11 @@ from xml.dom.minidom import Element, Text, parseString
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
-from sympy import Symbol
 
 from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.pages.blocks import NAME, REFERENCE, Form, Formulas, Page, Pair, Prose, is_name
-from boresight.derive.pages.mathml import mathml_relation
+from boresight.derive.pages.latex import latex_name
+from boresight.derive.pages.mathml import mathml, mathml_relation
 
 
 def html_page(page: Page) -> str:
@@ -48,21 +48,21 @@ def _rendered(template: str, page: Page) -> str:
 
 def math(form: Form) -> Markup:
     """The formula as pieces between which a line may end."""
-    mathml = mathml_relation(form.relation, form.quantities, form.marks)
-    return Markup("<wbr>".join(map(spaced, pieces(mathml.replace("&#x2061;", APPLY).replace("&#x2062;", TIMES)))))
+    whole = mathml_relation(form.relation, form.quantities, form.marks)
+    return Markup("<wbr>".join(map(spaced, pieces(whole.replace("&#x2061;", APPLY).replace("&#x2062;", TIMES)))))
 
 
-def spaced(mathml: str) -> str:
+def spaced(formula: str) -> str:
     """Browsers set nothing between factors, and nothing between a function and an argument without brackets."""
-    return re.sub(rf"<mo>({TIMES}|{APPLY}(?!</mo>(?:<mrow>)?<mo[^>]*>\())</mo>", r'<mo rspace=".15em">\1</mo>', mathml)
+    return re.sub(rf"<mo>({TIMES}|{APPLY}(?!</mo>(?:<mrow>)?<mo[^>]*>\())</mo>", r'<mo rspace=".15em">\1</mo>', formula)
 
 
-def pieces(mathml: str) -> list[str]:
+def pieces(formula: str) -> list[str]:
     """A formula cut before each =, + and - that stands in no bracket and not behind another, and before a matrix."""
-    (whole,) = parseString(mathml).childNodes
+    (whole,) = parseString(formula).childNodes
     row = whole.firstChild
     if not isinstance(row, Element) or row.tagName != "mrow" or row.hasAttribute("class"):
-        return [mathml]
+        return [formula]
     cuts: list[list[Element]] = [[]]
     depth, last = 0, "="
     for item in (child for child in list(row.childNodes) if isinstance(child, Element)):
@@ -75,7 +75,7 @@ def pieces(mathml: str) -> list[str]:
         cuts[-1].append(item)
         last = text
     inside = ("".join(item.toxml() for item in cut) for cut in cuts)
-    head = mathml[: mathml.index(">") + 1]
+    head = formula[: formula.index(">") + 1]
     return [f"{head}{content}</math>" for content in inside]
 
 
@@ -103,7 +103,8 @@ def prose(text: str, anchors: Mapping[str, str], letters: tuple[Quantity, ...]) 
         if name in anchors:
             made = Markup('<a href="#{}">{}</a>').format(anchors[name], name)
         elif name[0] != "(" and is_name(name):
-            made = math(Form(Relation((symbols.get(name) or Symbol(name),)), letters))
+            known = symbols.get(name)
+            made = math(Form(Relation((known,)), letters)) if known else Markup(mathml(latex_name(name)))
         else:
             continue
         parts += [_plain(text[end : found.start()]), made]

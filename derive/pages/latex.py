@@ -101,6 +101,9 @@ def greek(word: str) -> str:
 def latex_name(name: str) -> str:
     """LaTeX of a symbol's name: Greek letters, hats and dots, scripts, C_b2n, [v x], dR_E/dL."""
     name = name.replace("_hat", "\u0302")  # as the headers of C write it
+    if "^" in name:
+        base, _, above = name.partition("^")
+        return f"{latex_name(base)}^{{{above}}}"
     transformation = re.fullmatch(r"(.*?)_(\w'?)2(\w'?)", name)
     if transformation:
         letter, source, target = transformation.groups()

@@ -3,6 +3,7 @@
 from sympy import Symbol
 from sympy.matrices import MatrixBase
 
+from boresight.derive.ledger.carried import model_of
 from boresight.derive.ledger.equation import Relation
 from boresight.derive.ledger.map import Map, Row
 from boresight.derive.ledger.paper import Paper
@@ -26,7 +27,7 @@ def _section(paper: Paper, one: Map) -> Section:
         Table(("", "paper", "times", "ours", "why"), rows, prose=4),
         Prose(f"With these {numbers} are what the model makes: its matrices, residuals and functions."),
     )
-    return Section(f"In C: {one.model().name}", blocks)
+    return Section(f"In C: {model_of(one).name}", blocks)
 
 
 def _row(paper: Paper, kind: str, row: Row) -> tuple[str | tuple[Form, ...], ...]:

@@ -16,7 +16,7 @@ OPERATORS = {
     r"\times": "×", r"\leq": "≤", r"\in": "∈", r"\vee": "∨", r"\|": "‖", r"\{": "{", r"\}": "}", "-": "−", "'": "′",
     r"\langle": "⟨", r"\rangle": "⟩", **{latex: sign for sign, latex in SIGNS.items() if sign != "∂"},
 }  # fmt: skip
-LETTERS = {r"\partial": "∂", r"\varphi": "ϕ"}
+LETTERS = {r"\partial": "∂", r"\varphi": "ϕ", r"\vartheta": "ϑ", r"\varrho": "ϱ", r"\varepsilon": "ε"}
 NAMED = {"\\" + word for word in ELEMENTARY.values()}
 assert set(MARKS.values()) <= set(ACCENTS)
 

@@ -4,9 +4,14 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
+from mpmath import nstr
+
 from boresight.derive.ledger.differences import Place, differences, marks
-from boresight.derive.ledger.entries import Entry, entry_of, findings
+from boresight.derive.ledger.entries import LONG, Entry, apart, entry_of, findings, numbers_of
 from boresight.derive.ledger.equation import Derivation, Equation, Line, Quantity, Relation, Step
+from boresight.derive.ledger.evaluate import DIGITS
+from boresight.derive.ledger.lines import count_steps
+from boresight.derive.ledger.numbers import digits
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section, Table
 from boresight.derive.pages.maps import sections as maps
@@ -20,7 +25,7 @@ def paper_page(paper: Paper, functions: Functions) -> Page:
     page = equations_page(paper.name, [(paper, e) for e in paper.equations], functions)
     return replace(
         page,
-        lead=(f"{paper.reference}.", f"{counted(paper.equations)}: {counts(entries)}."),
+        lead=(f"{paper.reference}.", f"{counted(paper.equations)}: {counts(entries)}; {count_steps(paper.equations)}."),
         front=(
             Section("Conventions", (*map(Prose, (*CONVENTIONS, *paper.conventions)), *STATUSES)),
             Section("Notation", (notation(paper),)),
@@ -62,7 +67,8 @@ def equations_page(title: str, chosen: Iterable[tuple[Paper, Equation]], functio
 def equation_section(paper: Paper, equation: Equation, functions: Functions) -> Section:
     """What is judged, the print against what follows, the evidence, the steps; then who uses and who holds it."""
     entry, letters = entry_of(paper, equation), equation.alphabet
-    blocks: list[Block] = [*forms(equation, entry, letters), *evidence(paper, equation, entry)]
+    blocks: list[Block] = [Prose(f"{entry.decisions} {entry.depends}".strip(), "Decided by hand")]
+    blocks += [*forms(equation, entry, letters), *evidence(paper, equation, entry)]
     if entry.note:
         blocks.append(Prose(entry.note, "Note"))
     blocks += steps(equation.derivation, letters)
@@ -116,19 +122,43 @@ def _forms(relations: Iterable[Relation], quantities: Iterable[Quantity], places
 
 
 def evidence(paper: Paper, equation: Equation, entry: Entry) -> list[Block]:
-    """The numbers, and what the paper's own consequences say, as sentences."""
+    """What was found, the numbers of each slip, and what the paper's own consequences say, as sentences."""
     own = paper.evidence(equation.number).removeprefix("; ")
     judged = entry.evidence.removesuffix(paper.evidence(equation.number))
-    blocks: list[Block] = [Prose(sentences(judged), "Evidence")]
-    if own:
-        blocks.append(Prose(sentences(own), "What it does" if entry.status == "erratum" else "Sizes"))
-    blocks.append(Prose(f"{entry.decisions} {entry.depends}".strip(), "Decided by hand"))
-    return blocks
+    if entry.status != "erratum":
+        return [Prose(sentences(judged), "Evidence"), *([Prose(sentences(own), "Sizes")] if own else [])]
+    why = judged.partition(f"; at {paper.point.text}")[0]
+    blocks: list[Block] = [
+        Prose(f"{sentences(why)} In numbers at {paper.point.text}:", "As printed"),
+        _numbers(paper, equation),
+    ]
+    return blocks + ([Prose(sentences(own), "What it does")] if own else [])
+
+
+def _numbers(paper: Paper, equation: Equation) -> Table:
+    """True, printed and derived; of more than LONG numbers only by how much the largest error is off."""
+    rows: list[tuple[str | tuple[Form, ...], ...]] = []
+    with digits(DIGITS):
+        for n in numbers_of(paper, equation):
+            letter: str | tuple[Form, ...] = ""
+            if n.what:
+                letter = (Form(Relation((paper.letter(n.what).symbol,)), equation.alphabet),)
+            if len(n.true) > LONG:
+                printed = f"off by {apart(n.true, n.printed)}" if n.printed else "no value"
+                entries = f"{len(n.true)} entries"
+                rows.append((letter, entries, printed, f"off by {apart(n.true, n.derived)}", n.unit))
+                continue
+            for k, true in enumerate(n.true):
+                printed = nstr(n.printed[k], 5) if n.printed else "no value"
+                rows.append((letter, nstr(true, 5), printed, nstr(n.derived[k], 5), n.unit))
+                letter = ""
+    return Table(("", "true", "printed", "derived", "unit"), tuple(rows))
 
 
 def sentences(text: str) -> str:
-    """Clauses between semicolons as one sentence."""
-    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
+    """Clauses between semicolons as a sentence."""
+    begins = text[1:2].isalpha()  # with a word, not with a letter of the paper
+    return (text[:1].upper() if begins else text[:1]) + text[1:] + ("" if text.endswith(".") else ".")
 
 
 def steps(derivation: Derivation, letters: tuple[Quantity, ...]) -> tuple[Block, ...]:

@@ -48,7 +48,7 @@ def _form(form: Form) -> str:
 def _table(block: Table) -> str:
     """Columns as wide as their longest cell, but for the one of prose, which wraps where the line would be too long."""
     rows = [block.head, *(tuple(map(_cell, row)) for row in block.rows)]
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    widths = [max(1, *map(len, column)) for column in zip(*rows, strict=True)]
     if block.prose is not None:
         others = sum(widths) - widths[block.prose] + 2 * (len(widths) - 1)
         widths[block.prose] = max(20, min(widths[block.prose], columns() - INDENT - others))

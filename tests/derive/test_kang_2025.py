@@ -243,7 +243,7 @@ def test_findings_and_evidence_say_what_was_computed(entries):
         ("3", "6.54 % at grade 6"),
         ("4", "1.5 times it"),
         ("5", "-10 ms at 0 deg, 0 ms at 90 deg, 10 ms at 180 deg"),
-        ("6", "5 m (6), 8 m (7)"),
+        ("6", "5 m (grade 6), 8 m (grade 7)"),
     ):
         assert piece in entries[number].evidence
 

@@ -3,7 +3,6 @@
 import re
 import subprocess
 import sys
-from importlib import import_module
 
 import pytest
 from conftest import ROOT
@@ -12,8 +11,11 @@ from sources import needs_source, source
 from boresight.derive.ledger.differences import differences
 from boresight.derive.ledger.entries import ledger
 from boresight.derive.papers import PAPERS, paper
+from boresight.derive.papers.kang_2025 import printed as kang_2025
+from boresight.derive.papers.kim_2018 import printed as kim_2018
+from boresight.derive.papers.song_lee_2001 import printed as song_lee_2001
 
-PRINTS = {name: import_module(f"boresight.derive.papers.{name.replace('-', '_')}.printed") for name in PAPERS}
+PRINTS = dict(zip(PAPERS, (song_lee_2001, kim_2018, kang_2025), strict=True))
 
 
 @needs_source

@@ -13,7 +13,7 @@ from boresight.derive.ledger.evaluate import DIGITS
 from boresight.derive.ledger.free import of, rotation
 from boresight.derive.ledger.numbers import Matrix, digits, eye
 from boresight.derive.ledger.paper import Paper, Stated, Witness
-from boresight.derive.ledger.witness import finite_rotation, skew
+from boresight.derive.ledger.witness import finite_rotation, quaternion, skew
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +37,7 @@ def values(base, definitions):
 
 def quantities():
     matrices = [(name, (3, 3)) for name in "CDMI"]
-    vectors = [(name, (3,)) for name in ("e", "w", "p")]
+    vectors = [*((name, (3,)) for name in ("e", "w", "p")), ("q", (4,)), ("h", (4,))]
     shapes = dict([*matrices, *vectors, *((name, ()) for name in ("s", "t", "r", "u"))])
     return tuple(
         Quantity(Symbol(name, commutative=not shape), name, str(shape), "", shape) for name, shape in shapes.items()
@@ -54,7 +54,13 @@ TOY = Paper(
     point=Stated(None, ""),
     evidence=lambda number: "",
     findings=tuple,
-    structure={"C": rotation, "I": lambda generator: eye(3), "M": of("p", skew)},
+    structure={
+        "C": rotation,
+        "I": lambda generator: eye(3),
+        "M": of("p", skew),
+        "q": of("C", quaternion),
+        "h": of("M", lambda M: quaternion(M.exp())),
+    },
 )
 
 
@@ -95,6 +101,9 @@ def follows(before, passage, after, *others):
         ("r = s t", ps.differentiate({"s": "u", "r": "1"}), "1 = u t", "1 = u s", []),
         ("M = C [w \\times] C^T", ps.take_vector(), "p = C w", "p = C^T w", []),
         ("D = C", ps.take_skew_part(), "(D - D^T)/2 = (C - C^T)/2", "(D - D^T)/2 = (C + C^T)/2", []),
+        (r"\exp([p \times]) = \exp(C [w \times] C^T)", ps.take_rotation_vector(), "p = C w", "p = C^T w", []),
+        (r"\exp([p \times]) C = C \exp([p \times])", ps.take_quaternion(), "h q = q h", "h q = q q", []),
+        ("p = C w", ps.substitute("1"), "p = 0", "p = C e", ["w = 0"]),
         ("D = C", ps.take_entry(1, 2), "D(1,2) = C(1,2)", "D(1,2) = C(2,1)", []),
         ("p = C w", ps.solve_for("w"), "w = C^T p", "w = C p", []),
         ("s t + r = u", ps.solve_for("t"), "t = (u - r)/s", "t = (u + r)/s", []),

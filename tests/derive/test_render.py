@@ -12,12 +12,13 @@ from conftest import ROOT
 
 from boresight import BoresightError
 from boresight.derive.ledger.differences import differences, marks
+from boresight.derive.ledger.lines import count_steps
 from boresight.derive.pages.booklet import pdf_from_latex, pieces
 from boresight.derive.pages.latex import latex_relation
 from boresight.derive.pages.mathml import mathml_relation
 from boresight.derive.pages.page import notation
 from boresight.derive.pages.render import render
-from boresight.derive.papers import PAPERS, paper
+from boresight.derive.papers import DERIVATIONS, PAPERS, paper
 
 PAPER = paper("song-lee-2001")
 needs_pdflatex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
@@ -34,7 +35,7 @@ def test_terminal_shows_print_derivation_steps_and_evidence_in_100_columns_at_mo
         "derived",
         "cos(›ψ‹)",
         "2. multiply",
-        "Evidence: ",
+        "As printed: ",
         "Note: Origin transcription",
     ):
         assert piece in text
@@ -48,6 +49,7 @@ def test_a_page_holds_every_equation_once_and_ends_by_column_100(name, monkeypat
     one = paper(name)
     text = render(one)
     assert text.startswith(f"{name}\n") and one.reference in " ".join(text.split())
+    assert f"; {count_steps(one.equations)}." in " ".join(text.split())
     shown = re.findall(rf"^{name} (\(\d+\)|\w+)  ", text, re.MULTILINE)
     assert shown == [equation.label for equation in one.equations]
     assert max(sum(not combining(c) for c in line) for line in text.splitlines()) <= 100
@@ -55,7 +57,7 @@ def test_a_page_holds_every_equation_once_and_ends_by_column_100(name, monkeypat
 
 def test_the_counts_and_what_stands_beside_the_equations_are_shown():
     text = " ".join(render(PAPER).split())
-    assert "28 equations and 2 without a number: 4 exact, 8 first-order, 8 definition, 10 erratum." in text
+    assert "28 equations and 2 without a number: 4 exact, 8 first-order, 8 definition, 10 erratum; steps: " in text
     assert "Table 1: 13, 12, 21, 3 cells" in text
 
 
@@ -138,8 +140,18 @@ def test_every_erratum_is_marked_where_print_and_derivation_differ_in_every_form
 )
 def test_the_slip_is_what_is_marked(number, printed, derived):
     before, after = render(PAPER, number).split("derived\n")[:2]
-    for part, letter in ((before, printed), (after.split("Evidence")[0], derived)):
+    for part, letter in ((before, printed), (after.split("As printed")[0], derived)):
         assert set(re.findall("›(.*?)‹", part)) == {letter}
+
+
+@pytest.mark.parametrize("format", ["text", "latex", "html"])
+def test_the_numbers_of_an_erratum_are_the_stated_errors_the_print_and_the_derivation(format):
+    """(9) gives the slave's angle errors, which are stated: 0.1, -0.2 and 0.3 deg."""
+    page = re.sub(r"<[^>]*>|[&$\\]|[a-z]*\{.*?\}", " ", render(PAPER, "9", format).replace("</td>", " "))
+    rows = re.findall(r"(-?\d+\.\d+) +(-?\d+\.\d+) +(-?\d+\.\d+) +arcmin", page)
+    assert [float(true) / 60 for true, *_ in rows] == pytest.approx([0.1, -0.2, 0.3], rel=1e-4)
+    for true, printed, derived in rows:
+        assert abs(float(derived) - float(true)) < 0.01 * abs(float(true)) < abs(float(printed) - float(true))
 
 
 def test_formulas_of_a_page_are_those_of_the_writers():
@@ -251,3 +263,10 @@ def test_a_notebook_shows_an_equation_and_a_derivation():
     shown = Page(equation.derivation._repr_html_())
     assert not shown.open and not shown.wrong
     assert equation.derivation._repr_latex_().count("gathered") == 2
+
+
+@pytest.mark.parametrize("name", [*PAPERS, *DERIVATIONS])
+def test_a_page_shows_no_code(name, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "100")
+    lines = render(paper(name)).splitlines()
+    assert not [line for line in lines if re.search(r"\w\*\w|\*\*|\b(eye|entry|transpose|Matrix|norm|vee)\(", line)]

@@ -2,14 +2,22 @@
 
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.papers.delay_error.derived import STRUCTURE, equations, quantities
-from boresight.derive.papers.delay_error.witness import CONDITIONS, CONDITIONS_TEXT, ERRORS, Base, Conditions, values
+from boresight.derive.papers.delay_error.witness import (
+    CONDITIONS,
+    CONDITIONS_TEXT,
+    ERRORS,
+    PARTS,
+    Base,
+    Conditions,
+    values,
+)
 
 PAPER = Paper(
     name="delay-error",
     reference="Heading error of an unknown delay, derived here",
     make_equations=equations,
     quantities=quantities,
-    witness=Witness(Base, values, Conditions(), ERRORS, "finite rotations"),
+    witness=Witness(Base, values, Conditions(), ERRORS, "finite rotations", PARTS),
     conditions=Stated(CONDITIONS, CONDITIONS_TEXT, 4),
     point=Stated(CONDITIONS, CONDITIONS_TEXT),
     evidence=lambda number: "",

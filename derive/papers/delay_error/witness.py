@@ -50,6 +50,13 @@ class Conditions:
 
 
 ERRORS = ("swing", "surge", "phi", "dmu", "delay")
+PARTS = {
+    "swing": "the swing",
+    "surge": "the hull's velocity",
+    "delay": "the delay",
+    "phi": "the attitude error",
+    "dmu": "the misalignment error",
+}
 (ROLL,) = degrees(5)
 CONDITIONS = Conditions(
     swing=float(ROLL), wave=(0.7, 60.0, 3.0), surge=2.0, phi=float(ROLL) / 2.5, dmu=float(ROLL) / 2.5, delay=0.01

@@ -187,8 +187,8 @@ def grade(height: float) -> int:
 
 def _wave() -> str:
     heights = [float(height) for _, height, *_ in TABLE_1]
-    twice = ", ".join(f"{2 * height:g} m ({grade(2 * height)})" for height in heights)
-    return f"as printed the waves of grades 1 to 6 are, crest to trough (grade by code table 3700), {twice}"
+    twice = ", ".join(f"{2 * height:g} m (grade {grade(2 * height)})" for height in heights)
+    return f"as printed the waves of grades 1 to 6 are, crest to trough and by code table 3700, {twice}"
 
 
 _EVIDENCE: dict[str, Callable[[], str]] = {

@@ -64,11 +64,31 @@ def letters():
         ("C_S2n(k+α)", r"C_{S,k+\alpha}^n", "attitude", "attitude of the slave δt_d before"),
         ("X", "X", "turn", "turn of the expected attitude now from the reported"),
     )  # fmt: skip
+    flown = (
+        ("place", r"\Lambda", "position", "latitude, longitude in rad and height in m of the slave", (3,)),
+        ("u̇", r"\dot{u}", "acceleration", "rate of change of the lever-arm velocity, m/s^2", (3,)),
+        ("Q_S2n", "q_S^n", "quaternion", "attitude of the slave", (4,)),
+        ("Q_S2M", "q_S^M", "quaternion", "estimated mounting: slave to master", (4,)),
+        ("Q_M2n", "q_M^n", "quaternion", "attitude that the master reports", (4,)),
+        ("f_b", "f^b", "acceleration", "specific force, m/s^2", (3,)),
+        ("F", "F", "16x16", "how the states change one another", (16, 16)),
+        ("H_v", "H_v", "3x16", "what the states do to z_v", (3, 16)),
+        ("H_DCM", "H_{DCM}", "3x16", "what the states do to z_DCM", (3, 16)),
+        ("H_vL", "H_{v,L}", "3x19", "the same with the error of the lever arm", (3, 19)),
+        ("H_DCML", "H_{DCM,L}", "3x19", "the same with the error of the lever arm", (3, 19)),
+        ("φ", r"\phi", "rotation vector", "attitude error: computed are (I - [φ x]) C_S2n, rad", (3,)),
+        ("δv", r"\delta v", "velocity", "velocity error, computed - true, m/s", (3,)),
+        ("b_g", "b_g", "rate", "gyro bias, measured - true, rad/s", (3,)),
+        ("b_a", "b_a", "acceleration", "accelerometer bias, measured - true, m/s^2", (3,)),
+        ("δμ", r"\delta\mu", "rotation vector", "misalignment error, in master axes, rad", (3,)),
+        ("δL", r"\delta L", "lever arm", "error of the lever arm, computed - true, m", (3,)),
+    )
     return (
         *(letter(*one, (3,)) for one in vectors),
         *(letter(*one, (3, 3)) for one in matrices),
+        *(letter(*one) for one in flown),
         letter("I", "I", "identity", "identity, which the print calls eye(3)", (3, 3)),
-        letter("φ", r"\varphi", "angle", "how far the wheel has turned, rad"),
+        letter("ϑ", r"\vartheta", "angle", "how far the wheel has turned, rad"),
     )
 
 
@@ -207,7 +227,7 @@ def attitude_matrix():
         line(r"X = eye(3) + [e \times] + \frac{1}{2} [e \times] [e \times]", of_order(2), "through the second order",
              expand("e", order=2)),
         line(r"\frac{1}{2} (X - X^T) = [e \times]", of_order(2),
-             "half of the whole difference: the second order is symmetric and goes, and eye(3) with it",
+             "half of the whole difference: the second order is symmetric and goes, and the identity with it",
              take_skew_part()),
         line(r"A = [e \times]", EXACT_LINE, "A stands for the turn: its entries are those of (5)"),
         line(r"A = \frac{1}{2} \left(\left(C_S^n C_M^S C_M^{nT} - eye(3) \right) "
@@ -275,10 +295,10 @@ def wave():
     )
     phase = product(S(2), pi_, frequency, time)
     return derived(
-        line(r"\varphi = 2 \pi f t", DEFINITION, "a wheel turns f times a second"),
-        line(r"p = \exp([[\varphi; 0; 0] \times]) [0; \frac{a}{2}; 0]", DEFINITION,
+        line(r"\vartheta = 2 \pi f t", DEFINITION, "a wheel turns f times a second"),
+        line(r"p = \exp([[\vartheta; 0; 0] \times]) [0; \frac{a}{2}; 0]", DEFINITION,
              "its diameter is the height of the wave, crest to trough, and a point on it begins ahead of the hub"),
-        line(r"p = [0; \frac{a}{2} \cos\varphi; \frac{a}{2} \sin\varphi]", EXACT_LINE,
+        line(r"p = [0; \frac{a}{2} \cos\vartheta; \frac{a}{2} \sin\vartheta]", EXACT_LINE,
              "a turn about the first axis", multiply_out()),
         line("Seawave = [0 \\ 0 \\ 1] p", EXACT_LINE,
              "the point goes up and down as the surface does, from zero upwards"),

@@ -3,6 +3,7 @@
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.papers.kang_2025.consequences import evidence, findings
 from boresight.derive.papers.kang_2025.derived import STRUCTURE, equations, letters
+from boresight.derive.papers.kang_2025.maps import MAPS, UNFLOWN
 from boresight.derive.papers.kang_2025.printed import quantities
 from boresight.derive.papers.kang_2025.witness import (
     CONDITIONS,
@@ -46,4 +47,6 @@ PAPER = Paper(
     },
     letters=letters,
     structure=STRUCTURE,
+    maps=MAPS,
+    unflown=UNFLOWN,
 )

@@ -11,11 +11,20 @@ from dataclasses import dataclass, fields
 from functools import lru_cache, partial
 from typing import Any
 
-from boresight.derive.ledger import ellipsoid
+from boresight.derive.ledger import ellipsoid, navigation
 from boresight.derive.ledger.ellipsoid import WORKING
 from boresight.derive.ledger.equation import Relation
-from boresight.derive.ledger.numbers import Matrix, asin, digits, exact, eye, norm, pi
-from boresight.derive.ledger.witness import attitude, degrees, finite_rotation, rotation_vector, skew, vector
+from boresight.derive.ledger.numbers import Matrix, asin, digits, exact, eye, norm, pi, zeros
+from boresight.derive.ledger.witness import (
+    Letters,
+    attitude,
+    degrees,
+    finite_rotation,
+    quaternion,
+    rotation_vector,
+    skew,
+    vector,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -181,11 +190,11 @@ class Motion:
 
     def body(self, t) -> Matrix:
         """C_b2e."""
-        return self.C_b2e * finite_rotation(self.rate * t + self.turn * t**2 / 2)
+        return self.C_b2e * finite_rotation(self.rate * t + self.turn * t * t / 2)
 
     def slave(self, t) -> Matrix:
         first, second, third = self.path
-        return self.origin + first * t + second * t**2 + third * t**3
+        return self.origin + first * t + (second + third * t) * t * t
 
     def master(self, t) -> Matrix:
         return self.slave(t) - self.body(t) * self.lever
@@ -239,12 +248,60 @@ def motion(base: Base, erring: bool) -> Motion:
     )
 
 
-def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> dict:
+def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Letters:
     """Values of every letter of the paper at one point; no equation of the paper is a definition that it needs.
 
     The letters of the slave are what it computes, those of the master what the master reports without error.
     """
-    return dict(_world(base))
+    groups: tuple[tuple[str, Callable], ...] = (
+        ("H_v|H_DCM|H_vL|H_DCML", lambda letters: measured(base)),
+        ("F", lambda letters: [transfer(letters)]),
+    )
+    return Letters(groups, _world(base))
+
+
+def transfer(letters: Mapping[str, Any]) -> Matrix:
+    """F of the sixteen states, where the position is known, from Newton's law with the errors put in."""
+    with digits(WORKING):
+        place, v_n, C, f_b, omega_ib = (letters[name] for name in ("place", "v_s", "C_S2n", "f_b", "ω_ib_b"))
+        by_all = ellipsoid.jacobian(navigation.truth(place, v_n, C, f_b, omega_ib, ellipsoid.NED).phi_rates, 15)
+        at = (6, 7, 8, 3, 4, 5, *range(9, 15))  # attitude before velocity, no position
+        rates = [[by_all[i, j] for j in at] + [0] * 4 for i in at]
+        return Matrix(rates + [[0] * 16] * 4)
+
+
+def measured(base: Base) -> list[Matrix]:
+    """H of velocity and attitude, 3x16, and with the lever arm 3x19, in exact motion.
+
+    Derivatives by what is taken out of the slave's estimates: errors of attitude, velocity, both biases, misalignment,
+    delay and lever arm.
+
+    A bias is measured - true, and the delay the age itself: so what each adds is with the other sign in the estimates.
+    """
+    with digits(WORKING):
+        parts = {part.name: Matrix(getattr(base, part.name)) for part in fields(base)}
+        slave, zero = motion(base, True), exact(0)
+        C_b2m = finite_rotation(-parts["dmu"]) * finite_rotation(parts["mounting"])
+        C, omega_ib, omega_in = slave.attitude(zero), slave.omega_ib_b(zero), slave.omega_in_n(zero)
+        spin = slave.level(slave.slave(zero)).T * vector(0, 0, ellipsoid.SPIN)
+
+        def expected(x) -> tuple[Matrix, Matrix]:
+            """Velocity and attitude of the master once these errors are taken out."""
+            turned, shown = finite_rotation(x[0:3, 0]) * C, omega_ib - x[6:9, 0]
+            true = Motion(
+                parts["position"], slave.velocity(slave.slave, zero) - x[3:6, 0], parts["acceleration"], parts["jerk"],
+                turned, shown - turned.T * spin, parts["turn"], slave.lever - x[16:19, 0],
+            )  # fmt: skip
+            age = -x[15]
+            # The rate of the level is taken as known: what the error of the velocity does to it is no part of H.
+            known = skew(true.omega_in_n(zero) - omega_in) * turned * true.lever
+            velocity = true.velocity(true.slave, age) - true.lever_rate(age) - known
+            return velocity, true.attitude(age) * (finite_rotation(x[12:15, 0]) * C_b2m).T
+
+        at_rest = expected(zeros(19, 1))[1]
+        velocity = -ellipsoid.jacobian(lambda x: expected(x)[0], 19)
+        turn = -ellipsoid.jacobian(lambda x: rotation_vector(expected(x)[1] * at_rest.T), 19)
+        return [velocity[:, 0:16], turn[:, 0:16], velocity, turn]
 
 
 @lru_cache(maxsize=256)
@@ -291,6 +348,12 @@ def _world(base: Base) -> dict:
             "C_S2n": C,
             "Ċ_S2n": C_rate,
             "C_S2n(k+α)": C_old,
+            "u̇": -after(slave.lever_rate, zero),
+            "place": vector(base.position[1], base.position[0], base.position[2]),
+            "f_b": C.T * (Matrix(base.acceleration) - vector(0, 0, ellipsoid.AT_EQUATOR)),
+            "Q_S2n": quaternion(C),
+            "Q_S2M": quaternion(C_M2S.T),
+            "Q_M2n": quaternion(C_M2n),
             "C_S2e": slave.body(zero),
             "Ċ_S2e": after(slave.body, zero),
             "C_e2n": C_n2e.T,

@@ -8,9 +8,8 @@ from dataclasses import replace
 from functools import cache
 from unicodedata import normalize
 
-from sympy import Symbol
-
 from boresight.derive.ledger.equation import Quantity
+from boresight.derive.ledger.equation import letter as made
 
 # number: ((first line, last line) in the source text counted from 1, its displays without the number)
 PRINTED: dict[str, tuple[tuple[int, int], tuple[str, ...]]] = {
@@ -232,9 +231,7 @@ def quantities() -> tuple[Quantity, ...]:
     table: list[Quantity] = []
 
     def add(name, latex, kind, meaning, shape=(), function=False):
-        name = normalize("NFC", name)
-        symbol = Symbol(name, commutative=shape == (), real=True if shape == () else None)
-        table.append(Quantity(symbol, latex, kind, meaning, shape, function))
+        table.append(made(name, latex, kind, meaning, shape, function))
 
     # Position, velocity, and their errors.
     for letter, word in (("l", "longitude"), ("L", "latitude"), ("h", "height")):

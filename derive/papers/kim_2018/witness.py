@@ -5,7 +5,7 @@ and the matrices F and H are differentiated from them, so none of the paper's fo
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from random import Random
@@ -18,6 +18,7 @@ from boresight.derive.ledger.evaluate import Point, evaluate, solve
 from boresight.derive.ledger.navigation import Truth, stack
 from boresight.derive.ledger.numbers import Matrix, cos, digits, exact, eye, norm, sqrt, zeros
 from boresight.derive.ledger.witness import (
+    Letters,
     attitude,
     degrees,
     finite_rotation,
@@ -192,33 +193,6 @@ def errors(base: Base) -> Matrix:
 
 
 # ---- Letters ---------------------------------------------------------------------------------------------------------
-
-
-class Letters(Mapping):
-    """Values by name, each group worked out when one of its letters is asked for."""
-
-    def __init__(self, groups: tuple[tuple[str, Callable], ...], given: Mapping):
-        split = [(tuple(normalize("NFC", names).split("|")), make) for names, make in groups]
-        self._of = {name: (names, make) for names, make in split for name in names}
-        self._known = {normalize("NFC", name): value for name, value in given.items()}
-        self._open: set[str] = set()
-
-    def __getitem__(self, name):
-        if name not in self._known:
-            if name not in self._of:
-                raise KeyError(f"the paper does not define {name}")
-            if name in self._open:
-                raise KeyError(f"{name} is defined by itself")
-            self._open.add(name)
-            names, make = self._of[name]
-            self._known.update(zip(names, make(self), strict=True))
-        return self._known[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter({*self._known, *self._of})
-
-    def __len__(self) -> int:
-        return len({*self._known, *self._of})
 
 
 def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Letters:

@@ -74,8 +74,7 @@ def flown() -> dict[str, object]:
 
     euler = phi, theta, psi = s("φ θ ψ")
     euler_b, euler_r = s("φ_b θ_b ψ_b"), s("φ_r θ_r ψ_r")
-    # The functions take components: beside them stand the length of ε, and what keeps a root from zero.
-    (length, tiny), turn = s("ε_o τ"), s("Δq_0 Δq_1 Δq_2 Δq_3")
+    turn = s("Δq_0 Δq_1 Δq_2 Δq_3")
     mu, eps, omega = s("μ_x μ_y μ_z"), s("ε_n ε_e ε_d"), s("ω_n ω_e ω_d")
     C, H = dcm_from_euler(*euler), measurement_matrix(euler_b, euler_r)
     before, missed = s("μ̂(k-) δμ(k)")
@@ -97,7 +96,7 @@ def flown() -> dict[str, object]:
         "H_eps": layout(H[:, :3]),
         "H_mu": layout(-H[:, 3:]),
         "F": ImmutableMatrix(attitude_error_matrix(omega)),
-        "quaternion": ImmutableMatrix(quaternion.subs(TINY_SQUARE, tiny).subs(sum(part**2 for part in eps), length**2)),
+        "quaternion": ImmutableMatrix(quaternion.subs(TINY_SQUARE, 0)),
         "corrected_quaternion": ImmutableMatrix(corrected),
         # The function's own terms, in the order of the page.
         "corrected_mu": total(*sorted(corrected_misalignment(before, missed).args, key=lambda term: term != before)),
@@ -226,7 +225,8 @@ WRITTEN: dict[str, Derived] = {
     "6": derived(
         line(r"C_n^{n'} = \exp(-E)", EXACT_LINE, "n' is n turned by ε: components of a fixed vector turn by -ε"),
         line(r"C_n^{n'} = I - E", FIRST, SMALL, expand("E")),
-        line(r"C_n^{n'} C_b^n = (I - E) C_b^n", FIRST, "from the right", multiply(right="C_b^n"), result=True),
+        line(r"C_n^{n'} C_b^n = (I - E) C_b^n", FIRST, "the body comes in from the right",
+             multiply(right="C_b^n"), result=True),
         unit="1", leads_to=("7",), small=("euler_error",),
     ),
     # Both sides of (4).  What undoes C_b^n is C_n^b, not C_b^n once more.
@@ -267,7 +267,7 @@ WRITTEN: dict[str, Derived] = {
         line(rf"{EPS} = -R_3(\psi) \flown{{axes_after_yaw}} {D}", FIRST, "the axes as columns",
              multiply_out("11", "12", of="10")),
         line(rf"{EPS} = \flown{{eps_D_euler}} {D}", FIRST,
-             "multiplied out, only θ and ψ are left: the axes do not know the roll", multiply_out(), result=True),
+             "only θ and ψ are left: the axes do not know the roll", multiply_out(), result=True),
         unit="rad", leads_to=("9", "12"), small=("euler_error",),
     ),
     # The inverse of (8).
@@ -277,10 +277,10 @@ WRITTEN: dict[str, Derived] = {
              "the inverse of a product; of a rotation it is the transpose",
              multiply(left=r"-A_3(\theta)^{-1} R_3(\psi)^T")),
         line(r"A_3(\theta)^{-1} = \flown{inverse_after_yaw}", IDENTITY, "a triangular matrix by substitution"),
-        line(rf"{D} = -\flown{{inverse_after_yaw}} R_3(\psi)^T {EPS}", FIRST, "it is put in",
+        line(rf"{D} = -\flown{{inverse_after_yaw}} R_3(\psi)^T {EPS}", FIRST, "the inverse is a product of the two",
              multiply_out("3", of="2")),
         line(rf"{D} = \flown{{euler_D_eps}} {EPS}", FIRST,
-             "multiplied out; singular at a pitch of +-90 deg, where roll and yaw turn about one axis",
+             "it is singular at a pitch of +-90 deg, where roll and yaw turn about one axis",
              multiply_out(), result=True),
         unit="rad", leads_to=("19",), small=("euler_error",),
     ),
@@ -290,12 +290,12 @@ WRITTEN: dict[str, Derived] = {
              "the computed matrix may as well belong to a body b', turned from b by β, in the true n"),
         line(r"C_{b'}^b = \exp(B)", EXACT_LINE, "components in b of a vector fixed in b'"),
         line(r"C_{b'}^b = I + B", FIRST, SMALL, expand("B")),
-        line(r"\hat{C}_b^n = C_{b'}^n = C_b^n (I + B)", FIRST, "in the first line", substitute("3", of="1")),
+        line(r"\hat{C}_b^n = C_{b'}^n = C_b^n (I + B)", FIRST, "it stands in the first line", substitute("3", of="1")),
         line(rf"\hat{{C}}_b^n = {COMPUTED}", EXACT_LINE, "the computed attitude is that of the computed angles"),
         line(r"C_b^{n'} = C_n^{n'} C_b^n", EXACT_LINE, "components pass from b to n and from n to n'"),
-        line(r"\hat{C}_b^n = C_b^{n'} = C_n^{n'} C_b^n", EXACT_LINE, "with (4)", chain("5", "(4)", "6")),
+        line(r"\hat{C}_b^n = C_b^{n'} = C_n^{n'} C_b^n", EXACT_LINE, "(4) has the last side", chain("5", "(4)", "6")),
         line(r"\hat{C}_b^n = C_{b'}^n = C_b^n C_{b'}^b = C_b^n (I + B) = C_b^{n'} = C_n^{n'} C_b^n = (I - E) C_b^n",
-             FIRST, "with (6)", chain("1", "4", "7", "(6)"), result=True),
+             FIRST, "(6) has the last side", chain("1", "4", "7", "(6)"), result=True),
         unit="1", leads_to=("11",), small=("euler_error",),
     ),
     # (10) with skew matrices; the text has it between (10) and (11).
@@ -325,7 +325,7 @@ WRITTEN: dict[str, Derived] = {
     "12": derived(
         line(rf"\beta^b = C_n^b R_3(\psi) A_3(\theta) {D}", FIRST, "(8) in (11)", substitute("(8)", of="(11)")),
         line(rf"C_n^b = {TURNS_BACK}", EXACT_LINE, "the turns back, the last one first"),
-        line(rf"\beta^b = {TURNS_BACK} R_3(\psi) A_3(\theta) {D}", FIRST, "in the first line",
+        line(rf"\beta^b = {TURNS_BACK} R_3(\psi) A_3(\theta) {D}", FIRST, "it stands in the first line",
              substitute("2", of="1")),
         line(rf"{BETA} = R_1(\phi)^T R_2(\theta)^T A_3(\theta) {D}", FIRST, "the yaw cancels", multiply_out()),
         line(r"R_2(\theta)^T A_3(\theta) = \flown{axes_before_roll}", IDENTITY,
@@ -333,7 +333,7 @@ WRITTEN: dict[str, Derived] = {
         line(rf"{BETA} = R_1(\phi)^T \flown{{axes_before_roll}} {D}", FIRST, "and R1(φ) transposed takes them to b",
              multiply_out("5", of="4")),
         line(rf"{BETA} = \flown{{beta_D_euler}} {D}", FIRST,
-             "multiplied out, only φ and θ are left: in the body nobody knows the heading", multiply_out(),
+             "only φ and θ are left: in the body nobody knows the heading", multiply_out(),
              result=True),
         unit="rad", leads_to=("13",), small=("euler_error",),
     ),
@@ -343,9 +343,10 @@ WRITTEN: dict[str, Derived] = {
         line(rf"{D} = A_1(\theta)^{{-1}} R_1(\phi) {BETA}", FIRST, "the inverse of a product",
              multiply(left=r"A_1(\theta)^{-1} R_1(\phi)")),
         line(r"A_1(\theta)^{-1} = \flown{inverse_before_roll}", IDENTITY, "a triangular matrix by substitution"),
-        line(rf"{D} = \flown{{inverse_before_roll}} R_1(\phi) {BETA}", FIRST, "it is put in",
+        line(rf"{D} = \flown{{inverse_before_roll}} R_1(\phi) {BETA}", FIRST, "the inverse is a product of the two",
              multiply_out("3", of="2")),
-        line(rf"{D} = \flown{{euler_D_beta}} {BETA}", FIRST, "multiplied out", multiply_out(), result=True),
+        line(rf"{D} = \flown{{euler_D_beta}} {BETA}", FIRST, "nothing but roll and pitch is needed",
+             multiply_out(), result=True),
         unit="rad", leads_to=("15",), small=("euler_error",),
     ),
     "14": derived(
@@ -379,8 +380,8 @@ WRITTEN: dict[str, Derived] = {
              take_vector()),
         line(rf"{column(*GAP)} = A_1(\theta_r)^{{-1}} R_1(\phi_r) {MU}", first_order("mu"), "the inverse, as in (13)",
              multiply(left=r"A_1(\theta_r)^{-1} R_1(\phi_r)")),
-        line(rf"{column(*GAP)} = \flown{{euler_D_mu}} {MU}", first_order("mu"), "multiplied out", multiply_out(),
-             result=True),
+        line(rf"{column(*GAP)} = \flown{{euler_D_mu}} {MU}", first_order("mu"),
+             "the matrix is that of (13), at the master", multiply_out(), result=True),
         unit="rad", leads_to=("18", "19"), small=("mu",),
     ),
     "16": derived(
@@ -392,7 +393,7 @@ WRITTEN: dict[str, Derived] = {
         line(rf"{column(*HAT_B)} = {column(*TRUE_B)} + {D_B}", EXACT_LINE, "(1) to (3) for the slave"),
         line(rf"{column(*HAT_R)} = {column(*TRUE_R)} + {D_R}", EXACT_LINE, "(1) to (3) for the master"),
         line(rf"Z = {D_B} + {column(*TRUE_B)} - {column(*TRUE_R)} - {column(*GAP_HAT)} - {D_R}", EXACT_LINE,
-             "both in (16)", substitute("1", "2", of="(16)"), result=True),
+             "both are put in (16)", substitute("1", "2", of="(16)"), result=True),
         unit="rad", leads_to=("19",),
     ),
     # (15) for the estimated misalignment: how the filter computes the difference.
@@ -446,8 +447,9 @@ WRITTEN: dict[str, Derived] = {
         line(r"\dot{\hat{C}}_b^n = (\hat{C}_b^n) [(\omega_{ib}^b + \delta\omega^b) \times] - \Omega_{in}^n \hat{C}_b^n",
              EXACT_LINE, "and of the computed one, with the gyro's error added; the error of ω_in_n, which comes from "
              "position and velocity, is dropped here"),
-        line(r"\hat{C}_b^n = (I - E) C_b^n", FIRST, "(10)", chain("(10)")),
-        line(r"\dot{\hat{C}}_b^n = -\dot{E} C_b^n + (I - E) \dot{C}_b^n", first_order(), "by time",
+        line(r"\hat{C}_b^n = (I - E) C_b^n", FIRST, "the computed attitude belongs to n', as (10) has it",
+             chain("(10)")),
+        line(r"\dot{\hat{C}}_b^n = -\dot{E} C_b^n + (I - E) \dot{C}_b^n", first_order(), "both sides change with time",
              differentiate({r"\hat{C}_b^n": r"\dot{\hat{C}}_b^n", "E": r"\dot{E}", "C_b^n": r"\dot{C}_b^n"})),
         line(r"-\dot{E} C_b^n + (I - E) \dot{C}_b^n = "
              r"(\hat{C}_b^n) [(\omega_{ib}^b + \delta\omega^b) \times] - \Omega_{in}^n \hat{C}_b^n", first_order(),
@@ -479,8 +481,9 @@ WRITTEN: dict[str, Derived] = {
         line(r"\dot{\mu}^r = 0", EXACT_LINE, "on a rigid mounting μ is constant in r"),
         line(r"\dot{\hat{\mu}}^r = 0", EXACT_LINE, "between corrections so is its estimate, by the filter's own rule"),
         line(r"\delta\mu^r = \hat{\mu}^r - \mu^r", EXACT_LINE, "the text under (19)"),
-        line(r"\delta\dot{\mu}^r = \dot{\hat{\mu}}^r - \dot{\mu}^r", EXACT_LINE, "by time", differentiate({
-            r"\delta\mu^r": r"\delta\dot{\mu}^r", r"\hat{\mu}^r": r"\dot{\hat{\mu}}^r", r"\mu^r": r"\dot{\mu}^r"})),
+        line(r"\delta\dot{\mu}^r = \dot{\hat{\mu}}^r - \dot{\mu}^r", EXACT_LINE, "both sides change with time",
+             differentiate({r"\delta\mu^r": r"\delta\dot{\mu}^r", r"\hat{\mu}^r": r"\dot{\hat{\mu}}^r",
+                            r"\mu^r": r"\dot{\mu}^r"})),
         line(r"\delta\dot{\mu}^r = 0", EXACT_LINE, "both are constant", substitute("1", "2"), result=True),
         line(r"\begin{bmatrix} \dot{\epsilon}^n \\ \delta\dot{\mu}^r \end{bmatrix} = "
              rf"{STATE_MATRIX} \begin{{bmatrix}} \epsilon^n \\ \delta\mu^r \end{{bmatrix}} + "
@@ -506,15 +509,17 @@ WRITTEN: dict[str, Derived] = {
         line(r"\Delta Q_b^n = \begin{bmatrix} 1 \\ \frac{\epsilon_n}{2} \\ \frac{\epsilon_e}{2} \\ "
              r"\frac{\epsilon_d}{2} \end{bmatrix}", FIRST, "its limit",
              expand(r"\epsilon_n", r"\epsilon_e", r"\epsilon_d", of="2")),
-        line(r"\Delta Q_b^n = \flown{quaternion}", EXACT_LINE, "the function that flies adds τ, 1e-30, under the root"),
+        line(r"\Delta Q_b^n = \flown{quaternion}", EXACT_LINE,
+             "the function that flies, which adds 1e-30 under the root"),
         unit="1", leads_to=("24",),
         note="The label ΔQ_b2n is that of a rotation from n' to n; it changes no number.",
     ),
     # The correction of the attitude.
     "24": derived(
-        line(r"\hat{C}_b^n = C_n^{n'} C_b^n", EXACT_LINE, "(10)", chain("(10)")),
-        line(r"C_n^{n'} = \exp(-E)", EXACT_LINE, "as in (6)"),
-        line(r"\hat{C}_b^n = \exp(-E) C_b^n", EXACT_LINE, "in the first line", substitute("2", of="1")),
+        line(r"\hat{C}_b^n = C_n^{n'} C_b^n", EXACT_LINE, "the computed attitude belongs to n', as (10) has it",
+             chain("(10)")),
+        line(r"C_n^{n'} = \exp(-E)", EXACT_LINE, "n' is n turned by ε, as in (6)"),
+        line(r"\hat{C}_b^n = \exp(-E) C_b^n", EXACT_LINE, "it stands in the first line", substitute("2", of="1")),
         line(r"C_b^n = \exp(E) \hat{C}_b^n", EXACT_LINE, "from the left with the turn back",
              multiply(left=r"\exp(E)")),
         line(r"\hat{Q}_b^n(k^+) = \Delta Q_b^n(k) \hat{Q}_b^n(k^-)", EXACT_LINE,

@@ -49,7 +49,6 @@ def letters() -> tuple[Quantity, ...]:
         add(name, latex, "vector", meaning, (3,))
     for axis in "ned":
         add(f"ω_{axis}", rf"\omega_{axis}", "rate", "component of ω_in_n, rad/s")
-    add("τ", r"\tau", "square", "1e-30 rad^2, which keeps the code from 0/0")
     for i in range(4):
         add(f"q\u0302_{i}", rf"\hat{{q}}_{i}", "quaternion part", "component of Q̂(k-)")
     return tuple(table)

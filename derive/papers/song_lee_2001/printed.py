@@ -2,11 +2,9 @@
 """The 28 numbered equations of Song and Lee 2001 and two without a number, verbatim, and the letters in which they are written."""
 
 from functools import cache
-from unicodedata import normalize
-
-from sympy import Symbol
 
 from boresight.derive.ledger.equation import Quantity
+from boresight.derive.ledger.equation import letter as made
 
 # number: ((first line, last line) in the source text counted from 1, its displays without the number)
 PRINTED: dict[str, tuple[tuple[int, int], tuple[str, ...]]] = {
@@ -162,9 +160,7 @@ def quantities() -> tuple[Quantity, ...]:
     table: list[Quantity] = []
 
     def add(name, latex, kind, meaning, shape=(), function=False):
-        name = normalize("NFC", name)
-        symbol = Symbol(name, commutative=shape == (), real=True if shape == () else None)
-        table.append(Quantity(symbol, latex, kind, meaning, shape, function))
+        table.append(made(name, latex, kind, meaning, shape, function))
 
     greek = (("φ", r"\phi", "roll"), ("θ", r"\theta", "pitch"), ("ψ", r"\psi", "yaw"))
     owners = (("", "", ""), ("_b", "_b", " of the slave"), ("_r", "_r", " of the master"))

@@ -174,7 +174,6 @@ def _attitudes(base: Base, definitions: tuple[tuple[Relation, ...], ...]) -> dic
         "μ": mu,
         "μ\u0302": mu_hat,
         "δμ": Matrix(base.mu_error),
-        "τ": exact("1e-30"),
         "A_1": axes_before_roll,
         "A_3": axes_after_yaw,
     }
