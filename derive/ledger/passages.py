@@ -226,6 +226,8 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
     if before.sides == after.sides:
         return LineVerdict(False, f"{passage.operation}: the line before says the same")
     if passage.operation == "substitute":
+        if len(passage.letters) > len(passage.using):
+            raise ValueError("more letters than rows are named")
         rows = list(zip_longest(passage.using, passage.letters, fillvalue=""))
         verdict = _substituted(paper, rows, before, after, relation_of, point)
         for k, (row, _) in enumerate(rows):
