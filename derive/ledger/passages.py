@@ -19,7 +19,7 @@ from boresight.derive.ledger.equation import Equation, Line, Passage, Relation
 from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate, multiplied, power, residual, solve
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.lines import LineVerdict
-from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, middle, zeros
+from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, middle, sqrt, zeros
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
 from boresight.derive.ledger.witness import quaternion, rotation_vector
@@ -129,6 +129,21 @@ def put_in(*rows: str, of: str = "") -> Passage:
 def find_minimum(direction: str = "", of: str = "") -> Passage:
     """The line before, of which the left is the rate of a cost, is zero at the minimum, whatever the direction."""
     return Passage("find the minimum", of, (), (direction,) if direction else ())
+
+
+def stack(first: str, *others: str) -> Passage:
+    """The lines over one another: their first sides, and their last ones."""
+    return Passage("stack", first, others)
+
+
+def take_root(of: str = "") -> Passage:
+    """The positive square root of each side."""
+    return Passage("take the root", of)
+
+
+def identify(letter: str, of: str = "") -> Passage:
+    """Both sides are equal whatever the letter, a vector, is: so are their derivatives by its components, a matrix."""
+    return Passage("identify", of, (), (letter,))
 
 
 def take_rotation_vector(of: str = "") -> Passage:
@@ -244,7 +259,8 @@ def _gradient(paper: Paper, passage: Passage, before: Relation, point: Point) ->
     if not passage.letters:
         return _entries(evaluate(before.sides[-1], point))
     (direction,) = _symbols(paper, passage.letters)
-    units = [Matrix([int(i == j) for j in range(3)]) for i in range(*paper.letter(direction.name).shape)]
+    (size,) = paper.letter(direction.name).shape
+    units = [Matrix([int(i == j) for j in range(size)]) for i in range(size)]
     rates = (evaluate(before.sides[-1], point.changed({direction.name: unit})) for unit in units)
     return [entry for rate in rates for entry in _entries(rate)]
 
@@ -297,6 +313,12 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
         sign = 1 if name == "add line" else -1
         other = [evaluate(side, point) for side in relation_of(passage.using[0]).sides]
         return [a + b * sign for a, b in zip((values[0], values[-1]), (other[0], other[-1]), strict=True)]
+    if name == "stack":
+        rows = [before, *(relation_of(row) for row in passage.using)]
+        return [Matrix([e for row in rows for e in _entries(evaluate(row.sides[i], point))]) for i in (0, -1)]
+    if name == "identify":
+        (letter,) = (symbol.name for symbol in _symbols(paper, passage.letters))
+        return [_jacobian(side, letter, point) for side in before.sides]
     if name == "expand":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
 
@@ -337,6 +359,17 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
     return [_TAKE[name](value, passage) for value in values]
 
 
+def _jacobian(side, letter: str, point: Point) -> Matrix:
+    """The derivative by the components of a letter, a column for each."""
+    at, columns = point.values[letter], []
+    for i in range(at.rows):
+        unit = at * 0
+        unit[i, 0] = STEP
+        up, down = (_entries(evaluate(side, point.changed({letter: at + unit * sign}))) for sign in (1, -1))
+        columns.append([(a - b) / (2 * STEP) for a, b in zip(up, down, strict=True)])
+    return Matrix([list(row) for row in zip(*columns, strict=True)])
+
+
 def _series(function: Callable, order: int):
     """The Taylor polynomial in s at 0 through `order` (1 or 2), at s = 1."""
     up, down = function(STEP), function(-STEP)
@@ -364,6 +397,7 @@ def _of_rotation(take: Callable) -> Callable:
 
 
 _TAKE: dict[str, Callable] = {
+    "take the root": lambda value, passage: sqrt(value),
     "take the rotation vector": _of_rotation(rotation_vector),
     "take the quaternion": _of_rotation(quaternion),
     "transpose": lambda value, passage: value.T,
