@@ -12,6 +12,7 @@ def quantities() -> tuple[Quantity, ...]:
     """Every letter, with LaTeX, kind and meaning."""
     hat, dot, both = r"\hat{%s}", r"\dot{%s}", r"\dot{\hat{%s}}"
     scalars = (
+        ("δτ", r"\delta\tau", "delay error", "error of the estimated delay, s"),
         ("L", "L", "angle", "geodetic latitude, rad"),
         ("λ", r"\lambda", "angle", "longitude, rad"),
         ("h", "h", "height", "height above the ellipsoid, m"),
@@ -34,6 +35,13 @@ def quantities() -> tuple[Quantity, ...]:
         ("Δt", r"\Delta t", "time", "step, s"),
     )
     vectors = (
+        ("δb_g", r"\delta b_g", "gyro bias", "error of the gyro bias, rad/s"),
+        ("δb_a", r"\delta b_a", "accelerometer bias", "error of the accelerometer bias, m/s^2"),
+        ("δμ", r"\delta\mu", "rotation", "error of the estimated misalignment, rad"),
+        ("ε", r"\epsilon", "rotation", "rotation vector from n to the computed n, rad"),
+        ("z_v", "z_v", "velocity measurement", "velocity expected of the master less the reported one, m/s"),
+        ("z_a", "z_a", "attitude measurement", "turn of the expected attitude from the reported one, rad"),
+        ("z_e", "z_e", "attitude measurement", "Euler angles expected of the master less the reported ones, rad"),
         ("p", "p", "position", "latitude, longitude, height"),
         ("p̂", hat % "p", "position", "computed position"),
         ("ṗ", dot % "p", "rate of position", "its rate"),
