@@ -746,7 +746,7 @@ class Formula:
             return self.values.letters[name]
         head = self.head()
         if head is not None:
-            return self.values.functions[head](*self.arguments())
+            return self.values.functions[head](*map(whole, self.arguments()))
         kind, what = self.row[self.at]
         self.at += 1
         if kind == "number":
@@ -833,7 +833,10 @@ class Formula:
             if found is None:
                 raise RefusedError(f"{name} of nothing")
             value = self.values.letters[found]
-        value = FUNCTIONS[name](whole(value))
+        value = whole(value)
+        if isinstance(value, Matrix) and (name != "exp" or value.rows != value.cols):
+            raise RefusedError(f"{name} of a matrix")
+        value = FUNCTIONS[name](value)
         return value if power is None else raised(value, power)
 
     def expectation(self) -> Any:
@@ -885,7 +888,9 @@ class Formula:
             while self.take("≤"):
                 bounds.append(self.sum())
             self.need("}")
-            return self.values.functions["samples"](*bounds)
+            if "samples" not in self.values.functions:
+                raise RefusedError("no samples are meant")
+            return self.values.functions["samples"](*map(whole, bounds))
         raise RefusedError(f"{sign} begins nothing")
 
 
