@@ -74,6 +74,23 @@ def test_a_change_of_a_source_or_a_library_ends_what_is_kept(folder, calls, tmp_
         assert kept_ledger.key(copy) != before
 
 
+def test_a_kept_page_is_the_rendered_one_of_its_format_and_width(folder, monkeypatch):
+    wanted = [("3", "text", 80), ("3", "text", 100), ("3", "html", 80), (None, "text", 80)]
+    rendered, seen = kept_ledger.rendered, []
+    monkeypatch.setattr(kept_ledger, "rendered", lambda *words: seen.append(words[1:]) or rendered(*words))
+    for number, form, width in wanted * 2:
+        monkeypatch.setenv("COLUMNS", str(width))
+        assert kept_ledger.page(PAPER, number, form, width) == rendered(PAPER, number, form)
+    assert seen == [(number, form) for number, form, _ in wanted]
+
+
+def test_a_change_of_a_template_ends_what_is_kept(tmp_path):
+    copy = Path(shutil.copytree(kept_ledger.DERIVE, tmp_path / "derive"))
+    template = copy / "pages" / "templates" / "page.html.j2"
+    template.write_text(template.read_text() + "\n")
+    assert kept_ledger.key(copy) != kept_ledger.key()
+
+
 @pytest.mark.parametrize("damage", ["", "{", "[]", '{"key": "0"}'])
 def test_a_damaged_ledger_is_computed_anew(damage, folder, calls):
     folder.mkdir()

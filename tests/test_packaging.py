@@ -73,7 +73,8 @@ def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(built, tmp_
     wanted = (
         "generated/euler_matching/manifest.json", "generated/euler_matching/CMakeLists.txt",
         "generated/euler_matching/src/em_euler_H_kernel.h", "codegen/templates/src/UNIT.c.j2", "derive/model.py",
-        "codegen/templates/src/stationary_detector.c.j2", "generated/stationary_detector/src/stationary_detector.c",
+        "codegen/templates/src/stationary_detector.c.j2", "derive/pages/templates/page.html.j2",
+        "generated/stationary_detector/src/stationary_detector.c",
         "runtime/recordings/fog_mems_transfer.toml", "runtime/recordings/template.toml", "studies/euler_table.py",
         "cli.py", "py.typed",
     )  # fmt: skip

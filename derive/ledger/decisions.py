@@ -28,6 +28,7 @@ from boresight.derive.ledger.judge import (
 )
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import plain, read
+from boresight.derive.pages.text import text_relation
 
 
 @dataclass(frozen=True)
@@ -173,7 +174,7 @@ def _taken(paper: Paper, equation: Equation, verdict: Verdict, needed: tuple[str
     elif verdict.status == "refuted" and not verdict.empty and not equation.defines:
         yield f"Small: {words}."
     for reading in equation.readings:
-        yield f"{reading.printed} is read as {reading.meant}: {reading.why}."
+        yield f"{_written(reading.printed)} is read as {_written(reading.meant)}: {reading.why}."
     for spelling, letter, rivals in _spelled(paper, equation):
         others = " or ".join(map(str, rivals))
         if others:
@@ -188,6 +189,11 @@ def _taken(paper: Paper, equation: Equation, verdict: Verdict, needed: tuple[str
         yield f"{definition.label} is taken as it is corrected."
     if equation.number in paper.witness.left_out:
         yield f"The witness leaves out: {paper.witness.left_out[equation.number]}."
+
+
+def _written(expression) -> str:
+    """As a page has it, not as code."""
+    return str(expression) if expression.is_Symbol else text_relation(Relation((expression,)), (), 1000)
 
 
 def _meaning(paper: Paper, equation: Equation, meaning: Meaning) -> Iterator[str]:

@@ -121,6 +121,11 @@ def take_entry(row: int, column: int, of: str = "") -> Passage:
     return Passage("take an entry", of, with_=(str(row), str(column)))
 
 
+def put_in(*rows: str, of: str = "") -> Passage:
+    """The first side of each row, a letter, is replaced by the last one, all at once, within expectations too."""
+    return Passage("put in", of, rows)
+
+
 def find_minimum(direction: str = "", of: str = "") -> Passage:
     """The line before, of which the left is the rate of a cost, is zero at the minimum, whatever the direction."""
     return Passage("find the minimum", of, (), (direction,) if direction else ())
@@ -166,6 +171,13 @@ def _judged(paper: Paper, equation: Equation, index: int, passage: Passage, repl
         lines = [relation_of(row) for row in passage.using]
         return _all(_chained(lines, after, free_point(paper, seed)) for seed in SEEDS)
     before = relation_of(passage.of)
+    if passage.operation == "find the minimum":
+        if len(after.sides) != 2:
+            raise ValueError("the line has more than two sides")
+        points = [free_point(paper, seed) for seed in SEEDS]
+        # the line is the rate but for one number, the same wherever the letters are
+        first, second = (_factor(_gradient(paper, passage, before, at), _difference(after, at)) for at in points)
+        return _said(None not in (first, second) and _same([first], [second]), passage.operation)
     return _all(_leads(paper, passage, before, after, relation_of, free_point(paper, seed)) for seed in SEEDS)
 
 
@@ -192,7 +204,7 @@ def _relation(paper: Paper, equation: Equation, index: int, label: str, replaced
 
 
 def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, relation_of, point: Point) -> LineVerdict:
-    if passage.operation in ("rearrange", "find the minimum") and len(after.sides) != 2:
+    if passage.operation == "rearrange" and len(after.sides) != 2:
         raise ValueError("the line has more than two sides")
     for identity in passage.using if passage.operation == "multiply out" else ():
         if not _same(_difference(relation_of(identity), point), [0] * len(_difference(relation_of(identity), point))):
@@ -213,8 +225,6 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
         return _said(all(_same(a, b) for a, b in pairwise(values)), passage.operation)
     if before.sides == after.sides:
         return LineVerdict(False, f"{passage.operation}: the line before says the same")
-    if passage.operation == "find the minimum":
-        return _said(_multiple(_gradient(paper, passage, before, point), _difference(after, point)), passage.operation)
     if passage.operation == "substitute":
         rows = list(zip_longest(passage.using, passage.letters, fillvalue=""))
         verdict = _substituted(paper, rows, before, after, relation_of, point)
@@ -237,12 +247,12 @@ def _gradient(paper: Paper, passage: Passage, before: Relation, point: Point) ->
     return [entry for rate in rates for entry in _entries(rate)]
 
 
-def _multiple(a: list, b: list) -> bool:
-    """Whether one is a number times the other, and neither is zero."""
+def _factor(a: list, b: list):
+    """The number that is b / a, entry by entry; None if there is none."""
     k = max(range(len(a)), key=lambda i: abs(middle(a[i])))
     if len(a) != len(b) or _same(a, [0] * len(a)) or _same([b[k]], [0]):
-        return False
-    return _same([entry * b[k] / a[k] for entry in a], b)
+        return None
+    return b[k] / a[k] if _same([entry * b[k] / a[k] for entry in a], b) else None
 
 
 def _substituted(
@@ -302,6 +312,13 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
             if isinstance(other, Symbol) and paper.letter(other.name).kind != paper.letter(letter.name).kind:
                 raise ValueError(f"{other} is another kind of quantity than {letter}")
         said = before.replaced(dict(zip(named, others, strict=True)))
+        return [evaluate(side, point) for side in said.sides]
+    if name == "put in":
+        rows = [relation_of(row) for row in passage.using]
+        for row in rows:
+            if not any(row.sides[0] in side.free_symbols for side in before.sides):
+                raise ValueError(f"{row.sides[0]} does not stand in the line")
+        said = before.replaced({row.sides[0]: row.sides[-1] for row in rows})
         return [evaluate(side, point) for side in said.sides]
     if name == "differentiate":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]

@@ -123,8 +123,8 @@ def _forms(relations: Iterable[Relation], quantities: Iterable[Quantity], places
 
 def evidence(paper: Paper, equation: Equation, entry: Entry) -> list[Block]:
     """What was found, the numbers of each slip, and what the paper's own consequences say, as sentences."""
-    own = paper.evidence(equation.number).removeprefix("; ")
-    judged = entry.evidence.removesuffix(paper.evidence(equation.number))
+    own = paper.evidence(equation.number)
+    judged = entry.evidence.removesuffix(f"; {own}" if own else "")
     if entry.status != "erratum":
         return [Prose(sentences(judged), "Evidence"), *([Prose(sentences(own), "Sizes")] if own else [])]
     why = judged.partition(f"; at {paper.point.text}")[0]

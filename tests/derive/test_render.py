@@ -18,7 +18,7 @@ from boresight.derive.pages.latex import latex_relation
 from boresight.derive.pages.mathml import mathml_relation
 from boresight.derive.pages.page import notation
 from boresight.derive.pages.render import render
-from boresight.derive.papers import PAPERS, paper
+from boresight.derive.papers import DERIVATIONS, PAPERS, paper
 
 PAPER = paper("song-lee-2001")
 needs_pdflatex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
@@ -263,3 +263,10 @@ def test_a_notebook_shows_an_equation_and_a_derivation():
     shown = Page(equation.derivation._repr_html_())
     assert not shown.open and not shown.wrong
     assert equation.derivation._repr_latex_().count("gathered") == 2
+
+
+@pytest.mark.parametrize("name", [*PAPERS, *DERIVATIONS])
+def test_a_page_shows_no_code(name, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "100")
+    lines = render(paper(name)).splitlines()
+    assert not [line for line in lines if re.search(r"\w\*\w|\*\*|\b(eye|entry|transpose|Matrix|norm|vee)\(", line)]

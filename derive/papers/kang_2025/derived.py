@@ -227,7 +227,7 @@ def attitude_matrix():
         line(r"X = eye(3) + [e \times] + \frac{1}{2} [e \times] [e \times]", of_order(2), "through the second order",
              expand("e", order=2)),
         line(r"\frac{1}{2} (X - X^T) = [e \times]", of_order(2),
-             "half of the whole difference: the second order is symmetric and goes, and eye(3) with it",
+             "half of the whole difference: the second order is symmetric and goes, and the identity with it",
              take_skew_part()),
         line(r"A = [e \times]", EXACT_LINE, "A stands for the turn: its entries are those of (5)"),
         line(r"A = \frac{1}{2} \left(\left(C_S^n C_M^S C_M^{nT} - eye(3) \right) "
