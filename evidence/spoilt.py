@@ -23,23 +23,18 @@ from boresight.derive.pages.latex import latex_relation
 from boresight.derive.pages.mathml import mathml_relation
 from boresight.derive.pages.text import text_relation
 from boresight.derive.papers import PAPERS, paper
-from boresight.evidence.read_back import (
-    Broken,
-    Formula,
+from boresight.evidence.formula_tokens import (
     Node,
     RefusedError,
     Row,
     Spelling,
-    Values,
-    equal,
     latex_tokens,
     mathml_tokens,
     parsed,
-    plus,
     spelling,
     text_tokens,
-    times,
 )
+from boresight.evidence.read_back import Broken, Formula, Values, equal, plus, times
 from boresight.evidence.sources import Derivations
 
 DIGITS = 30
