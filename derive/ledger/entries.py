@@ -139,7 +139,7 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
         kind=kind,
         origin=origin,
         printed=r" \\ ".join(equation.latex),
-        derived=latex_relations(equation.derived, equation.alphabet),
+        derived=latex_relations(equation.derived, equation.page_letters),
         note=" ".join(notes),
         evidence=evidence,
         found=found,

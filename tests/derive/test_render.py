@@ -69,7 +69,7 @@ def test_conditions_are_written_once_and_referred_to():
 
 
 def test_a_derived_form_that_is_the_print_is_not_repeated():
-    text = render(paper("kim-2018"), "13")
+    text, *_ = render(paper("kim-2018"), "13").partition("\n1. ")
     assert "printed and derived" in text and text.count("Φ_{k-1}") == 1
 
 
@@ -212,6 +212,12 @@ def test_a_formula_is_cut_before_the_signs_outside_of_brackets(latex, cut):
     found = pieces(latex)
     assert found == cut if cut else len(found) == 3
     assert "".join(found).replace("{}", "").replace(" ", "") == latex.replace(" ", "")
+
+
+def test_a_formula_in_html_may_end_a_line_before_its_signs_and_its_matrices():
+    shown = re.findall(r'<div class="formula">(.*?)</div>', render(paper("kim-2018"), "11", "html"))
+    assert re.findall(r'<wbr><math[^>]*>(?:<mrow class="slip">)?<mo form="infix">(.)</mo>', shown[0]) == list("=−−")
+    assert len(re.findall(r"<wbr><math[^>]*><mrow", render(PAPER, "9", "html"))) > 2
 
 
 @needs_pdflatex
