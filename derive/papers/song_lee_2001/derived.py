@@ -76,34 +76,34 @@ def flown() -> dict[str, object]:
     euler_b, euler_r = s("φ_b θ_b ψ_b"), s("φ_r θ_r ψ_r")
     turn = s("Δq_0 Δq_1 Δq_2 Δq_3")
     mu, eps, omega = s("μ_x μ_y μ_z"), s("ε_n ε_e ε_d"), s("ω_n ω_e ω_d")
-    C, H = dcm_from_euler(*euler), measurement_matrix(euler_b, euler_r)
+    C, H = dcm_from_euler(*euler), layout(measurement_matrix(euler_b, euler_r))
     before, missed = s("μ̂(k-) δμ(k)")
     quaternion = error_quaternion(eps)
     corrected = corrected_quaternion(s("q̂_0 q̂_1 q̂_2 q̂_3"), eps).subs(dict(zip(quaternion, turn, strict=True)))
     found = {
-        "C_b2n": layout(C),
-        "noise": layout(attitude_noise_matrix(C)),
-        "axes_after_yaw": layout(axes_after_yaw(theta)),
-        "axes_before_roll": layout(axes_before_roll(theta)),
+        "C_b2n": ImmutableMatrix(C),
+        "noise": ImmutableMatrix(attitude_noise_matrix(C)),
+        "axes_after_yaw": ImmutableMatrix(axes_after_yaw(theta)),
+        "axes_before_roll": ImmutableMatrix(axes_before_roll(theta)),
         "inverse_after_yaw": layout(axes_after_yaw(theta).lower_triangular_solve(eye(3))),
         "inverse_before_roll": layout(axes_before_roll(theta).upper_triangular_solve(eye(3))),
-        "eps_D_euler": layout(eps_D_euler(theta, psi)),
+        "eps_D_euler": ImmutableMatrix(eps_D_euler(theta, psi)),
         "euler_D_eps": layout(euler_D_eps(theta, psi)),
-        "beta_D_euler": layout(beta_D_euler(phi, theta)),
+        "beta_D_euler": ImmutableMatrix(beta_D_euler(phi, theta)),
         "euler_D_beta": layout(euler_D_beta(phi, theta)),
         "euler_D_mu": layout(relative_euler(euler_r, mu).jacobian(Matrix(mu))),
-        "H": layout(H),
-        "H_eps": layout(H[:, :3]),
-        "H_mu": layout(-H[:, 3:]),
+        "H": H,
+        "H_eps": H[:, :3],
+        "H_mu": -H[:, 3:],
         "F": ImmutableMatrix(attitude_error_matrix(omega)),
         "quaternion": ImmutableMatrix(quaternion.subs(TINY_SQUARE, 0)),
         "corrected_quaternion": ImmutableMatrix(corrected),
         # The function's own terms, in the order of the page.
         "corrected_mu": total(*sorted(corrected_misalignment(before, missed).args, key=lambda term: term != before)),
     }
-    found |= {f"change_{angle.name}": layout(C.diff(angle)) for angle in euler}
-    found |= {f"H_eps_{i}": layout(H[i - 1, :3]) for i in (1, 2, 3)}
-    found |= {f"H_mu_{i}": layout(-H[i - 1, 3:]) for i in (1, 2, 3)}
+    found |= {f"change_{angle.name}": ImmutableMatrix(C.diff(angle)) for angle in euler}
+    found |= {f"H_eps_{i}": H[i - 1, :3] for i in (1, 2, 3)}
+    found |= {f"H_mu_{i}": -H[i - 1, 3:] for i in (1, 2, 3)}
     return found
 
 
