@@ -129,7 +129,8 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
     else:
         evidence = f"both sides agree to 28 digits at {paper.witness.words}, {len(SEEDS)} points"
         found = "Both sides agree to 28 digits."
-    evidence += paper.evidence(equation.number)
+    own = paper.evidence(equation.number)
+    evidence += f"; {own}" if own else ""
     by_hand = decisions(paper, equation, verdict)
     return Entry(
         paper=equation.paper,
@@ -138,7 +139,7 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
         kind=kind,
         origin=origin,
         printed=r" \\ ".join(equation.latex),
-        derived=latex_relations(equation.derived, equation.alphabet),
+        derived=latex_relations(equation.derived, equation.page_letters),
         note=" ".join(notes),
         evidence=evidence,
         found=found,

@@ -227,8 +227,13 @@ class Equation:
 
     @property
     def alphabet(self) -> tuple[Quantity, ...]:
-        """The letters in which it and its derivation are shown; of one letter's spellings the last is written."""
+        """The letters in which its derivation is shown; of one letter's spellings the last is written."""
         return (*self.quantities, *self.step_letters)
+
+    @property
+    def page_letters(self) -> tuple[Quantity, ...]:
+        """The same, spelled as the page spells them: for the print, and what is derived in its place."""
+        return (*self.step_letters, *self.quantities)
 
     @property
     def numbered(self) -> bool:
@@ -249,7 +254,7 @@ class Equation:
     def _repr_latex_(self) -> str:
         from boresight.derive.pages.booklet import latex_cell
 
-        return latex_cell(self.derived, self.alphabet)
+        return latex_cell(self.derived, self.page_letters)
 
     def _repr_html_(self) -> str:
         from boresight.derive.pages.html import html_cell

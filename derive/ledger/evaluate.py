@@ -1,7 +1,7 @@
 """The value of an expression at a point, where every letter has one."""
 
 from collections import ChainMap
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from functools import reduce
 from itertools import pairwise
@@ -61,7 +61,7 @@ def _evaluate(expression, point: Point) -> Value:
         return fmpq(int(expression.p), int(expression.q))
     if isinstance(expression, MatrixBase):
         rows, columns = expression.shape
-        return _assembled([[evaluate(expression[i, j], point) for j in range(columns)] for i in range(rows)])
+        return assembled([[evaluate(expression[i, j], point) for j in range(columns)] for i in range(rows)])
     if isinstance(expression, AppliedUndef) and expression.func.__name__ == "Σ":
         # The world's Σ gives the letters at each sample.
         parts = [evaluate(expression.args[0], Point(values)) for values in point.values["Σ"](point.values)]
@@ -112,11 +112,17 @@ def _expected(expression, point: Point):
     result = evaluate(expression, middle)
     for names, columns in point.values["random"].items():
         names, columns = (names, columns) if isinstance(names, tuple) else ((names,), [(one,) for one in columns])
-        for column in columns:
+        for column in columns if _reads(expression, names, point) else ():
             for sign in (1, -1):
                 moved = {name: middle.values[name] + part * sign for name, part in zip(names, column, strict=True)}
                 result = _sum(result, (evaluate(expression, middle.changed(moved)) - evaluate(expression, middle)) / 2)
     return result
+
+
+def _reads(expression, names: Collection[str], point: Point) -> bool:
+    """Whether a letter of the expression is one of these, or follows one."""
+    follows = getattr(point.values, "follows", lambda name, letters: False)
+    return any(symbol.name in names or follows(symbol.name, names) for symbol in expression.free_symbols)
 
 
 def _bounded(value, limit):
@@ -128,7 +134,7 @@ def _bounded(value, limit):
     return value
 
 
-def _assembled(rows) -> Matrix:
+def assembled(rows) -> Matrix:
     """A matrix of numbers, or of blocks; a lone 0 is a block of zeros.  Raises ValueError if they do not fit."""
     if not any(isinstance(entry, Matrix) for row in rows for entry in row):
         return Matrix(rows)

@@ -5,7 +5,7 @@ vector, a vector of components.  All else is a number, or a matrix of numbers, o
 """
 
 import random
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
@@ -95,7 +95,13 @@ class Free(Mapping):
         return Matrix(drawn) if letter.shape else drawn[0][0]
 
     def changed(self, values: Mapping[str, Any]) -> "Free":
-        return Free(self.paper, self.seed, {**self.changes, **values})
+        kept = {name: value for name, value in self.made.items() if not self.follows(name, values)}
+        return Free(self.paper, self.seed, {**self.changes, **values}, kept)
+
+    def follows(self, name: str, letters: Collection[str]) -> bool:
+        """Whether a letter is made of one of these."""
+        rule = self.paper.structure.get(name)
+        return isinstance(rule, Of) and any(one in letters or self.follows(one, letters) for one in rule.letters)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.made)

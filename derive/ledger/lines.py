@@ -275,7 +275,7 @@ def build(
     result = []
     for number, (lines, latex) in printed.items():
         one = written[number]
-        more = dict(one.more)
+        more = {"unit": "1", **one.more}
         for field in ("defines", "introduces"):
             more[field] = tuple(symbols[name] for name in more.get(field, ()))
         form = read(latex, letters_of(number) if letters_of else quantities)

@@ -19,7 +19,7 @@ from boresight.derive.ledger.equation import Equation, Line, Passage, Relation
 from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate, multiplied, power, residual, solve
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.lines import LineVerdict
-from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, middle, zeros
+from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, middle, sqrt, zeros
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
 from boresight.derive.ledger.witness import quaternion, rotation_vector
@@ -94,7 +94,7 @@ def leave_out(*letters: str, of: str = "") -> Passage:
 
 
 def differentiate(rates: dict[str, str], of: str = "") -> Passage:
-    """Each side by a parameter, on which the letters depend with these rates; both in LaTeX."""
+    """Each side by a parameter, on which the letters depend with these rates, letters or numbers; both in LaTeX."""
     return Passage("differentiate", of, (), tuple(rates), tuple(rates.values()))
 
 
@@ -121,9 +121,29 @@ def take_entry(row: int, column: int, of: str = "") -> Passage:
     return Passage("take an entry", of, with_=(str(row), str(column)))
 
 
+def put_in(*rows: str, of: str = "") -> Passage:
+    """The first side of each row, a letter, is replaced by the last one, all at once, within expectations too."""
+    return Passage("put in", of, rows)
+
+
 def find_minimum(direction: str = "", of: str = "") -> Passage:
     """The line before, of which the left is the rate of a cost, is zero at the minimum, whatever the direction."""
     return Passage("find the minimum", of, (), (direction,) if direction else ())
+
+
+def stack(first: str, *others: str) -> Passage:
+    """The lines over one another: their first sides, and their last ones."""
+    return Passage("stack", first, others)
+
+
+def take_root(of: str = "") -> Passage:
+    """The positive square root of each side."""
+    return Passage("take the root", of)
+
+
+def identify(letter: str, of: str = "") -> Passage:
+    """Both sides are equal whatever the letter, a vector, is: so are their derivatives by its components, a matrix."""
+    return Passage("identify", of, (), (letter,))
 
 
 def take_rotation_vector(of: str = "") -> Passage:
@@ -166,6 +186,13 @@ def _judged(paper: Paper, equation: Equation, index: int, passage: Passage, repl
         lines = [relation_of(row) for row in passage.using]
         return _all(_chained(lines, after, free_point(paper, seed)) for seed in SEEDS)
     before = relation_of(passage.of)
+    if passage.operation == "find the minimum":
+        if len(after.sides) != 2:
+            raise ValueError("the line has more than two sides")
+        points = [free_point(paper, seed) for seed in SEEDS]
+        # the line is the rate but for one number, the same wherever the letters are
+        first, second = (_factor(_gradient(paper, passage, before, at), _difference(after, at)) for at in points)
+        return _said(None not in (first, second) and _same([first], [second]), passage.operation)
     return _all(_leads(paper, passage, before, after, relation_of, free_point(paper, seed)) for seed in SEEDS)
 
 
@@ -192,7 +219,7 @@ def _relation(paper: Paper, equation: Equation, index: int, label: str, replaced
 
 
 def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, relation_of, point: Point) -> LineVerdict:
-    if passage.operation in ("rearrange", "find the minimum") and len(after.sides) != 2:
+    if passage.operation == "rearrange" and len(after.sides) != 2:
         raise ValueError("the line has more than two sides")
     for identity in passage.using if passage.operation == "multiply out" else ():
         if not _same(_difference(relation_of(identity), point), [0] * len(_difference(relation_of(identity), point))):
@@ -213,9 +240,9 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
         return _said(all(_same(a, b) for a, b in pairwise(values)), passage.operation)
     if before.sides == after.sides:
         return LineVerdict(False, f"{passage.operation}: the line before says the same")
-    if passage.operation == "find the minimum":
-        return _said(_multiple(_gradient(paper, passage, before, point), _difference(after, point)), passage.operation)
     if passage.operation == "substitute":
+        if len(passage.letters) > len(passage.using):
+            raise ValueError("more letters than rows are named")
         rows = list(zip_longest(passage.using, passage.letters, fillvalue=""))
         verdict = _substituted(paper, rows, before, after, relation_of, point)
         for k, (row, _) in enumerate(rows):
@@ -232,17 +259,18 @@ def _gradient(paper: Paper, passage: Passage, before: Relation, point: Point) ->
     if not passage.letters:
         return _entries(evaluate(before.sides[-1], point))
     (direction,) = _symbols(paper, passage.letters)
-    units = [Matrix([int(i == j) for j in range(3)]) for i in range(*paper.letter(direction.name).shape)]
+    (size,) = paper.letter(direction.name).shape
+    units = [Matrix([int(i == j) for j in range(size)]) for i in range(size)]
     rates = (evaluate(before.sides[-1], point.changed({direction.name: unit})) for unit in units)
     return [entry for rate in rates for entry in _entries(rate)]
 
 
-def _multiple(a: list, b: list) -> bool:
-    """Whether one is a number times the other, and neither is zero."""
+def _factor(a: list, b: list):
+    """The number that is b / a, entry by entry; None if there is none."""
     k = max(range(len(a)), key=lambda i: abs(middle(a[i])))
     if len(a) != len(b) or _same(a, [0] * len(a)) or _same([b[k]], [0]):
-        return False
-    return _same([entry * b[k] / a[k] for entry in a], b)
+        return None
+    return b[k] / a[k] if _same([entry * b[k] / a[k] for entry in a], b) else None
 
 
 def _substituted(
@@ -285,6 +313,12 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
         sign = 1 if name == "add line" else -1
         other = [evaluate(side, point) for side in relation_of(passage.using[0]).sides]
         return [a + b * sign for a, b in zip((values[0], values[-1]), (other[0], other[-1]), strict=True)]
+    if name == "stack":
+        rows = [before, *(relation_of(row) for row in passage.using)]
+        return [Matrix([e for row in rows for e in _entries(evaluate(row.sides[i], point))]) for i in (0, -1)]
+    if name == "identify":
+        (letter,) = (symbol.name for symbol in _symbols(paper, passage.letters))
+        return [_jacobian(side, letter, point) for side in before.sides]
     if name == "expand":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
 
@@ -303,15 +337,37 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
                 raise ValueError(f"{other} is another kind of quantity than {letter}")
         said = before.replaced(dict(zip(named, others, strict=True)))
         return [evaluate(side, point) for side in said.sides]
+    if name == "put in":
+        rows = [relation_of(row) for row in passage.using]
+        for row in rows:
+            if not any(row.sides[0] in side.free_symbols for side in before.sides):
+                raise ValueError(f"{row.sides[0]} does not stand in the line")
+        said = before.replaced({row.sides[0]: row.sides[-1] for row in rows})
+        return [evaluate(side, point) for side in said.sides]
     if name == "differentiate":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
-        rates = [evaluate(_expression(paper, rate), point) for rate in passage.with_]
+        given = [_expression(paper, rate) for rate in passage.with_]
+        for latex, rate in zip(passage.with_, given, strict=True):
+            if not (isinstance(rate, Symbol) or rate.is_Number):
+                raise ValueError(f"{latex} is no letter: a line must say which rate it is")
+        rates = [evaluate(rate, point) for rate in given]
 
         def moved(t) -> Point:
             return point.changed({x: point.values[x] + r * t for x, r in zip(letters, rates, strict=True)})
 
         return [(evaluate(side, moved(STEP)) - evaluate(side, moved(-STEP))) / (2 * STEP) for side in before.sides]
     return [_TAKE[name](value, passage) for value in values]
+
+
+def _jacobian(side, letter: str, point: Point) -> Matrix:
+    """The derivative by the components of a letter, a column for each."""
+    at, columns = point.values[letter], []
+    for i in range(at.rows):
+        unit = at * 0
+        unit[i, 0] = STEP
+        up, down = (_entries(evaluate(side, point.changed({letter: at + unit * sign}))) for sign in (1, -1))
+        columns.append([(a - b) / (2 * STEP) for a, b in zip(up, down, strict=True)])
+    return Matrix([list(row) for row in zip(*columns, strict=True)])
 
 
 def _series(function: Callable, order: int):
@@ -341,6 +397,7 @@ def _of_rotation(take: Callable) -> Callable:
 
 
 _TAKE: dict[str, Callable] = {
+    "take the root": lambda value, passage: sqrt(value),
     "take the rotation vector": _of_rotation(rotation_vector),
     "take the quaternion": _of_rotation(quaternion),
     "transpose": lambda value, passage: value.T,

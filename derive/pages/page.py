@@ -87,19 +87,19 @@ def equation_section(paper: Paper, equation: Equation, functions: Functions) -> 
 def forms(equation: Equation, entry: Entry, letters: tuple[Quantity, ...]) -> list[Block]:
     """The print, and beside it what is derived where the two differ."""
     found = differences(equation.printed, equation.derived)
-    printed, derived = equation.printed, equation.derived
+    printed, derived, page = equation.printed, equation.derived, equation.page_letters
     if not found:
         more = derived[len(printed) :]
         label = "printed and derived" if equation.latex else "derived"
-        blocks: list[Block] = [Formulas(_forms(printed, equation.alphabet), label, _displays(equation))]
+        blocks: list[Block] = [Formulas(_forms(printed, page), label, _displays(equation))]
         return blocks + ([Formulas(_forms(more, letters), "derived with it")] if more else [])
     if entry.status == "erratum":  # what is only read otherwise is no slip: the note says it
         found = differences(equation.read(), derived)
     elif not equation.readings:
-        left = Formulas(_forms(printed, equation.alphabet), "printed", _displays(equation))
-        return [Pair(left, Formulas(_forms(derived, letters), "derived"))]
-    left = Formulas(_forms(printed, equation.alphabet, marks(printed, found, "printed")), "printed")
-    return [Pair(left, Formulas(_forms(derived, letters, marks(derived, found, "derived")), "derived"))]
+        left = Formulas(_forms(printed, page), "printed", _displays(equation))
+        return [Pair(left, Formulas(_forms(derived, page), "derived"))]
+    left = Formulas(_forms(printed, page, marks(printed, found, "printed")), "printed")
+    return [Pair(left, Formulas(_forms(derived, page, marks(derived, found, "derived")), "derived"))]
 
 
 def _displays(equation: Equation) -> tuple[str, ...]:
@@ -123,8 +123,8 @@ def _forms(relations: Iterable[Relation], quantities: Iterable[Quantity], places
 
 def evidence(paper: Paper, equation: Equation, entry: Entry) -> list[Block]:
     """What was found, the numbers of each slip, and what the paper's own consequences say, as sentences."""
-    own = paper.evidence(equation.number).removeprefix("; ")
-    judged = entry.evidence.removesuffix(paper.evidence(equation.number))
+    own = paper.evidence(equation.number)
+    judged = entry.evidence.removesuffix(f"; {own}" if own else "")
     if entry.status != "erratum":
         return [Prose(sentences(judged), "Evidence"), *([Prose(sentences(own), "Sizes")] if own else [])]
     why = judged.partition(f"; at {paper.point.text}")[0]

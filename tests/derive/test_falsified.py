@@ -80,6 +80,10 @@ INFERENCES = {
     "a product of which one factor is differentiated": (
         [CHAINED], true(r"\dot{C}_S^n = \dot{C}_e^n C_S^e + C_e^n \dot{C}_S^e", passage=ps.differentiate(
             {"C_S^n": r"\dot{C}_S^n", "C_S^e": r"\dot{C}_S^e"}))),
+    "a rate that no line says": (
+        [true(r"v_s^n = C_e^n \dot{r}_s^e")],
+        true(r"\dot{C}_S^n L = \frac{dL}{dt} \Big|_n", passage=ps.differentiate(
+            {"v_s^n": r"\dot{C}_S^n L", r"\dot{r}_s^e": r"(C_e^n)^T \frac{dL}{dt} \Big|_n"}))),
     "a solution of what is not linear": (
         [true(r"Seawave Seawave = \frac{a a}{4} \sin(2\pi f t) \sin(2\pi f t)")],
         true(r"Seawave = \frac{a}{2} \sin(2\pi f t)", passage=ps.solve_for("Seawave"))),
@@ -185,3 +189,51 @@ def test_what_letters_are_by_their_nature_they_are_at_the_witness(name):
             for value in (first, second):
                 difference = known[letter] - value
                 assert largest(difference if isinstance(difference, Matrix) else [difference]) < EXACT, letter
+
+
+# Of Kang. Every other passage that names a row, a letter, an order or a line less or otherwise is refused.
+SAME_INFERENCES = {
+    ("1", 15, "without row 14"), ("5", 16, "without row 15"),  # they follow as well without the name of why
+    ("5", 11, "of line 8"), ("5", 11, "of line 9"), ("5", 17, "of line 14"),  # lines that say the same
+}  # fmt: skip
+
+
+def otherwise(passage, index):
+    """The passage with one thing in it changed."""
+
+    def without(parts, k):
+        return (*parts[:k], *parts[k + 1 :])
+
+    for k, row in enumerate(passage.using):
+        yield f"without row {row}", replace(passage, using=without(passage.using, k))
+    for k, name in enumerate(passage.letters):
+        with_ = without(passage.with_, k) if passage.with_ else ()
+        yield f"without {name}", replace(passage, letters=without(passage.letters, k), with_=with_)
+    if passage.operation != "multiply out":
+        yield "as multiply out", replace(passage, operation="multiply out", using=(), letters=(), with_=())
+    if passage.operation == "multiply":
+        yield "from the other side", replace(passage, with_=passage.with_[::-1])
+    if passage.operation == "expand":
+        yield "another order", replace(passage, order=3 - passage.order)
+    if passage.operation == "add":
+        yield "minus", replace(passage, with_=(f"-({passage.with_[0]})",))
+    for k in range(index) if passage.operation != "chain" else ():
+        yield f"of line {k + 1}", replace(passage, of=str(k + 1))
+
+
+def test_a_passage_of_which_anything_is_changed_leads_nowhere():
+    left = set()
+    for equation in KANG.equations:
+        steps = equation.derivation.steps
+        for i, step in enumerate(steps):
+            for what, passage in otherwise(step.passage, i) if step.passage else ():
+                changed = Derivation((*steps[:i], replace(step, passage=passage), *steps[i + 1 :]))
+                if ps.judge_passage(KANG, replace(equation, derivation=changed), i).holds:
+                    left.add((equation.number, i + 1, what))
+    given = {
+        (e.number, i + 1, f"of line {int(s.passage.of or e.derivation.before(i) + 1)}")
+        for e in KANG.equations
+        for i, s in enumerate(e.derivation.steps)
+        if s.passage and not s.passage.of.startswith("(")
+    }
+    assert left - given == SAME_INFERENCES

@@ -10,7 +10,7 @@ from boresight.derive.ledger import lines as ln
 from boresight.derive.ledger import passages as ps
 from boresight.derive.ledger.equation import Derivation, Equation, Quantity
 from boresight.derive.ledger.evaluate import DIGITS
-from boresight.derive.ledger.free import of, rotation
+from boresight.derive.ledger.free import of, positive_number, rotation
 from boresight.derive.ledger.numbers import Matrix, digits, eye
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.ledger.witness import finite_rotation, quaternion, skew
@@ -58,6 +58,7 @@ TOY = Paper(
         "C": rotation,
         "I": lambda generator: eye(3),
         "M": of("p", skew),
+        "u": positive_number,
         "q": of("C", quaternion),
         "h": of("M", lambda M: quaternion(M.exp())),
     },
@@ -75,6 +76,9 @@ def follows(before, passage, after, *others):
     written = [ln.line(text, ln.EXACT_LINE, "") for text in (*others, before)]
     equation = derivation(*written, replace(ln.line(after, ln.EXACT_LINE, ""), passage=passage))
     return ps.judge_passage(TOY, equation, len(equation.derivation.steps) - 1).holds
+
+
+B, O, D = "\\begin{bmatrix} ", " \\\\ ", " \\end{bmatrix}"
 
 
 @pytest.mark.parametrize(
@@ -105,6 +109,21 @@ def follows(before, passage, after, *others):
         (r"\exp([p \times]) C = C \exp([p \times])", ps.take_quaternion(), "h q = q h", "h q = q q", []),
         ("p = C w", ps.substitute("1"), "p = 0", "p = C e", ["w = 0"]),
         ("D = C", ps.take_entry(1, 2), "D(1,2) = C(1,2)", "D(1,2) = C(2,1)", []),
+        (
+            "p = e",
+            ps.stack("1", "2"),
+            B + "p " + O + "w" + D + " = " + B + "e" + O + "C e" + D,
+            B + "p" + O + "w" + D + " = " + B + "C e" + O + "e" + D,
+            ["p = e", "w = C e"],
+        ),
+        ("u^2 = 4", ps.take_root(), "u = 2", "u = 4", []),
+        ("D p = C p", ps.identify("p"), "D = C", "D = C^T", []),
+        ("D p + w = C p + e", ps.identify("p"), "D = C", "w = e", []),
+        ("p = C w", ps.put_in("1"), "p = C (e + C e)", "p = C (e - C e)", ["w = e + C e"]),
+        ("p = C w", ps.elsewhere({"w": "e", "p": "w"}), "w = C e", "e = C w", []),
+        ("u = 2 s t - 4", ps.find_minimum(), "s t = 2", "s t = 1", []),
+        ("u = 2 s t - 4", ps.find_minimum(), "2 = s t", "s s t = 2 s", []),
+        ("u = p^T C w - p^T e", ps.find_minimum("p"), "C w = e", "C w = 2 e", []),
         ("p = C w", ps.solve_for("w"), "w = C^T p", "w = C p", []),
         ("s t + r = u", ps.solve_for("t"), "t = (u - r)/s", "t = (u + r)/s", []),
     ],

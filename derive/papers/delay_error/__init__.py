@@ -1,0 +1,1 @@
+"""The heading error of a transfer alignment that does not know the age of its data: a derivation of our own."""

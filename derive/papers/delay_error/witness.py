@@ -184,6 +184,8 @@ def _world(base: Base) -> dict:
             "δψ": angles(finite_rotation(-phi_plain) * C_psi)[2] - heading,
             "R": R, "P": P, "Ω": omega, "ε": beta - alpha,
             "q_s": sin(omega * t + alpha), "q_c": cos(omega * t + alpha),
+            "q̇_s": ellipsoid.rate(lambda s: sin(omega * (t + s) + alpha)),
+            "q̇_c": ellipsoid.rate(lambda s: cos(omega * (t + s) + alpha)),
             "v": v,
             "a": a,
             "v_n": v[0], "v_e": v[1], "a_n": a[0], "a_e": a[1],

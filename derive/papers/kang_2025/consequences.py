@@ -29,7 +29,7 @@ from boresight.derive.papers.kang_2025.witness import (
 def evidence(number: str) -> str:
     """What the ledger says beyond the status: sizes, and what the print does."""
     with digits(DIGITS):
-        return "; " + _EVIDENCE[number]()
+        return _EVIDENCE[number]()
 
 
 def lever_sizes() -> dict[str, float]:

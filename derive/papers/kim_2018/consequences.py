@@ -36,7 +36,7 @@ def evidence(number: str) -> str:
     if number not in _EVIDENCE:
         return ""
     with digits(DIGITS):
-        return "; " + _EVIDENCE[number]()
+        return _EVIDENCE[number]()
 
 
 def findings() -> tuple[str, ...]:

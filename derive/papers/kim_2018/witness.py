@@ -205,6 +205,7 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         **{q.symbol.name: zeros(*q.shape) for q in quantities() if q.kind == "block"},
         "I": eye(3), "I_3x3": eye(3), "I_15x15": eye(15),
         "N": exact(WINDOW_OF), "n": exact(WINDOW_AT), "index": exact(0),
+        "m": exact(WINDOW_AT + WINDOW_OF - 1), "η": zeros(15, 1), "ζ": zeros(4, 1), "u": Matrix([exact(1)] * 15),
         "θ̇": zeros(3, 1), "Δṫ": exact(0), "ΔT": base.step[0], "Δt": base.delay[0],
         "norm": norm, "samples": _between, "vee": _vee,
         "entry": lambda M, i, j: M[int(i) - 1, int(j) - 1],
@@ -222,7 +223,8 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         given |= dict(zip(names.split("|"), parts, strict=True))
     vectors = {"v": "v_n", "δv": "velocity_error", "φ": "phi", "θ": "theta", "Δv_MINS": "master_velocity_error",
                "x_p": "position_error", "x_v": "velocity_error", "x_φ": "phi", "x_Cb": "gyro_bias",
-               "x_Ab": "accel_bias", "ν_z": "v_n", "s_a": "f_b", "f_b": "f_b", "s_w": "omega_ib_b"}  # fmt: skip
+               "x_Ab": "accel_bias", "ν_z": "v_n", "s_a": "f_b", "f_b": "f_b", "s_w": "omega_ib_b",
+               "ω_ib_b": "omega_ib_b", "w_f": "accel_noise", "w_ω": "gyro_noise"}  # fmt: skip
     given |= {name: Matrix(getattr(base, part)) for name, part in vectors.items()}
 
     def defined(number: str, **unknown: int) -> Callable:
@@ -246,10 +248,15 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         ("Ω_n", lambda a: [evaluate(definitions["Ω_n"][0].sides[1], Point(a))]),
         ("y_a|y_w", lambda a: [a["y_k"][0:3, 0], a["y_k"][3:6, 0]]),
         ("ν_a|ν_w", lambda a: _noise(base, NOW)),
-        ("T_a|T_w|ȳ_a|γ_a|γ_w", lambda a: _detector(base)),
+        ("T_a|T_w|ȳ_a|ȳ_w|γ_a|γ_w", lambda a: _detector(base)),
         ("δl̇|δL̇|δḣ", position_error_rates),
         ("ẋ_k|w_k|δv̇|φ̇|δv̇_c|ψ̇|Ẋ", lambda a: _error_rates(base)),
         (RATES, lambda a: _rates(base)),
+        (TRUE_MOTION, lambda a: _true_motion(base)),
+        (COMPUTED_MOTION, lambda a: _computed_motion(base)),
+        (KNOWN_PLACE, lambda a: _known_place(base)),
+        ("W_ie|W_ep|W_ev|W_g", lambda a: _slopes(truth(base))),
+        ("∂l̇/∂L|∂l̇/∂h|∂l̇/∂v|∂L̇/∂L|∂L̇/∂h|∂L̇/∂v", lambda a: [a["F_k"][i, j] for i in (0, 1) for j in (1, 2, 3 + i)]),
         ("R_E|R_N|R_EE|R_NN|ρ_e|ρ_n|ρ_u", lambda a: curvature(base)),
         ("F_k|F_X|H_k|H_v|Γ_k", lambda a: matrices(truth(base))),
         ("Φ_k", lambda a: [transition(truth(base), base.step[0])]),
@@ -257,15 +264,24 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         ("x(k-1+)|x(k-)", lambda a: _predicted(base)),
         ("x(k+)", lambda a: [_least_squares(base)]),
         ("ν", lambda a: [stack(base.v_n, exact(0))]),
+        ("random", lambda a: [_moments(truth(base))]),
+        ("ξ_k-1", lambda a: [a["x(k-1+)"]]),
+        ("ξ_k", lambda a: [a["x(k-)"]]),
         (TRANSFER, lambda a: _transfer(base)),
         (ATTITUDES, lambda a: attitudes(base)),
+        ("V|V̄", lambda a: [quaternion(finite_rotation(sign * Matrix(base.phi))) for sign in (-1, 1)]),
     )
     return Letters(groups, given)
 
 
+TRUE_MOTION = "ω_ie_n|ω_en_n|ω_in_n|g_n|C_n2b|Ċ_b2n|Ċ_n2b|l̇|L̇|ḣ"
+COMPUTED_MOTION = "v̂|v̂̇|f̂_b|ĝ_n|ω̂_ie_n|ω̂_en_n|ω̂_in_n|δω_in_n|ω̂_ib_b|Ĉ_b2n|Ĉ̇_b2n"
+KNOWN_PLACE = "v̂̇_c|ω̂_en_c|ω̂_in_c|Ĉ_b2c|Ĉ̇_b2c|C_n2c|C_c2n|Ċ_n2c|Ċ_c2n"
 RATES = "[ω_ie_n x]|[ω_en_n x]|[δω_ie_n x]|[δω_en_n x]|[f_n x]|δω_ie_n|δω_en_n|f_n|v̇|δg_n|δf_b|δω_ib_b"
-FILTER = "Φ_k-1|P(k-1+)|Q_k|P(k-)|R|K_k|P(k+)"
-TRANSFER = "C_r2n|C_r2n(k-δt)|Ĉ_r2n|Ĉ_b2r|Ĉ_n2b|Z_dcm|ν_dcm|v̂_SINS|v̂_MINS|Z_v|ν_v|d|H_X|ω_nr_n|q_r2n|q̂_r2n|μ̂"
+FILTER = "Φ_k-1|P(k-1+)|Q_k|P(k-)|R|K_k|P(k+)|W|Ṗ"
+TRANSFER = (
+    "C_r2n|C_r2n(k-δt)|Ĉ_r2n|Ĉ_b2r|Ĉ_n2b|Z_dcm|ν_dcm|v̂_SINS|v̂_MINS|Z_v|ν_v|d|H_X|ω_nr_n|q_r2n|q̂_r2n|μ̂|v_old|C_b2r|C_n2r"
+)
 ATTITUDES = "C_b2n|C_b2p|C̄_n2b|Φ̌|X_b|Y_b|Z_b|X_p|Y_p|Z_p|q_0|q_1|q_2|q_3|Q̂_b2n|Q_b2n|ΔQ"
 
 
@@ -323,6 +339,52 @@ def _rates(base: Base) -> list:
             Matrix(base.accel_bias) + Matrix(base.accel_noise),
             Matrix(base.gyro_bias) + Matrix(base.gyro_noise),
         ]
+
+
+def _true_motion(base: Base) -> list:
+    exact = truth(base).exact
+    rate = exact.C_rate
+    return [
+        exact.omega_ie_n, exact.omega_en_n, exact.omega_in_n, exact.gravity_n, exact.C_b2n.T, rate, rate.T,
+        *exact.position_rate,
+    ]  # fmt: skip
+
+
+@lru_cache(maxsize=256)
+def _computed_motion(base: Base) -> list:
+    with digits(WORKING):
+        noise = stack(base.gyro_noise, base.accel_noise)
+        true, hat = truth(base), truth(base).hat(errors(base), noise)
+        return [
+            hat.v_n, hat.velocity_rate, true.f_b + errors(base)[12:15, 0] + noise[3:6, 0], hat.gravity_n,
+            hat.omega_ie_n, hat.omega_en_n, hat.omega_in_n, hat.omega_in_n - true.exact.omega_in_n,
+            true.omega + errors(base)[9:12, 0] + noise[0:3, 0], hat.C_b2n, hat.C_rate,
+        ]  # fmt: skip
+
+
+@lru_cache(maxsize=256)
+def _known_place(base: Base) -> list:
+    """Perfect sensors at the true position, but the computed velocity and attitude: the computed axes agree with the
+    true ones now, not in a moment."""
+    with digits(WORKING):
+        hat = truth(base).psi_hat(stack(zeros(3, 1), errors(base)[3:9, 0]))
+        exact = truth(base).exact
+        turn, rate = hat.axes.T * exact.axes, hat.axes_rate.T * exact.axes + hat.axes.T * exact.axes_rate
+        return [
+            hat.velocity_rate, hat.omega_en_n, hat.omega_in_n, hat.C_b2n, hat.C_rate, turn, turn.T, rate, rate.T
+        ]  # fmt: skip
+
+
+@lru_cache(maxsize=64)
+def _slopes(true: Truth) -> list:
+    with digits(WORKING):
+
+        def moved(x) -> navigation.Navigator:
+            return true.hat(stack(x, zeros(9, 1)), zeros(6, 1))
+
+        names = ("omega_ie_n", "omega_en_n", "gravity_n")
+        ie, en, g = (ellipsoid.jacobian(lambda x, name=name: getattr(moved(x), name), 6) for name in names)
+        return [ie[:, 0:3], en[:, 0:3], en[:, 3:6], g[:, 0:3]]
 
 
 @lru_cache(maxsize=64)
@@ -394,10 +456,6 @@ def _filter(true: Truth) -> list:
         S = Matrix([[generator.uniform(-1, 1) for _ in range(size)] for _ in range(size)])
         return S * S.T + eye(size)
 
-    noise = zeros(15)
-    noise[3:6, 3:6] = eye(3)
-    noise[6:9, 6:9] = eye(3) * 2
-
     def grown(P, forced: bool) -> Matrix:
         """P' = F P + P F' + noise; the noise enters the series once, with its first power of time."""
 
@@ -413,19 +471,50 @@ def _filter(true: Truth) -> list:
             term = following(term) * (PREDICTED / k)
         return result
 
+    def at(time) -> Matrix:
+        """The covariance after this time, by one exponential of twice the size (van Loan)."""
+        both = zeros(30)
+        both[0:15, 0:15], both[0:15, 15:30], both[15:30, 15:30] = -F * time, noise * time, F.T * time
+        grown = both.exp()
+        Phi = grown[15:30, 15:30].T
+        return Phi * before * Phi.T + Phi * grown[0:15, 15:30]
+
     with digits(WORKING):
-        before = positive(15)
+        before, noise = positive(15), positive(15)
         after, Q = grown(before, False), grown(zeros(15), True)
         R = positive(4)
         updated = (after.inv() + H.T * R.inv() * H).inv()
-        return [transition(true, PREDICTED), before, Q, after, R, updated * H.T * R.inv(), updated]
+        gain = updated * H.T * R.inv()
+        return [transition(true, PREDICTED), before, Q, after, R, gain, updated, noise, ellipsoid.rate(at)]
+
+
+@lru_cache(maxsize=64)
+def _moments(true: Truth) -> dict:
+    """Columns of a root of each random letter's covariance, which the filter has."""
+    _, before, Q, after, R, *_ = _filter(true)
+    with digits(WORKING):
+        roots = {"ξ_k-1": before, "ξ_k": after, "η": Q, "ζ": R}
+        return {
+            name: [root[:, j] for j in range(root.cols)]
+            for name, root in zip(roots, map(cholesky, roots.values()), strict=True)
+        }
+
+
+def cholesky(P: Matrix) -> Matrix:
+    """The lower root L of P = L L'."""
+    L = zeros(P.rows)
+    for j in range(P.rows):
+        L[j, j] = sqrt(P[j, j] - sum(L[j, k] ** 2 for k in range(j)))
+        for i in range(j + 1, P.rows):
+            L[i, j] = (P[i, j] - sum(L[i, k] * L[j, k] for k in range(j))) / L[j, j]
+    return L
 
 
 @lru_cache(maxsize=256)
 def _least_squares(base: Base) -> Matrix:
     """The x which is nearest to prediction and measurement, each weighted by its covariance: normal equations."""
     _, _, H, *_ = matrices(truth(base))
-    _, _, _, P, R, _, P_after = _filter(truth(base))
+    _, _, _, P, R, _, P_after, *_ = _filter(truth(base))
     measured = stack(*(a + b for a, b in zip(base.v_n, base.velocity_error, strict=True)), base.phi[2])
     with digits(WORKING):
         return P_after * (P.solve(_predicted(base)[1]) + H.T * R.inv() * measured)
@@ -470,6 +559,7 @@ def _transfer(base: Base) -> list:
             slave, master, slave - master, -noise[0], H[3:6, 9], H,
             C_r2n * omega_r - true.exact.omega_in_n,
             quaternion(C_r2n), quaternion(C_hat_r2n), rotation_vector(C_hat_b2r),
+            seen(stack(zeros(9, 1), base.delay[0]), none, none)[5], C_b2r, C_r2n.T,
         ]  # fmt: skip
 
 
@@ -523,5 +613,5 @@ def _detector(base: Base) -> list:
     pairs = [(i, j) for i in range(WINDOW_OF) for j in range(WINDOW_OF)]
     spread = sqrt(sum(norm(a[i] - a[j]) ** 2 for i, j in pairs) / 2) / WINDOW_OF
     mean = sqrt(sum((w[i].T * w[j])[0] for i, j in pairs)) / WINDOW_OF
-    center = vector(*(sum(v[i] for v in a) / WINDOW_OF for i in range(3)))
-    return [spread, mean, center, 10 * spread, 10 * mean]
+    centers = [vector(*(sum(v[i] for v in record) / WINDOW_OF for i in range(3))) for record in (a, w)]
+    return [spread, mean, *centers, 10 * spread, 10 * mean]

@@ -12,34 +12,34 @@ from boresight.derive.papers.song_lee_2001 import results as paper
 from boresight.derive.papers.song_lee_2001.printed import AXES, TABLE_1, TABLE_1_COUNTS
 from boresight.derive.papers.song_lee_2001.witness import DEGREE
 
-_IN_THE_LOOP = "; in the loop: boresight study euler-table --switch as-printed-26-28"
+_IN_THE_LOOP = "in the loop: boresight study euler-table --switch as-printed-26-28"
 
 
 def evidence(number: str) -> str:
     """What the ledger says beyond the status: sizes of dropped terms at the paper's numbers; "" for most equations."""
     if number in ("15", "18"):
-        return "; the dropped second-order term, largest over roll and a misalignment of 3 deg per axis: " + ", ".join(
+        return "the dropped second-order term, largest over roll and a misalignment of 3 deg per axis: " + ", ".join(
             f"{_minutes(_largest_second_order(pitch))} at a pitch of {pitch} deg" for pitch in (0, 3, 30, 60, 80)
         )
     if number in ("26", "27", "28"):
         ours, theirs = (_minutes(error) for error in substitution(int(number) - 26))
         return (
-            "; with the slave's angles for the master's missing ones, as the text under (28) has it, the error of the "
+            "with the slave's angles for the master's missing ones, as the text under (28) has it, the error of the "
             f"computed difference goes from {ours} to {theirs} (master level, 3 deg per axis): about as large, of the "
-            "other sign, and above the noise of 1 arcmin, where the text calls it negligible" + _IN_THE_LOOP
+            "other sign, and above the noise of 1 arcmin, where the text calls it negligible; " + _IN_THE_LOOP
         )
     if number in ("8", "9"):
         return _IN_THE_LOOP
     if number == "25":
-        return "; in the loop: boresight study euler-table --switch as-printed-25"
+        return "in the loop: boresight study euler-table --switch as-printed-25"
     if number == "20":
         rate = 500e-6 * 9.8 * 120 / 6.37e6 / DEGREE * 3600
         return (
-            "; also dropped: the error of ω_in_n, from velocity and position; the paper's 500 ug give a velocity "
+            "also dropped: the error of ω_in_n, from velocity and position; the paper's 500 ug give a velocity "
             f"error of 0.59 m/s in 120 s and so {rate:.2g} deg/h, against gyros of 1 deg/h"
         )
     if number == "23":
-        return f"; at zero the print is 0/0; its limit [1, eps/2] is off by {_limit()} at 1e-12 rad"
+        return f"at zero the print is 0/0; its limit [1, eps/2] is off by {_limit()} at 1e-12 rad"
     return ""
 
 
