@@ -27,6 +27,7 @@ from boresight.derive.ledger.passages import (
     multiply,
     multiply_out,
     rearrange,
+    stack,
     substitute,
     subtract_line,
     take_quaternion,
@@ -141,6 +142,9 @@ X = column(*(f"X_{i}" for i in range(1, 7)))
 STATE_MATRIX = r"\begin{bmatrix} -\Omega_{in}^n & 0 \\ 0 & 0 I \end{bmatrix}"
 STATE_NOISE = r"\begin{bmatrix} -C_b^n \\ 0 I \end{bmatrix}"
 STATES_MEASURED = r"\begin{bmatrix} -A_3(\theta_b)^{-1} R_3(\psi_b)^T & -A_1(\theta_r)^{-1} R_1(\phi_r) \end{bmatrix}"
+PARTS = column(r"\epsilon^n", r"\delta\mu^r")
+RATES = column(r"\dot{\epsilon}^n", r"\delta\dot{\mu}^r")
+RATE_OF_EPS, RATE_OF_D_MU = r"-\Omega_{in}^n \epsilon^n - C_b^n \delta\omega^b", r"\dot{\hat{\mu}}^r - \dot{\mu}^r"
 COMPUTED, CHANGE = attitude_of(HAT), change_of(TRUE, ERROR)
 BY_ESTIMATE = tuple(f"{angle} + {gap}" for angle, gap in zip(TRUE_R, GAP_HAT, strict=True))
 CHANGE_R = change_of(TRUE_R, GAP)
@@ -470,7 +474,7 @@ WRITTEN: dict[str, Derived] = {
              "a turned skew matrix is the skew matrix of the turned vector"),
         line(r"\dot{E} = -[(\Omega_{in}^n \epsilon^n) \times] - [(C_b^n \delta\omega^b) \times]", first_order(),
              "all is skew", multiply_out("10", "11", of="9")),
-        line(r"\dot{\varepsilon}^n = -\Omega_{in}^n \varepsilon^n - C_b^n \delta\omega^b", first_order(),
+        line(rf"\dot{{\epsilon}}^n = {RATE_OF_EPS}", first_order(),
              "of skew matrices their vectors", take_vector(), result=True),
         line(r"\flown{F} = -\Omega_{in}^n", IDENTITY, "the matrix of ε that flies"),
         line(rf"\flown{{noise}} = -{TURNS}", IDENTITY, "and that of the gyro's error, -C_b2n of the true angles"),
@@ -481,13 +485,14 @@ WRITTEN: dict[str, Derived] = {
         line(r"\dot{\mu}^r = 0", EXACT_LINE, "on a rigid mounting μ is constant in r"),
         line(r"\dot{\hat{\mu}}^r = 0", EXACT_LINE, "between corrections so is its estimate, by the filter's own rule"),
         line(r"\delta\mu^r = \hat{\mu}^r - \mu^r", EXACT_LINE, "the text under (19)"),
-        line(r"\delta\dot{\mu}^r = \dot{\hat{\mu}}^r - \dot{\mu}^r", EXACT_LINE, "both sides change with time",
+        line(rf"\delta\dot{{\mu}}^r = {RATE_OF_D_MU}", EXACT_LINE, "both sides change with time",
              differentiate({r"\delta\mu^r": r"\delta\dot{\mu}^r", r"\hat{\mu}^r": r"\dot{\hat{\mu}}^r",
                             r"\mu^r": r"\dot{\mu}^r"})),
         line(r"\delta\dot{\mu}^r = 0", EXACT_LINE, "both are constant", substitute("1", "2"), result=True),
-        line(r"\begin{bmatrix} \dot{\epsilon}^n \\ \delta\dot{\mu}^r \end{bmatrix} = "
-             rf"{STATE_MATRIX} \begin{{bmatrix}} \epsilon^n \\ \delta\mu^r \end{{bmatrix}} + "
-             rf"{STATE_NOISE} \delta\omega^b", first_order("euler_error", "gyro_error"), "(20) over (21): F and G"),
+        line(rf"{RATES} = {column(RATE_OF_EPS, RATE_OF_D_MU)}", first_order("euler_error", "gyro_error"),
+             "(20) stands over the rate of δμ", stack("(20)", "4")),
+        line(rf"{RATES} = {STATE_MATRIX} {PARTS} + {STATE_NOISE} \delta\omega^b",
+             first_order("euler_error", "gyro_error"), "these are F and G of the six states", substitute("1", "2")),
         unit="rad/s",
     ),
     "22": derived(
