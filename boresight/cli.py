@@ -137,8 +137,8 @@ def show(
     name: Annotated[
         str,
         typer.Argument(
-            metavar="MODEL|PAPER",
-            help="A model, a paper, or delay-error: what an unknown delay does.",
+            metavar="MODEL | FILE.py:NAME | PAPER",
+            help="A model, one's own too, a paper, or delay-error: what an unknown delay does.",
             autocompletion=completed(model_names, derived_names),
         ),
     ],
@@ -153,10 +153,18 @@ def show(
     ] = "text",
     out: Annotated[Path | None, typer.Option("-o", "--out", help="File to write; needed for pdf.")] = None,
 ) -> None:
-    """The derivation of a paper's or a model's equations, by steps."""
+    """Describe a model, or derive the equations of a paper by steps.
+
+    With MODEL NUMBER: that equation of a paper which the model is made from.
+    """
     from boresight import terminal
 
-    one_of(name, [*derived_names(), *model_names()], "paper or model")
+    if ":" not in name:
+        from boresight.codegen.generate import COMPONENTS
+
+        if name in COMPONENTS:
+            raise BoresightError(f"{name} is C without a model; 'boresight show kim-2018 31' shows its equation")
+        one_of(name, [*derived_names(), *model_names()], "paper or model")
     one_of(form, FORMATS, "format")
     if form == "pdf" and out is None:
         raise BoresightError("a pdf needs a file to go to; add -o FILE.pdf")
@@ -165,8 +173,12 @@ def show(
         from boresight.kept_ledger import page
 
         text = page(name, number and number.strip("()"), kind, terminal.columns())
+    elif number is None:
+        from boresight.kept_ledger import model_page
+
+        text = model_page(name, kind, terminal.columns())
     else:
-        text = model_equations(name, number, kind)
+        text = model_equations(name, number.strip("()"), kind)
     if form == "pdf" and out is not None:
         from boresight.derive.pages.booklet import pdf_from_latex
 
@@ -179,8 +191,8 @@ def show(
         sys.stdout.write(text)
 
 
-def model_equations(name: str, number: str | None, form: str) -> str:
-    """The equations that a model refers to, as `song-lee-2001 (19)`, in one of the formats."""
+def model_equations(name: str, number: str, form: str) -> str:
+    """The equations of this number that a model refers to, as `song-lee-2001 (19)`, in one of the formats."""
     from boresight.codegen.generate import load_model
     from boresight.derive.pages.render import render_equations
     from boresight.derive.papers import paper
@@ -192,7 +204,7 @@ def model_equations(name: str, number: str | None, form: str) -> str:
         raise BoresightError(f"{name} is made from no paper's equations; 'boresight models {name}' prints what it has")
     papers = [paper(name) for name in sorted({text.split(" ")[0] for text in named})]
     known = [(one, e) for one in papers for e in one.equations if f"{e.paper} ({e.number})" in named]
-    chosen = [(one, e) for one, e in known if number in (None, e.number)]
+    chosen = [(one, e) for one, e in known if number == e.number]
     if not chosen:
         listed = ", ".join(f"{e.paper} ({e.number})" for _, e in known)
         raise BoresightError(f"{name} is not made from an equation {number}, but from {listed}")

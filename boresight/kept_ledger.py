@@ -47,6 +47,23 @@ def rendered(paper: str, number: str | None, form: str) -> str:
     return render(papers.paper(paper), number, form, functions())
 
 
+def model_page(target: str, form: str, width: int) -> str:
+    """The page of a model; one's own is made anew each time, as nobody knows what its file reads."""
+    if ":" in target:
+        return described(target, form)
+    return kept(f"pages/{target}-{form}-{width}", str, lambda: described(target, form))
+
+
+def described(target: str, form: str) -> str:
+    from boresight.codegen.generate import load_model, old_manifest
+    from boresight.derive.pages.model import model_page
+    from boresight.derive.pages.render import write
+
+    model = load_model(target)
+    folder = Path("generated") / model.name.replace("-", "_") if ":" in target else folder_of(target)
+    return write(model_page(model, old_manifest(folder)), form)
+
+
 def functions() -> dict[str, dict[str, tuple[str, ...]]]:
     """For each equation, as `song-lee-2001 (19)`, the models that cite it, and their C functions that do."""
     found: dict[str, dict[str, tuple[str, ...]]] = {}

@@ -231,6 +231,21 @@ class Model:
         """Every input, struct after struct."""
         return tuple(item for struct in self.structs for item in struct.fields)
 
+    def _repr_latex_(self) -> str:
+        """Its F block by block, for a notebook that shows no HTML."""
+        from boresight.derive.pages.booklet import latex_cell
+        from boresight.derive.pages.model import formulas
+
+        shown = formulas(self)
+        return latex_cell([form.relation for form in shown], shown[0].quantities)
+
+    def _repr_html_(self) -> str:
+        """Its page, as `boresight show` has it, for a notebook."""
+        from boresight.derive.pages.html import html_cell
+        from boresight.derive.pages.model import model_page
+
+        return html_cell(model_page(self))
+
     def extend(
         self,
         *,

@@ -291,7 +291,7 @@ def _leaf(tag: str, node: Node) -> Token:
     if tag == "mn" and re.fullmatch("[0-9]+", text):
         return ("number", text)
     if tag == "mi" and node.upright:
-        return ("upright", (("glyph", text),))
+        return ("upright", _digits_joined(("number" if c.isdigit() else "glyph", c) for c in text))
     if tag == "mi" and text in NAMED:
         return ("named", text)
     if tag == "mi" and text in (*GLYPHS.values(), *"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"):

@@ -179,6 +179,16 @@ def test_show_prints_a_derivation_and_a_model_shows_its_own(run):
         assert status == 0 and "19" in out
 
 
+@pytest.mark.parametrize("name", ["phi-error", "strapdown", f"{ROOT / 'examples' / 'own_model.py'}:TANK"])
+def test_show_describes_a_model_in_every_format(run, name):
+    status, out, _ = run("show", name)
+    assert status == 0 and "Inputs" in out and "C functions" in out
+    assert not fits(out, 80)
+    for form, begin in (("latex", "\\documentclass"), ("html", "<!doctype html>")):
+        status, out, _ = run("show", name, "--format", form)
+        assert status == 0 and out.startswith(begin)
+
+
 def test_show_prints_the_closed_form_of_an_unknown_delay(run):
     status, out, _ = run("show", "delay-error", "--format", "html")
     assert status == 0 and "angular momentum" in out
@@ -274,6 +284,9 @@ def test_what_is_longer_than_the_terminal_is_paged_and_whole_in_a_pipe(run):
         (("equations", "kang-2025", "7"), "there are 1, 2"),
         (("show", "song-lee-2001", "29"), "29"),
         (("show", "nothing"), "there are song-lee-2001"),
+        (("show", "stationary-detector"), "without a model"),
+        (("show", "phi-error", "3"), "made from no paper's equations"),
+        (("show", "nothing.py:X"), "nothing.py is not found"),
         (("show", "song-lee-2001", "--format", "word"), "there are"),
         (("show", "song-lee-2001", "--format", "pdf"), "-o"),
         (("generate", "eular"), "euler-matching, "),

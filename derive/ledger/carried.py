@@ -11,7 +11,7 @@ from boresight import BoresightError
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
 from boresight.derive.ledger.judge import EXACT, FULL, SEEDS, witness_point
 from boresight.derive.ledger.map import Map, Match, Row
-from boresight.derive.ledger.numbers import Matrix, digits, eye, middle, zeros
+from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, middle, zeros
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
 from boresight.derive.model import Model
@@ -102,8 +102,23 @@ def _carried(paper: Paper, model: Model, one: Map, match: Match, point: Point) -
     S, row_names = blocks(rows, sizes), [f"{name}.{row}" for name in match.of for row in found[name].rows]
     if match.ours == "z":
         return S * at_witness(Symbols.vstack(*(found[name].z for name in match.of))), row_names, []
+    if any(found[name].H is None for name in match.of):
+        whole = [s for block in model.states for s in block.symbols]
+        columns = [_slope([found[name].h for name in match.of], values, whole, whole[i]) for i in states]
+        return S * Matrix([list(row) for row in zip(*columns, strict=True)]) * T.inv(), row_names, state_names
     H = Symbols.vstack(*(found[name].H for name in match.of)).extract(list(range(len(row_names))), states)
     return S * at_witness(H) * T.inv(), row_names, state_names
+
+
+def _slope(parts: list, values: Point, states: list, state) -> list:
+    """How the exact h changes with one state where there is no error."""
+    step = exact("1e-20")
+
+    def at(size) -> Matrix:
+        errors = {s.name: size if s == state else exact(0) for s in states}
+        return evaluate(ImmutableMatrix(Symbols.vstack(*parts)), Point({**values.values, **errors}))
+
+    return list((at(step) - at(-step)) / (2 * step))
 
 
 @cache

@@ -59,15 +59,6 @@ class Relation:
 
 
 @dataclass(frozen=True)
-class Step:
-    """One step of a derivation: its name (substitute, perturb, invert, ...), what then stands, and why."""
-
-    name: str
-    formulas: tuple
-    why: str
-
-
-@dataclass(frozen=True)
 class Claim:
     """What a line of a derivation states of itself; see ledger/lines.py, which judges it.
 
@@ -128,12 +119,12 @@ class Line:
 
 @dataclass(frozen=True)
 class Derivation:
-    steps: tuple[Step | Line, ...] = ()
+    steps: tuple[Line, ...] = ()
 
     @property
     def lines(self) -> tuple[Line, ...]:
         """The lines that have a relation."""
-        return tuple(step for step in self.steps if isinstance(step, Line) and step.relation is not None)
+        return tuple(step for step in self.steps if step.relation is not None)
 
     def _repr_latex_(self) -> str:
         from boresight.derive.pages.booklet import latex_cell
@@ -160,7 +151,7 @@ class Derivation:
     def taken(self, index: int) -> set[int]:
         """The indices of the lines which the passage of step `index` begins from or takes in."""
         step = self.steps[index]
-        if not isinstance(step, Line) or step.passage is None:
+        if step.passage is None:
             return set()
         passage = step.passage
         rows = {int(row) - 1 for row in (passage.of, *passage.using) if row.isdigit()}

@@ -90,7 +90,7 @@ class LineVerdict:
 def judge_line(paper: Paper, equation: Equation, index: int, relation: Relation | None = None) -> LineVerdict:
     """The verdict on the claim of step `index`, or on another relation in its place."""
     one = equation.derivation.steps[index]
-    assert isinstance(one, Line) and one.claim is not None and one.relation is not None
+    assert one.claim is not None and one.relation is not None
     relation = one.relation if relation is None else relation
     unknown = {*one.claim.small} - {part.name for part in fields(paper.witness.base)}
     if unknown:
@@ -106,7 +106,7 @@ def judge_line(paper: Paper, equation: Equation, index: int, relation: Relation 
 
 def _given(equation: Equation, index: int) -> tuple[Relation, ...]:
     """The definitions of this derivation's earlier lines, in order."""
-    earlier = (step for step in equation.derivation.steps[:index] if isinstance(step, Line))
+    earlier = equation.derivation.steps[:index]
     return tuple(one.relation for one in earlier if one.relation and one.claim and one.claim.kind == "definition")
 
 
@@ -120,7 +120,7 @@ def _at(paper: Paper, seed: int, scale: float, small: tuple[str, ...], given: It
 def line_point(paper: Paper, equation: Equation, index: int, scale: float) -> Point:
     """The witness's values at which line `index` is judged, with the definitions before it."""
     one = equation.derivation.steps[index]
-    assert isinstance(one, Line) and one.claim is not None
+    assert one.claim is not None
     return _at(paper, SEEDS[0], scale, one.claim.small or equation.small, _given(equation, index))
 
 
@@ -314,7 +314,7 @@ class Steps:
 
 def count_steps(equations: Iterable[Equation]) -> Steps:
     steps = [step for equation in equations for step in equation.derivation.steps]
-    evaluated = sum(isinstance(step, Line) and step.claim is not None for step in steps)
+    evaluated = sum(step.claim is not None for step in steps)
     return Steps(len(steps), evaluated, sum(not step.formulas for step in steps))
 
 
@@ -326,7 +326,7 @@ def check_derivation(paper: Paper, equation: Equation) -> None:
         raise BoresightError(f"{paper.name} ({equation.number}): its derivation stands on itself")
     steps = equation.derivation.steps
     for index, step in enumerate(steps):
-        if not isinstance(step, Line) or step.relation is None:
+        if step.relation is None:
             continue
         where = f"{paper.name} ({equation.number}), line {index + 1}, {step.latex}"
         verdict = judge_line(paper, equation, index)

@@ -18,7 +18,6 @@ from sympy.matrices.exceptions import ShapeError
 from boresight.derive.ledger.equation import (
     Derivation,
     Equation,
-    Line,
     Quantity,
     Relation,
     children,
@@ -163,7 +162,7 @@ def line_survivors(paper: Paper, equation: Equation, index: int) -> tuple[int, l
     """How many mutants the line `index` of a derivation has, and those that nothing refutes: neither its own claim, nor
     the passage to it, nor one from it, nor, of a definition, a later line."""
     one = equation.derivation.steps[index]
-    assert isinstance(one, Line) and one.relation is not None
+    assert one.relation is not None
     quantities = (*equation.quantities, *paper.letters())
     count, found = 0, []
     with digits(DIGITS):
@@ -187,14 +186,14 @@ def line_refuted(paper: Paper, equation: Equation, index: int, mutant: Relation)
     steps = equation.derivation.steps
     for at in range(index, len(steps)):
         step = steps[at]
-        touched = index in equation.derivation.taken(at) or (at == index and isinstance(step, Line) and step.passage)
+        touched = index in equation.derivation.taken(at) or (at == index and step.passage)
         if touched and not judge_passage(paper, equation, at, {index: mutant}).holds:
             return True
     one = steps[index]
-    if isinstance(one, Line) and one.claim is not None and one.claim.kind == "definition":
+    if one.claim is not None and one.claim.kind == "definition":
         changed = Derivation((*steps[:index], replace(one, relation=mutant), *steps[index + 1 :]))
         other = replace(equation, derivation=changed)
-        later = (i for i, s in enumerate(steps) if i > index and isinstance(s, Line) and s.relation is not None)
+        later = (i for i, s in enumerate(steps) if i > index and s.relation is not None)
         return any(not judge_line(paper, other, i).holds for i in later)
     return False
 

@@ -15,7 +15,7 @@ from sympy.core.function import AppliedUndef
 from sympy.matrices import MatrixBase
 
 from boresight import BoresightError
-from boresight.derive.ledger.equation import Equation, Line, Passage, Relation
+from boresight.derive.ledger.equation import Equation, Passage, Relation
 from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate, multiplied, power, residual, solve
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.lines import LineVerdict
@@ -169,7 +169,7 @@ def judge_passage(
 ) -> LineVerdict:
     """Whether the passage of step `index` leads to its line; `replaced`: other relations of steps, by index."""
     one = equation.derivation.steps[index]
-    assert isinstance(one, Line) and one.passage is not None
+    assert one.passage is not None
     try:
         with digits(WORKING):
             return _judged(paper, equation, index, one.passage, replaced or {})

@@ -89,7 +89,8 @@ def _block(block: Block, page: Page) -> str:
         return label + tex(block.text, page.anchors) + r"\par"
     if isinstance(block, Formulas):
         head = [rf"\textbf{{{tex(block.label.capitalize())}}}"] if block.label else []
-        return "\n".join([*head, *map(_formula, block.verbatim or map(_latex, block.forms))])
+        formulas = map(_formula, block.verbatim or map(_latex, block.forms))
+        return "\n".join([*head, "\n\\par\\penalty100\n".join(formulas)])  # a page may end between two of them
     if isinstance(block, Pair):
         return "\n".join(_block(part, page) for part in (block.left, block.right))
     return _table(block)
@@ -166,6 +167,7 @@ def tex(text: str, anchors: Mapping[str, str] = MappingProxyType({})) -> str:
 
 def _plain(text: str) -> str:
     text = re.sub(r"([&%$#{}_])", r"\\\1", text).replace("--", "-{}-")
+    text = re.sub("[<>]", r"$\g<0>$", text)
     return re.sub(r"\^(-?\d+|T\b)?", lambda found: rf"$^{{{found[1]}}}$" if found[1] else r"\^{}", text)
 
 

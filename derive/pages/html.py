@@ -66,14 +66,16 @@ def pieces(formula: str) -> list[str]:
     cuts: list[list[Element]] = [[]]
     depth, last = 0, "="
     for item in (child for child in list(row.childNodes) if isinstance(child, Element)):
-        text = _glyph(item)
+        first = item.firstChild if item.hasAttribute("class") else item  # a marked term has its sign within
+        begins = first if isinstance(first, Element) else item
+        text = _glyph(item) or _glyph(begins)
         if depth == 0 and last not in SIGNS and (text in SIGNS or (text == "matrix" and last == TIMES)):
             cuts.append([])
         if text in SIGNS and not cuts[-1] and len(cuts) > 1:
-            item.setAttribute("form", "infix")
+            begins.setAttribute("form", "infix")
         depth += (text in ("(", "[")) - (text in (")", "]"))
         cuts[-1].append(item)
-        last = text
+        last = _glyph(item)
     inside = ("".join(item.toxml() for item in cut) for cut in cuts)
     head = formula[: formula.index(">") + 1]
     return [f"{head}{content}</math>" for content in inside]

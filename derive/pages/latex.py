@@ -100,6 +100,7 @@ def greek(word: str) -> str:
 
 def latex_name(name: str) -> str:
     """LaTeX of a symbol's name: Greek letters, hats and dots, scripts, C_b2n, [v x], dR_E/dL."""
+    name = name.replace("_hat", "\u0302")  # as the headers of C write it
     if "^" in name:
         base, _, above = name.partition("^")
         return f"{latex_name(base)}^{{{above}}}"
@@ -119,11 +120,10 @@ def latex_name(name: str) -> str:
         return rf"\langle {latex_name(moment[1])} \, {latex_name(moment[2])} \rangle"
     text, _, scripts = name.partition("_")
     result = ""
-    words = re.findall(rf"([A-Za-z]{{2,}})|(.)([{''.join(MARKS)}]*)", normalize("NFD", text))
-    for word, letter, marks in words:
+    for word, marks in re.findall(rf"([A-Za-z]+|.)([{''.join(MARKS)}]*)", normalize("NFD", text)):
         if word[:1] == "d" and greek(word[1:]):
             result, word = result + r"\delta ", word[1:]
-        latex = f"\\{word} " if greek(word) else word or _character(letter)
+        latex = f"\\{word} " if greek(word) else word if word.isascii() and word.isalpha() else _character(word)
         for mark in marks:
             latex = rf"\{MARKS[mark]}{{{latex.strip()}}}"
         result += latex

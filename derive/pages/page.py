@@ -3,19 +3,22 @@
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from types import MappingProxyType
+from typing import Any
 
 from mpmath import nstr
 
 from boresight.derive.ledger.differences import Place, differences, marks
 from boresight.derive.ledger.entries import LONG, Entry, apart, entry_of, findings, numbers_of
-from boresight.derive.ledger.equation import Derivation, Equation, Line, Quantity, Relation, Step
+from boresight.derive.ledger.equation import Derivation, Equation, Line, Passage, Quantity, Relation
 from boresight.derive.ledger.evaluate import DIGITS
-from boresight.derive.ledger.lines import count_steps
+from boresight.derive.ledger.lines import count_steps, judge_line
 from boresight.derive.ledger.numbers import digits
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section, Table
 from boresight.derive.pages.maps import sections as maps
 
+NOTHING: Mapping[Any, str] = MappingProxyType({})
 Functions = Mapping[str, Mapping[str, tuple[str, ...]]]  # "song-lee-2001 (19)": model: its C functions
 
 
@@ -71,7 +74,7 @@ def equation_section(paper: Paper, equation: Equation, functions: Functions) -> 
     blocks += [*forms(equation, entry, letters), *evidence(paper, equation, entry)]
     if entry.note:
         blocks.append(Prose(entry.note, "Note"))
-    blocks += steps(equation.derivation, letters)
+    blocks += steps(equation.derivation, letters, paper.witness.parts, dropped(paper, equation))
     for model, names in functions.get(f"{equation.paper} ({equation.number})", {}).items():
         blocks.append(Prose(", ".join(names), f"In C of {model}", code=True))
     own = [name for name, numbers in paper.tests.items() if equation.number in numbers.split()]
@@ -161,40 +164,67 @@ def sentences(text: str) -> str:
     return (text[:1].upper() if begins else text[:1]) + text[1:] + ("" if text.endswith(".") else ".")
 
 
-def steps(derivation: Derivation, letters: tuple[Quantity, ...]) -> tuple[Block, ...]:
+def dropped(paper: Paper, equation: Equation) -> dict[int, str]:
+    """By step, the largest size of the term that an approximation drops, at the paper's own numbers."""
+    found = {}
+    for i, step in enumerate(equation.derivation.steps):
+        if step.claim is not None and step.claim.kind == "approximation":
+            with digits(DIGITS):
+                found[i] = f"{judge_line(paper, equation, i).size} {equation.unit}".removesuffix(" 1")
+    return found
+
+
+def steps(
+    derivation: Derivation,
+    letters: tuple[Quantity, ...],
+    parts: Mapping[str, str] = NOTHING,
+    sizes: Mapping[int, str] = NOTHING,
+) -> tuple[Block, ...]:
+    """parts: the errors of claims, in words; sizes: by step, how large what it drops is."""
     blocks: list[Block] = []
-    for i, (name, relations, why, claim) in enumerate(shown_steps(derivation), 1):
-        blocks.append(Prose(f"{name}: {why}." + (f" ({claim})" if claim else ""), f"{i}."))
-        if relations:
-            blocks.append(Formulas(_forms(relations, letters)))
+    for i, step in enumerate(derivation.steps):
+        done, claim = _done(step, letters), _claimed(step, parts)
+        claim = "" if claim == done else claim + (f"; at most {sizes[i]} is dropped" if i in sizes else "")
+        blocks.append(Prose(f"{done}: {step.why}." + (f" ({claim})" if claim else ""), f"{i + 1}."))
+        if step.formulas:
+            blocks.append(Formulas(_forms(step.formulas, letters)))
     return tuple(blocks)
 
 
-def shown_steps(derivation: Derivation) -> list[tuple[str, tuple[Relation, ...], str, str]]:
-    """Of each step what is done, what then stands, why, and what is claimed of it."""
-    return [(_done(step), step.formulas, step.why, _claimed(step)) for step in derivation.steps]
-
-
-def _done(step: Step | Line) -> str:
-    """The operation, from which line and with which others: the line before needs no name."""
-    if isinstance(step, Step) or step.passage is None:
+def _done(step: Line, letters: tuple[Quantity, ...]) -> str:
+    """The operation, from which line, about which letters and with which other lines: the line before needs no name."""
+    if step.passage is None:
         return step.name.replace("first-order", "first order")
     of, using = step.passage.of, step.passage.using
-    return step.name + f" {_row(of)}" * bool(of) + (", with " + " and ".join(map(_row, using)) if using else "")
+    about = _about(step.passage, letters) if letters else ""
+    return step.name + f" {_row(of)}" * bool(of) + about + (", with " + " and ".join(map(_row, using)) if using else "")
+
+
+ABOUT = {"expand": " in ", "leave out": " ", "solve": " for ", "find the minimum": " along "}
+PAIRS = {"differentiate": "{1} the rate of {0}", "carry over": "{1} for {0}"}
+
+
+def _about(passage: Passage, letters: tuple[Quantity, ...]) -> str:
+    names = {q.latex: q.symbol.name for q in letters}
+    about = [names.get(latex, latex) for latex in passage.letters]
+    if passage.operation in PAIRS:
+        others = [names.get(latex, latex) for latex in passage.with_]
+        pairs = [PAIRS[passage.operation].format(*two) for two in zip(about, others, strict=True)]
+        return f", {', '.join(pairs)}"
+    return ABOUT[passage.operation] + ", ".join(about) if about and passage.operation in ABOUT else ""
 
 
 def _row(name: str) -> str:
     return name if name.startswith("(") else f"line {name}"
 
 
-def _claimed(step: Step | Line) -> str:
-    claim = None if isinstance(step, Step) else step.claim
+def _claimed(step: Line, parts: Mapping[str, str]) -> str:
+    claim = step.claim
     if claim is None:
         return ""
-    small = f" in {', '.join(claim.small)}" if claim.small else ""
+    small = f" in {', '.join(parts.get(part, part.replace('_', ' ')) for part in claim.small)}" if claim.small else ""
     order = {"order": f"through order {claim.order}", "first-order": "first order"}.get(claim.kind, claim.kind)
-    text = order + re.sub(r"(?<=\w\w)_(?=\w\w)", " ", small) + f", {claim.condition}" * bool(claim.condition)
-    return "" if text == _done(step) else text
+    return order + small + f", {claim.condition}" * bool(claim.condition)
 
 
 def notation(paper: Paper) -> Table:

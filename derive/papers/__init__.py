@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from boresight.derive.ledger.paper import Paper
 
 PAPERS = ("song-lee-2001", "kim-2018", "kang-2025")
-DERIVATIONS = ("delay-error",)  # of nobody's print
+DERIVATIONS = ("delay-error", "mechanics")  # of nobody's print
 
 
 def paper(name: str) -> "Paper":
@@ -22,6 +22,8 @@ def paper(name: str) -> "Paper":
             from boresight.derive.papers.kang_2025.paper import PAPER
         case "delay-error":
             from boresight.derive.papers.delay_error.paper import PAPER
+        case "mechanics":
+            from boresight.derive.papers.mechanics.paper import PAPER
         case _:
             raise BoresightError(f"no paper {name!r}: the papers are {', '.join((*PAPERS, *DERIVATIONS))}")
     return PAPER

@@ -214,6 +214,12 @@ def test_a_formula_is_cut_before_the_signs_outside_of_brackets(latex, cut):
     assert "".join(found).replace("{}", "").replace(" ", "") == latex.replace(" ", "")
 
 
+def test_a_formula_in_html_may_end_a_line_before_its_signs_and_its_matrices():
+    shown = re.findall(r'<div class="formula">(.*?)</div>', render(paper("kim-2018"), "11", "html"))
+    assert re.findall(r'<wbr><math[^>]*>(?:<mrow class="slip">)?<mo form="infix">(.)</mo>', shown[0]) == list("=−−")
+    assert len(re.findall(r"<wbr><math[^>]*><mrow", render(PAPER, "9", "html"))) > 2
+
+
 @needs_pdflatex
 def test_latex_of_every_equation_compiles():
     assert pdf_from_latex(render(PAPER, None, "latex")).startswith(b"%PDF")

@@ -121,7 +121,7 @@ STRUCTURE = {
 def lever_arm():
     """(1): two ends of a rigid lever arm."""
     dropped = r"\dot{C}_e^n C_S^e L + \Delta C_e^n \dot{r}_m^e"
-    small = "speed times lever arm, over the Earth's radius"
+    small = "where speed times lever arm over the Earth's radius is small"
     return derived(
         line(r"r_m^e = r_s^e - C_S^e L", DEFINITION,
              "the lever arm runs from master to slave; the text leaves it open, the sign of (1) decides"),

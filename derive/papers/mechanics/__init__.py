@@ -1,0 +1,1 @@
+"""Our own derivations, of nobody's print: strapdown navigation and its errors, from exact kinematics."""
