@@ -12,7 +12,7 @@ from boresight.derive.ledger.equation import Relation, column, negative, product
 from boresight.derive.pages.blocks import Form, Formulas, Page, Section
 from boresight.derive.pages.render import write
 from boresight.derive.papers import PAPERS
-from boresight.evidence.read_back import RefusedError
+from boresight.evidence.formula_tokens import RefusedError
 from boresight.evidence.spoilt import VALUE, WRITERS, Shown, changes, of_paper, outcome, places, rendered
 
 formulas = cache(of_paper)
