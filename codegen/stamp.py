@@ -5,6 +5,7 @@ They are of syntax trees, so that a comment moves neither, and are found without
 
 import ast
 import hashlib
+import re
 from functools import cache
 from pathlib import Path
 
@@ -12,6 +13,8 @@ from boresight import BoresightError
 
 PACKAGE = Path(__file__).resolve().parent.parent  # of the layers: the checkout, or boresight/ where it is installed
 GENERATOR = tuple(PACKAGE / "codegen" / name for name in ("functions", "text", "templates"))
+# What judges and shows a model, imported only when it is asked to: no C is made by it.
+BESIDE = re.compile(r"boresight\.derive\.(ledger|pages|papers\.\w+\.paper)\b")
 
 
 def made_from(model: Path | None) -> dict[str, str]:
@@ -29,7 +32,8 @@ def reached(start: set[Path]) -> set[Path]:
     found, waiting = set(start), list(start)
     while waiting:
         path = waiting.pop()
-        new = {file for name in imported(path) for file in located(name)} - found
+        names = (name for name in imported(path) if not BESIDE.match(name))
+        new = {file for name in names for file in located(name)} - found
         found |= new
         waiting += new
     return found

@@ -57,7 +57,7 @@ class Derivations:
     def sources(self) -> list[Path]:
         """What its results depend on: all that derives and shows, and what judges it."""
         root = Path(__file__).resolve().parent
-        judges = (root / f"{name}.py" for name in ("read_back", "spoilt", "steps"))
+        judges = (root / f"{name}.py" for name in ("formula_tokens", "read_back", "spoilt", "steps"))
         return [*sorted((root.parent / "derive").rglob("*.py")), *judges]
 
 

@@ -35,10 +35,12 @@ def _check(paper: Paper, one: Map, match: Match, seed: int) -> None:
         raise BoresightError(f"{where}: {theirs.rows}x{theirs.cols} beside {ours.rows}x{ours.cols}")
     for i in range(ours.rows):
         for j in range(ours.cols):
-            if abs(middle(theirs[i, j] - ours[i, j])) > EXACT:
+            if (apart := abs(middle(theirs[i, j] - ours[i, j]))) > EXACT:
                 name = f"{rows[i]}, {columns[j]}" if columns else rows[i]
                 sizes = " and ".join(f"{float(middle(value[i, j])):.6g}" for value in (theirs, ours))
-                raise BoresightError(f"{where} differ in [{name}], {sizes}; correct the function or the map")
+                raise BoresightError(
+                    f"{where} differ in [{name}] by {float(apart):.3g}, {sizes}; correct the function or the map"
+                )
 
 
 def _carried(paper: Paper, model: Model, one: Map, match: Match, point: Point) -> tuple[Matrix, list, list]:

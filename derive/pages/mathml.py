@@ -82,6 +82,8 @@ class _Translator:
             if not glyph or run == len(items) or not applies:
                 run = len(items)
             items += self.item(token)
+            if token == r"\slip" and run and not items[run - 1].startswith("<mo"):
+                items[run] = items[run].replace("<mo>−</mo>", '<mo form="infix">−</mo>', 1)
             applies = glyph
             if token in NAMED:
                 run = len(items) - 1

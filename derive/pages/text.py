@@ -118,14 +118,17 @@ class _Text(Writer):
         return "\n".join(row.rstrip() for line in lines for row in self._rows(line))
 
     def _break(self, line: str, width: int) -> int:
-        """Where to break a wide term: before a sign, in the later half, outside of brackets; 0 if nowhere."""
-        depth, places = 0, [(2, 0, 0)]
+        """Where to break a wide term: before a sign, in the later half, outside of brackets; 0 if nowhere.
+
+        Behind a matrix that is itself too wide, at the first sign.
+        """
+        depth, places = 0, [(4, 0, 0)]
         for at, character in enumerate(line):
             depth += (character in "([{") - (character in ")]}")
-            extent = self._extent(line[:at])
-            if at and extent <= width and re.match(r"⋅|[-+<=] ", line[at:]):
-                places.append((int(2 * extent < width), depth, -at))
-        return -min(places)[2]
+            if at and re.match(r"⋅|[-+<=] ", line[at:]):
+                extent = self._extent(line[:at])
+                places.append((3, at, at) if extent > width else (int(2 * extent < width), depth, -at))
+        return abs(min(places)[2])
 
     def _rows(self, line: str) -> list[str]:
         """The lines of text of one line of formulas; what is not a matrix stands in the middle row."""

@@ -265,3 +265,15 @@ def test_the_documented_example_of_a_model_works(tmp_path):
     F = tank.F(x=[1.0, 0.2], tank=[2.0, 0.05])
     np.testing.assert_allclose(F, [[-0.05 / 2 * np.sqrt(9.81 / 2), 0], [0, 0]], rtol=1e-14)
     np.testing.assert_array_equal(tank.reading_H(), [[1, 1]])
+
+
+def test_what_judges_and_shows_a_model_is_not_loaded_to_generate_it():
+    """So that the stamps of its folder need not name it."""
+    code = (
+        "import sys; from boresight.codegen.generate import load_model, model_names; "
+        "[load_model(name) for name in model_names()]; "
+        "print([name for name in sys.modules if BESIDE.match(name)])"
+    )
+    code = f"from boresight.codegen.stamp import BESIDE; {code}"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert done.stdout == "[]\n"

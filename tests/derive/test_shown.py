@@ -12,7 +12,7 @@ from boresight.derive.ledger.equation import Relation, column, negative, product
 from boresight.derive.pages.blocks import Form, Formulas, Page, Section
 from boresight.derive.pages.render import write
 from boresight.derive.papers import PAPERS
-from boresight.evidence.read_back import RefusedError
+from boresight.evidence.formula_tokens import RefusedError
 from boresight.evidence.spoilt import VALUE, WRITERS, Shown, changes, of_paper, outcome, places, rendered
 
 formulas = cache(of_paper)
@@ -48,9 +48,9 @@ def test_every_formula_of_a_paper_stands_on_its_page_as_it_was_judged(name, form
 def test_a_change_of_any_formula_is_refused_or_says_something_else(form):
     generator = random.Random(form)
     left = []
-    for one in generator.sample([one for name in PAPERS for one in formulas(name)], 30):
+    for one in generator.sample([one for name in PAPERS for one in formulas(name)], 20):
         text = rendered(one, form)
-        for what, changed in generator.sample(list(changes(form, text)), 9):
+        for what, changed in generator.sample(list(changes(form, text)), 6):
             if outcome(one, form, text, changed) == VALUE:
                 left.append((one.where, what, changed))
     assert left == []
@@ -61,7 +61,7 @@ def test_the_sign_that_kim_11_has_wrong_is_seen_and_every_change_of_it(form):
     printed, derived = found("kim-2018", "(11) printed"), found("kim-2018", "(11) derived")
     assert not printed.holds(form, rendered(derived, form))
     text = rendered(printed, form)
-    some = random.Random(form).sample(list(changes(form, text)), 200)
+    some = random.Random(form).sample(list(changes(form, text)), 80)
     assert VALUE not in [outcome(printed, form, text, changed) for _, changed in some]
 
 

@@ -27,6 +27,7 @@ from boresight.derive.ledger.passages import (
     multiply,
     multiply_out,
     rearrange,
+    stack,
     substitute,
     subtract_line,
     take_quaternion,
@@ -76,34 +77,34 @@ def flown() -> dict[str, object]:
     euler_b, euler_r = s("φ_b θ_b ψ_b"), s("φ_r θ_r ψ_r")
     turn = s("Δq_0 Δq_1 Δq_2 Δq_3")
     mu, eps, omega = s("μ_x μ_y μ_z"), s("ε_n ε_e ε_d"), s("ω_n ω_e ω_d")
-    C, H = dcm_from_euler(*euler), measurement_matrix(euler_b, euler_r)
+    C, H = dcm_from_euler(*euler), layout(measurement_matrix(euler_b, euler_r))
     before, missed = s("μ̂(k-) δμ(k)")
     quaternion = error_quaternion(eps)
     corrected = corrected_quaternion(s("q̂_0 q̂_1 q̂_2 q̂_3"), eps).subs(dict(zip(quaternion, turn, strict=True)))
     found = {
-        "C_b2n": layout(C),
-        "noise": layout(attitude_noise_matrix(C)),
-        "axes_after_yaw": layout(axes_after_yaw(theta)),
-        "axes_before_roll": layout(axes_before_roll(theta)),
+        "C_b2n": ImmutableMatrix(C),
+        "noise": ImmutableMatrix(attitude_noise_matrix(C)),
+        "axes_after_yaw": ImmutableMatrix(axes_after_yaw(theta)),
+        "axes_before_roll": ImmutableMatrix(axes_before_roll(theta)),
         "inverse_after_yaw": layout(axes_after_yaw(theta).lower_triangular_solve(eye(3))),
         "inverse_before_roll": layout(axes_before_roll(theta).upper_triangular_solve(eye(3))),
-        "eps_D_euler": layout(eps_D_euler(theta, psi)),
+        "eps_D_euler": ImmutableMatrix(eps_D_euler(theta, psi)),
         "euler_D_eps": layout(euler_D_eps(theta, psi)),
-        "beta_D_euler": layout(beta_D_euler(phi, theta)),
+        "beta_D_euler": ImmutableMatrix(beta_D_euler(phi, theta)),
         "euler_D_beta": layout(euler_D_beta(phi, theta)),
         "euler_D_mu": layout(relative_euler(euler_r, mu).jacobian(Matrix(mu))),
-        "H": layout(H),
-        "H_eps": layout(H[:, :3]),
-        "H_mu": layout(-H[:, 3:]),
+        "H": H,
+        "H_eps": H[:, :3],
+        "H_mu": -H[:, 3:],
         "F": ImmutableMatrix(attitude_error_matrix(omega)),
         "quaternion": ImmutableMatrix(quaternion.subs(TINY_SQUARE, 0)),
         "corrected_quaternion": ImmutableMatrix(corrected),
         # The function's own terms, in the order of the page.
         "corrected_mu": total(*sorted(corrected_misalignment(before, missed).args, key=lambda term: term != before)),
     }
-    found |= {f"change_{angle.name}": layout(C.diff(angle)) for angle in euler}
-    found |= {f"H_eps_{i}": layout(H[i - 1, :3]) for i in (1, 2, 3)}
-    found |= {f"H_mu_{i}": layout(-H[i - 1, 3:]) for i in (1, 2, 3)}
+    found |= {f"change_{angle.name}": ImmutableMatrix(C.diff(angle)) for angle in euler}
+    found |= {f"H_eps_{i}": H[i - 1, :3] for i in (1, 2, 3)}
+    found |= {f"H_mu_{i}": -H[i - 1, 3:] for i in (1, 2, 3)}
     return found
 
 
@@ -141,6 +142,9 @@ X = column(*(f"X_{i}" for i in range(1, 7)))
 STATE_MATRIX = r"\begin{bmatrix} -\Omega_{in}^n & 0 \\ 0 & 0 I \end{bmatrix}"
 STATE_NOISE = r"\begin{bmatrix} -C_b^n \\ 0 I \end{bmatrix}"
 STATES_MEASURED = r"\begin{bmatrix} -A_3(\theta_b)^{-1} R_3(\psi_b)^T & -A_1(\theta_r)^{-1} R_1(\phi_r) \end{bmatrix}"
+PARTS = column(r"\epsilon^n", r"\delta\mu^r")
+RATES = column(r"\dot{\epsilon}^n", r"\delta\dot{\mu}^r")
+RATE_OF_EPS, RATE_OF_D_MU = r"-\Omega_{in}^n \epsilon^n - C_b^n \delta\omega^b", r"\dot{\hat{\mu}}^r - \dot{\mu}^r"
 COMPUTED, CHANGE = attitude_of(HAT), change_of(TRUE, ERROR)
 BY_ESTIMATE = tuple(f"{angle} + {gap}" for angle, gap in zip(TRUE_R, GAP_HAT, strict=True))
 CHANGE_R = change_of(TRUE_R, GAP)
@@ -470,7 +474,7 @@ WRITTEN: dict[str, Derived] = {
              "a turned skew matrix is the skew matrix of the turned vector"),
         line(r"\dot{E} = -[(\Omega_{in}^n \epsilon^n) \times] - [(C_b^n \delta\omega^b) \times]", first_order(),
              "all is skew", multiply_out("10", "11", of="9")),
-        line(r"\dot{\varepsilon}^n = -\Omega_{in}^n \varepsilon^n - C_b^n \delta\omega^b", first_order(),
+        line(rf"\dot{{\epsilon}}^n = {RATE_OF_EPS}", first_order(),
              "of skew matrices their vectors", take_vector(), result=True),
         line(r"\flown{F} = -\Omega_{in}^n", IDENTITY, "the matrix of ε that flies"),
         line(rf"\flown{{noise}} = -{TURNS}", IDENTITY, "and that of the gyro's error, -C_b2n of the true angles"),
@@ -481,13 +485,14 @@ WRITTEN: dict[str, Derived] = {
         line(r"\dot{\mu}^r = 0", EXACT_LINE, "on a rigid mounting μ is constant in r"),
         line(r"\dot{\hat{\mu}}^r = 0", EXACT_LINE, "between corrections so is its estimate, by the filter's own rule"),
         line(r"\delta\mu^r = \hat{\mu}^r - \mu^r", EXACT_LINE, "the text under (19)"),
-        line(r"\delta\dot{\mu}^r = \dot{\hat{\mu}}^r - \dot{\mu}^r", EXACT_LINE, "both sides change with time",
+        line(rf"\delta\dot{{\mu}}^r = {RATE_OF_D_MU}", EXACT_LINE, "both sides change with time",
              differentiate({r"\delta\mu^r": r"\delta\dot{\mu}^r", r"\hat{\mu}^r": r"\dot{\hat{\mu}}^r",
                             r"\mu^r": r"\dot{\mu}^r"})),
         line(r"\delta\dot{\mu}^r = 0", EXACT_LINE, "both are constant", substitute("1", "2"), result=True),
-        line(r"\begin{bmatrix} \dot{\epsilon}^n \\ \delta\dot{\mu}^r \end{bmatrix} = "
-             rf"{STATE_MATRIX} \begin{{bmatrix}} \epsilon^n \\ \delta\mu^r \end{{bmatrix}} + "
-             rf"{STATE_NOISE} \delta\omega^b", first_order("euler_error", "gyro_error"), "(20) over (21): F and G"),
+        line(rf"{RATES} = {column(RATE_OF_EPS, RATE_OF_D_MU)}", first_order("euler_error", "gyro_error"),
+             "(20) stands over the rate of δμ", stack("(20)", "4")),
+        line(rf"{RATES} = {STATE_MATRIX} {PARTS} + {STATE_NOISE} \delta\omega^b",
+             first_order("euler_error", "gyro_error"), "these are F and G of the six states", substitute("1", "2")),
         unit="rad/s",
     ),
     "22": derived(
