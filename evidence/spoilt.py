@@ -302,7 +302,7 @@ def _elements(text: str) -> Iterator[tuple[str, str]]:
                 yield "insert", with_(child, Node("mo", False, [], sign), child)
             if child.children:
                 yield "unwrap", with_(child, *child.children)
-                if child.tag != "mrow":
+                if child.tag not in ("mrow", "mtd"):  # what stands in a row may commute
                     yield "exchange", with_(child, Node(child.tag, False, child.children[::-1]))
                 for part in child.children if child.tag not in ("mrow", "mtable") else ():
                     yield "unwrap", with_(child, part)
