@@ -614,6 +614,10 @@ def main(words: list[str] | None = None) -> None:
     except BoresightError as error:
         print(f"boresight: {error}", file=sys.stderr)
         sys.exit(1)
+    except UnicodeEncodeError as error:
+        lacks = f"the output has signs that {error.encoding} lacks"
+        print(f"boresight: {lacks}; set PYTHONIOENCODING=utf-8", file=sys.stderr)
+        sys.exit(1)
     except OSError as error:  # a full disk, a terminal that is gone
         print(f"boresight: the output cannot be written ({error.strerror})", file=sys.stderr)
         sys.stdout = open(os.devnull, "w")  # noqa: SIM115

@@ -8,6 +8,7 @@ import json
 import os
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any, TypeVar
@@ -90,8 +91,9 @@ def kept(name: str, kind: type[Made], make: Callable[[], Made]) -> Made:
         path.parent.mkdir(parents=True, exist_ok=True)
         part.write_text(json.dumps({"key": now, "made": made}, ensure_ascii=False), encoding="utf-8")
         part.replace(path)
-    except OSError:
-        pass  # a folder that cannot be written costs time, no result
+    except OSError:  # a folder that cannot be written costs time, no result
+        with suppress(OSError):
+            part.unlink(missing_ok=True)
     return made
 
 

@@ -306,3 +306,11 @@ def test_what_is_wrong_is_one_line_and_a_status(run, words, said, monkeypatch):
     assert said in err
     assert len(err.strip().splitlines()) == 1, err
     assert out == ""
+
+
+def test_an_encoding_that_lacks_a_sign_is_one_clear_line():
+    env = {**os.environ, "PYTHONIOENCODING": "ascii"}
+    words = [sys.executable, "-m", "boresight.cli", "show", "kang-2025", "4"]
+    done = subprocess.run(words, env=env, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == "boresight: the output has signs that ascii lacks; set PYTHONIOENCODING=utf-8\n"

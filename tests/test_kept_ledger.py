@@ -115,3 +115,10 @@ def test_no_proof_reads_a_kept_ledger():
 
 def reads(path):
     return "kept_ledger" in path.read_text()
+
+
+def test_what_cannot_be_kept_leaves_nothing_behind(tmp_path, monkeypatch):
+    monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path))
+    (tmp_path / "page.json").mkdir()
+    assert kept_ledger.kept("page", str, lambda: "text") == "text"
+    assert [path.name for path in tmp_path.iterdir()] == ["page.json"]

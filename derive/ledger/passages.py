@@ -230,8 +230,7 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
         return _said(holds and not _same(first, [entry * 0 for entry in first]), passage.operation)
     if passage.operation == "solve":
         (letter,) = _symbols(paper, passage.letters)
-        found = solve((before,), {letter.name: paper.letter(letter.name).shape or 1}, point.values)
-        point = point.changed(found)
+        point = point.changed(_solved(paper, before, letter, point))
         if letter not in (after.sides[0], after.sides[-1]):
             return LineVerdict(False, f"solve: {letter} is no side of the line")
         if _depends(paper, Relation(tuple(s for s in after.sides if s != letter)), letter, point):
@@ -409,6 +408,15 @@ _TAKE: dict[str, Callable] = {
 }
 
 
+def _solved(paper: Paper, row: Relation, letter: Symbol, point: Point) -> dict[str, Any]:
+    """The value of the letter by the row.  Raises ValueError unless the row is linear in it."""
+    found = solve((row,), {letter.name: paper.letter(letter.name).shape or 1}, point.values)
+    left = residual(row.sides, point.changed(found))
+    if not _same(left, [0] * len(left)):
+        raise ValueError(f"the line is not linear in {letter}")
+    return found
+
+
 def _given(paper: Paper, row: Relation, letter: str, point: Point) -> dict[str, Any]:
     """Values of the letter, or letters, that a row gives."""
     if letter:
@@ -416,7 +424,7 @@ def _given(paper: Paper, row: Relation, letter: str, point: Point) -> dict[str, 
         for side, other in ((row.sides[0], row.sides[-1]), (row.sides[-1], row.sides[0])):
             if side == symbol:
                 return {symbol.name: evaluate(other, point)}
-        return solve((row,), {symbol.name: paper.letter(symbol.name).shape or 1}, point.values)
+        return _solved(paper, row, symbol, point)
     for side, other in ((row.sides[0], row.sides[-1]), (row.sides[-1], row.sides[0])):
         if isinstance(side, Symbol):
             shape = paper.letter(side.name).shape

@@ -201,3 +201,8 @@ def test_an_expectation_has_exact_second_moments():
     with digits(DIGITS):
         moment = evaluate(one.relation.sides[1].args[0], point)
         assert max(abs(entry) for entry in moment - root * root.T) < 1e-40
+
+
+def test_what_is_not_linear_in_a_letter_is_not_solved_for_it():
+    assert not follows("t = s s", ps.solve_for("s"), "s = t")
+    assert not follows("r = s", ps.substitute("1", letters=["s"]), "r = t", "t = s s")
