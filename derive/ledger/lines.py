@@ -166,7 +166,12 @@ def _judged(paper: Paper, equation: Equation, claim: Claim, relation: Relation, 
             return LineVerdict(False, f"what is dropped, {mp.nstr(size, 3)}, is no small part of {mp.nstr(side, 3)}")
         return replace(verdict, size=mp.nstr(size, 3))
     power = {"first-order": 2, "limit": 1}.get(claim.kind, claim.order + 1)
-    return _falls(relation, point, power)
+    verdict = _falls(relation, point, power)
+    if verdict.holds and _exactly(relation, (point(seed, FULL) for seed in SEEDS)).holds:
+        return LineVerdict(False, f"it is exact: {claim.kind} says less")
+    if verdict.holds and claim.kind == "limit" and _falls(relation, point, 2).holds:
+        return LineVerdict(False, "it is right to first order: a limit says less")
+    return verdict
 
 
 def _holds_freely(paper: Paper, relation: Relation) -> bool:
@@ -302,20 +307,24 @@ def build(
 
 @dataclass(frozen=True)
 class Steps:
-    """How many steps a paper's derivations have; how many are evaluated, and how many are prose."""
+    """How many steps a paper's derivations have; how many are evaluated, of these carried out on earlier lines, and how
+    many are prose.  A line that is not carried out begins from kinematics, an identity or a definition."""
 
     steps: int
     evaluated: int
+    carried: int
     prose: int
 
     def __str__(self) -> str:
-        return f"steps: {self.steps}, evaluated {self.evaluated}, prose {self.prose}"
+        carried = f"of these {self.carried} carried out on earlier lines"
+        return f"steps: {self.steps}, evaluated {self.evaluated}, {carried}, prose {self.prose}"
 
 
 def count_steps(equations: Iterable[Equation]) -> Steps:
     steps = [step for equation in equations for step in equation.derivation.steps]
     evaluated = sum(step.claim is not None for step in steps)
-    return Steps(len(steps), evaluated, sum(not step.formulas for step in steps))
+    carried = sum(step.passage is not None for step in steps)
+    return Steps(len(steps), evaluated, carried, sum(not step.formulas for step in steps))
 
 
 def check_derivation(paper: Paper, equation: Equation) -> None:
@@ -325,6 +334,12 @@ def check_derivation(paper: Paper, equation: Equation) -> None:
     if equation.number in _stands_on(paper, equation):
         raise BoresightError(f"{paper.name} ({equation.number}): its derivation stands on itself")
     steps = equation.derivation.steps
+    if steps and not (equation.derivation.lines or equation.defines or equation.introduces):
+        raise BoresightError(f"{paper.name} ({equation.number}): prose derives nothing")
+    derived = {symbol for relation in equation.derived for side in relation.sides for symbol in _letters(side)}
+    for printed, ours in zip(equation.read(), equation.derived, strict=False):
+        if not (set(printed.sides) & set(ours.sides) or _letters(printed.sides[0]) <= derived):
+            raise BoresightError(f"{paper.name} ({equation.number}): {printed.sides[0]} is not what is derived")
     for index, step in enumerate(steps):
         if step.relation is None:
             continue
@@ -340,6 +355,10 @@ def check_derivation(paper: Paper, equation: Equation) -> None:
             used = names([relation for i in later for relation in steps[i].formulas])
             if letter.name not in used and not any(index in equation.derivation.taken(i) for i in later):
                 raise BoresightError(f"{where}: nothing uses {letter}")
+
+
+def _letters(side) -> set:
+    return getattr(side, "free_symbols", set())
 
 
 def _stands_on(paper: Paper, equation: Equation) -> set[str]:

@@ -170,7 +170,9 @@ def dropped(paper: Paper, equation: Equation) -> dict[int, str]:
     for i, step in enumerate(equation.derivation.steps):
         if step.claim is not None and step.claim.kind == "approximation":
             with digits(DIGITS):
-                found[i] = f"{judge_line(paper, equation, i).size} {equation.unit}".removesuffix(" 1")
+                size = judge_line(paper, equation, i).size
+            unit = equation.unit if isinstance(equation.unit, str) else "SI"  # rows of several units
+            found[i] = f"{size} {unit}".removesuffix(" 1")
     return found
 
 

@@ -157,6 +157,8 @@ def test_a_true_line_that_does_not_follow_is_refused():
         ("D = (I - [e \\times]) C", ln.EXACT_LINE, False),
         ("D = (I - [e \\times]) C", ln.first_order(), True),
         ("D = (I + [e \\times]) C", ln.first_order(), False),
+        ("D = \\exp(-[e \\times]) C", ln.first_order(), False),  # it is exact
+        ("D = (I - [e \\times]) C", ln.limit("error"), False),  # it is right to first order
         ("r = s t", ln.first_order(), False),  # true, and nothing of it is of first order
         ("D = C", ln.limit("error"), True),
         ("D = C^T", ln.limit("error"), False),
@@ -206,3 +208,16 @@ def test_an_expectation_has_exact_second_moments():
 def test_what_is_not_linear_in_a_letter_is_not_solved_for_it():
     assert not follows("t = s s", ps.solve_for("s"), "s = t")
     assert not follows("r = s", ps.substitute("1", letters=["s"]), "r = t", "t = s s")
+
+
+def test_prose_alone_derives_nothing_and_a_result_is_of_what_is_printed():
+    printed = ln.read_lines([ln.line("D = C", ln.EXACT_LINE, "")], quantities())[0].formulas
+    other = ln.read_lines([ln.line("D = \\exp(-[e \\times]) C", ln.EXACT_LINE, "", result=True)], quantities())
+    foreign = ln.read_lines([ln.line("r = s t", ln.EXACT_LINE, "", result=True)], quantities())
+    blank = replace(derivation(), printed=printed, derived=printed)
+    with digits(DIGITS):
+        ln.check_derivation(TOY, replace(blank, derivation=Derivation(other), derived=other[0].formulas))
+        with pytest.raises(BoresightError, match=r"toy \(1\): D is not what is derived"):
+            ln.check_derivation(TOY, replace(blank, derivation=Derivation(foreign), derived=foreign[0].formulas))
+        with pytest.raises(BoresightError, match=r"toy \(1\): prose derives nothing"):
+            ln.check_derivation(TOY, replace(blank, derivation=Derivation((ln.prose("it is so"),))))

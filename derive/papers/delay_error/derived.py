@@ -286,7 +286,7 @@ def sinusoids():
         line(r"\hat{\phi}_0 = C_\psi \hat{\mu}_0", first_order(*SEA), "(2) where the yaw is at rest",
              elsewhere({r"\hat{\phi}": r"\hat{\phi}_0", r"\hat{\mu}": r"\hat{\mu}_0"}, of="(2).1")),
         line(r"\hat{\phi}_d = \hat{\mu}_z", first_order(*SEA), "about the vertical", take_rows(3)),
-        line(r"\delta\psi = -\hat{\phi}_d", first_order(*SEA), "computed less true yaw"),
+        line(r"\delta\psi = -\hat{\phi}_d", EXACT_LINE, "computed less true yaw"),
         line(r"\delta\psi = -\hat{\mu}_z", first_order(*SEA), "the heading errs by minus the misalignment",
              substitute("14")),
         line(r"\delta\psi = \frac{2 \tau \Omega R P \sin\epsilon}{R^2 + P^2}", first_order(*SEA),

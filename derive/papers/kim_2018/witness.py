@@ -164,7 +164,7 @@ STATED = Base(
     step=(exact("0.01"), exact(0), exact(0)),
 )
 STATED_TEXT = (
-    "latitude 37 deg, height 1 km, 100 m/s to the north-east; errors 0.02 deg in position, 100 m in height, 1, -1, "
+    "latitude 37 deg, height 1 km, 60 m/s east, 80 m/s north; errors 0.02 deg in position, 100 m in height, 1, -1, "
     "0.5 m/s, 0.1, -0.2, 0.3 deg in attitude; 1 deg/h, 1 mg; mounting error 0.2, -0.1, 0.1 deg, delay 50 ms"
 )
 

@@ -14,7 +14,6 @@ from boresight.derive.ledger.lines import (
     build,
     derived,
     first_order,
-    limit,
     line,
     prose,
 )
@@ -304,9 +303,9 @@ WRITTEN: dict[str, Derived] = {
     ),
     # (10) with skew matrices; the text has it between (10) and (11).
     "B": derived(
-        line(r"C_b^n (I + B) = (I - E) C_b^n", FIRST, "two sides of (10)", chain("(10)")),
-        line(r"C_b^n B = -E C_b^n", FIRST, "C_b2n stands on both sides", add("-C_b^n")),
-        line(r"B = -C_n^b E C_b^n", FIRST, "from the left with C_n2b; with finite rotations it is exact, see (11)",
+        line(r"C_b^n (I + B) = (I - E) C_b^n", EXACT_LINE, "two sides of (10)", chain("(10)")),
+        line(r"C_b^n B = -E C_b^n", EXACT_LINE, "C_b2n stands on both sides", add("-C_b^n")),
+        line(r"B = -C_n^b E C_b^n", EXACT_LINE, "from the left with C_n2b; it is exact with finite rotations, see (11)",
              multiply(left="C_n^b"), result=True),
         unit="1", leads_to=("11",),
     ),
@@ -314,7 +313,7 @@ WRITTEN: dict[str, Derived] = {
     "11": derived(
         line(r"C_n^b E C_b^n = [(C_n^b \epsilon^n) \times]", IDENTITY,
              "a turned skew matrix is the skew matrix of the turned vector"),
-        line(r"[\beta^b \times] = -[(C_n^b \epsilon^n) \times]", FIRST, "so the sides are skew",
+        line(r"[\beta^b \times] = -[(C_n^b \epsilon^n) \times]", EXACT_LINE, "so the sides are skew",
              multiply_out("1", of="(B)")),
         line(r"C_b^n \exp(B) = \exp(-E) C_b^n", EXACT_LINE,
              "with finite rotations it is exact: (10) before it was cut"),
@@ -509,7 +508,7 @@ WRITTEN: dict[str, Derived] = {
              "half its angle, about its axis", take_quaternion(), result=True),
         line(r"\epsilon_o = \sqrt{\epsilon_n^2 + \epsilon_e^2 + \epsilon_d^2}", IDENTITY,
              "its angle is the length of the vector", result=True),
-        line(r"\frac{\sin \frac{\epsilon_o}{2}}{\epsilon_o} = \frac{1}{2}", limit("euler_error"),
+        line(r"\frac{\sin \frac{\epsilon_o}{2}}{\epsilon_o} = \frac{1}{2}", FIRST,
              "the print is 0/0 at ε = 0, and sin(x/2)/x tends to 1/2"),
         line(r"\Delta Q_b^n = \begin{bmatrix} 1 \\ \frac{\epsilon_n}{2} \\ \frac{\epsilon_e}{2} \\ "
              r"\frac{\epsilon_d}{2} \end{bmatrix}", FIRST, "its limit",
