@@ -44,8 +44,7 @@ PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 % Where print and derivation differ.
 \newcommand{\slip}[1]{\textcolor{wrong}{\underline{{}#1}}}
 % No heading at the foot of a page: a new one begins if less than this is left.
-\newcommand{\room}[1]{\par\begingroup\dimen0=\pagegoal\advance\dimen0 by -\pagetotal
-\ifdim#1>\dimen0 \newpage\fi\endgroup}
+\newcommand{\room}[1]{\par\vskip 0pt plus #1\penalty-200\vskip 0pt plus -#1\relax}
 % A fraction within a matrix is as large as another.
 \let\frac\dfrac
 % A formula is a paragraph of pieces that breaks between them.  A piece wider than the line is made smaller.
