@@ -24,7 +24,7 @@ from boresight.derive.pages.render import write
 from boresight.evidence.spoilt import WRITERS, Shown, rendered
 
 TANK = f"{ROOT / 'examples' / 'own_model.py'}:TANK"
-MODELS = ("euler-matching", "phi-error", "azimuth-hold", "velocity-attitude", "velocity-dcm", TANK, PENDULUM)
+MODELS = ("euler-matching", "phi-error", "velocity-attitude", TANK, PENDULUM)
 FUNCTIONS = {
     "atan2": numbers.atan2,
     "abs": abs,

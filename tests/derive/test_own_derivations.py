@@ -23,7 +23,6 @@ from boresight.derive.papers import paper
 from boresight.derive.papers.mechanics import kinematics
 
 PAPER = paper("mechanics")
-LEVELS = pytest.mark.parametrize("name", ["NED", "ENU"])
 FOLDER = Path(kinematics.__file__).parent
 LAT, HEIGHT = kinematics.LAT, kinematics.HEIGHT
 
@@ -79,8 +78,8 @@ def vanishes(expression):
     return expand(reduced(top, [c**2 + s**2 - 1, w**2 + e2 * s**2 - 1], c, w)[1]) == 0
 
 
-@LEVELS
-@pytest.mark.parametrize("model", ["phi", "psi", "map"])
+# One frame for each: the rows of the ledger hold both.
+@pytest.mark.parametrize(("model", "name"), [("phi", "NED"), ("psi", "ENU"), ("map", "NED")])
 def test_the_differentiated_rates_are_the_matrices_that_fly_entry_by_entry(model, name):
     level, frame = ellipsoid.LEVELS[name], earth.FRAMES[name]
     p, v, f = kinematics.state(level)
