@@ -6,7 +6,7 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from itertools import product
 
 from boresight.evidence import results
-from boresight.evidence.kinds import KINDS, PAPER_KINDS, Kind, make, out_of_date
+from boresight.evidence.kinds import KINDS, Kind, kinds_of, make, out_of_date
 from boresight.evidence.sources import Derivations, Folder, derivations, folders
 from boresight.evidence.table import PAGE, page
 
@@ -19,7 +19,8 @@ def main() -> int:
     for kind in KINDS:
         if kind.missing:
             print(f"{kind.name}: skipped, {kind.missing}")
-    pairs: list[tuple[Kind, Folder | Derivations]] = [*product(KINDS, folders()), *product(PAPER_KINDS, derivations())]
+    pairs: list[tuple[Kind, Folder | Derivations]] = [*product(KINDS, folders())]
+    pairs += [(kind, paper) for paper in derivations() for kind in kinds_of(paper)]
     with ProcessPoolExecutor(JOBS, mp_context=multiprocessing.get_context("spawn")) as pool:
         running = {
             pool.submit(make, folder, kind.name): (folder, kind)

@@ -29,8 +29,8 @@ GLYPHS = {
     "\\" + word: lookup(f"GREEK {size} LETTER {word.upper().replace('LAMBDA', 'LAMDA')}")
     for size, words in (("SMALL", GREEK.split()), ("CAPITAL", map(str.capitalize, GREEK.split())))
     for word in words
-} | {r"\partial": "∂", r"\varphi": "ϕ", r"\vartheta": "ϑ", r"\varrho": "ϱ", r"\varepsilon": "ε"}
-ACCENTS = {r"\hat": "hat", r"\dot": "dot", r"\bar": "bar", r"\overline": "bar", r"\check": "check"}
+} | {r"\partial": "∂", r"\varphi": "ϕ", r"\vartheta": "ϑ", r"\varrho": "ϱ", r"\varepsilon": "ε", r"\ell": "ℓ"}
+ACCENTS = {r"\hat": "hat", r"\dot": "dot", r"\ddot": "ddot", r"\bar": "bar", r"\overline": "bar", r"\check": "check"}
 NAMED = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp"}
 SIGNS = {
     r"\,": "*", r"\times": "×", r"\leq": "≤", r"\in": "∈", r"\to": "→", r"\vee": "∨", r"\|": "‖", r"\{": "{",
@@ -168,7 +168,7 @@ def _scripts_in_order(tokens: list[Token]) -> list[Token]:
 
 # ---- MathML ----------------------------------------------------------------------------------------------------------
 
-OVER = {"^": "hat", "˙": "dot", "¯": "bar", "ˇ": "check"}
+OVER = {"^": "hat", "˙": "dot", "¨": "ddot", "¯": "bar", "ˇ": "check"}
 OPERATORS = {"−": "-", "\u2062": "*", **{sign: sign for sign in "×≤∈→∨‖{}⟨⟩′+=<,;|/()[]"}}
 COUNT = {"mfrac": 2, "msub": 2, "msup": 2, "msubsup": 3, "mover": 2, "munder": 2}
 
@@ -515,7 +515,7 @@ def _sum_sign(letter: str) -> Token:
 
 # ---- How a letter is spelled -----------------------------------------------------------------------------------------
 
-HAT = {"\u0302": "hat", "\u0307": "dot", "\u0304": "bar", "\u030c": "check"}
+HAT = {"\u0302": "hat", "\u0307": "dot", "\u0308": "ddot", "\u0304": "bar", "\u030c": "check"}
 
 
 def text_name(name: str) -> str:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from boresight.derive.papers import PAPERS
 from boresight.evidence import results
 from boresight.evidence.eva import MISSING as EVA_MISSING
 from boresight.evidence.eva import eva
@@ -54,6 +55,11 @@ KINDS = (
 
 # Of papers, not of generated folders.
 PAPER_KINDS = (Kind("shown", spoilt, "", lambda: ""), Kind("steps", steps, "", lambda: ""))
+
+
+def kinds_of(paper: Derivations) -> tuple[Kind, ...]:
+    """Every change of every formula that is shown is tried of papers; of our own derivations a test reads them back."""
+    return tuple(kind for kind in PAPER_KINDS if kind.name != "shown" or paper.name in PAPERS)
 
 
 def out_of_date(folder: Folder | Derivations, kind: Kind) -> bool:

@@ -30,7 +30,7 @@ class _Latex(Writer):
     def letter(self, name):
         latex = self._spelled(name)
         # A power of a letter of several glyphs, or with a superscript of its own, needs brackets.
-        simple = re.fullmatch(r"\\(?:hat|dot|bar|check|overline|mathbf)\{[^{}]*\}|\\\w+|\w|\[.*\]", _stem(latex))
+        simple = re.fullmatch(r"\\(?:hat|dot|ddot|bar|check|overline|mathbf)\{[^{}]*\}|\\\w+|\w|\[.*\]", _stem(latex))
         return latex, ATOM if simple and "^" not in latex.partition("[")[0] else PREFIX
 
     def _spelled(self, name):
@@ -86,7 +86,7 @@ def _stem(latex: str) -> str:
 
 
 SIGNS = {"→": r"\to", "∂": r"\partial"}
-MARKS = {"\u0302": "hat", "\u0307": "dot", "\u0304": "bar", "\u030c": "check"}
+MARKS = {"\u0302": "hat", "\u0307": "dot", "\u0308": "ddot", "\u0304": "bar", "\u030c": "check"}
 
 
 def greek(word: str) -> str:

@@ -11,12 +11,12 @@ from boresight.derive.pages.latex import MARKS, SIGNS, greek, latex_relation
 
 TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\d+|\s+|.")
 APPLY, TIMES = "<mo>&#x2061;</mo>", "<mo>&#x2062;</mo>"
-ACCENTS = {"hat": "^", "dot": "˙", "bar": "¯", "overline": "¯", "check": "ˇ"}
+ACCENTS = {"hat": "^", "dot": "˙", "ddot": "¨", "bar": "¯", "overline": "¯", "check": "ˇ"}
 OPERATORS = {
     r"\times": "×", r"\leq": "≤", r"\in": "∈", r"\vee": "∨", r"\|": "‖", r"\{": "{", r"\}": "}", "-": "−", "'": "′",
     r"\langle": "⟨", r"\rangle": "⟩", **{latex: sign for sign, latex in SIGNS.items() if sign != "∂"},
 }  # fmt: skip
-LETTERS = {r"\partial": "∂", r"\varphi": "ϕ", r"\vartheta": "ϑ", r"\varrho": "ϱ", r"\varepsilon": "ε"}
+LETTERS = {r"\partial": "∂", r"\varphi": "ϕ", r"\vartheta": "ϑ", r"\varrho": "ϱ", r"\varepsilon": "ε", r"\ell": "ℓ"}
 NAMED = {"\\" + word for word in ELEMENTARY.values()}
 assert set(MARKS.values()) <= set(ACCENTS)
 

@@ -82,7 +82,7 @@ def equation_section(paper: Paper, equation: Equation, functions: Functions) -> 
     blocks.append(Prose(", ".join((*HELD, file, *own) if own else HELD), "Held by", code=True))
     first, last = equation.lines
     source = f"source line {first}" if first == last else f"source lines {first} to {last}"
-    source = source if equation.latex else "derived here"
+    source = source if first else "derived here"
     title = f"{equation.paper} {equation.label}"
     return Section(title, tuple(blocks), anchor(equation), status(entry), source)
 

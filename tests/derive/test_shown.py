@@ -37,7 +37,7 @@ def on_page(shown, form):
 
 
 @pytest.mark.parametrize("form", WRITERS)
-@pytest.mark.parametrize("name", PAPERS)
+@pytest.mark.parametrize("name", [*PAPERS, "mechanics"])
 def test_every_formula_of_a_paper_stands_on_its_page_as_it_was_judged(name, form):
     assert len(formulas(name)) > 20
     pairs = zip(formulas(name), on_page(formulas(name), form), strict=True)

@@ -4,7 +4,7 @@ import pytest
 from committed import NAMES, folder_of
 
 from boresight.evidence import results
-from boresight.evidence.kinds import KINDS, PAPER_KINDS
+from boresight.evidence.kinds import KINDS, kinds_of
 from boresight.evidence.sources import derivations
 
 
@@ -18,7 +18,7 @@ def test_results_are_of_the_committed_sources(name):
 @pytest.mark.parametrize("paper", derivations(), ids=lambda paper: paper.name)
 def test_results_of_a_paper_are_of_the_derivations_here(paper):
     kept, wanted = results.read(paper), results.sources_hash(paper)
-    stale = [kind.name for kind in PAPER_KINDS if kept.get(kind.name, {}).get("sources") != wanted]
+    stale = [kind.name for kind in kinds_of(paper) if kept.get(kind.name, {}).get("sources") != wanted]
     assert not stale, f"{', '.join(stale)} of {paper.name}: run 'make evidence'"
 
 
