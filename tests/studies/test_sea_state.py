@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from boresight import BoresightError
-from boresight.derive.papers.kang_2025 import delay_error
+from boresight.derive.papers import paper
 from boresight.runtime import hull, inertial, rotation, simulation
 from boresight.runtime.library import load
 from boresight.runtime.units import DEG, MIL
@@ -125,14 +125,15 @@ def test_a_bending_that_has_no_state_shows_in_the_nis_and_not_in_the_heading(mod
 def test_the_study_s_closed_form_is_the_derived_one():
     from sympy import lambdify
 
-    form = lambdify(
-        (delay_error.DELAY, delay_error.FREQUENCY, *delay_error.AMPLITUDES, delay_error.PHASE), delay_error.sinusoidal()
-    )
+    heading, form = paper("delay-error").equation("4").derived[1].sides
+    letters = {symbol.name: symbol for symbol in form.free_symbols}
+    assert heading.name == "δψ" and set(letters) == set("τΩRPε")
+    derived = lambdify([letters[name] for name in "τΩRPε"], form)
     rng = simulation.generator(0, 0)
     for _ in range(20):
         tau, f, roll, ratio, phase = rng.uniform([1e-3, 0.05, 0.01, 0.1, -3], [0.02, 0.5, 0.2, 3, 3])
-        derived = -form(tau, 2 * np.pi * f, roll, ratio * roll, phase)  # heading errs by -dmu_z
-        assert sea_delay.closed_form(tau, ratio, phase, f) == pytest.approx(derived, rel=1e-12)
+        wanted = derived(tau, 2 * np.pi * f, roll, ratio * roll, phase)
+        assert sea_delay.closed_form(tau, ratio, phase, f) == pytest.approx(wanted, rel=1e-12)
 
 
 def test_the_general_form_holds_the_sinusoid_and_the_derived_moments():
@@ -146,16 +147,16 @@ def test_the_general_form_holds_the_sinusoid_and_the_derived_moments():
     )
     np.testing.assert_allclose(sea_delay.predicted_heading(motion, tau[:, None])[:, 0], sinusoid, atol=1e-12)
 
-    # three axes and many frequencies: moments over a long time, put into the derived matrices
+    # three axes and many frequencies: moments over a long time, put into the derived moments of inertia and momentum
+    inertia, momentum = map(str, paper("delay-error").equation("2").derived[1].sides)
+    assert (inertia, momentum) == ("E(-e*transpose(e) + norm(e)**2*I)*μ̂", "τ*E(cross(e, ė))")
     s = replace(Scenario(), height_m=(4.0,))
     drawn = draw(s, 0, 1)
     motion = motion_of("sea", s, drawn.streams)
     value, rate, _ = motion.freedoms.thrice(np.arange(0, 20000, 0.5))
     e, e_1 = value[:, 0, 0, 3:], rate[:, 0, 0, 3:]
-    moving = dict(zip(delay_error.MOVING[:6], (*e.T, *e_1.T), strict=True))
-    means = {delay_error.moment(a, b): np.mean(moving[a] * moving[b]) for a in moving for b in moving}
-    J, L = (np.array(part.subs(means), float) for part in (delay_error.spread(), delay_error.spin()))
-    wanted = -np.linalg.solve(J, L[:, 0])[2]
+    J = np.mean(np.sum(e**2, -1)) * np.eye(3) - e.T @ e / len(e)
+    wanted = -np.linalg.solve(J, np.mean(np.cross(e, e_1), 0))[2]  # the heading errs by minus the misalignment
     assert sea_delay.predicted_heading(motion, 1.0)[0, 0] == pytest.approx(wanted, rel=0.03)
 
 
