@@ -33,6 +33,7 @@ class Variable:
     unit: SI, angles in rad.  frame: where the components are resolved, or what the variable maps between.
     low, high: the valid box, inclusive, the same for each component or one value each.
     norm: where the Euclidean norm must lie (for a quaternion), or None.
+    wraps: as a state, an angle of which a whole turn means nothing: kept in [-pi, pi).
     """
 
     name: str
@@ -43,6 +44,7 @@ class Variable:
     high: tuple[float, ...]
     frame: str = ""
     norm: tuple[float, float] | None = None
+    wraps: bool = False
 
     def __post_init__(self) -> None:
         for bound in (self.low, self.high):
@@ -77,6 +79,7 @@ def variable(
     *,
     frame: str = "",
     norm: tuple[float, float] | None = None,
+    wraps: bool = False,
 ) -> Variable:
     """A Variable from its components' names, as in `variable("mu", "mu_x mu_y mu_z", "rad", "...", -0.5, 0.5)`."""
     symbols = tuple(Symbol(component, real=True) for component in components.split())
@@ -84,7 +87,7 @@ def variable(
     def bound(value: float | Iterable[float]) -> tuple[float, ...]:
         return tuple(value) if isinstance(value, Iterable) else (float(value),) * len(symbols)
 
-    return Variable(name, symbols, unit, meaning, bound(low), bound(high), frame, norm)
+    return Variable(name, symbols, unit, meaning, bound(low), bound(high), frame, norm, wraps)
 
 
 @dataclass(frozen=True)
@@ -119,7 +122,8 @@ class Measurement:
     z: (m) from the inputs; None if the caller brings it, and then it is the measured value.
     h: (m) the z of an error state x without noise, from states and inputs; its Jacobian is printed as H.
     H: (m, n) a linear measurement matrix, printed instead of h.  first_order: what this H approximates.
-    angle: z and h are angles, and are wrapped to [-pi, pi).
+    angle: the rows that are angles, True for all of them: z, h and z - h are wrapped to [-pi, pi).
+    correlated: R is (m, m), not the variances of independent rows.
     """
 
     name: str
@@ -130,8 +134,9 @@ class Measurement:
     h: Matrix | None = None
     H: Matrix | None = None
     first_order: FirstOrder | None = None
-    angle: bool = False
+    angle: bool | tuple[str, ...] = False
     equations: tuple[str, ...] = ()
+    correlated: bool = False
 
 
 @dataclass(frozen=True)
@@ -188,12 +193,14 @@ class Mechanics:
 
 @dataclass(frozen=True)
 class Model:
-    """x' = F x + G w with white noise w of densities `noise`, over steps of `dt`.
+    """A state of one of two kinds, driven by white noise w of densities `noise` over steps of `dt`.
 
-    states: the error state, block after block.  Either F (n, n) is given or f (n), whose Jacobian at the state is F.
-    G: (n, m).  noise: (m) noise densities, roots of power spectral densities.  dt: symbol of the step.  Phi is taken to
-    the second power of F dt and Q to the third of dt.  structs: the inputs.  equations: the source of F, as
-    `song-lee-2001 (20)`.
+    error-state: F (n, n), x' = F x + G w.  x is what navigation errs by, is zero once `feedback` has taken it out, and
+    is flown by Phi.  total-state: f (n), x' = f(x) + G w, flown by f itself over each step with the inputs held; or, in
+    discrete time, next (n), the state one step later, with Q (n, n), the covariance that the noise adds.
+    G: (n, m).  noise: (m) noise densities, roots of power spectral densities.  dt: symbol of the step.  order: of an
+    error state, the power of F dt to which Phi is taken; Q is taken to one more of dt.  structs: the inputs.
+    equations: the source of F, as `song-lee-2001 (20)`.
     A model without states has functions alone, such as a strapdown integrator: no F, G, noise, dt or measurements.
     """
 
@@ -213,9 +220,17 @@ class Model:
     equations: tuple[str, ...] = ()
     card: tuple[str, ...] = ()  # its conventions, a line each, printed at the head of what is generated
     mechanics: Mechanics | None = None
+    next: Matrix | None = None
+    Q: Matrix | None = None
+    order: int = 2
 
     def __post_init__(self) -> None:
         check(self)
+
+    @property
+    def kind(self) -> str:
+        """`total-state`, `error-state`, or `functions` of a model without states."""
+        return "functions" if not self.states else "error-state" if self.F is not None else "total-state"
 
     @property
     def x(self) -> Matrix:
