@@ -19,7 +19,8 @@ TAKEN = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
     bool true false asm NULL NAN INFINITY HUGE_VAL size_t offsetof isnan isinf isfinite signbit errno assert
-    sin cos atan2 sqrt fabs x z R P status filter innovation rows gate iterations covariance arg res iw w mem
+    sin cos atan2 sqrt fabs exp log asin acos atan sinh cosh tanh
+    x z R P status filter innovation rows gate iterations covariance arg res iw w mem
 """
 RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of every model with states
 NONE = ImmutableMatrix(0, 0, [])
