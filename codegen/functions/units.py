@@ -40,7 +40,7 @@ class Result:
 class Unit:
     name: str
     meaning: str
-    args: tuple[Variable, ...]  # what it reads, in the model's order; the error state, if read, is `x` and comes first
+    args: tuple[Variable, ...]  # what it reads, in the model's order; the state, if read, is `x` and comes first
     results: tuple[Result, ...]
     equations: tuple[str, ...]
     function: Any  # casadi.Function: the single source of both prints
@@ -101,11 +101,12 @@ def weighted(*terms: tuple[Any, Rows]) -> Entries:
 
 
 def state_variable(model: Model) -> Variable:
-    """The whole error state as one input, named x."""
+    """The whole state as one input, named x."""
     parts = model.states
     low = tuple(value for part in parts for value in part.low)
     high = tuple(value for part in parts for value in part.high)
-    return Variable("x", tuple(model.x), ", ".join(part.unit for part in parts), "error state", low, high)
+    meaning = model.kind.replace("-", " ")
+    return Variable("x", tuple(model.x), ", ".join(part.unit for part in parts), meaning, low, high)
 
 
 def units(model: Model) -> list[Unit]:
@@ -129,7 +130,7 @@ class UnitMaker:
         return to_casadi(list(matrices), self.symbols)
 
     def numeric(self, *matrices: sp.Matrix, jacobian: bool = False) -> Callable[[Values], list[Entries]]:
-        """The matrices, or the Jacobians of columns by the error state, in 50 digits, straight from SymPy."""
+        """The matrices, or the Jacobians of columns by the state, in 50 digits, straight from SymPy."""
         symbols = [s for v in self.variables for s in v.symbols]
         used = symbols_in(*matrices)
         order = [s for s in symbols if s in used]

@@ -55,6 +55,7 @@ def described(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
     return {
         "model": model.name,
         "title": model.title,
+        "kind": model.kind,
         "frame": model.frame,
         "c_prefix": model.c_prefix,
         "states": [s.name for s in model.x],

@@ -214,6 +214,7 @@ def model_view(model: Model, unit_views: list[dict[str, Any]]) -> dict[str, Any]
         "prefix": model.c_prefix,
         "title": model.title,
         "frame": model.frame,
+        "kind": model.kind.replace("-", " "),
         "card": list(model.card),
         "n": model.n,
         "states": states,
