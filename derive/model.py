@@ -12,6 +12,7 @@ from typing import Any
 from sympy import ImmutableMatrix, Matrix, Symbol
 
 from boresight import BoresightError
+from boresight.derive.where import where_written
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 # Names that mean something in the generated C already: C's own (with what its headers define), and the generator's.
@@ -45,6 +46,7 @@ class Variable:
     frame: str = ""
     norm: tuple[float, float] | None = None
     wraps: bool = False
+    where: str = where_written()
 
     def __post_init__(self) -> None:
         for bound in (self.low, self.high):
@@ -97,6 +99,7 @@ class Struct:
     name: str
     meaning: str
     fields: tuple[Variable, ...]
+    where: str = where_written()
 
 
 @dataclass(frozen=True)
@@ -137,6 +140,7 @@ class Measurement:
     angle: bool | tuple[str, ...] = False
     equations: tuple[str, ...] = ()
     correlated: bool = False
+    where: str = where_written()
 
 
 @dataclass(frozen=True)
@@ -150,6 +154,7 @@ class Output:
     frame: str = ""
     low: tuple[float, ...] = ()
     high: tuple[float, ...] = ()
+    where: str = where_written()
 
 
 @dataclass(frozen=True)
@@ -160,6 +165,7 @@ class Function:
     meaning: str
     outputs: tuple[Output, ...]
     equations: tuple[str, ...] = ()
+    where: str = where_written()
 
 
 @dataclass(frozen=True)
@@ -223,6 +229,7 @@ class Model:
     next: Matrix | None = None
     Q: Matrix | None = None
     order: int = 2
+    where: str = where_written()
 
     def __post_init__(self) -> None:
         check(self)
