@@ -13,6 +13,7 @@ from typing import Any
 from sympy import ImmutableMatrix, Matrix, Symbol
 
 from boresight import BoresightError
+from boresight.derive.where import where_written
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 # Names that mean something in the generated C already: C's own (with what its headers define), and the generator's.
@@ -47,6 +48,7 @@ class Variable:
     frame: str = ""
     norm: tuple[float, float] | None = None
     wraps: bool = False
+    where: str = where_written()
 
     def __post_init__(self) -> None:
         for bound in (self.low, self.high):
@@ -99,6 +101,7 @@ class Struct:
     name: str
     meaning: str
     fields: tuple[Variable, ...]
+    where: str = where_written()
 
 
 @dataclass(frozen=True)
@@ -139,6 +142,7 @@ class Measurement:
     angle: bool | tuple[str, ...] = False
     equations: tuple[str, ...] = ()
     correlated: bool = False
+    where: str = where_written()
 
 
 @dataclass(frozen=True)
@@ -152,6 +156,7 @@ class Output:
     frame: str = ""
     low: tuple[float, ...] = ()
     high: tuple[float, ...] = ()
+    where: str = where_written()
 
 
 @dataclass(frozen=True)
@@ -162,6 +167,7 @@ class Function:
     meaning: str
     outputs: tuple[Output, ...]
     equations: tuple[str, ...] = ()
+    where: str = where_written()
 
 
 @dataclass(frozen=True)
@@ -226,6 +232,7 @@ class Model:
     next: Matrix | None = None
     Q: Matrix | None = None
     order: int = 2
+    where: str = where_written()
 
     def __post_init__(self) -> None:
         check(self)
