@@ -5,8 +5,9 @@ documents and tests are derived from it.  Nothing here assumes navigation.
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
+from math import pi
 from typing import Any
 
 from sympy import ImmutableMatrix, Matrix, Symbol
@@ -20,9 +21,10 @@ TAKEN = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
     bool true false asm NULL NAN INFINITY HUGE_VAL size_t offsetof isnan isinf isfinite signbit errno assert
-    sin cos atan2 sqrt fabs x z R P status filter innovation rows gate iterations covariance arg res iw w mem
+    sin cos atan2 sqrt fabs x z R P status filter innovation rows gate iterations covariance next arg res iw w mem
 """
-RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of every model with states
+RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of models with states
+ORDERS = (1, 2, 3)  # of Phi
 NONE = ImmutableMatrix(0, 0, [])
 
 
@@ -142,6 +144,12 @@ class Measurement:
     correlated: bool = False
     where: str = where_written()
 
+    @property
+    def angles(self) -> tuple[int, ...]:
+        """The places of the rows that are angles."""
+        named = self.rows if self.angle is True else self.angle or ()
+        return tuple(i for i, row in enumerate(self.rows) if row in named)
+
 
 @dataclass(frozen=True)
 class Output:
@@ -159,7 +167,7 @@ class Output:
 
 @dataclass(frozen=True)
 class Function:
-    """Any other function of the inputs and the error state: strapdown, feedback, a change of coordinates."""
+    """Any other function of the inputs and the state: strapdown and feedback of an error state, other coordinates."""
 
     name: str
     meaning: str
@@ -204,7 +212,8 @@ class Model:
     error-state: F (n, n), x' = F x + G w.  x is what navigation errs by, is zero once `feedback` has taken it out, and
     is flown by Phi.  total-state: f (n), x' = f(x) + G w, flown by f itself over each step with the inputs held; or, in
     discrete time, next (n), the state one step later, with Q (n, n), the covariance that the noise adds.
-    G: (n, m).  noise: (m) noise densities, roots of power spectral densities.  dt: symbol of the step.  order: of an
+    G: (n, m).  noise: (m) noise densities, roots of power spectral densities.  Of a total state both may depend on it.
+    dt: symbol of the step, which a model in discrete time need not have.  order: of an
     error state, the power of F dt to which Phi is taken; Q is taken to one more of dt.  structs: the inputs.
     equations: the source of F, as `song-lee-2001 (20)`.
     A model without states has functions alone, such as a strapdown integrator: no F, G, noise, dt or measurements.
@@ -277,6 +286,7 @@ class Model:
         states: tuple[Variable, ...] = (),
         structs: tuple[Struct, ...] = (),
         F: Matrix | None = None,
+        f: Matrix | None = None,
         G: Matrix | None = None,
         noise: Matrix | None = None,
         measurements: tuple[Measurement, ...] = (),
@@ -285,12 +295,17 @@ class Model:
     ) -> "Model":
         """A larger model: new states behind the old ones; what carries a known name replaces it.
 
-        F: (n + k, n + k) to be added to the old F, whose new rows and columns are zero.  G: (n + k, m + j), whose new
-        columns belong to `noise`.  A measurement with an H that is not replaced sees none of the new states.
+        F: (n + k, n + k) to be added to the old F, whose new rows and columns are zero; f: (n + k) to be added to the
+        old f, whose new rows are zero.  G: (n + k, m + j), whose new columns belong to `noise`.  A measurement with an
+        H that is not replaced sees none of the new states.  Raises BoresightError on a model that is given by next.
         """
         grown = sum(block.size for block in states)
-        if self.F is None:
-            raise BoresightError(f"{self.name}: extend works on a model that states F")
+        if self.next is not None or (F if self.F is None else f) is not None:
+            own = "next" if self.next is not None else "f" if self.F is None else "F"
+            raise BoresightError(
+                f"{self.name}: extend adds F to an F and f to an f; this model is given by {own}"
+                + ("; write the larger one as a Model of its own" if own == "next" else "")
+            )
 
         def pad(matrix: Matrix, rows: int, columns: int) -> Matrix:
             out = Matrix.zeros(matrix.rows + rows, matrix.cols + columns)
@@ -298,7 +313,13 @@ class Model:
             return out
 
         extra = 0 if noise is None else noise.rows
-        wide_F, wide_G = pad(self.F, grown, grown), pad(self.G, grown, extra)
+        wide_G = pad(self.G, grown, extra)
+
+        def wide(old: Matrix | None, columns: int, added: Matrix | None) -> Matrix | None:
+            if old is None:
+                return None
+            return pad(old, grown, columns) if added is None else pad(old, grown, columns) + added
+
         kept = tuple(
             replace(m, H=pad(m.H, 0, grown)) if m.H is not None else m
             for m in self.measurements
@@ -311,7 +332,8 @@ class Model:
             frame=self.frame,
             states=self.states + states,
             structs=tuple(s for s in self.structs if s.name not in {new.name for new in structs}) + structs,
-            F=wide_F if F is None else wide_F + F,
+            F=wide(self.F, grown, F),
+            f=wide(self.f, 0, f),
             G=wide_G if G is None else wide_G + G,
             noise=self.noise if noise is None else Matrix.vstack(self.noise, noise),
             dt=self.dt,
@@ -320,6 +342,7 @@ class Model:
             equations=self.equations + equations,
             card=self.card,
             mechanics=self.mechanics,
+            order=self.order,
         )
 
 
@@ -377,11 +400,9 @@ def check(model: Model) -> None:
                 fail(f"the {kind} name {item!r} has a meaning in C or in the generated code; choose another")
 
     n = model.n
-    if n == 0 and (model.F is not None or model.f is not None or model.dt is not None or model.measurements):
-        fail("without states there is no F, f, dt and no measurement")
-    if n > 0 and (model.F is None) == (model.f is None):
-        fail("give either F or f")
-    shapes = [("F", model.F, (n, n)), ("f", model.f, (n, 1)), ("G", model.G, (n, model.noise.rows))]
+    check_kind(model, fail)
+    shapes = [("F", model.F, (n, n)), ("f", model.f, (n, 1)), ("next", model.next, (n, 1)), ("Q", model.Q, (n, n))]
+    shapes += [("G", model.G, (n, model.noise.rows))] if model.next is None else []
     for m in model.measurements:
         own = m.first_order is not None and m.first_order.of is None
         if (m.H is None) == (m.h is None) and not (own and m.H is not None):
@@ -389,6 +410,10 @@ def check(model: Model) -> None:
         if m.H.is_zero_matrix if m.H is not None else not symbols_in(m.h) & set(model.x):
             fail(f"measurement {m.name} depends on no state")
         rows = len(m.rows)
+        if not isinstance(m.angle, bool | tuple):
+            fail(f"measurement {m.name}: angle is {m.angle!r}; give True, or the names of rows as ({m.rows[0]!r},)")
+        if unknown := [row for row in (() if isinstance(m.angle, bool) else m.angle) if row not in m.rows]:
+            fail(f"measurement {m.name}: angle names {unknown[0]!r}, which is no row; rows are {', '.join(m.rows)}")
         shapes += [(f"{m.name}: z", m.z, (rows, 1)), (f"{m.name}: h", m.h, (rows, 1)), (f"{m.name}: H", m.H, (rows, n))]
         if m.first_order is not None:
             exact = {other.name for other in model.measurements if other.h is not None}
@@ -402,23 +427,63 @@ def check(model: Model) -> None:
         if matrix is not None and matrix.shape != shape:
             fail(f"{label} has shape {matrix.shape}, not {shape}")
 
-    if n > 0 and not model.noise.rows:
+    if n > 0 and model.next is None and not model.noise.rows:
         fail("give at least one noise")
+    if model.Q is not None:
+        apart = model.Q - model.Q.T if model.Q.shape == (n, n) else NONE
+        for at, difference in apart.todok().items():
+            if difference.simplify() != 0:
+                fail(f"Q is not symmetric: {model.Q[at]} at {at} is {model.Q[at[::-1]]} at {at[::-1]}")
     for i in range(model.noise.rows):
         if model.noise[i].is_zero or model.G[:, i].is_zero_matrix:
             fail(f"noise {model.noise[i]} has no effect: it or column {i} of G is zero")
 
     states, inputs = set(model.x), {s for item in model.inputs for s in item.symbols}
-    linear = [("G", model.G), ("noise", model.noise)] + ([("F", model.F)] if model.F is not None else [])
+    spread = [("G", model.G), ("noise", model.noise)]
+    linear, general = (spread, []) if model.kind == "error-state" else ([], spread)
+    linear += [("F", model.F)] if model.F is not None else []
     linear += [(f"{m.name}: z", m.z) for m in model.measurements if m.z is not None]
     linear += [(f"{m.name}: H", m.H) for m in model.measurements if m.H is not None]
-    general = [("f", model.f)] if model.f is not None else []
+    general += [(name, part) for name in ("f", "next", "Q") if (part := getattr(model, name)) is not None]
     general += [(f"{m.name}: h", m.h) for m in model.measurements if m.h is not None]
     general += [(f.name, output.value) for f in model.functions for output in f.outputs]
     for parts, known in ((linear, inputs), (general, inputs | states)):
         for label, matrix in parts:
             unknown = sorted(symbol.name for symbol in symbols_in(matrix) - known)
+            if unknown and label in ("F", "G", "noise") and set(unknown) <= {s.name for s in model.x}:
+                fail(f"{label} uses the state {', '.join(unknown)}, which is an error: use f for x' = f(x) + G w")
             if unknown:
                 fail(f"{label} uses {', '.join(unknown)}, which is no input" + ("" if known is inputs else " or state"))
-    if n > 0 and model.dt not in inputs:
+    if n > 0 and model.dt not in inputs and not (model.next is not None and model.dt is None):
         fail(f"dt is {model.dt}, which is no input")
+
+
+def check_kind(model: Model, fail: Callable[[str], None]) -> None:
+    """Refuse what does not belong together: an error state is given by F, a total state by f, or by next with Q."""
+    given = [name for name in ("F", "f", "next") if getattr(model, name) is not None]
+    if not model.n:
+        if given or model.Q is not None or model.dt is not None or model.measurements:
+            fail("without states there is no F, f, next, Q, dt and no measurement")
+        return
+    if len(given) != 1:
+        named = " and ".join(given) or "none"
+        fail(f"give one of F, of an error state, and f or next, of a total state; given is {named}")
+    if (model.next is None) != (model.Q is None):
+        fail("next and Q, the covariance that the noise adds over the step, belong together; f and F have G and noise")
+    if model.next is not None and (model.G.rows or model.noise.rows):
+        fail("next has its noise in Q; G and noise belong to f and F")
+    if model.order not in ORDERS:
+        fail(f"order is {model.order!r}; it is 1, 2 or 3")
+    if model.kind == "total-state":
+        flown = f"a total state is flown by {given[0]}"
+        if model.order != Model.order:
+            fail(f"order {model.order} is that of an error state's Phi and Q; {flown}: leave order out")
+        for name in (f.name for f in model.functions if f.name in ("feedback", "strapdown")):
+            fail(f"{name} belongs to an error state, given by F; {flown} and holds what {name} would carry")
+        if model.mechanics is not None:
+            fail(f"mechanics belongs to an error state, given by F; {flown}")
+    for block in model.states:
+        if block.wraps and block.unit != "rad":
+            fail(f"state {block.name} wraps, but its unit is {block.unit!r}; angles in rad wrap")
+        if block.wraps and not all(lo <= -pi and hi >= pi for lo, hi in zip(block.low, block.high, strict=True)):
+            fail(f"state {block.name} wraps to [-pi, pi), which its box must hold; widen the box, or leave wraps out")
