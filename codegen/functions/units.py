@@ -15,7 +15,7 @@ from boresight.codegen.functions.convert import to_casadi
 from boresight.codegen.functions.identities import identified
 from boresight.codegen.functions.reference import Entries, evaluator, precise
 from boresight.codegen.functions.samples import generator, sample
-from boresight.codegen.functions.tape import Tape, share_reciprocals, tape
+from boresight.codegen.functions.tape import BOUNDED, Tape, share_reciprocals, tape
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
 
 TRIED = 8  # points, and as many small ones, at which the roundings of equal values are compared
@@ -45,6 +45,7 @@ class Unit:
     equations: tuple[str, ...]
     function: Any  # casadi.Function: the single source of both prints
     reference: Callable[[Values], list[Entries]]  # the non-zeros of each result, as balls
+    guarded: bool = False  # whether the C answers with finite numbers only
 
     @cached_property
     def tape(self) -> Tape:
@@ -111,7 +112,9 @@ def state_variable(model: Model) -> Variable:
 
 def units(model: Model) -> list[Unit]:
     """Every printed unit of the model, in a fixed order."""
-    return UnitMaker(model).units()
+    made = UnitMaker(model).units()
+    guarded = any(step.op in BOUNDED for unit in made for step in unit.tape.steps)
+    return [replace(unit, guarded=guarded) for unit in made]
 
 
 class UnitMaker:
