@@ -13,6 +13,8 @@ from typing import Any
 from sympy import ImmutableMatrix, Matrix, Symbol
 
 from boresight import BoresightError
+from boresight.derive.constant import Constant
+from boresight.derive.constant import constant as constant
 from boresight.derive.where import where_written
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
@@ -256,6 +258,14 @@ class Model:
         """Every input, struct after struct."""
         return tuple(item for struct in self.structs for item in struct.fields)
 
+    @property
+    def matrices(self) -> tuple[Matrix, ...]:
+        """All that it states of its states, measurements and functions."""
+        stated = [self.F, self.f, self.next, self.Q, self.G, self.noise]
+        stated += [part for m in self.measurements for part in (m.z, m.h, m.H)]
+        stated += [output.value for function in self.functions for output in function.outputs]
+        return tuple(matrix for matrix in stated if matrix is not None)
+
     def _repr_latex_(self) -> str:
         """Its F block by block, for a notebook that shows no HTML."""
         from boresight.derive.pages.booklet import latex_cell
@@ -340,9 +350,9 @@ class Model:
         )
 
 
-def symbols_in(*matrices: Matrix) -> set[Symbol]:
-    """All symbols that the matrices read.  What an expression holds many times is looked at once: SymPy's own
-    free_symbols takes seconds where residuals are nested rotations."""
+def parts_of(*matrices: Matrix) -> set[Any]:
+    """Every expression within the matrices.  What is held many times is looked at once: SymPy's own free_symbols takes
+    seconds where residuals are nested rotations."""
     seen: set[Any] = set()
     stack = [entry for matrix in matrices for entry in matrix]
     while stack:
@@ -350,16 +360,33 @@ def symbols_in(*matrices: Matrix) -> set[Symbol]:
         if part not in seen:
             seen.add(part)
             stack += part.args
-    return {part for part in seen if part.is_Symbol}
+    return seen
 
 
-def substituted(matrix: Matrix, mapping: Mapping[Symbol, Any]) -> Matrix:
-    """The matrix with expressions in the place of symbols; as in symbols_in, what is held many times is done once."""
+def symbols_in(*matrices: Matrix) -> set[Symbol]:
+    """All symbols that the matrices read."""
+    return {part for part in parts_of(*matrices) if part.is_Symbol}
+
+
+def constants_in(*matrices: Matrix) -> set[Constant]:
+    """All named constants that the matrices read."""
+    return {part for part in parts_of(*matrices) if isinstance(part, Constant)}
+
+
+def numeric(matrix: Matrix) -> Matrix:
+    """The matrix with numbers in the place of its constants, as it is printed and flown."""
+    found = constants_in(matrix)
+    return substituted(matrix, {one: one.exact for one in found}) if found else matrix
+
+
+def substituted(matrix: Matrix, mapping: Mapping[Any, Any]) -> Matrix:
+    """The matrix with expressions in the place of symbols or constants; what is held many times is done once."""
     known: dict[Any, Any] = dict(mapping)
 
     def visit(part: Any) -> Any:
         if part not in known:
-            known[part] = part.func(*map(visit, part.args)) if part.args else part
+            args = tuple(map(visit, part.args))
+            known[part] = part if args == part.args else part.func(*args)
         return known[part]
 
     return Matrix(*matrix.shape, [visit(entry) for entry in matrix])

@@ -11,6 +11,7 @@ import sympy as sp
 from sympy.core import sorting
 
 from boresight import BoresightError
+from boresight.derive.model import numeric
 
 MOST = sys.float_info.max
 
@@ -22,7 +23,7 @@ def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> li
     outside, and a power must be whole or half.
     """
     with nodes_counted_once():
-        replacements, reduced = sp.cse([sp.Matrix(matrix) for matrix in matrices], order="canonical")
+        replacements, reduced = sp.cse([sp.Matrix(numeric(matrix)) for matrix in matrices], order="canonical")
     known: dict[Any, Any] = dict(symbols)
 
     def walk(expression: Any) -> Any:
