@@ -23,7 +23,8 @@ TAKEN = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
     bool true false asm NULL NAN INFINITY HUGE_VAL size_t offsetof isnan isinf isfinite signbit errno assert
-    sin cos atan2 sqrt fabs x z R P status filter innovation rows gate iterations covariance next arg res iw w mem
+    sin cos atan2 sqrt fabs exp log asin acos atan sinh cosh tanh
+    x z R P status filter innovation rows gate iterations covariance next arg res iw w mem
 """
 RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of models with states
 ORDERS = (1, 2, 3)  # of Phi
@@ -145,6 +146,12 @@ class Measurement:
     equations: tuple[str, ...] = ()
     correlated: bool = False
     where: str = where_written()
+
+    @property
+    def angles(self) -> tuple[int, ...]:
+        """The places of the rows that are angles."""
+        named = self.rows if self.angle is True else self.angle or ()
+        return tuple(i for i, row in enumerate(self.rows) if row in named)
 
 
 @dataclass(frozen=True)
@@ -431,6 +438,10 @@ def check(model: Model) -> None:
         if m.H.is_zero_matrix if m.H is not None else not symbols_in(m.h) & set(model.x):
             fail(f"measurement {m.name} depends on no state")
         rows = len(m.rows)
+        if not isinstance(m.angle, bool | tuple):
+            fail(f"measurement {m.name}: angle is {m.angle!r}; give True, or the names of rows as ({m.rows[0]!r},)")
+        if unknown := [row for row in (() if isinstance(m.angle, bool) else m.angle) if row not in m.rows]:
+            fail(f"measurement {m.name}: angle names {unknown[0]!r}, which is no row; rows are {', '.join(m.rows)}")
         shapes += [(f"{m.name}: z", m.z, (rows, 1)), (f"{m.name}: h", m.h, (rows, 1)), (f"{m.name}: H", m.H, (rows, n))]
         if m.first_order is not None:
             exact = {other.name for other in model.measurements if other.h is not None}

@@ -21,6 +21,10 @@ def named(name):
     return variable(name, "wind", "m/s", "wind", 0.0, 1.0)
 
 
+def angled(rows):
+    return {"measurements": (replace(PENDULUM.measurements[0], angle=rows),)}
+
+
 @pytest.mark.parametrize(
     ("change", "said"),
     [
@@ -54,6 +58,8 @@ def named(name):
             "tip depends on no state",
         ),
         ({"measurements": (Measurement("tip", ("a",), "m", "none", H=zeros(1, 2)),)}, "tip depends on no state"),
+        (angled(("vertical",)), "tip: angle names 'vertical', which is no row; rows are horizontal"),
+        (angled(("horizontal")), r"tip: angle is 'horizontal'; give True, or the names of rows as \('horizontal',\)"),
         ({"G": zeros(2, 1)}, "noise push has no effect"),
         ({"noise": Matrix([0])}, "noise 0 has no effect"),
         ({"G": zeros(2, 0), "noise": zeros(0, 1)}, "at least one noise"),
