@@ -1,5 +1,6 @@
 """Numbers with a name, a unit and a meaning: in expressions by their names, and as numbers in what is printed as C."""
 
+from collections.abc import Iterable
 from typing import Any
 
 from sympy import Expr, Float, NumberSymbol, Rational, nan, sympify
@@ -90,3 +91,17 @@ def constant(name: str, value: Expr | str | float, unit: str, meaning: str) -> C
     if number.is_zero:
         raise BoresightError(f"the constant {name} is zero; write 0, which has every unit")
     return Constant(name, number, unit, meaning)
+
+
+def behind(constants: Iterable[Constant]) -> list[Constant]:
+    """The constants and those that their values are made of, each after the latter."""
+    found: dict[Constant, None] = {}
+
+    def visit(one: Constant) -> None:
+        for part in sorted(one.value.atoms(Constant), key=str):
+            visit(part)
+        found[one] = None
+
+    for one in sorted(constants, key=str):
+        visit(one)
+    return list(found)

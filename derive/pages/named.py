@@ -15,7 +15,7 @@ from sympy import Add, Basic, Function, ImmutableMatrix, Matrix, Mul, Pow, Ratio
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
 
-from boresight.derive.constant import Constant
+from boresight.derive.constant import Constant, behind
 from boresight.derive.ledger.equation import product
 from boresight.derive.mechanics import earth, rotation
 from boresight.derive.mechanics.rotation import skew
@@ -89,19 +89,17 @@ def lettered(expression):
 
 
 def constants(matrices: Iterable[Matrix]) -> list[Named]:
-    """The constants that stand in the matrices, each behind those in its value."""
-    found: dict[Constant, Named] = {}
-
-    def visit(one: Constant) -> None:
-        for part in sorted(one.value.atoms(Constant), key=str):
-            visit(part)
-        shown = _decimal(one.value) if one.value.is_Rational else lettered(one.value)
-        meaning = one.meaning + f", {one.unit}" * (one.unit != "1")
-        found.setdefault(one, scalar(one.name, one.exact, meaning, constant=True, shown=shown))
-
-    for one in sorted(constants_in(*matrices), key=str):
-        visit(one)
-    return list(found.values())
+    """The constants that stand in the matrices, each after those in its value."""
+    return [
+        scalar(
+            one.name,
+            one.exact,
+            one.meaning + f", {one.unit}" * (one.unit != "1"),
+            constant=True,
+            shown=_decimal(one.value) if one.value.is_Rational else lettered(one.value),
+        )
+        for one in behind(constants_in(*matrices))
+    ]
 
 
 a, f, e2, g_e, k, m, epsilon = map(
