@@ -49,11 +49,9 @@ class Variable:
     where: str = where_written()
 
     def __post_init__(self) -> None:
-        for bound in (self.low, self.high):
-            if len(bound) != len(self.symbols):
-                raise BoresightError(f"{self.name}: {len(self.symbols)} components, but a box of {len(bound)}")
-        if not all(a < b for a, b in zip(self.low, self.high, strict=True)):
-            raise BoresightError(f"{self.name}: each lower bound of the box must lie below the upper one")
+        from boresight.derive.checks import check_part
+
+        check_part(self)
 
     @property
     def vector(self) -> Matrix:
@@ -101,6 +99,11 @@ class Struct:
     fields: tuple[Variable, ...]
     where: str = where_written()
 
+    def __post_init__(self) -> None:
+        from boresight.derive.checks import check_part
+
+        check_part(self)
+
 
 @dataclass(frozen=True)
 class FirstOrder:
@@ -142,6 +145,11 @@ class Measurement:
     correlated: bool = False
     where: str = where_written()
 
+    def __post_init__(self) -> None:
+        from boresight.derive.checks import check_part
+
+        check_part(self)
+
 
 @dataclass(frozen=True)
 class Output:
@@ -156,6 +164,11 @@ class Output:
     high: tuple[float, ...] = ()
     where: str = where_written()
 
+    def __post_init__(self) -> None:
+        from boresight.derive.checks import check_part
+
+        check_part(self)
+
 
 @dataclass(frozen=True)
 class Function:
@@ -166,6 +179,11 @@ class Function:
     outputs: tuple[Output, ...]
     equations: tuple[str, ...] = ()
     where: str = where_written()
+
+    def __post_init__(self) -> None:
+        from boresight.derive.checks import check_part
+
+        check_part(self)
 
 
 @dataclass(frozen=True)
@@ -232,6 +250,10 @@ class Model:
     where: str = where_written()
 
     def __post_init__(self) -> None:
+        from boresight.derive.checks import check_model, check_part
+
+        check_part(self)
+        check_model(self)
         check(self)
 
     @property
@@ -323,9 +345,9 @@ class Model:
         )
 
 
-def symbols_in(*matrices: Matrix) -> set[Symbol]:
-    """All symbols that the matrices read.  What an expression holds many times is looked at once: SymPy's own
-    free_symbols takes seconds where residuals are nested rotations."""
+def parts_of(*matrices: Matrix) -> set[Any]:
+    """Every expression within the matrices.  What is held many times is looked at once: SymPy's own free_symbols takes
+    seconds where residuals are nested rotations."""
     seen: set[Any] = set()
     stack = [entry for matrix in matrices for entry in matrix]
     while stack:
@@ -333,7 +355,12 @@ def symbols_in(*matrices: Matrix) -> set[Symbol]:
         if part not in seen:
             seen.add(part)
             stack += part.args
-    return {part for part in seen if part.is_Symbol}
+    return seen
+
+
+def symbols_in(*matrices: Matrix) -> set[Symbol]:
+    """All symbols that the matrices read."""
+    return {part for part in parts_of(*matrices) if part.is_Symbol}
 
 
 def substituted(matrix: Matrix, mapping: Mapping[Symbol, Any]) -> Matrix:
