@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from functools import cache
-from math import isfinite
+from math import isfinite, pi
 from numbers import Integral, Real
 from types import UnionType
 from typing import Any, NoReturn, Union, get_args, get_origin, get_type_hints
@@ -15,12 +15,20 @@ from typing import Any, NoReturn, Union, get_args, get_origin, get_type_hints
 from sympy import Expr, I, Matrix, MatrixBase, Symbol, nan, oo, zoo
 
 from boresight import BoresightError, did_you_mean
-from boresight.derive.model import NAME, RESULTS, TAKEN, Model, Variable, parts_of, symbols_in
+from boresight.derive.model import Model, Variable, parts_of, symbols_in
 
-# C's own words: no symbol may be one, though it stands in C only within longer names
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
+RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of models with states
+ORDERS = (1, 2, 3)  # of Phi
+# C's own words: no symbol may be one, though it stands in C only within longer names.
 KEYWORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
-    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while NULL
+    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+    bool true false asm NULL NAN INFINITY HUGE_VAL size_t offsetof isnan isinf isfinite signbit errno assert
+"""
+# Names that mean something in the generated C already.
+TAKEN = f"""{KEYWORDS}
+    sin cos atan2 sqrt fabs x z R P status filter innovation rows gate iterations covariance next arg res iw w mem
 """
 UNDEFINED = {nan, zoo, oo, -oo, I}
 OF_UNIT = ("_nz", "_kernel", "_checked", "_shared", "_batch", "_bound")  # what is made of a function's name
@@ -63,7 +71,7 @@ def mismatch(value: Any, hint: Any, name: str) -> str:
     origin, inner = get_origin(hint), get_args(hint)
     if origin in (Union, UnionType):
         found = [mismatch(value, one, name) for one in inner if one is not type(None)]
-        return "" if (value is None and type(None) in inner) or not all(found) else found[0]
+        return "" if (value is None and type(None) in inner) or not all(found) else found[-1]
     if origin is tuple:
         return mismatch_of_tuple(value, inner, name)
     if hint is str and isinstance(value, str) and ("*/" in value or "\n" in value):
@@ -145,22 +153,23 @@ def check_model(model: Model) -> None:
     """Raise BoresightError on parts that do not fit together: names, shapes, symbols, states that nothing touches."""
     check_names(model)
     check_given(model)
+    check_rows(model)
     for item in expressions(model):
         check_shape(item)
     for item in expressions(model):
         check_symbols(model, item)
         check_constants(item)
     check_measurements(model)
+    check_noise(model)
     check_step(model)
     check_idle(model)
     check_carried(model)
 
 
 def check_names(model: Model) -> None:
-    c = KEYWORDS.split()
     if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", model.name):
         fail(model, f"a name is lower-case words joined by '-'; write {suggested_name(model.name)!r}")
-    if not re.fullmatch(r"[a-z][a-z0-9]*", model.c_prefix) or model.c_prefix in ("bs", *c):
+    if not re.fullmatch(r"[a-z][a-z0-9]*", model.c_prefix) or model.c_prefix in ("bs", *KEYWORDS.split()):
         fail(
             model,
             f"c_prefix {model.c_prefix!r} must be lower-case letters and digits, not 'bs' and no word of C; choose "
@@ -192,7 +201,7 @@ def check_names(model: Model) -> None:
         for symbol in item.symbols:
             if not NAME.match(symbol.name):
                 fail(item, f"the symbol {symbol.name!r} cannot be a name in C; write letters, digits and '_'")
-            if symbol.name in c:
+            if symbol.name in KEYWORDS.split():
                 fail(item, f"the symbol {symbol.name!r} has a meaning in C; choose another")
     inner = {**outputs, **by_field, **{s.name: s for s in model.structs}}
     made = {f"{name}{end}": name for name in outputs for end in OF_OUTPUT}
@@ -307,16 +316,16 @@ def check_symbols(model: Model, item: Expressions) -> None:
                 f"it from the variable's {its}",
             )
         if symbol in states:
-            fail(item.part, f"{at} uses the state {symbol}; {OF_STATE.get(item.label, 'it depends on inputs alone')}")
+            fail(item.part, f"{at} uses the state {symbol}, {OF_STATE[item.label]}")
         guess = did_you_mean(symbol.name, [own.name for own in owners])
         allowed = "no input or state" if item.of_state else "no input"
         fail(item.part, f"{at} uses {symbol}, which is {allowed}{guess}; add a variable for it to a Struct")
 
 
 OF_STATE = {
-    "F": "F is that of an error state and depends on inputs alone: write f for x' = f(x) + G w",
-    "H": "H depends on inputs alone: write h, whose Jacobian is printed as H",
-    "z": "z is made from inputs alone: what the state predicts is h",
+    **dict.fromkeys(("F", "G", "noise"), "which is an error: use f for x' = f(x) + G w"),
+    "H": "which H may not: write h, whose Jacobian is printed as H",
+    "z": "which z may not: it is made from inputs alone, and what the state predicts is h",
 }
 
 
@@ -331,16 +340,64 @@ def check_constants(item: Expressions) -> None:
 
 
 def check_given(model: Model) -> None:
-    """What belongs together is there, and nothing else."""
-    given = (model.F, model.f, model.next, model.Q, model.dt)
-    if not model.n and (model.measurements or any(part is not None for part in given)):
-        fail(model, "without states there is no F, f, next, Q, dt and no measurement; give states, or leave these out")
+    """What belongs together is there and nothing else: an error state has F, a total state f, or next with Q."""
+    given = [name for name in ("F", "f", "next") if getattr(model, name) is not None]
+    if not model.n:
+        if given or model.Q is not None or model.dt is not None or model.measurements:
+            fail(
+                model,
+                "without states there is no F, f, next, Q, dt and no measurement; give states, or leave these out",
+            )
+        return
+    if len(given) != 1:
+        named = " and ".join(given) or "none"
+        fail(model, f"give one of F, of an error state, and f or next, of a total state; given is {named}")
+    if (model.next is None) != (model.Q is None):
+        fail(
+            model,
+            "next and Q, the covariance that the noise adds over the step, belong together; f and F have G and noise",
+        )
+    if model.next is not None and (model.G.rows or model.noise.rows):
+        fail(model, "next has its noise in Q; G and noise belong to f and F")
+    if model.next is None and not model.noise.rows:
+        fail(model, "give at least one noise: without one, the filter soon believes its state and takes no measurement")
+    if model.order not in ORDERS:
+        fail(model, f"order is {model.order!r}; it is 1, 2 or 3")
+    if model.kind == "total-state":
+        flown = f"a total state is flown by {given[0]}"
+        if model.order != Model.order:
+            fail(model, f"order {model.order} is that of an error state's Phi and Q; {flown}: leave order out")
+        for f in model.functions:
+            if f.name in ("feedback", "strapdown"):
+                fail(f, f"{f.name} belongs to an error state, given by F; {flown} and holds what {f.name} would carry")
+        if model.mechanics is not None:
+            fail(model, f"mechanics belongs to an error state, given by F; {flown}")
+    for block in model.states:
+        if block.wraps and block.unit != "rad":
+            fail(block, f"it wraps, but its unit is {block.unit!r}; angles in rad wrap")
+        if block.wraps and not all(lo <= -pi and hi >= pi for lo, hi in zip(block.low, block.high, strict=True)):
+            fail(block, "it wraps to [-pi, pi), which its box must hold; widen the box, or leave wraps out")
+
+
+def check_rows(model: Model) -> None:
+    """Each measurement has rows, and either h or H."""
     for m in model.measurements:
         own = m.first_order is not None and m.first_order.of is None
         if not m.rows:
             fail(m, "it has no row; name one for each scalar that is measured")
         if (m.H is None) == (m.h is None) and not (own and m.H is not None):
             fail(m, "give either h or H, or both with a first_order of its own")
+
+
+def check_noise(model: Model) -> None:
+    """Each noise acts on a state; Q is symmetric."""
+    for i in range(model.noise.rows):
+        if model.noise[i].is_zero or model.G[:, i].is_zero_matrix:
+            fail(model, f"noise {model.noise[i]} has no effect: it or column {i} of G is zero; leave it out")
+    Q: Any = model.Q
+    for at, difference in (Q - Q.T).todok().items() if Q is not None else ():
+        if difference.simplify() != 0:
+            fail(model, f"Q is not symmetric: {Q[at]} at {at} is {Q[at[::-1]]} at {at[::-1]}")
 
 
 def check_measurements(model: Model) -> None:
