@@ -28,7 +28,8 @@ KEYWORDS = """
 """
 # Names that mean something in the generated C already.
 TAKEN = f"""{KEYWORDS}
-    sin cos atan2 sqrt fabs x z R P status filter innovation rows gate iterations covariance next arg res iw w mem
+    sin cos atan2 sqrt fabs exp log asin acos atan sinh cosh tanh
+    x z R P status filter innovation rows gate iterations covariance next arg res iw w mem
 """
 UNDEFINED = {nan, zoo, oo, -oo, I}
 OF_UNIT = ("_nz", "_kernel", "_checked", "_shared", "_batch", "_bound")  # what is made of a function's name
