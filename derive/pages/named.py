@@ -15,6 +15,7 @@ from sympy import Add, Basic, Function, ImmutableMatrix, Matrix, Mul, Pow, Ratio
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
 
+from boresight.derive.checks import expressions
 from boresight.derive.constant import Constant, behind
 from boresight.derive.ledger.equation import product
 from boresight.derive.mechanics import earth, rotation
@@ -347,7 +348,7 @@ def component_letters(model: Model) -> dict[Symbol, Symbol]:
     """What each component is called: where v_n is a vector, its component along n is v_N, and so for all such axes."""
     every = (*model.states, *model.inputs)
     names = {v.name for v in every if v.size > 1}
-    kept = {one.letter.name for one in constants(model.matrices)}
+    kept = {one.letter.name for one in constants(item.matrix for item in expressions(model))}
 
     def axes(v: Variable) -> tuple[str, ...]:
         """Suffixes of the components, if they have some."""
