@@ -4,7 +4,6 @@ A model is a value.  It names states, inputs, noise, measurements and functions 
 documents and tests are derived from it.  Nothing here assumes navigation.
 """
 
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -12,16 +11,8 @@ from typing import Any
 from sympy import ImmutableMatrix, Matrix, Symbol
 
 from boresight import BoresightError
+from boresight.derive.where import where_written
 
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
-# Names that mean something in the generated C already: C's own (with what its headers define), and the generator's.
-TAKEN = """
-    auto break case char const continue default do double else enum extern float for goto if inline int long register
-    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-    bool true false asm NULL NAN INFINITY HUGE_VAL size_t offsetof isnan isinf isfinite signbit errno assert
-    sin cos atan2 sqrt fabs x z R P status filter innovation rows gate iterations covariance arg res iw w mem
-"""
-RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of every model with states
 NONE = ImmutableMatrix(0, 0, [])
 
 
@@ -45,13 +36,12 @@ class Variable:
     frame: str = ""
     norm: tuple[float, float] | None = None
     wraps: bool = False
+    where: str = where_written()
 
     def __post_init__(self) -> None:
-        for bound in (self.low, self.high):
-            if len(bound) != len(self.symbols):
-                raise BoresightError(f"{self.name}: {len(self.symbols)} components, but a box of {len(bound)}")
-        if not all(a < b for a, b in zip(self.low, self.high, strict=True)):
-            raise BoresightError(f"{self.name}: each lower bound of the box must lie below the upper one")
+        from boresight.derive.checks import check_part
+
+        check_part(self)
 
     @property
     def vector(self) -> Matrix:
@@ -97,6 +87,12 @@ class Struct:
     name: str
     meaning: str
     fields: tuple[Variable, ...]
+    where: str = where_written()
+
+    def __post_init__(self) -> None:
+        from boresight.derive.checks import check_part
+
+        check_part(self)
 
 
 @dataclass(frozen=True)
@@ -137,6 +133,18 @@ class Measurement:
     angle: bool | tuple[str, ...] = False
     equations: tuple[str, ...] = ()
     correlated: bool = False
+    where: str = where_written()
+
+    def __post_init__(self) -> None:
+        from boresight.derive.checks import check_part
+
+        check_part(self)
+
+    @property
+    def angles(self) -> tuple[int, ...]:
+        """The places of the rows that are angles."""
+        named = self.rows if self.angle is True else self.angle or ()
+        return tuple(i for i, row in enumerate(self.rows) if row in named)
 
 
 @dataclass(frozen=True)
@@ -150,16 +158,28 @@ class Output:
     frame: str = ""
     low: tuple[float, ...] = ()
     high: tuple[float, ...] = ()
+    where: str = where_written()
+
+    def __post_init__(self) -> None:
+        from boresight.derive.checks import check_part
+
+        check_part(self)
 
 
 @dataclass(frozen=True)
 class Function:
-    """Any other function of the inputs and the error state: strapdown, feedback, a change of coordinates."""
+    """Any other function of the inputs and the state: strapdown and feedback of an error state, other coordinates."""
 
     name: str
     meaning: str
     outputs: tuple[Output, ...]
     equations: tuple[str, ...] = ()
+    where: str = where_written()
+
+    def __post_init__(self) -> None:
+        from boresight.derive.checks import check_part
+
+        check_part(self)
 
 
 @dataclass(frozen=True)
@@ -198,7 +218,8 @@ class Model:
     error-state: F (n, n), x' = F x + G w.  x is what navigation errs by, is zero once `feedback` has taken it out, and
     is flown by Phi.  total-state: f (n), x' = f(x) + G w, flown by f itself over each step with the inputs held; or, in
     discrete time, next (n), the state one step later, with Q (n, n), the covariance that the noise adds.
-    G: (n, m).  noise: (m) noise densities, roots of power spectral densities.  dt: symbol of the step.  order: of an
+    G: (n, m).  noise: (m) noise densities, roots of power spectral densities.  Of a total state both may depend on it.
+    dt: symbol of the step, which a model in discrete time need not have.  order: of an
     error state, the power of F dt to which Phi is taken; Q is taken to one more of dt.  structs: the inputs.
     equations: the source of F, as `song-lee-2001 (20)`.
     A model without states has functions alone, such as a strapdown integrator: no F, G, noise, dt or measurements.
@@ -223,9 +244,13 @@ class Model:
     next: Matrix | None = None
     Q: Matrix | None = None
     order: int = 2
+    where: str = where_written()
 
     def __post_init__(self) -> None:
-        check(self)
+        from boresight.derive.checks import check_model, check_part
+
+        check_part(self)
+        check_model(self)
 
     @property
     def kind(self) -> str:
@@ -270,6 +295,7 @@ class Model:
         states: tuple[Variable, ...] = (),
         structs: tuple[Struct, ...] = (),
         F: Matrix | None = None,
+        f: Matrix | None = None,
         G: Matrix | None = None,
         noise: Matrix | None = None,
         measurements: tuple[Measurement, ...] = (),
@@ -278,12 +304,17 @@ class Model:
     ) -> "Model":
         """A larger model: new states behind the old ones; what carries a known name replaces it.
 
-        F: (n + k, n + k) to be added to the old F, whose new rows and columns are zero.  G: (n + k, m + j), whose new
-        columns belong to `noise`.  A measurement with an H that is not replaced sees none of the new states.
+        F: (n + k, n + k) to be added to the old F, whose new rows and columns are zero; f: (n + k) to be added to the
+        old f, whose new rows are zero.  G: (n + k, m + j), whose new columns belong to `noise`.  A measurement with an
+        H that is not replaced sees none of the new states.  Raises BoresightError on a model that is given by next.
         """
         grown = sum(block.size for block in states)
-        if self.F is None:
-            raise BoresightError(f"{self.name}: extend works on a model that states F")
+        if self.next is not None or (F if self.F is None else f) is not None:
+            own = "next" if self.next is not None else "f" if self.F is None else "F"
+            raise BoresightError(
+                f"{self.name}: extend adds F to an F and f to an f; this model is given by {own}"
+                + ("; write the larger one as a Model of its own" if own == "next" else "")
+            )
 
         def pad(matrix: Matrix, rows: int, columns: int) -> Matrix:
             out = Matrix.zeros(matrix.rows + rows, matrix.cols + columns)
@@ -291,7 +322,13 @@ class Model:
             return out
 
         extra = 0 if noise is None else noise.rows
-        wide_F, wide_G = pad(self.F, grown, grown), pad(self.G, grown, extra)
+        wide_G = pad(self.G, grown, extra)
+
+        def wide(old: Matrix | None, columns: int, added: Matrix | None) -> Matrix | None:
+            if old is None:
+                return None
+            return pad(old, grown, columns) if added is None else pad(old, grown, columns) + added
+
         kept = tuple(
             replace(m, H=pad(m.H, 0, grown)) if m.H is not None else m
             for m in self.measurements
@@ -304,7 +341,8 @@ class Model:
             frame=self.frame,
             states=self.states + states,
             structs=tuple(s for s in self.structs if s.name not in {new.name for new in structs}) + structs,
-            F=wide_F if F is None else wide_F + F,
+            F=wide(self.F, grown, F),
+            f=wide(self.f, 0, f),
             G=wide_G if G is None else wide_G + G,
             noise=self.noise if noise is None else Matrix.vstack(self.noise, noise),
             dt=self.dt,
@@ -313,12 +351,13 @@ class Model:
             equations=self.equations + equations,
             card=self.card,
             mechanics=self.mechanics,
+            order=self.order,
         )
 
 
-def symbols_in(*matrices: Matrix) -> set[Symbol]:
-    """All symbols that the matrices read.  What an expression holds many times is looked at once: SymPy's own
-    free_symbols takes seconds where residuals are nested rotations."""
+def parts_of(*matrices: Matrix) -> set[Any]:
+    """Every expression within the matrices.  What is held many times is looked at once: SymPy's own free_symbols takes
+    seconds where residuals are nested rotations."""
     seen: set[Any] = set()
     stack = [entry for matrix in matrices for entry in matrix]
     while stack:
@@ -326,7 +365,12 @@ def symbols_in(*matrices: Matrix) -> set[Symbol]:
         if part not in seen:
             seen.add(part)
             stack += part.args
-    return {part for part in seen if part.is_Symbol}
+    return seen
+
+
+def symbols_in(*matrices: Matrix) -> set[Symbol]:
+    """All symbols that the matrices read."""
+    return {part for part in parts_of(*matrices) if part.is_Symbol}
 
 
 def substituted(matrix: Matrix, mapping: Mapping[Symbol, Any]) -> Matrix:
@@ -339,79 +383,3 @@ def substituted(matrix: Matrix, mapping: Mapping[Symbol, Any]) -> Matrix:
         return known[part]
 
     return Matrix(*matrix.shape, [visit(entry) for entry in matrix])
-
-
-def check(model: Model) -> None:
-    """Raise BoresightError on a model whose parts do not fit: shapes, names, symbols that nothing declares."""
-
-    def fail(text: str) -> None:
-        raise BoresightError(f"model {model.name}: {text}")
-
-    if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", model.name):
-        fail("a name is lower-case words joined by '-'")
-    if not re.fullmatch(r"[a-z][a-z0-9]*", model.c_prefix) or model.c_prefix == "bs":
-        fail(f"c_prefix {model.c_prefix!r} must be lower-case letters and digits, and not 'bs'")
-    names = [item.name for item in (*model.states, *model.inputs)]
-    units = [m.name for m in model.measurements] + [f.name for f in model.functions] + [s.name for s in model.structs]
-    units += [f"{m.name}_{part}" for m in model.measurements for part in "zhH"] + list(RESULTS) * (model.n > 0)
-    symbols = [symbol for item in (*model.states, *model.inputs) for symbol in item.symbols]
-    for kind, listed in (
-        ("field", names),
-        ("measurement, function or struct", units),
-        ("symbol", [s.name for s in symbols]),
-    ):
-        for item in listed:
-            if listed.count(item) > 1:
-                fail(f"the {kind} name {item!r} is used twice")
-            if not NAME.match(item):
-                fail(f"{item!r} cannot be a name in C")
-            # a component's name stands in C only within longer ones
-            if kind != "symbol" and (item in TAKEN.split() or re.fullmatch(r"t\d+|(bs|BS)_.*", item)):
-                fail(f"the {kind} name {item!r} has a meaning in C or in the generated code; choose another")
-
-    n = model.n
-    if n == 0 and (model.F is not None or model.f is not None or model.dt is not None or model.measurements):
-        fail("without states there is no F, f, dt and no measurement")
-    if n > 0 and (model.F is None) == (model.f is None):
-        fail("give either F or f")
-    shapes = [("F", model.F, (n, n)), ("f", model.f, (n, 1)), ("G", model.G, (n, model.noise.rows))]
-    for m in model.measurements:
-        own = m.first_order is not None and m.first_order.of is None
-        if (m.H is None) == (m.h is None) and not (own and m.H is not None):
-            fail(f"measurement {m.name}: give either h or H, or both with a first_order of its own")
-        if m.H.is_zero_matrix if m.H is not None else not symbols_in(m.h) & set(model.x):
-            fail(f"measurement {m.name} depends on no state")
-        rows = len(m.rows)
-        shapes += [(f"{m.name}: z", m.z, (rows, 1)), (f"{m.name}: h", m.h, (rows, 1)), (f"{m.name}: H", m.H, (rows, n))]
-        if m.first_order is not None:
-            exact = {other.name for other in model.measurements if other.h is not None}
-            if (m.first_order.of or m.name) not in exact:
-                named = m.first_order.of or m.name
-                fail(f"measurement {m.name}: first_order names {named!r}, which is no measurement with an h")
-            for item in (m.first_order.small, *(name for name, _ in m.first_order.tied)):
-                if item is not None and item not in {v.name for v in model.inputs}:
-                    fail(f"measurement {m.name}: first_order names {item!r}, which is no input")
-    for label, matrix, shape in shapes:
-        if matrix is not None and matrix.shape != shape:
-            fail(f"{label} has shape {matrix.shape}, not {shape}")
-
-    if n > 0 and not model.noise.rows:
-        fail("give at least one noise")
-    for i in range(model.noise.rows):
-        if model.noise[i].is_zero or model.G[:, i].is_zero_matrix:
-            fail(f"noise {model.noise[i]} has no effect: it or column {i} of G is zero")
-
-    states, inputs = set(model.x), {s for item in model.inputs for s in item.symbols}
-    linear = [("G", model.G), ("noise", model.noise)] + ([("F", model.F)] if model.F is not None else [])
-    linear += [(f"{m.name}: z", m.z) for m in model.measurements if m.z is not None]
-    linear += [(f"{m.name}: H", m.H) for m in model.measurements if m.H is not None]
-    general = [("f", model.f)] if model.f is not None else []
-    general += [(f"{m.name}: h", m.h) for m in model.measurements if m.h is not None]
-    general += [(f.name, output.value) for f in model.functions for output in f.outputs]
-    for parts, known in ((linear, inputs), (general, inputs | states)):
-        for label, matrix in parts:
-            unknown = sorted(symbol.name for symbol in symbols_in(matrix) - known)
-            if unknown:
-                fail(f"{label} uses {', '.join(unknown)}, which is no input" + ("" if known is inputs else " or state"))
-    if n > 0 and model.dt not in inputs:
-        fail(f"dt is {model.dt}, which is no input")

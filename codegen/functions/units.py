@@ -31,7 +31,7 @@ class Result:
     nonzeros: tuple[tuple[int, int], ...]
     unit: str
     meaning: str
-    angle: bool = False
+    angle: tuple[int, ...] = ()  # the rows that are angles
     low: tuple[float, ...] = ()
     high: tuple[float, ...] = ()
 
@@ -40,7 +40,7 @@ class Result:
 class Unit:
     name: str
     meaning: str
-    args: tuple[Variable, ...]  # what it reads, in the model's order; the error state, if read, is `x` and comes first
+    args: tuple[Variable, ...]  # what it reads, in the model's order; the state, if read, is `x` and comes first
     results: tuple[Result, ...]
     equations: tuple[str, ...]
     function: Any  # casadi.Function: the single source of both prints
@@ -101,11 +101,12 @@ def weighted(*terms: tuple[Any, Rows]) -> Entries:
 
 
 def state_variable(model: Model) -> Variable:
-    """The whole error state as one input, named x."""
+    """The whole state as one input, named x."""
     parts = model.states
     low = tuple(value for part in parts for value in part.low)
     high = tuple(value for part in parts for value in part.high)
-    return Variable("x", tuple(model.x), ", ".join(part.unit for part in parts), "error state", low, high)
+    meaning = model.kind.replace("-", " ")
+    return Variable("x", tuple(model.x), ", ".join(part.unit for part in parts), meaning, low, high)
 
 
 def units(model: Model) -> list[Unit]:
@@ -129,7 +130,7 @@ class UnitMaker:
         return to_casadi(list(matrices), self.symbols)
 
     def numeric(self, *matrices: sp.Matrix, jacobian: bool = False) -> Callable[[Values], list[Entries]]:
-        """The matrices, or the Jacobians of columns by the error state, in 50 digits, straight from SymPy."""
+        """The matrices, or the Jacobians of columns by the state, in 50 digits, straight from SymPy."""
         symbols = [s for v in self.variables for s in v.symbols]
         used = symbols_in(*matrices)
         order = [s for s in symbols if s in used]
@@ -295,8 +296,11 @@ class UnitMaker:
         made = []
         rows = f"row{'s' if len(m.rows) > 1 else ''} {', '.join(m.rows)}"
 
+        part = 0 < len(m.angles) < len(m.rows)
+        names = [row + " (wrapped to [-pi, pi])" * (part and i in m.angles) for i, row in enumerate(m.rows)]
+
         def wrapped(matrix: sp.Matrix) -> sp.Matrix:
-            return matrix.applyfunc(lambda a: sp.atan2(sp.sin(a), sp.cos(a))) if m.angle else matrix
+            return sp.Matrix([sp.atan2(sp.sin(a), sp.cos(a)) if i in m.angles else a for i, a in enumerate(matrix)])
 
         for label, matrix, meaning in (
             ("z", m.z, "z = H x + noise" if m.H is not None else "z = h(x) + noise"),
@@ -308,7 +312,7 @@ class UnitMaker:
                     self.unit(
                         f"{m.name}_{label}",
                         f"{m.meaning}; {meaning}; {rows}",
-                        [(self.convert(printed)[0], described(label, m.unit, ", ".join(m.rows), angle=m.angle))],
+                        [(self.convert(printed)[0], described(label, m.unit, ", ".join(names), angle=m.angles))],
                         self.numeric(printed),
                         m.equations,
                     )

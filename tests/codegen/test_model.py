@@ -9,20 +9,42 @@ from sympy import Matrix, Symbol, eye, zeros
 
 from boresight import BoresightError
 from boresight.codegen.generate import generate
-from boresight.derive.model import Measurement, Struct, variable
+from boresight.derive.model import Measurement, Mechanics, Struct, variable
 from boresight.derive.models.euler_matching import euler_matching
 from boresight.runtime.library import load
+
+angle, rate = PENDULUM.states[0].symbols
+DISCRETE = {"f": None, "G": Matrix(0, 0, []), "noise": Matrix(0, 0, []), "next": PENDULUM.x, "Q": eye(2)}
 
 
 def named(name):
     return variable(name, "wind", "m/s", "wind", 0.0, 1.0)
 
 
+def angled(rows):
+    return {"measurements": (replace(PENDULUM.measurements[0], angle=rows),)}
+
+
 @pytest.mark.parametrize(
     ("change", "said"),
     [
         ({"f": Matrix([1, 2, 3])}, r"f has shape \(3, 1\), not \(2, 1\)"),
-        ({"F": eye(2)}, "either F or f"),
+        ({"F": eye(2)}, "one of F, .*given is F and f"),
+        ({"f": None}, "one of F, .*given is none"),
+        ({"f": None, "F": Matrix([[0, 1], [-angle, 0]])}, "F.rate, angle. uses the state angle, .*use f"),
+        ({"f": None, "F": eye(2), "G": Matrix([0, rate])}, "G.rate, push. uses the state rate, .*use f"),
+        ({"f": None, "next": Matrix([angle, rate])}, "next and Q, .*belong together"),
+        ({"Q": eye(2)}, "next and Q, .*belong together"),
+        (DISCRETE | {"G": Matrix([0, 1]), "noise": Matrix([1])}, "next has its noise in Q"),
+        (DISCRETE | {"Q": Matrix([[1, rate], [angle, 1]])}, "Q is not symmetric: rate at .0, 1. is angle at .1, 0."),
+        (DISCRETE | {"Q": eye(3)}, r"Q has shape \(3, 3\), not \(2, 2\)"),
+        ({"order": 3}, "order 3 is that of an error state's Phi and Q; a total state is flown by f"),
+        ({"f": None, "F": eye(2), "order": 4}, "order is 4; it is 1, 2 or 3"),
+        ({"functions": (replace(PENDULUM.functions[0], name="feedback"),)}, "feedback belongs to an error state"),
+        ({"functions": (replace(PENDULUM.functions[0], name="strapdown"),)}, "strapdown belongs to an error state"),
+        ({"mechanics": Mechanics()}, "mechanics belongs to an error state"),
+        ({"states": (replace(PENDULUM.states[0], wraps=True),)}, "swing: it wraps, but its unit is 'rad, rad/s'"),
+        ({"states": (replace(PENDULUM.states[0], wraps=True, unit="rad"),)}, r"wraps to \[-pi, pi\), which its box"),
         ({"G": Matrix([Symbol("wind"), 1])}, "wind"),
         ({"name": "Pendulum"}, "lower-case"),
         ({"c_prefix": "pd_"}, "c_prefix"),
@@ -33,24 +55,44 @@ def named(name):
         ({"measurements": (Measurement("tip", ("a",), "m", "both", h=Matrix([1]), H=eye(2)),)}, "either h or H"),
         (
             {"measurements": (Measurement("tip", ("a",), "m", "none", h=Matrix([dt.scalar])),)},
-            "tip depends on no state",
+            "tip: it depends on no state",
         ),
-        ({"measurements": (Measurement("tip", ("a",), "m", "none", H=zeros(1, 2)),)}, "tip depends on no state"),
+        ({"measurements": (Measurement("tip", ("a",), "m", "none", H=zeros(1, 2)),)}, "tip: it depends on no state"),
+        (angled(("vertical",)), "tip: angle names 'vertical', which is no row; rows are horizontal"),
         ({"G": zeros(2, 1)}, "noise push has no effect"),
         ({"noise": Matrix([0])}, "noise 0 has no effect"),
         ({"G": zeros(2, 0), "noise": zeros(0, 1)}, "at least one noise"),
         ({"c_prefix": "bs"}, "c_prefix 'bs'"),
         ({"structs": (*PENDULUM.structs, Struct("register", "a keyword", ()))}, "'register' has a meaning in C"),
         ({"structs": (*PENDULUM.structs, Struct("filter", "a type of ours", ()))}, "'filter' has a meaning in C"),
-        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("x"),)))}, "field name 'x' has a meaning in C"),
-        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("t12"),)))}, "field name 't12' has a meaning in C"),
-        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("sin"),)))}, "field name 'sin' has a meaning in C"),
+        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("x"),)))}, "the name 'x' has a meaning in C"),
+        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("t12"),)))}, "the name 't12' has a meaning in C"),
+        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("sin"),)))}, "the name 'sin' has a meaning in C"),
         ({"structs": (*PENDULUM.structs, Struct("tip_z", "named as a function", ()))}, "'tip_z' is used twice"),
     ],
 )
 def test_what_does_not_fit_together_is_named(change, said):
     with pytest.raises(BoresightError, match=said):
         replace(PENDULUM, **change)
+
+
+def test_what_a_state_is_follows_from_what_flies_it():
+    assert (PENDULUM.kind, replace(PENDULUM, **DISCRETE).kind) == ("total-state", "total-state")
+    assert replace(PENDULUM, **DISCRETE, dt=None).dt is None
+    assert (euler_matching().kind, replace(euler_matching(), order=3).kind) == ("error-state", "error-state")
+
+
+def test_extend_of_a_total_state_adds_to_f_and_of_an_error_state_to_F():
+    wind = variable("wind", "wind", "rad/s^2", "what the wind adds", -1.0, 1.0)
+    wide = PENDULUM.extend(name="windy", c_prefix="wd", states=(wind,), f=Matrix([0, wind.scalar, -wind.scalar]))
+    assert wide.f == Matrix([PENDULUM.f[0], PENDULUM.f[1] + wind.scalar, -wind.scalar])
+    assert Matrix([0, 1, 0]) == wide.G
+    with pytest.raises(BoresightError, match="f to an f; this model is given by f"):
+        PENDULUM.extend(name="windy", c_prefix="wd", states=(wind,), F=eye(3))
+    with pytest.raises(BoresightError, match="f to an f; this model is given by F"):
+        euler_matching().extend(name="windy", c_prefix="wd", f=zeros(6, 1))
+    with pytest.raises(BoresightError, match="given by next; write the larger one"):
+        replace(PENDULUM, **DISCRETE).extend(name="windy", c_prefix="wd")
 
 
 def test_a_box_upside_down_is_refused():
@@ -84,3 +126,8 @@ def test_extend_adds_states_behind_the_old_ones(tmp_path, library, points):
     np.testing.assert_array_equal(H[..., 6:], 0)
     F = grown.F(q_b2n_wxyz=[1.0, 0, 0, 0], omega_in_n=[1e-5, 0, 0])
     np.testing.assert_array_equal(F[:3, 6:], -np.eye(3))
+
+
+def test_rows_that_are_angles_are_named_in_a_tuple():
+    with pytest.raises(BoresightError, match=r"angle is 'horizontal', .*a tuple of one has a comma: \('horizontal',\)"):
+        angled("horizontal")
