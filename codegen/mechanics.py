@@ -436,7 +436,7 @@ class Seen:
         """The largest of z there."""
         assert self.z is not None
         z = self.z(self.at(values, part))[0]
-        return largest(map(wrapped, z) if self.exact.angle else z)
+        return largest(wrapped(part) if i in self.exact.angles else part for i, part in enumerate(z))
 
 
 def check_measurement(model: Model, m: Measurement, H_of: Reference) -> MechanicsCheck:

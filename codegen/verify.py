@@ -240,8 +240,11 @@ def check_points(case: Case, first: int, step: int) -> Part:
         for row, k in enumerate(range(first, case.count, step)):
             for o, entries in enumerate(case.unit.reference(point(case, k))):
                 off = [entries.get(at, ZERO) - v for at, v in zip(printed[o], got[o][row].tolist(), strict=True)]
-                if case.unit.results[o].angle:
-                    off = [d - turn * round(float(d / turn)) if d.is_finite() else d for d in off]
+                turning = [row in case.unit.results[o].angle for row, _ in case.unit.results[o].nonzeros]
+                off = [
+                    d - turn * round(float(d / turn)) if angle and d.is_finite() else d
+                    for d, angle in zip(off, turning, strict=True)
+                ]
                 errors[o][row] = [float(d.abs_lower()) for d in off]
                 zeros = all(entries[at].contains(ZERO) for at in entries.keys() - printed[o].keys())
                 part += Part(zeros_are_zero=zeros, width=relative_width(entries))

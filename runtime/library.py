@@ -138,7 +138,9 @@ class Bound:
 class Library:
     """The functions of one model as attributes: `load("euler-matching").euler_H(euler_b=..., euler_m=...)`.
 
-    states: names of the error state's components.  manifest: what was generated, and the hash of each function.
+    states: names of the state's components; wraps: the places of those that are kept in [-pi, pi).  measurements: by
+    name, its `rows`, those of them that are an `angle` (True for all), and whether they are `correlated`.
+    manifest: what was generated, and the hash of each function.
     real: the NumPy type of the precision, in which the numbers go to the C and come back.
     """
 
@@ -147,6 +149,8 @@ class Library:
         self.real: type[np.floating] = np.float32 if precision == "float" else np.float64
         self.name: str = manifest["model"]
         self.states: tuple[str, ...] = tuple(manifest["states"])
+        self.wraps = [self.states.index(name) for name in manifest.get("wraps", ())]
+        self.measurements: dict[str, dict[str, Any]] = manifest["measurements"]
         self.field: dict[str, dict[str, Any]] = {}
         self.layout: dict[str, dict[str, slice]] = {}
         self.width: dict[str, int] = {}
