@@ -13,13 +13,13 @@ from boresight.codegen.generate import generate
 from boresight.runtime import inertial, rotation
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.library import load
+from boresight.runtime.units import DEG
 from boresight.studies.consistency import Consistency
 
 MODEL = f"{Path(__file__).parent}/gnss_ins.py:GNSS_INS"
 RUNS, SECONDS = 20, 120
 DT = 0.02  # s, of the sensors
 EVERY = 5  # samples to a propagation of the covariance
-DEG = np.pi / 180
 
 LAT, LON, HEIGHT = 0.84, 0.15, 500.0
 GROUND = np.array([6.37e6, 6.39e6 * np.cos(LAT), 1.0])  # m per unit of latitude, longitude and height, nearly

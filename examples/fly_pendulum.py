@@ -13,6 +13,7 @@ from boresight.codegen.generate import generate
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.library import load
 from boresight.runtime.rotation import wrapped
+from boresight.runtime.units import DEG
 from boresight.studies.consistency import Consistency
 
 MODEL = f"{Path(__file__).parent}/pendulum.py:PENDULUM"
@@ -26,7 +27,7 @@ JITTER = 0.05  # rad/s/sqrt(s): noise density of the angular acceleration
 ENCODER = 0.02  # rad, one sigma
 BEGIN, START = np.array([2.0, 6.0]), np.array([0.1, 0.3])  # rad, rad/s: where it is let go, and one sigma
 
-SHOWN = {"angle, deg": 180 / np.pi, "rate, deg/s": 180 / np.pi}
+SHOWN = {"angle, deg": 1 / DEG, "rate, deg/s": 1 / DEG}
 
 
 def rate_of(x):

@@ -13,6 +13,7 @@ from boresight.codegen.generate import generate
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.library import load
 from boresight.runtime.rotation import wrapped
+from boresight.runtime.units import DEG
 from boresight.studies.consistency import Consistency
 
 MODEL = f"{Path(__file__).parent}/radar.py:RADAR"
@@ -34,7 +35,7 @@ SHOWN = {
     "east, m": 1.0,
     "velocity north, m/s": 1.0,
     "velocity east, m/s": 1.0,
-    "turn, deg/s": 180 / np.pi,
+    "turn, deg/s": 1 / DEG,
 }
 
 

@@ -18,7 +18,7 @@ MODEL = f"{Path(__file__).parent}/vertical.py:VERTICAL"
 RUNS, SECONDS = 20, 60
 DT = 0.02  # s, of the accelerometer
 EVERY = 25  # samples to a reading of the barometer
-GRAVITY = 9.80665
+GRAVITY = 9.81
 
 NOISE = {"accel_noise": 2e-3, "bias_noise": 1e-4}
 BARO = 1.5  # m, one sigma

@@ -9,7 +9,7 @@ from sympy import Matrix, Rational
 
 from boresight.derive.model import Function, Measurement, Mechanics, Model, Output, Struct, variable
 
-GRAVITY = Rational("9.80665")  # m/s^2
+GRAVITY = Rational("9.81")  # m/s^2
 
 # What the navigation carries.
 height = variable("height", "height", "m", "height", -500.0, 20000.0)
