@@ -14,7 +14,6 @@ from boresight.derive.model import Variable
 if TYPE_CHECKING:
     from boresight.codegen.functions.units import Unit
 
-SEARCHED = 1024  # points at which a result without a value is looked for
 PAIRS = 200  # of points between which the edge of a result's box is looked for
 FEW = 8  # points at which the ends of boxes are tried before the others
 BEYOND = 5e-4  # how far outside its box the self-test puts a number, as a part of the bound
@@ -66,59 +65,6 @@ def single(args: tuple[Variable, ...], points: list[np.ndarray]) -> list[np.ndar
         near = np.where(near < np.array(arg.low), np.nextafter(near, np.float32(np.inf)), near)
         moved.append(near.astype(float))
     return moved
-
-
-def undefined(unit: "Unit") -> tuple[int, int, str] | None:
-    """A result, as output and non-zero, that is no finite number at some point of the boxes, and why in words.
-
-    Of a function whose results have boxes themselves nothing is wanted outside of those.  A search: of each point half
-    of the numbers, by chance, are ends of their boxes or zero.
-    """
-    if not unit.args or any(result.low for result in unit.results):
-        return None
-    rng = generator("undefined", unit.name)
-    points = sample(unit.args, SEARCHED // 4, SEARCHED, rng)
-    for i, arg in enumerate(unit.args):
-        if arg.norm is None:
-            low, high = np.array(arg.low), np.array(arg.high)
-            chance = rng.integers(0, 6, points[i].shape)
-            chance[: SEARCHED // 4] = 5  # corners stay
-            points[i] = np.select(
-                [chance == 0, chance == 1, chance == 2], [low, high, np.clip(0, low, high)], points[i]
-            )
-    steps, values = unit.tape.steps, computed(unit.tape, points)
-    lost: list[np.ndarray] = []  # where a step has no value, though a comparison or a choice may give it one
-    for step, value in zip(steps, values, strict=True):
-        from_args = [lost[a] for a in step.args]
-        if step.op == "if_else_zero":
-            from_args[1] = from_args[1] & (values[step.args[0]] != 0)
-        lost.append(np.any([np.isnan(value), *from_args], axis=0))
-    for output, nz, position in unit.tape.results:
-        bad = lost[position] | ~np.isfinite(values[position])
-        if bad.any():
-            k, at = int(bad.argmax()), position
-            while guilty := [a for a in steps[at].args if lost[a][k] or not np.isfinite(values[a][k])]:
-                at = guilty[0]
-            return output, nz, words(unit, at, [float(v[k]) for v in values])
-    return None
-
-
-def words(unit: "Unit", at: int, values: list[float]) -> str:
-    """What a step cannot be computed of, and at which numbers of the boxes."""
-    steps, left, read = unit.tape.steps, [at], []
-    while left:
-        step = steps[left.pop()]
-        left += [a for a in step.args if a not in left]
-        read += [step.source] if step.op == "input" else []
-    places = [
-        f"{arg.symbols[i].name} = {values[k]:.6g} (box {arg.low[i]:.6g} to {arg.high[i]:.6g})"
-        for k, step in enumerate(steps)
-        if step.op == "input" and step.source in read
-        for arg, i in [(unit.args[step.source[0]], step.source[1])]
-    ]
-    operands = [f"{values[a]:.6g}" for a in steps[at].args]
-    of = f"1 / {operands[-1]}" if steps[at].op in ("div", "inv") else f"{steps[at].op}({', '.join(operands)})"
-    return f"{of} has no finite value, at {', '.join(places)}"
 
 
 def answered(

@@ -5,13 +5,11 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from boresight import BoresightError
 from boresight.codegen.functions.mutants import LEAST, telling
-from boresight.codegen.functions.samples import BEYOND, answered, edges, ends, generator, undefined
+from boresight.codegen.functions.samples import BEYOND, answered, edges, ends, generator
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.units import Unit
 from boresight.codegen.text.names import rows_of, three_digits
-from boresight.codegen.text.statements import elements
 from boresight.derive.model import Model
 
 LIBM_ULPS = 4  # what the self-test grants the sine, cosine and arctangent of a target's library
@@ -50,21 +48,11 @@ def chosen(model: Model, unit: Unit) -> tuple[list[np.ndarray], list[np.ndarray]
     return [part[kept] for part in points], [rows[:, kept] for rows in at_ends]
 
 
-def refuse_undefined(model: Model, unit: Unit) -> None:
-    """Raise BoresightError where a result has no finite value at some point of the boxes."""
-    if found := undefined(unit):
-        result, nz, why = unit.results[found[0]], *found[1:]
-        raise BoresightError(
-            f"{unit.name} ({elements(model, unit, result)[nz]}): {why}; narrow the box, or bound it by Max and Min"
-        )
-
-
 def vectors(model: Model, unit: Unit) -> dict[str, Any]:
     """Golden vectors as text: inputs that a float holds, expected outputs, tolerances of each precision.
 
     The expected value is rounded to double, which comes on top of what the C may err by.
     """
-    refuse_undefined(model, unit)
     points, at_ends = chosen(model, unit)
     count = len(points[0]) if points else 1
     references = [exact(unit, points, k) for k in range(count)]
