@@ -31,6 +31,7 @@ def described(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
         return {
             "name": v.name, "size": v.size, "components": [s.name for s in v.symbols], "unit": v.unit, "frame": v.frame,
             "meaning": v.meaning, "low": v.low, "high": v.high, "norm": v.norm,
+            "wraps": v.wraps,
         }  # fmt: skip
 
     functions = {}
