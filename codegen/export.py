@@ -42,7 +42,7 @@ def export(target: str, out: Path, precision: str, folder: Path | None = None) -
     files = {
         path: (report.folder / path).read_text()
         for path in manifest["files"]
-        if not path.startswith(("casadi/", "batch/", "CMakeLists"))
+        if not path.startswith(("casadi/", "batch/", "CMakeLists", "equations"))
     }
     if precision == "float":
         files["include/boresight.h"] = in_float(files["include/boresight.h"])

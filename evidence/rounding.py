@@ -60,7 +60,7 @@ def of_unit(source: Source, unit: Unit, compiled: CompiledUnit) -> dict[str, Any
             got = outputs[o][keep, row * result.shape[1] + column].astype(float)
             value, most = (np.broadcast_to(x, status.shape)[keep] for x in (values[i], floats[i] + doubles[i]))
             off = np.abs(got - value)
-            if result.angle or result.unit == "rad":
+            if row in result.angle or result.unit == "rad":
                 off = np.minimum(off, np.abs(off - 2 * np.pi))  # an angle goes round
             violations += int((~(off <= most)).sum())
             if len(off):

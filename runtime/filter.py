@@ -32,8 +32,8 @@ class Filter:
     """Predict, update by a named measurement, feed back.
 
     model: offers `Phi`, `Q`, `NAME_z`, `NAME_H` (and `NAME_h` where H depends on x), `feedback`, `strapdown`, and
-    `next` if its state is total; each is called with the fields that it lists in `.fields`.  `wraps`: (n,) bool, the
-    states that are kept in [-pi, pi), or None.
+    `next` if its state is total; each is called with the fields that it lists in `.fields`.  `wraps`: the places
+    of the states that are kept in [-pi, pi).
     nav: the quantities that the strapdown carries and the feedback corrects, by field name, each (..., size).
     P: (..., n, n) covariance of the state.
     x: (..., n) where a total state begins.  An error state begins, by default, and after each feedback, at zero.
@@ -59,8 +59,11 @@ class Filter:
 
     def wrapped(self, x: Array) -> Array:
         """The state x with those of its angles that wrap in [-pi, pi)."""
-        wraps = getattr(self.model, "wraps", None)
-        return x if wraps is None else np.where(wraps, wrapped(x), x)
+        places = getattr(self.model, "wraps", ())
+        if places:
+            x = x.copy()
+            x[..., places] = wrapped(x[..., places])
+        return x
 
     def call(self, name: str, **inputs: Any) -> Any:
         """The model's function NAME, fed from nav, the state x and the inputs."""

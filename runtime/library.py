@@ -138,7 +138,8 @@ class Bound:
 class Library:
     """The functions of one model as attributes: `load("euler-matching").euler_H(euler_b=..., euler_m=...)`.
 
-    states: names of the state's components; wraps: which of them are kept in [-pi, pi), or None.
+    states: names of the state's components; wraps: the places of those that are kept in [-pi, pi).  measurements: by
+    name, its `rows`, those of them that are an `angle` (True for all), and whether they are `correlated`.
     manifest: what was generated, and the hash of each function.
     real: the NumPy type of the precision, in which the numbers go to the C and come back.
     """
@@ -148,8 +149,8 @@ class Library:
         self.real: type[np.floating] = np.float32 if precision == "float" else np.float64
         self.name: str = manifest["model"]
         self.states: tuple[str, ...] = tuple(manifest["states"])
-        wraps = [block.get("wraps", False) for block in manifest["blocks"] for _ in block["components"]]
-        self.wraps = np.array(wraps) if any(wraps) else None
+        self.wraps = [self.states.index(name) for name in manifest.get("wraps", ())]
+        self.measurements: dict[str, dict[str, Any]] = manifest["measurements"]
         self.field: dict[str, dict[str, Any]] = {}
         self.layout: dict[str, dict[str, slice]] = {}
         self.width: dict[str, int] = {}

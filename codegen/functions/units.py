@@ -30,7 +30,7 @@ class Result:
     nonzeros: tuple[tuple[int, int], ...]
     unit: str
     meaning: str
-    angle: bool = False
+    angle: tuple[int, ...] = ()  # the rows that are angles
     low: tuple[float, ...] = ()
     high: tuple[float, ...] = ()
 
@@ -182,8 +182,11 @@ class UnitMaker:
         made = []
         rows = f"row{'s' if len(m.rows) > 1 else ''} {', '.join(m.rows)}"
 
+        part = 0 < len(m.angles) < len(m.rows)
+        names = [row + " (wrapped to [-pi, pi])" * (part and i in m.angles) for i, row in enumerate(m.rows)]
+
         def wrapped(matrix: sp.Matrix) -> sp.Matrix:
-            return matrix.applyfunc(lambda a: sp.atan2(sp.sin(a), sp.cos(a))) if m.angle else matrix
+            return sp.Matrix([sp.atan2(sp.sin(a), sp.cos(a)) if i in m.angles else a for i, a in enumerate(matrix)])
 
         for label, matrix, meaning in (
             ("z", m.z, "z = H x + noise" if m.H is not None else "z = h(x) + noise"),
@@ -195,7 +198,7 @@ class UnitMaker:
                     self.unit(
                         f"{m.name}_{label}",
                         f"{m.meaning}; {meaning}; {rows}",
-                        [(self.convert(printed)[0], described(label, m.unit, ", ".join(m.rows), angle=m.angle))],
+                        [(self.convert(printed)[0], described(label, m.unit, ", ".join(names), angle=m.angles))],
                         self.numeric(printed),
                         m.equations,
                     )

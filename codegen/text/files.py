@@ -18,6 +18,7 @@ from boresight.codegen.functions.units import Unit, units
 from boresight.codegen.text import stationary_detector
 from boresight.codegen.text.covariance import covariance_view, nonzeros
 from boresight.codegen.text.covariance_vectors import vectors_view
+from boresight.codegen.text.equations import FILE, equations_text
 from boresight.codegen.text.filter import filter_view, has_filter, test_view
 from boresight.codegen.text.layout import laid_out
 from boresight.codegen.text.manifest import described
@@ -62,7 +63,7 @@ def folder_files(
     """
     made = units(model)
     views = [view(model, unit) for unit in made]
-    files: dict[str, str] = {}
+    files = {FILE: equations_text(model)}
     for unit, u in zip(made, views, strict=True):
         printed = unit_files(model, unit, u)
         test = f"selftest/test_{file_stem(model, unit.name)}.c"

@@ -38,7 +38,9 @@ def chosen(model: Model, unit: Unit) -> tuple[list[np.ndarray], list[np.ndarray]
     points = [np.vstack(both)[mixed] for both in zip(plain, small, strict=True)]
     values, bounds = evaluate(unit.tape, points, LIBM_ULPS)
     granted = [2 * bound + abs(value) * 2.0**-52 + DIFFERENTIATED for value, bound in zip(values, bounds, strict=True)]
-    turning = [unit.results[output].angle for output, _, _ in unit.tape.results]
+    turning = [
+        unit.results[output].nonzeros[nz][0] in unit.results[output].angle for output, nz, _ in unit.tape.results
+    ]
     choosy = any(result.low for result in unit.results) or any(a.norm for a in unit.args)
     at_ends = ends(unit, points) if choosy else []
     needs = np.vstack([np.zeros((0, len(mixed)), dtype=bool), *at_ends])

@@ -75,9 +75,9 @@ def outcome(r: Result, model: Model) -> dict[str, Any]:
         "nz_parameter": f"bs_real {nz_name(r)}[{len(positions)}]",
         "path": r.name,
         "text": f"{r.meaning} ({r.unit}); {shape}"
-        + (", wrapped to [-pi, pi]" if r.angle else "")
+        + (", wrapped to [-pi, pi]" if len(r.angle) == r.shape[0] else "")
         + (f"; {span(r.low, r.high)}" if r.low else ""),
-        "angle": r.angle,
+        "angles": f"{sum(1 << row for row in r.angle)}U" if r.angle else "0",
     }
 
 
@@ -247,5 +247,5 @@ def unit_hash(unit: Unit) -> str:
     for a in unit.args:
         words += [a.name, *(s.name for s in a.symbols), repr((a.low, a.high, a.norm))]
     for r in unit.results:
-        words += [r.name, repr((r.shape, r.nonzeros, r.angle, r.low, r.high))]
+        words += [r.name, repr((r.shape, r.nonzeros, r.angle or False, r.low, r.high))]
     return hashlib.sha256("\n".join(words).encode()).hexdigest()

@@ -538,8 +538,9 @@ def _measurement(shown: Description, m: Measurement, units: Mapping[str, Any]) -
         blocks.append(Prose("Every other entry of H is zero."))
     if m.H is None:
         blocks.append(Prose("H is the Jacobian of h by x."))
-    if m.angle:
-        blocks.append(Prose("z and h are angles, and are wrapped to -pi to pi."))
+    if m.angles:
+        of = "" if len(m.angles) == len(m.rows) else " of " + ", ".join(m.rows[i] for i in m.angles)
+        blocks.append(Prose(f"z and h{of} are angles, and are wrapped to -pi to pi."))
     if first := m.first_order:
         small = f", once {first.small} is zero" if first.small else ""
         blocks.append(Prose(f"H is the Jacobian of the exact h{f' of {first.of}' * bool(first.of)} at x = 0{small}."))

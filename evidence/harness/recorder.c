@@ -3,7 +3,7 @@
 #include "selftest.h"
 
 int shipped_compare(const char *what, int vector, const bs_real *out, int n, const double *expected, const double *tolerance,
-                    const unsigned short *at, int nnz, int angle);
+                    const unsigned short *at, int nnz, unsigned int angles);
 
 bs_real evidence_record[EVIDENCE_ROOM];
 int evidence_count = 0; /* beyond EVIDENCE_ROOM: too little room, which the reader refuses */
@@ -11,7 +11,7 @@ int evidence_lengths[EVIDENCE_GROUPS]; /* how many numbers each comparison saw *
 int evidence_groups = 0;
 
 int selftest_compare(const char *what, int vector, const bs_real *out, int n, const double *expected, const double *tolerance,
-                     const unsigned short *at, int nnz, int angle)
+                     const unsigned short *at, int nnz, unsigned int angles)
 {
     if (evidence_groups < EVIDENCE_GROUPS) {
         evidence_lengths[evidence_groups] = n;
@@ -23,5 +23,5 @@ int selftest_compare(const char *what, int vector, const bs_real *out, int n, co
         }
         ++evidence_count;
     }
-    return shipped_compare(what, vector, out, n, expected, tolerance, at, nnz, angle);
+    return shipped_compare(what, vector, out, n, expected, tolerance, at, nnz, angles);
 }
