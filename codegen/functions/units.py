@@ -10,11 +10,13 @@ import casadi as ca
 import numpy as np
 import sympy as sp
 
+from boresight import BoresightError
 from boresight.codegen.functions.convert import to_casadi
 from boresight.codegen.functions.identities import identified
 from boresight.codegen.functions.reference import Entries, evaluator
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import Tape, share_reciprocals, tape
+from boresight.derive.checks import expressions, fail
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
 
 TRIED = 8  # points, and as many small ones, at which the roundings of equal values are compared
@@ -65,8 +67,19 @@ def state_variable(model: Model) -> Variable:
 
 
 def units(model: Model) -> list[Unit]:
-    """Every printed unit of the model, in a fixed order."""
-    return UnitMaker(model).units()
+    """Every printed unit of the model, in a fixed order.  Raises BoresightError on an entry that C cannot hold."""
+    maker = UnitMaker(model)
+    try:
+        return maker.units()
+    except BoresightError:
+        for item in expressions(model):
+            for (i, j), entry in item.matrix.todok().items():
+                try:
+                    maker.convert(sp.Matrix([entry]))
+                    maker.numeric(sp.Matrix([entry]))
+                except BoresightError as error:
+                    fail(item.part, f"{item.entry(i, j)}: {error}")
+        raise
 
 
 class UnitMaker:

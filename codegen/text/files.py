@@ -14,6 +14,7 @@ import casadi as ca
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from boresight.codegen.functions.reference import DIGITS
+from boresight.codegen.functions.singular import refuse_singular
 from boresight.codegen.functions.units import Unit, units
 from boresight.codegen.text import stationary_detector
 from boresight.codegen.text.covariance import covariance_view, nonzeros
@@ -62,6 +63,7 @@ def folder_files(
     kept: the path and the files under test of a self-test -> its text, if it need not be made again.
     """
     made = units(model)
+    refuse_singular(model, made)
     views = [view(model, unit) for unit in made]
     files = {FILE: equations_text(model)}
     for unit, u in zip(made, views, strict=True):
