@@ -130,7 +130,7 @@ class Consistency:
             for ax in axes[max(panels - columns, 0) : panels]:
                 ax.set_xlabel("time, s")
                 ax.tick_params(labelbottom=True)
-            drawing.suptitle(f"errors of {min(DRAWN, self.errors.shape[1])} runs, and 3 sigma of the filter")
+            drawing.suptitle(f"errors of {min(DRAWN, self.errors.shape[1])} runs (blue), 3 sigma of the filter (orange)")
         return f"figure in {path}"
 
     def _chi_square(self, ax: Any, title: str, times: Any, mean: Array, band: list[float]) -> None:

@@ -9,6 +9,7 @@ import io
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from contextlib import chdir, contextmanager, redirect_stdout
@@ -19,8 +20,8 @@ from conftest import ROOT
 
 from boresight import cli
 
-HOW_TO = ROOT / "docs" / "how-to"
-PAGES = sorted(HOW_TO.glob("*.md"))
+PAGES = [ROOT / "docs" / "tutorial.md", *sorted((ROOT / "docs" / "how-to").glob("*.md"))]
+ON_A_TARGET = ("arm-none-eabi-gcc", "qemu-system-arm")
 BLOCK = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -39,6 +40,8 @@ def command(line):
             cli.main(words[1:])
         assert not ended.value.code, line
         return out.getvalue()
+    if words[0] in ON_A_TARGET and not shutil.which(words[0]):
+        pytest.skip(f"{words[0]} is not installed")
     env = {**os.environ, "PYTHONPATH": str(ROOT), "PATH": f"{os.path.dirname(sys.executable)}:{os.environ['PATH']}"}
     done = subprocess.run(line, shell=True, capture_output=True, text=True, env=env, check=False)
     assert done.returncode == 0, (line, done.stderr)
@@ -70,7 +73,7 @@ def run(page, folder):
                 promised = re.search(r"print\(.*\)  # (.*)\n\Z", text)
                 assert not promised or shown(promised[1], printed), (text, printed)
             elif language == "console":
-                for line, expected in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", text, re.MULTILINE):
+                for line, expected in re.findall(r"^\$ ((?:.*\\\n)*.*)\n((?:(?!\$ ).*\n)*)", text, re.MULTILINE):
                     printed = command(line)
                     assert shown(expected, printed), (line, expected, printed)
             elif language == "text":
