@@ -135,10 +135,14 @@ class Bound:
         return self.call()
 
 
+class NoFunction(BoresightError, AttributeError):
+    """A name that the model has no function of."""
+
+
 class Library:
     """The functions of one model as attributes: `load("euler-matching").euler_H(euler_b=..., euler_m=...)`.
 
-    states: names of the state's components; wraps: the places of those that are kept in [-pi, pi).  measurements: by
+    states: names of the state's components; wraps: which of them are kept in [-pi, pi), or None.  measurements: by
     name, its `rows`, those of them that are an `angle` (True for all), and whether they are `correlated`.
     manifest: what was generated, and the hash of each function.
     real: the NumPy type of the precision, in which the numbers go to the C and come back.
@@ -149,7 +153,8 @@ class Library:
         self.real: type[np.floating] = np.float32 if precision == "float" else np.float64
         self.name: str = manifest["model"]
         self.states: tuple[str, ...] = tuple(manifest["states"])
-        self.wraps = [self.states.index(name) for name in manifest.get("wraps", ())]
+        wraps = [block.get("wraps", False) for block in manifest["blocks"] for _ in block["components"]]
+        self.wraps = np.array(wraps) if any(wraps) else None
         self.measurements: dict[str, dict[str, Any]] = manifest["measurements"]
         self.field: dict[str, dict[str, Any]] = {}
         self.layout: dict[str, dict[str, slice]] = {}
@@ -224,7 +229,7 @@ class Library:
             return units[name]
         if name.startswith("__") or not units:
             raise AttributeError(name)
-        raise BoresightError(f"{self.name} has no function {name!r}; it has {', '.join(units)}")
+        raise NoFunction(f"{self.name} has no function {name!r}; it has {', '.join(units)}")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.units]
