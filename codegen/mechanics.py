@@ -70,7 +70,7 @@ def check_mechanics(model: Model, reference: Mapping[str, Reference]) -> list[Me
     if model.f is not None:
         checks.append(check_own_rate(model, reference["F"]))
         checks.append(MechanicsCheck(model.name, "G", "", why="f says nothing of the noise"))
-    elif model.n:
+    elif model.kind == "error-state":
         try:
             checks += check_error_model(Exact(model), reference["F"])
         except LookupError as missing:

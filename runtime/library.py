@@ -142,7 +142,7 @@ class NoFunction(BoresightError, AttributeError):
 class Library:
     """The functions of one model as attributes: `load("euler-matching").euler_H(euler_b=..., euler_m=...)`.
 
-    states: names of the state's components; wraps: which of them are kept in [-pi, pi), or None.  measurements: by
+    states: names of the state's components; wraps: the places of those that are kept in [-pi, pi).  measurements: by
     name, its `rows`, those of them that are an `angle` (True for all), and whether they are `correlated`.
     manifest: what was generated, and the hash of each function.
     real: the NumPy type of the precision, in which the numbers go to the C and come back.
@@ -153,8 +153,7 @@ class Library:
         self.real: type[np.floating] = np.float32 if precision == "float" else np.float64
         self.name: str = manifest["model"]
         self.states: tuple[str, ...] = tuple(manifest["states"])
-        wraps = [block.get("wraps", False) for block in manifest["blocks"] for _ in block["components"]]
-        self.wraps = np.array(wraps) if any(wraps) else None
+        self.wraps = [self.states.index(name) for name in manifest.get("wraps", ())]
         self.measurements: dict[str, dict[str, Any]] = manifest["measurements"]
         self.field: dict[str, dict[str, Any]] = {}
         self.layout: dict[str, dict[str, slice]] = {}
@@ -221,7 +220,9 @@ class Library:
                     f"{function}: {name}{at} has the norm {np.linalg.norm(value):.6g}; it must lie within "
                     f"{box['norm'][0]:.6g} to {box['norm'][1]:.6g}"
                 )
-        raise BoresightError(f"{function}: an input{at} was refused: BS_{Status(int(status[where])).name}")
+        raise BoresightError(
+            f"{function}: what it gives{at} leaves its box or is no number: BS_{Status(int(status[where])).name}"
+        )
 
     def __getattr__(self, name: str) -> Unit:
         units = self.__dict__.get("units", {})

@@ -109,7 +109,9 @@ def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
 
 def covariance_test(model: Model, made: list[Unit]) -> str:
     """The self-test of the covariance's loops, whose golden vectors depend on nothing but sizes and places."""
-    v = vectors_view(model.n, nonzeros(made, "F"), nonzeros(made, "Qc"))
+    names = ("F", "Qc") if model.kind == "error-state" else ("Phi", "Q")
+    A, B = (nonzeros(made, name) for name in names)
+    v = vectors_view(model.n, A, B, model.order if model.kind == "error-state" else None)
     views = {"m": model_view(model, []), "c": covariance_view(model, made), "v": v}
     (text,) = rendered(("selftest/test_PREFIX_covariance.c",), {}, **views).values()
     return text

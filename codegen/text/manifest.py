@@ -31,7 +31,6 @@ def described(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
         return {
             "name": v.name, "size": v.size, "components": [s.name for s in v.symbols], "unit": v.unit, "frame": v.frame,
             "meaning": v.meaning, "low": v.low, "high": v.high, "norm": v.norm,
-            "wraps": v.wraps,
         }  # fmt: skip
 
     functions = {}
@@ -60,6 +59,7 @@ def described(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
         "frame": model.frame,
         "c_prefix": model.c_prefix,
         "states": [s.name for s in model.x],
+        "wraps": [s.name for v in model.states if v.wraps for s in v.symbols],
         "blocks": [field(v) for v in model.states],
         "structs": ({"x": [field(state_variable(model))]} if model.n else {})
         | {s.name: [field(v) for v in s.fields] for s in model.structs},

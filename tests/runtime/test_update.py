@@ -1,4 +1,4 @@
-"""The measurement update: angles wrap, iterations find the most probable state, errors of rows may depend on each other.
+"""The measurement update: angles wrap, iterations find the most probable state, errors of rows may be correlated.
 
 Held in Python and in C against least squares of SciPy, the update in matrices, and a target that crosses half a turn.
 """
@@ -67,7 +67,7 @@ def test_an_innovation_of_an_angle_goes_the_short_way_round_and_the_state_with_i
 
 def test_only_the_rows_that_are_angles_wrap(radar):
     loop = begun(Filter, radar, FAR, np.diag([1e2] * 4 + [1e-2]))
-    said = loop.update("radar", np.array([1.0, 1e-4]), z=seen(FAR) + [50.0, 0.01])
+    said = loop.update("radar", np.array([1.0, 1e-4]), z=seen(FAR) + np.array([50.0, 0.01]))
     assert said.nu[0] == pytest.approx(50.0, abs=1e-9)
     np.testing.assert_allclose(radar.radar_h(x=FAR)[0], seen(FAR)[0], rtol=1e-15)
 
@@ -153,9 +153,7 @@ def test_each_iteration_starts_from_the_first_state_and_covariance(kind, radar):
 
 @KINDS
 def test_the_gate_is_that_of_the_first_linearisation(kind, radar):
-    first, last = (
-        begun(kind, radar, NEAR, WIDE).update("radar", NOISE, z=HERE, iterations=k) for k in (1, 20)
-    )
+    first, last = (begun(kind, radar, NEAR, WIDE).update("radar", NOISE, z=HERE, iterations=k) for k in (1, 20))
     sigmas = [abs(said.nu) / np.sqrt(said.S) for said in (first, last)]
     row = int(np.argmax(abs(sigmas[0] - sigmas[1])))
     gate = (sigmas[0][row] + sigmas[1][row]) / 2
@@ -233,12 +231,15 @@ def in_matrices(x, P, H, R, nu):
 def test_a_full_R_is_the_update_in_matrices_of_the_rows_that_are_there(kind, name, rows, radar):
     rng = np.random.default_rng(1)
     A = rng.standard_normal((5, 5))
-    P, R = A @ A.T * np.outer(*[[3.0, 3.0, 1.0, 1.0, 0.01]] * 2), FULL * np.outer(*[[1.0, 1.0 if name == "fix" else 0.01]] * 2)
+    P, R = (
+        A @ A.T * np.outer(*[[3.0, 3.0, 1.0, 1.0, 0.01]] * 2),
+        FULL * np.outer(*[[1.0, 1.0 if name == "fix" else 0.01]] * 2),
+    )
     P = (P + P.T) / 2
     h = FAR[:2] if name == "fix" else seen(FAR)
-    z, keep = h + rng.standard_normal(2) * np.sqrt(np.diag(R)), np.flatnonzero(rows)
-    H = radar.fix_H() if name == "fix" else radar.smeared_H(x=FAR)
-    x, after, nis = in_matrices(FAR, P, H[keep], R[np.ix_(keep, keep)], turned(z - h)[keep] if name != "fix" else (z - h)[keep])
+    nu, keep = rng.standard_normal(2) * np.sqrt(np.diag(R)), np.flatnonzero(rows)
+    z, H = h + nu, radar.fix_H() if name == "fix" else radar.smeared_H(x=FAR)
+    x, after, nis = in_matrices(FAR, P, H[keep], R[np.ix_(keep, keep)], nu[keep])
     loop = begun(kind, radar, FAR, P)
     said = loop.update(name, R, z=z, rows=rows)
     np.testing.assert_allclose(loop.x, x, rtol=1e-10, atol=1e-12)
@@ -250,7 +251,7 @@ def test_a_full_R_is_the_update_in_matrices_of_the_rows_that_are_there(kind, nam
 
 def test_any_measurement_takes_a_full_R_in_python_and_each_run_its_own(radar):
     R = np.stack([FULL, np.diag([4.0, 9.0]), FULL * 2]) * np.array([[1, 0.01], [0.01, 1e-4]])
-    z = seen(FAR) + [1.0, 0.01]
+    z = seen(FAR) + np.array([1.0, 0.01])
     batch = begun(Filter, radar, np.tile(FAR, (3, 1)), WIDE)
     batch.update("radar", R, z=z)
     for i in range(3):
@@ -277,14 +278,19 @@ def test_any_measurement_takes_a_full_R_in_python_and_each_run_its_own(radar):
         ("radar", NOISE, {}, "radar needs z"),
         ("radar", NOISE, {"z": [1.0]}, r"radar: z has shape \(1,\); its last axis must be 2 long"),
         ("radar", NOISE, {"z": [1.0, np.nan]}, "radar: z holds a value that is not finite"),
-        ("radar", [1.0], {"z": HERE}, r"radar: R has shape \(1,\); it must be \(..., 2\), its variances, or \(..., 2, 2\)"),
+        (
+            "radar",
+            [1.0],
+            {"z": HERE},
+            r"radar: R has shape \(1,\); it must be \(..., 2\), its variances, or \(..., 2, 2\)",
+        ),
         ("radar", [1.0, -1.0], {"z": HERE}, "radar: every variance in R must be finite and above zero"),
         ("fix", [1.0, 1.0], {"z": HERE}, r"fix: R has shape \(2,\); it must be \(..., 2, 2\), its covariance"),
         ("fix", [[1.0, 0.5], [0.4, 1.0]], {"z": HERE}, "fix: R is not symmetric"),
         ("fix", [[1.0, 2.0], [2.0, 1.0]], {"z": HERE}, "fix: R has a negative eigenvalue"),
         ("fix", [[1.0, 1.0], [1.0, 1.0]], {"z": HERE}, "fix: R is not positive definite"),
         ("fix", [[1.0, 0.0], [0.0, 0.0]], {"z": HERE}, "fix: every variance in R"),
-        ("lidar", NOISE, {}, "radar has no measurement 'lidar'; it has radar, smeared"),
+        ("lidar", NOISE, {}, "radar has no measurement 'lidar'; it has compass, fix, mounted, radar, smeared"),
     ],
 )
 def test_a_bad_z_or_R_is_one_line_and_changes_nothing(kind, name, R, inputs, said, radar):
@@ -307,7 +313,7 @@ def test_a_z_of_the_model_is_not_brought(library):
         loop.update("euler", np.ones(3), z=np.zeros(3), euler_b=np.zeros(3), euler_m=np.zeros(3))
 
 
-@pytest.mark.parametrize("options", [(), ("-DBORESIGHT_FLOAT",), ("-DBORESIGHT_UD=1",)], ids=["double", "float", "ud"])
-def test_the_self_test_holds_all_of_it_in_every_form(options, radar_folder, tmp_path):
+@pytest.mark.parametrize("options", [(), ("-DBORESIGHT_FLOAT",)], ids=["joseph", "ud in float"])
+def test_the_self_test_holds_all_of_it_in_both_forms(options, radar_folder, tmp_path):
     done = self_test(radar_folder, tmp_path, *STRICT, *options)
     assert done.returncode == 0, done.stdout
