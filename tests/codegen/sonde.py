@@ -64,7 +64,12 @@ SONDE = Model(
             (
                 Output("kept", Matrix([exp(-dt.scalar / tau)]), "1", "what is left"),
                 Output("gained", Matrix([1 - exp(-2 * dt.scalar / tau)]), "1", "the variance that it gains"),
-                Output("decades", Matrix([log(own_tau, 10), own_tau ** (beta * metre), 2**-own_tau]), "1", "of the correlation time"),
+                Output(
+                    "decades",
+                    Matrix([log(own_tau, 10), own_tau ** (beta * metre), 2**-own_tau]),
+                    "1",
+                    "of the correlation time",
+                ),
             ),
         ),
     ),
