@@ -159,7 +159,8 @@ def test_nothing_is_written_of_what_is_refused(tmp_path):
     source = tmp_path / "wrong.py"
     source.write_text(
         "from dataclasses import replace\nfrom sonde import SONDE, own_v\nfrom sympy import Matrix, log\n"
-        "m = replace(SONDE.measurements[0], unit='1', h=Matrix([log(own_v)]))\nWRONG = replace(SONDE, measurements=(m,))\n"
+        "m = SONDE.measurements[0]\n"
+        "WRONG = replace(SONDE, measurements=(replace(m, unit='1', h=Matrix([log(own_v)])),))\n"
     )
     with pytest.raises(BoresightError, match=r"wrong.py:5: measurement baro: h\[p\].*log of v"):
         generate(f"{source}:WRONG", tmp_path / "out")
