@@ -338,10 +338,10 @@ def model_page(model: Model, manifest: Mapping[str, Any] | None = None) -> Page:
         *(_function(shown, f, units) for f in model.functions),
     ]
     used = {s for section in sections for form in forms(section) for s in letters_of(form.relation)}
-    sections += _names(shown, used)
+    sections += names_of(shown, used)
     sections += [Section("C functions", tuple(_functions(model, units)), "c-functions"), *_equations(model)]
     lead = (f"{model.title[0].upper()}{model.title[1:]}.", f"Frame: {model.frame}.", *model.card)
-    return _lettered(shown, Page(model.name, tuple(sections), lead))
+    return lettered(shown, Page(model.name, tuple(sections), lead))
 
 
 def formulas(model: Model) -> list[Form]:
@@ -414,7 +414,7 @@ def _inputs(model: Model) -> Iterator[Block]:
         yield _variables(model, struct.fields)
 
 
-def _names(shown: Description, used: set[Symbol]) -> list[Section]:
+def names_of(shown: Description, used: set[Symbol]) -> list[Section]:
     """The names that stand in the formulas, and the constants; what defines them is followed."""
     named: list[tuple[Named, list[Relation]]] = []
     constants: list[tuple[Named, list[Relation]]] = []
@@ -646,7 +646,7 @@ def _equations(model: Model) -> Iterator[Section]:
 # ---------------------------------------------------------------- letters
 
 
-def _lettered(shown: Description, page: Page) -> Page:
+def lettered(shown: Description, page: Page) -> Page:
     """Every formula of the page with the LaTeX of its letters."""
     named = {
         quantity.symbol.name + "(" * quantity.function: quantity

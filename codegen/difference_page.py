@@ -1,0 +1,138 @@
+"""The page of a difference: entry by entry before and after, with the names that a model's own page has."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from sympy import Matrix, Symbol
+
+from boresight.codegen.difference import CORNERS, POINTS, Cost, Difference, Entry, Statement, together
+from boresight.derive.ledger.differences import differences, marks
+from boresight.derive.model import Function, Model, Output, Struct, substituted, symbols_in
+from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section
+from boresight.derive.pages.model import LONG, Description, forms, lettered, letters_of, names_of
+from boresight.derive.pages.named import operations
+
+SIZES = f"""Sizes are the largest at {POINTS + CORNERS} points of the box, in SI units and rad; as part of a row they are of
+ the largest entry in it, each times the box of its state.""".replace("\n", "")
+
+
+def difference_page(found: Difference) -> Page:
+    """Text, LaTeX and HTML are written of it."""
+    changed = [entry for entry in found.entries if not entry.rounding]
+    shown = Description(both(found, changed))
+    alike(shown)
+    sections = [
+        *([Section("What is stated", tuple(map(stated, found.statements)))] if found.statements else []),
+        *matrix_sections(found, changed, shown),
+    ]
+    used = {s for section in sections for form in forms_of(section) for s in letters_of(form.relation)}
+    sections += names_of(shown, used)
+    if found.cost:
+        sections.append(Section("Cost", tuple(cost(found.cost))))
+    title = f"{found.model}: against {found.against}"
+    lead = ("No difference.",) if found.same else (SIZES,) if changed else ()
+    return lettered(shown, Page(title, tuple(sections), lead))
+
+
+def both(found: Difference, changed: list[Entry]) -> Model:
+    """A model whose functions are the entries before and after: so the same names are put into both."""
+    columns = (("before", [e.before for e in changed]), ("after", [e.after for e in changed]))
+    functions = tuple(
+        Function(name, name, (Output("entries", Matrix([0 if e is None else e for e in column]), "1", name),))
+        for name, column in columns
+        if column
+    )
+    struct = Struct("both", "what either reads", together(found.old, found.new))
+    return Model(found.model, "difference", found.model, found.new.frame, (), (struct,), functions=functions)
+
+
+def alike(shown: Description) -> None:
+    """Take back the names that stand on one side of a pair alone: what differs is then seen in the same letters."""
+    groups = shown.naming.groups
+    values = {
+        letter: value
+        for one in shown.naming.named
+        for letter, value in zip(one.entries, one.value, strict=True)
+        if letter.is_Symbol and letter != value and not value.is_number
+    }
+    pairs = []
+    for before, after in zip(*groups.values(), strict=True) if groups else ():
+        pair = Matrix([before, after])
+        while own := (symbols_in([pair[0]]) ^ symbols_in([pair[1]])) & values.keys():
+            pair = substituted(pair, {letter: values[letter] for letter in own})
+        pairs.append(pair if operations(pair) <= LONG else Matrix([before, after]))
+    for which, key in enumerate(groups):
+        groups[key] = Matrix([pair[which] for pair in pairs])
+
+
+def forms_of(section: Section) -> Iterator[Form]:
+    for block in section.blocks:
+        if isinstance(block, Pair):
+            yield from (*block.left.forms, *block.right.forms)
+    yield from forms(section)
+
+
+def stated(statement: Statement) -> Prose:
+    what = statement.part + f", {statement.field}" * bool(statement.field)
+    if statement.before is None:
+        return Prose(f"new; {statement.after}", what)
+    if statement.after is None:
+        return Prose(f"gone; {statement.before}", what)
+    return Prose(f"was {statement.before or 'not stated'}; is {statement.after or 'not stated'}", what)
+
+
+def matrix_sections(found: Difference, changed: list[Entry], shown: Description) -> Iterator[Section]:
+    letters = {s.name: letter for s, letter in shown.called.items()}
+    for key in dict.fromkeys(entry.matrix for entry in found.entries):
+        own = [(i, e) for i, e in enumerate(changed) if e.matrix == key]
+        relations = []
+        for i, entry in own:
+            row, _, column = entry.place.partition(" by ")
+            places = [letters.get(name, Symbol(name)) for name in (row, column) if name]
+            letter = key.rpartition(" ")[2]
+            label = shown.label(Symbol(letter), *places) if column else Symbol(f"{letter}_{places[0]}")
+            for which in ("before", "after"):
+                relations.append((label, shown.naming.groups[f"{which} entries"][i]))
+        written = shown.formulas(relations)
+        blocks: list[Block] = []
+        for k, (_, entry) in enumerate(own):
+            blocks += [Prose(sized(entry), entry.place), *pair(entry, written[0].forms[2 * k : 2 * k + 2])]
+        same = [e.place for e in found.entries if e.matrix == key and e.rounding]
+        if same:
+            blocks.append(Prose(f"{', '.join(same)}: no value differs beyond rounding.", "Written otherwise"))
+        count = len(own) + len(same)
+        entries = f"{count} of {found.of[key]} entries" if key in found.of else f"{count} entries, all gone"
+        yield Section(f"{key}: {entries}", (*blocks, *written[1:]))
+
+
+def pair(entry: Entry, forms: tuple[Form, ...]) -> Iterator[Block]:
+    before, after = forms
+    if entry.before is None:
+        yield Formulas((after,), "new")
+    elif entry.after is None:
+        yield Formulas((before,), "gone")
+    else:
+        found = differences([before.relation], [after.relation])
+        left, right = (
+            replace(form, marks=frozenset(marks([form.relation], found, which)[0]))
+            for form, which in ((before, "printed"), (after, "derived"))
+        )
+        yield Pair(Formulas((left,), "before"), Formulas((right,), "after"))
+
+
+def sized(entry: Entry) -> str:
+    if entry.before is None or entry.after is None:
+        return "the row or the column is new" if entry.before is None else "the row or the column is gone"
+    if entry.largest is None or entry.at is None:
+        return "no point of the box was found at which both have a value"
+    at = ", ".join(f"{name} = {value:.4g}" for name, value in entry.at.items())
+    return f"by {entry.largest:.3g}" + f" at {at}" * bool(at) + f"; {entry.relative:.2g} of its row"
+
+
+def cost(made: Cost) -> Iterator[Block]:
+    for change in made.changes:
+        yield Prose(str(change).partition(": ")[2], change.name)
+    if made.unknown:
+        yield Prose(f"unknown: {made.unknown}", "code of what differs")
+    else:
+        yield Prose(f"{made.before} -> {made.after} bytes, -Os on this machine", "code of what differs")
