@@ -11,6 +11,7 @@ The conventions, said once; every generated artefact prints them, docs/conventio
 - Matrices are row-major.
 """
 
+from collections.abc import Iterable
 from importlib.util import find_spec
 
 __version__ = "0.1.0"
@@ -33,3 +34,12 @@ def need(extra: str) -> None:
     missing = [name for name in EXTRAS[extra] if find_spec(name) is None]
     if missing:
         raise BoresightError(f"{', '.join(missing)} not found; run pip install 'boresight[{extra}]'")
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """` (did you mean 'gyro_noise'?)` where one of the known names is like this one, else nothing."""
+    from difflib import get_close_matches
+
+    folded = {other.lower(): other for other in known}
+    close = get_close_matches(name.lower(), folded, 1)
+    return f" (did you mean {folded[close[0]]!r}?)" if close else ""

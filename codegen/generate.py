@@ -5,16 +5,14 @@ SymPy and CasADi are imported only once the hashes of the sources say that somet
 
 import hashlib
 import importlib.metadata
-import importlib.util
 import json
 import os
-import sys
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from boresight import BoresightError
+from boresight import BoresightError, did_you_mean
 from boresight.codegen.stamp import PACKAGE, made_from
 from boresight.derive.models import MODELS, built_in
 
@@ -92,46 +90,54 @@ def is_checkout() -> bool:
 
 def load_model(target: str) -> Any:
     """The Model that `target` names: a built-in, or FILE.py:NAME with NAME a Model or a function that makes one."""
+    from boresight.codegen import user_file
     from boresight.derive.model import Model
 
     if ":" not in target:
-        if target in COMPONENTS:
-            raise BoresightError(f"{target} comes from no model; models are {', '.join(model_names())}")
-        if target not in model_names():
-            raise BoresightError(f"no model {target!r}; there are {', '.join(model_names())}, or give FILE.py:NAME")
-        value: Any = built_in(target)
-    else:
-        file, name = target.rsplit(":", 1)
-        path = source_of(target)
-        assert path is not None
-        sys.path.insert(0, str(path.parent))
-        try:
-            spec = importlib.util.spec_from_file_location(path.stem, path)
-            assert spec is not None and spec.loader is not None
-            module = importlib.util.module_from_spec(spec)
-            sys.modules[path.stem] = module
-            spec.loader.exec_module(module)
-        except BoresightError:
-            raise
-        except Exception as error:  # whatever a user's file raises is the user's to see, in one line
-            raise BoresightError(f"{file} cannot be run: {type(error).__name__}: {error}") from error
-        finally:
-            sys.path.pop(0)
-        if not hasattr(module, name):
-            models = [n for n, v in vars(module).items() if isinstance(v, Model)]
-            raise BoresightError(f"{file} has no {name!r}; its models are {', '.join(models) or 'none'}")
-        value = getattr(module, name)
+        known(target, model_names())
+        return built_in(target)
+    file, name = target.rsplit(":", 1)
+    path = source_of(target)
+    assert path is not None
+    module = user_file.run(path)
+    if not hasattr(module, name):
+        raise BoresightError(f"{file} has no {name!r}{did_you_mean(name, vars(module))}; {models_in(module)}")
+    value: Any = getattr(module, name)
     try:
         model = value() if callable(value) else value
     except BoresightError:
         raise
     except Exception as error:
-        raise BoresightError(f"{target} cannot be made: {type(error).__name__}: {error}") from error
+        user_file.explain(error, path)
     if not isinstance(model, Model):
-        raise BoresightError(
-            f"{target} is a {type(model).__name__}, not a Model; build one with boresight.derive.model.Model"
-        )
+        raise BoresightError(f"{target} is a {type(model).__name__}, not a Model; {models_in(module)}")
+    if model.name in target_names():
+        raise BoresightError(f"{model.where}: model {model.name}: that is a model of Boresight; choose another name")
     return model
+
+
+def models_in(module: Any) -> str:
+    """What of a user's file can be named behind the colon."""
+    from boresight.derive.model import Model
+
+    models = [name for name, value in vars(module).items() if isinstance(value, Model)]
+    return f"its models are {', '.join(models)}" if models else "it has no Model; build one with Model(...)"
+
+
+def known(target: str, names: list[str]) -> None:
+    """Raise BoresightError unless the target is one of these names; of a Python file, list what it has."""
+    if target in names:
+        return
+    if target in COMPONENTS:
+        raise BoresightError(f"{target} comes from no model; models are {', '.join(model_names())}")
+    if target.endswith(".py") and Path(target).is_file():
+        from boresight.codegen import user_file
+
+        listed = models_in(user_file.run(Path(target).resolve()))
+        raise BoresightError(f"{target} is a file; name a model in it, as {target}:NAME: {listed}")
+    raise BoresightError(
+        f"no model {target!r}{did_you_mean(target, names)}; there are {', '.join(names)}, or give FILE.py:NAME"
+    )
 
 
 # ---------------------------------------------------------------- what is known without SymPy
@@ -171,8 +177,8 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
     Raises BoresightError on a model that does not fit together, a generated file edited by hand, a folder that cannot
     be written to.  Nothing is left half written.
     """
-    if ":" not in target and target not in target_names():
-        raise BoresightError(f"no model {target!r}; there are {', '.join(target_names())}, or give FILE.py:NAME")
+    if ":" not in target:
+        known(target, target_names())
     folder = folder or default_folder(target)
     before = old_manifest(folder)
     by_hand = edited(folder, before)

@@ -4,10 +4,8 @@ A model is a value.  It names states, inputs, noise, measurements and functions 
 documents and tests are derived from it.  Nothing here assumes navigation.
 """
 
-import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from math import pi
 from typing import Any
 
 from sympy import ImmutableMatrix, Matrix, Symbol
@@ -15,16 +13,6 @@ from sympy import ImmutableMatrix, Matrix, Symbol
 from boresight import BoresightError
 from boresight.derive.where import where_written
 
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
-# Names that mean something in the generated C already: C's own (with what its headers define), and the generator's.
-TAKEN = """
-    auto break case char const continue default do double else enum extern float for goto if inline int long register
-    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-    bool true false asm NULL NAN INFINITY HUGE_VAL size_t offsetof isnan isinf isfinite signbit errno assert
-    sin cos atan2 sqrt fabs x z R P status filter innovation rows gate iterations covariance next arg res iw w mem
-"""
-RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of models with states
-ORDERS = (1, 2, 3)  # of Phi
 NONE = ImmutableMatrix(0, 0, [])
 
 
@@ -51,11 +39,9 @@ class Variable:
     where: str = where_written()
 
     def __post_init__(self) -> None:
-        for bound in (self.low, self.high):
-            if len(bound) != len(self.symbols):
-                raise BoresightError(f"{self.name}: {len(self.symbols)} components, but a box of {len(bound)}")
-        if not all(a < b for a, b in zip(self.low, self.high, strict=True)):
-            raise BoresightError(f"{self.name}: each lower bound of the box must lie below the upper one")
+        from boresight.derive.checks import check_part
+
+        check_part(self)
 
     @property
     def vector(self) -> Matrix:
@@ -103,6 +89,11 @@ class Struct:
     fields: tuple[Variable, ...]
     where: str = where_written()
 
+    def __post_init__(self) -> None:
+        from boresight.derive.checks import check_part
+
+        check_part(self)
+
 
 @dataclass(frozen=True)
 class FirstOrder:
@@ -144,6 +135,11 @@ class Measurement:
     correlated: bool = False
     where: str = where_written()
 
+    def __post_init__(self) -> None:
+        from boresight.derive.checks import check_part
+
+        check_part(self)
+
     @property
     def angles(self) -> tuple[int, ...]:
         """The places of the rows that are angles."""
@@ -164,6 +160,11 @@ class Output:
     high: tuple[float, ...] = ()
     where: str = where_written()
 
+    def __post_init__(self) -> None:
+        from boresight.derive.checks import check_part
+
+        check_part(self)
+
 
 @dataclass(frozen=True)
 class Function:
@@ -174,6 +175,11 @@ class Function:
     outputs: tuple[Output, ...]
     equations: tuple[str, ...] = ()
     where: str = where_written()
+
+    def __post_init__(self) -> None:
+        from boresight.derive.checks import check_part
+
+        check_part(self)
 
 
 @dataclass(frozen=True)
@@ -241,7 +247,10 @@ class Model:
     where: str = where_written()
 
     def __post_init__(self) -> None:
-        check(self)
+        from boresight.derive.checks import check_model, check_part
+
+        check_part(self)
+        check_model(self)
 
     @property
     def kind(self) -> str:
@@ -346,9 +355,9 @@ class Model:
         )
 
 
-def symbols_in(*matrices: Matrix) -> set[Symbol]:
-    """All symbols that the matrices read.  What an expression holds many times is looked at once: SymPy's own
-    free_symbols takes seconds where residuals are nested rotations."""
+def parts_of(*matrices: Matrix) -> set[Any]:
+    """Every expression within the matrices.  What is held many times is looked at once: SymPy's own free_symbols takes
+    seconds where residuals are nested rotations."""
     seen: set[Any] = set()
     stack = [entry for matrix in matrices for entry in matrix]
     while stack:
@@ -356,7 +365,12 @@ def symbols_in(*matrices: Matrix) -> set[Symbol]:
         if part not in seen:
             seen.add(part)
             stack += part.args
-    return {part for part in seen if part.is_Symbol}
+    return seen
+
+
+def symbols_in(*matrices: Matrix) -> set[Symbol]:
+    """All symbols that the matrices read."""
+    return {part for part in parts_of(*matrices) if part.is_Symbol}
 
 
 def substituted(matrix: Matrix, mapping: Mapping[Symbol, Any]) -> Matrix:
@@ -369,121 +383,3 @@ def substituted(matrix: Matrix, mapping: Mapping[Symbol, Any]) -> Matrix:
         return known[part]
 
     return Matrix(*matrix.shape, [visit(entry) for entry in matrix])
-
-
-def check(model: Model) -> None:
-    """Raise BoresightError on a model whose parts do not fit: shapes, names, symbols that nothing declares."""
-
-    def fail(text: str) -> None:
-        raise BoresightError(f"model {model.name}: {text}")
-
-    if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", model.name):
-        fail("a name is lower-case words joined by '-'")
-    if not re.fullmatch(r"[a-z][a-z0-9]*", model.c_prefix) or model.c_prefix == "bs":
-        fail(f"c_prefix {model.c_prefix!r} must be lower-case letters and digits, and not 'bs'")
-    names = [item.name for item in (*model.states, *model.inputs)]
-    units = [m.name for m in model.measurements] + [f.name for f in model.functions] + [s.name for s in model.structs]
-    units += [f"{m.name}_{part}" for m in model.measurements for part in "zhH"] + list(RESULTS) * (model.n > 0)
-    symbols = [symbol for item in (*model.states, *model.inputs) for symbol in item.symbols]
-    for kind, listed in (
-        ("field", names),
-        ("measurement, function or struct", units),
-        ("symbol", [s.name for s in symbols]),
-    ):
-        for item in listed:
-            if listed.count(item) > 1:
-                fail(f"the {kind} name {item!r} is used twice")
-            if not NAME.match(item):
-                fail(f"{item!r} cannot be a name in C")
-            # a component's name stands in C only within longer ones
-            if kind != "symbol" and (item in TAKEN.split() or re.fullmatch(r"t\d+|(bs|BS)_.*", item)):
-                fail(f"the {kind} name {item!r} has a meaning in C or in the generated code; choose another")
-
-    n = model.n
-    check_kind(model, fail)
-    shapes = [("F", model.F, (n, n)), ("f", model.f, (n, 1)), ("next", model.next, (n, 1)), ("Q", model.Q, (n, n))]
-    shapes += [("G", model.G, (n, model.noise.rows))] if model.next is None else []
-    for m in model.measurements:
-        own = m.first_order is not None and m.first_order.of is None
-        if (m.H is None) == (m.h is None) and not (own and m.H is not None):
-            fail(f"measurement {m.name}: give either h or H, or both with a first_order of its own")
-        if m.H.is_zero_matrix if m.H is not None else not symbols_in(m.h) & set(model.x):
-            fail(f"measurement {m.name} depends on no state")
-        rows = len(m.rows)
-        if not isinstance(m.angle, bool | tuple):
-            fail(f"measurement {m.name}: angle is {m.angle!r}; give True, or the names of rows as ({m.rows[0]!r},)")
-        if unknown := [row for row in (() if isinstance(m.angle, bool) else m.angle) if row not in m.rows]:
-            fail(f"measurement {m.name}: angle names {unknown[0]!r}, which is no row; rows are {', '.join(m.rows)}")
-        shapes += [(f"{m.name}: z", m.z, (rows, 1)), (f"{m.name}: h", m.h, (rows, 1)), (f"{m.name}: H", m.H, (rows, n))]
-        if m.first_order is not None:
-            exact = {other.name for other in model.measurements if other.h is not None}
-            if (m.first_order.of or m.name) not in exact:
-                named = m.first_order.of or m.name
-                fail(f"measurement {m.name}: first_order names {named!r}, which is no measurement with an h")
-            for item in (m.first_order.small, *(name for name, _ in m.first_order.tied)):
-                if item is not None and item not in {v.name for v in model.inputs}:
-                    fail(f"measurement {m.name}: first_order names {item!r}, which is no input")
-    for label, matrix, shape in shapes:
-        if matrix is not None and matrix.shape != shape:
-            fail(f"{label} has shape {matrix.shape}, not {shape}")
-
-    if n > 0 and model.next is None and not model.noise.rows:
-        fail("give at least one noise")
-    if model.Q is not None:
-        apart = model.Q - model.Q.T if model.Q.shape == (n, n) else NONE
-        for at, difference in apart.todok().items():
-            if difference.simplify() != 0:
-                fail(f"Q is not symmetric: {model.Q[at]} at {at} is {model.Q[at[::-1]]} at {at[::-1]}")
-    for i in range(model.noise.rows):
-        if model.noise[i].is_zero or model.G[:, i].is_zero_matrix:
-            fail(f"noise {model.noise[i]} has no effect: it or column {i} of G is zero")
-
-    states, inputs = set(model.x), {s for item in model.inputs for s in item.symbols}
-    spread = [("G", model.G), ("noise", model.noise)]
-    linear, general = (spread, []) if model.kind == "error-state" else ([], spread)
-    linear += [("F", model.F)] if model.F is not None else []
-    linear += [(f"{m.name}: z", m.z) for m in model.measurements if m.z is not None]
-    linear += [(f"{m.name}: H", m.H) for m in model.measurements if m.H is not None]
-    general += [(name, part) for name in ("f", "next", "Q") if (part := getattr(model, name)) is not None]
-    general += [(f"{m.name}: h", m.h) for m in model.measurements if m.h is not None]
-    general += [(f.name, output.value) for f in model.functions for output in f.outputs]
-    for parts, known in ((linear, inputs), (general, inputs | states)):
-        for label, matrix in parts:
-            unknown = sorted(symbol.name for symbol in symbols_in(matrix) - known)
-            if unknown and label in ("F", "G", "noise") and set(unknown) <= {s.name for s in model.x}:
-                fail(f"{label} uses the state {', '.join(unknown)}, which is an error: use f for x' = f(x) + G w")
-            if unknown:
-                fail(f"{label} uses {', '.join(unknown)}, which is no input" + ("" if known is inputs else " or state"))
-    if n > 0 and model.dt not in inputs and not (model.next is not None and model.dt is None):
-        fail(f"dt is {model.dt}, which is no input")
-
-
-def check_kind(model: Model, fail: Callable[[str], None]) -> None:
-    """Refuse what does not belong together: an error state is given by F, a total state by f, or by next with Q."""
-    given = [name for name in ("F", "f", "next") if getattr(model, name) is not None]
-    if not model.n:
-        if given or model.Q is not None or model.dt is not None or model.measurements:
-            fail("without states there is no F, f, next, Q, dt and no measurement")
-        return
-    if len(given) != 1:
-        named = " and ".join(given) or "none"
-        fail(f"give one of F, of an error state, and f or next, of a total state; given is {named}")
-    if (model.next is None) != (model.Q is None):
-        fail("next and Q, the covariance that the noise adds over the step, belong together; f and F have G and noise")
-    if model.next is not None and (model.G.rows or model.noise.rows):
-        fail("next has its noise in Q; G and noise belong to f and F")
-    if model.order not in ORDERS:
-        fail(f"order is {model.order!r}; it is 1, 2 or 3")
-    if model.kind == "total-state":
-        flown = f"a total state is flown by {given[0]}"
-        if model.order != Model.order:
-            fail(f"order {model.order} is that of an error state's Phi and Q; {flown}: leave order out")
-        for name in (f.name for f in model.functions if f.name in ("feedback", "strapdown")):
-            fail(f"{name} belongs to an error state, given by F; {flown} and holds what {name} would carry")
-        if model.mechanics is not None:
-            fail(f"mechanics belongs to an error state, given by F; {flown}")
-    for block in model.states:
-        if block.wraps and block.unit != "rad":
-            fail(f"state {block.name} wraps, but its unit is {block.unit!r}; angles in rad wrap")
-        if block.wraps and not all(lo <= -pi and hi >= pi for lo, hi in zip(block.low, block.high, strict=True)):
-            fail(f"state {block.name} wraps to [-pi, pi), which its box must hold; widen the box, or leave wraps out")

@@ -3,6 +3,7 @@
 import os
 import sys
 from dataclasses import field
+from types import FrameType
 from typing import Any
 
 OURS = "boresight."
@@ -12,7 +13,8 @@ BUILDERS = ("boresight.derive.model", "boresight.derive.where", "dataclasses", "
 
 def written_at() -> str:
     """`FILE:LINE` of the first caller outside of Boresight; of a built-in model, its own line; or nothing."""
-    frame, own = sys._getframe(1), None
+    own: FrameType | None = None
+    frame: FrameType | None = sys._getframe(1)
     while frame is not None:
         module = frame.f_globals.get("__name__", "")
         if module.startswith("boresight.derive.") and module not in BUILDERS:

@@ -18,6 +18,8 @@ import numpy as np
 from pycparser import c_ast, c_generator, c_parser
 
 from boresight import BoresightError
+from boresight.codegen.functions import tape
+from boresight.codegen.functions.mutants import SWAPS as SWAPPED
 from boresight.codegen.functions.samples import generator
 from boresight.evidence.calls import Points, call, callable_units, layout, points_of, shared_library
 from boresight.evidence.sources import Folder, Source
@@ -32,8 +34,8 @@ OFF = 1e-3
 SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="}
 LOGICAL = {"&&": "||", "||": "&&"}
 ASSIGNING = {"+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
-LIBRARY = {"sqrt", "sin", "cos", "atan2", "fabs"}
-CALLS = {"sin": "cos", "cos": "sin"}
+LIBRARY = {"sqrt", "atan2", "fabs", *tape.LIBRARY}
+CALLS = {name: other for name, other in SWAPPED.items() if name in LIBRARY}
 REAL = {"bs_real", "double"}
 
 

@@ -7,10 +7,11 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from boresight.codegen.functions.tape import LIBRARY
 from boresight.derive.papers import DERIVATIONS, PAPERS
 from boresight.runtime.manifest import GENERATED, read_manifest
 
-LIBM = re.compile(r"BS_(SIN|COS|ATAN2)\(")
+LIBM = re.compile(rf"BS_({'|'.join(name.upper() for name in ('atan2', *sorted(LIBRARY)))})\(")
 TEST = re.compile(r"^int (test_\w+)\(void\)$", re.MULTILINE)
 INCLUDED = re.compile(r'^#include "(\w+\.h)"', re.MULTILINE)
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from boresight import BoresightError
+from boresight.codegen.text.statements import CALLS
 from boresight.derive.papers import PAPERS, paper
 from boresight.evidence.sources import Folder, Source, folders
 
@@ -22,7 +23,7 @@ STATEMENT = re.compile(r"^    (?:const bs_real |shared->)(\w+) = (.*);$")
 OUTPUT = re.compile(r"^    (\w+)_nz\[(\d+)\] = (.*); /\* (.*) \*/$")
 READ = re.compile(r"([A-Za-z_]\w*)(\[\d+\])?")
 PLACES = re.compile(r"static const unsigned short at_(\w+)\[\d+\] = \{ ([\d,\s]*) \};")
-WORDS = {"BS_REAL", "BS_SQRT", "BS_SIN", "BS_COS", "BS_ATAN2", "BS_FABS", "BS_SELECT", "BS_TRUTH", "e"}
+WORDS = {"BS_REAL", "BS_SELECT", "BS_TRUTH", "e", *CALLS.values()}
 
 
 @dataclass(frozen=True)

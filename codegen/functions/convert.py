@@ -13,13 +13,30 @@ from sympy.core import sorting
 from boresight import BoresightError
 
 MOST = sys.float_info.max
+FUNCTIONS: dict[Any, Any] = {
+    sp.sin: ca.sin,
+    sp.cos: ca.cos,
+    sp.exp: ca.exp,
+    sp.log: ca.log,
+    sp.asin: ca.asin,
+    sp.acos: ca.acos,
+    sp.atan: ca.atan,
+    sp.atan2: ca.atan2,
+    sp.sinh: ca.sinh,
+    sp.cosh: ca.cosh,
+    sp.tanh: ca.tanh,
+    sp.sign: ca.sign,
+    sp.Abs: ca.fabs,
+}
+LIBRARY = (sp.exp, sp.log, sp.asin, sp.acos, sp.atan, sp.sinh, sp.cosh, sp.tanh)
+HAS = "+ - * / **, sqrt exp log, sin cos tan, asin acos atan atan2, sinh cosh tanh, Abs sign Max Min, Piecewise"
 
 
 def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> list[Any]:
     """Each matrix as a sparse SX of the same shape.  symbols: SX scalar for each free symbol.
 
-    Raises BoresightError on a function that flight C does not have; only sqrt, sin, cos, atan2 and fabs come from
-    outside, and a power must be whole or half.
+    A power that is neither whole nor half is the exponential of a logarithm: its base must be positive.  Raises
+    BoresightError on a function that flight C does not have.
     """
     with nodes_counted_once():
         replacements, reduced = sp.cse([sp.Matrix(matrix) for matrix in matrices], order="canonical")
@@ -60,17 +77,17 @@ def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> li
             return walk(over) / walk(under)
         if e.is_Pow:
             return power(e)
+        if isinstance(e, LIBRARY) and e.is_number:
+            if not e.is_real:
+                raise BoresightError(f"{e} is no real number")
+            return ca.SX(float(e))  # by mpmath: a library's last bit would be another one elsewhere
         arguments = [walk(a) for a in e.args] if not isinstance(e, sp.Piecewise) else []
-        if isinstance(e, sp.sin):
-            return ca.sin(*arguments)
-        if isinstance(e, sp.cos):
-            return ca.cos(*arguments)
+        if e.func in FUNCTIONS:
+            return FUNCTIONS[e.func](*arguments)
         if isinstance(e, sp.tan):
             return walk(sp.sin(*e.args)) / walk(sp.cos(*e.args))
-        if isinstance(e, sp.atan2):
-            return ca.atan2(*arguments)
-        if isinstance(e, sp.Abs):
-            return ca.fabs(*arguments)
+        if isinstance(e, sp.Max | sp.Min):
+            return functools.reduce(ca.fmax if isinstance(e, sp.Max) else ca.fmin, arguments)
         if isinstance(e, sp.Piecewise):
             *cases, (last, condition) = e.args
             if condition != sp.true:
@@ -89,9 +106,7 @@ def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> li
             return arguments[1] <= arguments[0]
         if e.is_Symbol:
             raise BoresightError(f"the symbol {e} has no value here; name it among the model's inputs or states")
-        raise BoresightError(
-            f"{type(e).__name__} in {e} is no operation of flight C; write it with + - * /, sqrt, sin, cos, tan, atan2"
-        )
+        raise BoresightError(f"{type(e).__name__} in {e} is no operation of flight C, which has {HAS}")
 
     def chain(terms: list[Any], operation: Any) -> Any:
         total = walk(terms[0])
@@ -101,18 +116,21 @@ def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> li
 
     def power(e: Any) -> Any:
         base, exponent = e.args
-        if exponent.is_Integer and abs(int(exponent)) <= 8:
+        exponent = sp.Rational(exponent) if exponent.is_Float else exponent
+        if exponent.is_Integer:
             if exponent < 0:
                 return 1 / walk(base**-exponent)
             n = int(exponent)
             half = walk(base ** (n // 2))
             return half * half if n % 2 == 0 else half * half * walk(base)
-        if exponent.is_Rational and exponent.q == 2 and abs(exponent.p) <= 7:
+        if exponent.is_Rational and exponent.q == 2:
             if exponent < 0:
                 return 1 / walk(base**-exponent)
             root = ca.sqrt(walk(base))
             return root if exponent.p == 1 else walk(base ** (exponent.p // 2)) * root
-        raise BoresightError(f"{e}: a power must be whole or half; write it with sqrt")
+        if base.is_positive is False:
+            raise BoresightError(f"{e}: the base of a power that is neither whole nor half must be positive")
+        return ca.exp(walk(exponent * sp.log(base)))
 
     for symbol, expression in replacements:
         known[symbol] = walk(expression)

@@ -5,9 +5,9 @@ half of a covariance.  Printed, they would be operations for nothing and sums of
 
 The list is evaluated once, exactly, at a point drawn at random from the numbers modulo a prime of 256 bits.  Values
 that agree there are the same expression in the inputs, in sines and cosines (with sin^2 + cos^2 = 1), in roots (with
-their squares) and in choices and atan2, each of which counts as a free number: two that differ would agree by chance
-once in 10^70.  So they agree wherever both are defined, also where the norm of a quaternion is not one.  A value that
-is defined at fewer points, or whose rounding errors are larger, takes the place of none.
+their squares) and in choices and all other functions, each of which counts as a free number: two that differ would
+agree by chance once in 10^70.  So they agree wherever both are defined, also where the norm of a quaternion is not one.
+A value that is defined at fewer points, or whose rounding errors are larger, takes the place of none.
 """
 
 import hashlib
@@ -106,8 +106,8 @@ def numbers(program: Tape) -> list[Number]:
 
 
 def domains(program: Tape, listed: list[Number]) -> list[int]:
-    """Of each step what it divides by and takes roots of, itself or by its operands, as bits."""
-    partial: dict[Number, int] = {}
+    """Of each step what it divides by and takes roots, logarithms and arcs of, itself or by its operands, as bits."""
+    partial: dict[Any, int] = {}
     needs: list[int] = []
 
     def factors(i: int) -> int:
@@ -119,6 +119,8 @@ def domains(program: Tape, listed: list[Number]) -> list[int]:
 
     for step in program.steps:
         own = factors(step.args[-1]) if step.op in ("div", "inv", "sqrt") else 0
+        if step.op in ("log", "asin", "acos"):  # not defined on all of one side, or beyond one
+            own = 1 << partial.setdefault((step.op[-1], listed[step.args[0]]), len(partial))
         needs.append(reduce(or_, (needs[i] for i in step.args), own))
     return needs
 
@@ -127,9 +129,9 @@ def identified(inputs: list[Any], outputs: list[Any], points: list[np.ndarray]) 
     """The SX outputs with every value built once: as a constant or an input where it is one, otherwise as an earlier
     one that agrees with it, or as minus that.  Without the entries that are zero.
 
-    points: (points, size) of each input.  An earlier value is taken only if it divides by nothing and takes the root of
-    nothing that the later one does not, so that it is defined wherever that is, and if its rounding errors are bounded
-    at these points by less than twice what bounds the other's.
+    points: (points, size) of each input.  An earlier value is taken only if it divides by nothing and takes the root,
+    the logarithm or the arc of nothing that the later one does not, so that it is defined wherever that is, and if its
+    rounding errors are bounded at these points by less than twice what bounds the other's.
     """
     source = tape(ca.Function("f", inputs, outputs, {"cse": True}))
     listed, at = numbers(source), computed(source, points)

@@ -13,7 +13,8 @@ import numpy as np
 from boresight.codegen.functions.tape import COMPUTE, Tape, computed
 
 OFF = 1e-3
-SWAPS = {"add": "sub", "sub": "add", "mul": "div", "div": "mul", "sin": "cos", "cos": "sin", "lt": "le", "le": "lt"}
+PAIRS = ("add sub", "mul div", "sin cos", "asin acos", "sinh cosh", "exp log", "fmin fmax", "lt le")
+SWAPS = {one: other for pair in PAIRS for one, other in (pair.split(), pair.split()[::-1])}
 SPELT: dict[str, Callable[..., Any]] = {  # operations that C spells with another one or with a constant
     "sq": lambda x: x / x,
     "twice": lambda x: 2 / x,

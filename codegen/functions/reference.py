@@ -23,6 +23,14 @@ FUNCTIONS = {
     sp.cos: "{0}.cos()",
     sp.tan: "{0}.tan()",
     sp.atan2: "arb.atan2({0}, {1})",
+    sp.exp: "{0}.exp()",
+    sp.log: "{0}.log()",
+    sp.asin: "{0}.asin()",
+    sp.acos: "{0}.acos()",
+    sp.atan: "{0}.atan()",
+    sp.sinh: "{0}.sinh()",
+    sp.cosh: "{0}.cosh()",
+    sp.tanh: "{0}.tanh()",
     sp.Abs: "abs({0})",
     sp.sign: "{0}.sgn()",
     sp.StrictLessThan: "{0} < {1}",
@@ -66,8 +74,8 @@ def evaluator(
         if e.is_Float:
             sign, man, exp, _ = e._mpf_
             return f"arb(({-int(man) if sign else int(man)}, {exp}))"
-        if e == sp.pi:
-            return "arb.pi()"
+        if e in (sp.pi, sp.E):
+            return "arb.pi()" if e == sp.pi else "arb.const_e()"
         if e in (sp.true, sp.false):
             return str(bool(e))
         if isinstance(e, sp.Piecewise):
@@ -76,13 +84,25 @@ def evaluator(
             return " + ".join(visit(part) for part in e.args)
         if e.is_Mul:
             return " * ".join(visit(part) for part in e.args)
-        if e.is_Pow and e.exp.is_Rational and e.exp.q in (1, 2):
-            base = visit(e.base) if e.exp.q == 1 else named(f"{visit(e.base)}.sqrt()")
-            power = " * ".join([base] * abs(e.exp.p))  # FLINT's own power of a ball at zero knows nothing
-            return power if e.exp.p > 0 else f"1 / ({power})"
+        if e.is_Pow:
+            exponent = sp.Rational(e.exp) if e.exp.is_Float else e.exp
+            if not exponent.is_Rational or exponent.q > 2:
+                return f"({visit(exponent)} * {visit(e.base)}.log()).exp()"
+            base = visit(e.base) if exponent.q == 1 else named(f"{visit(e.base)}.sqrt()")
+            power = whole(base, abs(exponent.p))
+            return power if exponent.p > 0 else f"1 / ({power})"
+        if isinstance(e, sp.Max | sp.Min):
+            first, *others = map(visit, e.args)
+            return first + "".join(f".{e.func.__name__.lower()}({other})" for other in others)
         if e.func in FUNCTIONS:
             return FUNCTIONS[e.func].format(*(visit(part) for part in e.args))
         raise BoresightError(f"the reference cannot evaluate {e.func.__name__} in {e}; write it with what C has")
+
+    def whole(base: str, n: int) -> str:
+        if n <= 8:
+            return " * ".join([base] * n)  # FLINT's own power of a ball at zero knows nothing
+        half = named(whole(base, n // 2))
+        return " * ".join([half, half] + [base] * (n % 2))
 
     def chosen(cases: Iterable[tuple[str, str]]) -> str:
         return " else ".join(f"{value} if {test}" for value, test in cases) + " else arb.nan()"
@@ -97,6 +117,18 @@ def evaluator(
         if isinstance(e, sp.Piecewise):
             cases = [(slope(value, s), visit(test)) for value, test in e.args]
             return named(chosen((value or "arb(0)", test) for value, test in cases)) if any(v for v, _ in cases) else ""
+        if isinstance(e, sp.sign):
+            return ""
+        if isinstance(e, sp.Max | sp.Min):
+            value, rate = visit(e.args[0]), slope(e.args[0], s)
+            for part in e.args[1:]:  # where both are one, half of either slope
+                other, by = visit(part), slope(part, s)
+                a, b = (value, other) if isinstance(e, sp.Max) else (other, value)
+                rate, by = rate or "arb(0)", by or "arb(0)"
+                cases = [(rate, f"{a} > {b}"), (by, f"{a} < {b}"), (f"({rate} + {by}) / 2", f"{a} == {b}")]
+                rate = named(chosen(cases))
+                value = named(f"{value}.{e.func.__name__.lower()}({other})")
+            return rate
         terms = [(i, slope(part, s)) for i, part in enumerate(e.args)]
         parts = [name if e.is_Add else f"{visit(partial(e, i))} * {name}" for i, name in terms if name]
         return named(" + ".join(parts)) if parts else ""
@@ -127,5 +159,5 @@ def partial(e: Any, i: int) -> Any:
     if e.is_Mul:
         return sp.Mul(*(part for k, part in enumerate(e.args) if k != i))
     if e.is_Pow:
-        return e.exp * e.base ** (e.exp - 1)
+        return e.exp * e.base ** (e.exp - 1) if i == 0 else e * sp.log(e.base)
     return e.fdiff(i + 1)

@@ -13,11 +13,26 @@ import casadi as ca
 import numpy as np
 
 from boresight import BoresightError
-from boresight.codegen.functions.elementary import arctangent2, cosine, hypotenuse, sine
+from boresight.codegen.functions.elementary import (
+    arccosine,
+    arcsine,
+    arctangent,
+    arctangent2,
+    cosine,
+    exponential,
+    hyperbolic_cosine,
+    hyperbolic_sine,
+    hyperbolic_tangent,
+    hypotenuse,
+    larger,
+    logarithm,
+    sine,
+    smaller,
+)
 
 NAMES = (
-    "assign add sub mul div neg sq twice inv sqrt sin cos atan2 fabs lt le eq ne not and or if_else_zero "
-    "const input output"
+    "assign add sub mul div neg sq twice inv sqrt exp log sin cos asin acos atan atan2 sinh cosh tanh fabs sign "
+    "fmin fmax lt le eq ne not and or if_else_zero const input output"
 )
 OPERATIONS = {getattr(ca, f"OP_{name.upper()}"): name for name in NAMES.split()}
 FREE = {"const", "input"}  # no work at run time
@@ -85,7 +100,9 @@ def tape(function: Any) -> Tape:
     return Tape(tuple(steps), tuple(results))
 
 
-UNARY = {"neg", "sq", "twice", "inv", "sqrt", "sin", "cos", "fabs", "not"}
+LIBRARY = {"sin", "cos", "exp", "log", "asin", "acos", "atan", "sinh", "cosh", "tanh"}  # of one argument
+UNARY = {"neg", "sq", "twice", "inv", "sqrt", "fabs", "sign", "not"} | LIBRARY
+WORSE = {"sinh": 2, "cosh": 2, "tanh": 2}  # by how much these err more: glibc's own table has 2 ulp for 1 of a sine
 PLAIN: dict[str, Any] = {  # of CasADi's expressions and of arrays
     "add": lambda a, b: a + b,
     "sub": lambda a, b: a - b,
@@ -101,11 +118,7 @@ PLAIN: dict[str, Any] = {  # of CasADi's expressions and of arrays
     "ne": lambda a, b: a != b,
 }
 BUILD = PLAIN | {
-    "sqrt": ca.sqrt,
-    "sin": ca.sin,
-    "cos": ca.cos,
-    "atan2": ca.atan2,
-    "fabs": ca.fabs,
+    **{name: getattr(ca, name) for name in ("sqrt", "atan2", "fabs", "sign", "fmin", "fmax", *LIBRARY)},
     "not": ca.logic_not,
     "and": ca.logic_and,
     "or": ca.logic_or,
@@ -113,10 +126,21 @@ BUILD = PLAIN | {
 }
 COMPUTE = PLAIN | {
     "sqrt": np.sqrt,
+    "exp": exponential,
+    "log": logarithm,
     "sin": sine,
     "cos": cosine,
+    "asin": arcsine,
+    "acos": arccosine,
+    "atan": arctangent,
     "atan2": arctangent2,
+    "sinh": hyperbolic_sine,
+    "cosh": hyperbolic_cosine,
+    "tanh": hyperbolic_tangent,
     "fabs": abs,
+    "sign": np.sign,
+    "fmin": smaller,
+    "fmax": larger,
     "not": lambda a: a == 0,
     "and": lambda a, b: (a != 0) & (b != 0),
     "or": lambda a, b: (a != 0) | (b != 0),
@@ -164,8 +188,8 @@ def share_reciprocals(function: Any) -> Any:
 
 @np.errstate(over="ignore", divide="ignore", invalid="ignore")
 def computed(program: Tape, inputs: list[np.ndarray]) -> list[np.ndarray]:
-    """What each step of the tape gives in double, (points,) each, the same on every machine; sine, cosine and
-    arctangent err by 4 ulp at most.  inputs: one (points, size) array an argument."""
+    """What each step of the tape gives in double, (points,) each, the same on every machine; what libraries
+    have errs by 4 ulp at most.  inputs: one (points, size) array an argument."""
     zero = np.zeros(len(inputs[0]) if inputs else 1)
     value: list[np.ndarray] = []
     for step in program.steps:
@@ -183,7 +207,8 @@ def evaluate(
 ) -> tuple[list[np.ndarray], list[np.ndarray]]:
     """Each result of the tape in double and a bound on the error of arithmetic in `real`, at many points at once.
 
-    inputs: one (points, size) array an argument, taken as exact.  libm_ulps: what sin, cos and atan2 may err by.
+    inputs: one (points, size) array an argument, taken as exact.  libm_ulps: what sin, cos and atan2 may err by;
+    the others too, WORSE ones more.
     Returns values and bounds, (points,) each, in the order of `program.results`.
     """
     value, error = bounded(program, inputs, libm_ulps, real)
@@ -237,14 +262,17 @@ def rounding(
             # |sqrt(x+e) - sqrt(x)| <= e / (sqrt(x) + sqrt(max(x-e, 0)))
             below = v + np.sqrt(np.maximum(x - ex, 0))
             e = np.where(ex > 0, ex / np.maximum(below, 1e-300), 0) + u * v
-        elif step.op in ("sin", "cos"):
-            slope = cosine(x) if step.op == "sin" else sine(x)
-            e = ex * np.minimum(abs(slope) + ex, 1) + 2 * u * libm_ulps * abs(v)
+        elif step.op in LIBRARY:
+            e = carried(step.op, x, v, ex) + 2 * u * libm_ulps * WORSE.get(step.op, 1) * abs(v)
         elif step.op == "atan2":
             off = hypotenuse(ex, ey)
             e = off / np.maximum(hypotenuse(x, y) - off, 1e-300) + 2 * u * libm_ulps * abs(v)
         elif step.op in ("neg", "twice", "fabs"):
             e = 2 * ex if step.op == "twice" else ex
+        elif step.op in ("fmin", "fmax"):
+            e = np.maximum(ex, ey)
+        elif step.op == "sign":
+            e = np.where((abs(x) <= ex) & (ex > 0), np.inf, 0)
         elif step.op == "if_else_zero":
             e = np.where(x != 0, ey, 0) + ex
         elif step.op in ("not", "and", "or"):
@@ -252,4 +280,24 @@ def rounding(
         else:
             # what rounding may decide has no bound
             e = np.where((abs(x - y) <= ex + ey) & (ex + ey > 0), np.inf, 0)
-    return e
+    return np.where(abs(v) <= np.finfo(real).max, e, np.inf)
+
+
+def carried(op: str, x: np.ndarray, v: np.ndarray, ex: np.ndarray) -> np.ndarray:
+    """By how much a library function moves at most from its value v where its argument x moves by ex: infinite where
+    that may leave the domain."""
+    far, near = abs(x) + ex, np.maximum(abs(x) - ex, 0)
+    if op in ("sin", "cos"):
+        return ex * np.minimum(abs(cosine(x) if op == "sin" else sine(x)) + ex, 1)
+    if op == "exp":
+        return ex * v * exponential(ex)
+    if op == "log":
+        return np.where(x > ex, ex / (x - ex), np.inf)
+    if op in ("asin", "acos"):
+        end = np.sqrt((1 - far) * (1 + far))
+        return np.where(ex > 0, np.where(far < 1, ex / end, np.inf), 0)
+    if op == "atan":
+        return ex / (1 + near * near)
+    if op == "tanh":
+        return ex / hyperbolic_cosine(near) ** 2
+    return ex * (hyperbolic_cosine(far) if op == "sinh" else hyperbolic_sine(far))

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from itertools import accumulate, pairwise
 from math import inf
 
-from boresight.codegen.functions.tape import FREE, Tape
+from boresight.codegen.functions.tape import FREE, LIBRARY, Tape
 from boresight.codegen.functions.units import Result, Unit
 from boresight.codegen.text.names import nz_name, temporaries
 from boresight.derive.model import Model
@@ -12,7 +12,7 @@ from boresight.derive.model import Model
 SHORTEST, LONGEST = 50, 200  # statements of one function, where a kernel has several
 CALL = 30  # values shared more that one function less is worth
 BINARY = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
-CALLS = {"sqrt": "BS_SQRT", "sin": "BS_SIN", "cos": "BS_COS", "atan2": "BS_ATAN2", "fabs": "BS_FABS"}
+CALLS = {name: f"BS_{name.upper()}" for name in ("sqrt", "atan2", "fabs", "sign", "fmin", "fmax", *LIBRARY)}
 COMPARE = {"lt": "<", "le": "<=", "eq": "==", "ne": "!="}
 
 

@@ -31,8 +31,8 @@ def angled(rows):
         ({"f": Matrix([1, 2, 3])}, r"f has shape \(3, 1\), not \(2, 1\)"),
         ({"F": eye(2)}, "one of F, .*given is F and f"),
         ({"f": None}, "one of F, .*given is none"),
-        ({"f": None, "F": Matrix([[0, 1], [-angle, 0]])}, "F uses the state angle, .*use f"),
-        ({"f": None, "F": eye(2), "G": Matrix([0, rate])}, "G uses the state rate, .*use f"),
+        ({"f": None, "F": Matrix([[0, 1], [-angle, 0]])}, "F.rate, angle. uses the state angle, .*use f"),
+        ({"f": None, "F": eye(2), "G": Matrix([0, rate])}, "G.rate, push. uses the state rate, .*use f"),
         ({"f": None, "next": Matrix([angle, rate])}, "next and Q, .*belong together"),
         ({"Q": eye(2)}, "next and Q, .*belong together"),
         (DISCRETE | {"G": Matrix([0, 1]), "noise": Matrix([1])}, "next has its noise in Q"),
@@ -43,7 +43,7 @@ def angled(rows):
         ({"functions": (replace(PENDULUM.functions[0], name="feedback"),)}, "feedback belongs to an error state"),
         ({"functions": (replace(PENDULUM.functions[0], name="strapdown"),)}, "strapdown belongs to an error state"),
         ({"mechanics": Mechanics()}, "mechanics belongs to an error state"),
-        ({"states": (replace(PENDULUM.states[0], wraps=True),)}, "swing wraps, but its unit is 'rad, rad/s'"),
+        ({"states": (replace(PENDULUM.states[0], wraps=True),)}, "swing: it wraps, but its unit is 'rad, rad/s'"),
         ({"states": (replace(PENDULUM.states[0], wraps=True, unit="rad"),)}, r"wraps to \[-pi, pi\), which its box"),
         ({"G": Matrix([Symbol("wind"), 1])}, "wind"),
         ({"name": "Pendulum"}, "lower-case"),
@@ -55,20 +55,19 @@ def angled(rows):
         ({"measurements": (Measurement("tip", ("a",), "m", "both", h=Matrix([1]), H=eye(2)),)}, "either h or H"),
         (
             {"measurements": (Measurement("tip", ("a",), "m", "none", h=Matrix([dt.scalar])),)},
-            "tip depends on no state",
+            "tip: it depends on no state",
         ),
-        ({"measurements": (Measurement("tip", ("a",), "m", "none", H=zeros(1, 2)),)}, "tip depends on no state"),
+        ({"measurements": (Measurement("tip", ("a",), "m", "none", H=zeros(1, 2)),)}, "tip: it depends on no state"),
         (angled(("vertical",)), "tip: angle names 'vertical', which is no row; rows are horizontal"),
-        (angled(("horizontal")), r"tip: angle is 'horizontal'; give True, or the names of rows as \('horizontal',\)"),
         ({"G": zeros(2, 1)}, "noise push has no effect"),
         ({"noise": Matrix([0])}, "noise 0 has no effect"),
         ({"G": zeros(2, 0), "noise": zeros(0, 1)}, "at least one noise"),
         ({"c_prefix": "bs"}, "c_prefix 'bs'"),
         ({"structs": (*PENDULUM.structs, Struct("register", "a keyword", ()))}, "'register' has a meaning in C"),
         ({"structs": (*PENDULUM.structs, Struct("filter", "a type of ours", ()))}, "'filter' has a meaning in C"),
-        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("x"),)))}, "field name 'x' has a meaning in C"),
-        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("t12"),)))}, "field name 't12' has a meaning in C"),
-        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("sin"),)))}, "field name 'sin' has a meaning in C"),
+        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("x"),)))}, "the name 'x' has a meaning in C"),
+        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("t12"),)))}, "the name 't12' has a meaning in C"),
+        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("sin"),)))}, "the name 'sin' has a meaning in C"),
         ({"structs": (*PENDULUM.structs, Struct("tip_z", "named as a function", ()))}, "'tip_z' is used twice"),
     ],
 )
@@ -127,3 +126,8 @@ def test_extend_adds_states_behind_the_old_ones(tmp_path, library, points):
     np.testing.assert_array_equal(H[..., 6:], 0)
     F = grown.F(q_b2n_wxyz=[1.0, 0, 0, 0], omega_in_n=[1e-5, 0, 0])
     np.testing.assert_array_equal(F[:3, 6:], -np.eye(3))
+
+
+def test_rows_that_are_angles_are_named_in_a_tuple():
+    with pytest.raises(BoresightError, match=r"angle is 'horizontal', .*a tuple of one has a comma: \('horizontal',\)"):
+        angled("horizontal")

@@ -18,7 +18,11 @@ EXPRESSIONS = [
     (x + y) ** sp.Rational(3, 2) / (x + z) ** sp.Rational(1, 2),
     sp.Abs(x - y) * sp.pi + sp.Rational(1, 3) * z**-3,
     sp.Piecewise((x - 2, x > 1), (x + 2, x < sp.Rational(1, 2)), (x, True)),
-    x**5 - y**7,
+    x**5 - (y / 2) ** 19,
+    sp.exp(-x * y) - sp.log(z, 10) + (x + y) ** z - y ** sp.Rational(1, 3) + 3.0**x + x**2.0,
+    sp.asin(x / 3) + sp.acos(y / z / 20) * sp.atan(x - y),
+    sp.sinh(x - y) * sp.tanh(y - z) + sp.cosh(z),
+    sp.Max(x, y, 1) * sp.sign(y - z) - sp.Min(z, sp.Rational(4, 3)),
 ]
 
 
@@ -68,7 +72,13 @@ def test_simplification_is_left_switched_on():
 
 @pytest.mark.parametrize(
     ("expression", "said"),
-    [(sp.exp(x), "exp"), (x ** sp.Rational(1, 3), "whole or half"), (x**y, "whole or half"), (sp.Symbol("w"), "w")],
+    [
+        (sp.erf(x), "erf in erf.x. is no operation of flight C, which has"),
+        (sp.Mod(x, y), "Mod"),
+        (sp.Integer(-2) ** x, "positive"),
+        (x * sp.asin(3), "asin.3. is no real number"),
+        (sp.Symbol("w"), "w"),
+    ],
 )
 def test_what_flight_c_does_not_have_is_refused_by_name(expression, said):
     with pytest.raises(BoresightError, match=said):

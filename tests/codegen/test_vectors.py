@@ -14,15 +14,17 @@ import sympy as sp
 from boresight.codegen.functions.convert import to_casadi
 from boresight.codegen.functions.elementary import arctangent2, hypotenuse, norm, sine_and_cosine
 from boresight.codegen.functions.mutants import LEAST, mutants, telling, told
-from boresight.codegen.functions.tape import computed, evaluate, tape
+from boresight.codegen.functions.tape import COMPUTE, LIBRARY, computed, evaluate, tape
 from boresight.codegen.text.covariance_vectors import semidefinite, total
 from boresight.codegen.text.names import three_digits
 
 ALIKE = """
 import hashlib, numpy as np
 from boresight.codegen.functions.elementary import arctangent2, hypotenuse, norm, sine_and_cosine
+from boresight.codegen.functions.tape import COMPUTE, LIBRARY
 x, y = np.random.Generator(np.random.Philox(1)).random((2, 10_000)) * 12 - 6
 numbers = [*sine_and_cosine(x), arctangent2(y, x), hypotenuse(x, y), norm(np.column_stack([x, y, x + y, x * y]))]
+numbers += [COMPUTE[name](abs(x) / 6) for name in sorted(LIBRARY)]
 alike = hashlib.sha256(b"".join(n.tobytes() for n in numbers)).hexdigest()
 """
 
@@ -112,6 +114,31 @@ def test_elementary_functions_err_by_less_than_four_ulp():
             for value, *at in zip(values, *given, strict=True):
                 wanted = function(*(mp.mpf(float(v)) for v in at))
                 assert abs(mp.mpf(float(value)) - wanted) < 4 * np.spacing(abs(float(wanted))), (function, at)
+
+
+@pytest.mark.parametrize("name", sorted(LIBRARY - {"sin", "cos"}))
+def test_what_libraries_have_errs_by_less_than_four_ulp(name):
+    rng = np.random.default_rng(6)
+    tiny = 10.0 ** -np.arange(1, 300, 9)
+    drawn = [rng.uniform(-1, 1, 500), tiny, -tiny, 1 - 10 ** rng.uniform(-16, -1, 200)]
+    if name == "log":
+        drawn = [abs(part) for part in drawn] + [10 ** rng.uniform(-300, 300, 500), 1 + tiny]
+    elif name not in ("asin", "acos"):
+        drawn += [rng.uniform(-4, 4, 500), rng.uniform(-700, 700, 500)]
+    at = np.concatenate(drawn)
+    with mp.workdps(50):
+        for value, x in zip(COMPUTE[name](at), at, strict=True):
+            wanted = getattr(mp, name)(mp.mpf(float(x)))
+            assert abs(mp.mpf(float(value)) - wanted) < 4 * np.spacing(abs(float(wanted))), x
+
+
+def test_what_lies_outside_a_domain_is_no_number():
+    with np.errstate(invalid="ignore", over="ignore"):
+        assert np.isnan([COMPUTE[name](np.array([bad]))[0] for name, bad in
+                         [("log", -1.0), ("log", 0.0), ("asin", 1.0 + 2**-52), ("acos", -1.5)]]).all()  # fmt: skip
+        assert COMPUTE["exp"](np.array([-np.inf, -800.0, 710.0])).tolist() == [0.0, 0.0, np.inf]
+        for name in ("fmin", "fmax"):
+            assert np.isnan([COMPUTE[name](*map(np.array, pair)) for pair in ((np.nan, 1.0), (1.0, np.nan))]).all()
 
 
 def test_the_arctangent_knows_its_quadrants_and_zeros():

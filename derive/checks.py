@@ -1,0 +1,482 @@
+"""What a model must be so that a filter and its C can be made from it.
+
+A message begins with the line in which the part at fault is written, names it, and says what to do.
+"""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from functools import cache
+from math import isfinite, pi
+from numbers import Integral, Real
+from types import UnionType
+from typing import Any, NoReturn, Union, get_args, get_origin, get_type_hints
+
+from sympy import Expr, I, Matrix, MatrixBase, Symbol, nan, oo, zoo
+
+from boresight import BoresightError, did_you_mean
+from boresight.derive.model import Model, Variable, parts_of, symbols_in
+
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
+RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of models with states
+ORDERS = (1, 2, 3)  # of Phi
+# C's own words: no symbol may be one, though it stands in C only within longer names.
+KEYWORDS = """
+    auto break case char const continue default do double else enum extern float for goto if inline int long register
+    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+    bool true false asm NULL NAN INFINITY HUGE_VAL size_t offsetof isnan isinf isfinite signbit errno assert
+"""
+# Names that mean something in the generated C already.
+TAKEN = f"""{KEYWORDS}
+    sin cos atan2 sqrt fabs exp log asin acos atan sinh cosh tanh
+    x z R P status filter innovation rows gate iterations covariance next arg res iw w mem
+"""
+UNDEFINED = {nan, zoo, oo, -oo, I}
+OF_UNIT = ("_nz", "_kernel", "_checked", "_shared", "_batch", "_bound")  # what is made of a function's name
+OF_OUTPUT = ("_nz", "_nz_made", "_index", "_least", "_most")
+OF_FIELD = ("_low", "_high")
+
+
+def kind(part: Any) -> str:
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", type(part).__name__).lower()
+
+
+def fail(part: Any, text: str) -> NoReturn:
+    """Raise BoresightError about a part of a model, at the line where it is written."""
+    place = f"{part.where}: " if getattr(part, "where", "") else ""
+    name = getattr(part, "name", "")
+    raise BoresightError(f"{place}{kind(part)} {name}: {text}" if name else f"{place}{kind(part)}: {text}")
+
+
+# ---------------------------------------------------------------- one part
+
+
+def check_part(part: Any) -> None:
+    """Raise BoresightError unless each field holds what its annotation says; a Variable has a box for each symbol."""
+    for name, hint in hints(part.__class__).items():
+        wrong = mismatch(getattr(part, name), hint, name)
+        if wrong:
+            fail(part, wrong)
+    if isinstance(part, Variable):
+        check_box(part)
+
+
+@cache
+def hints(cls: Any) -> dict[str, Any]:
+    found = get_type_hints(cls)
+    return {field.name: found[field.name] for field in fields(cls) if field.init}
+
+
+def mismatch(value: Any, hint: Any, name: str) -> str:
+    """What is wrong with a value that should be of this type, and what to write; nothing if it is right."""
+    origin, inner = get_origin(hint), get_args(hint)
+    if origin in (Union, UnionType):
+        found = [mismatch(value, one, name) for one in inner if one is not type(None)]
+        return "" if (value is None and type(None) in inner) or not all(found) else found[-1]
+    if origin is tuple:
+        return mismatch_of_tuple(value, inner, name)
+    if hint is str and isinstance(value, str) and ("*/" in value or "\n" in value):
+        return f"{name} is {value!r}, which would end a comment in C; write one line without '*/'"
+    accepted: Any = {float: Real, int: Integral, Matrix: MatrixBase}.get(hint, hint)
+    right = hint is Any or (isinstance(value, accepted) and (hint is bool or not isinstance(value, bool)))
+    return "" if right else f"{name} is {described(value)}; {instead(value, hint)}"
+
+
+def mismatch_of_tuple(value: Any, inner: tuple[Any, ...], name: str) -> str:
+    if not isinstance(value, tuple):
+        one = inner[0]
+        if not mismatch(value, one, name):
+            shown = repr(value) if isinstance(value, str) else "..."
+            return f"{name} is {described(value)}, not a tuple; a tuple of one has a comma: ({shown},)"
+        return f"{name} is {described(value)}; write a tuple, in round brackets: (a, b), or (a,) of one"
+    if inner[-1] is not Ellipsis and len(value) != len(inner):
+        return f"{name} has {len(value)} entries; it needs {len(inner)}"
+    expected = [inner[0]] * len(value) if inner[-1] is Ellipsis else inner
+    wrong = (mismatch(one, hint, f"{name}[{i}]") for i, (one, hint) in enumerate(zip(value, expected, strict=True)))
+    return next((text for text in wrong if text), "")
+
+
+def described(value: Any) -> str:
+    if value is None or isinstance(value, str | bool | int | float):
+        return repr(value)
+    name = type(value).__name__
+    named = f" {value.name}" if isinstance(getattr(value, "name", None), str) else ""
+    return f"{'an' if name[0] in 'AEIOUaeiou' else 'a'} {name}{named}"
+
+
+def instead(value: Any, hint: Any) -> str:
+    """What to write in the place of a value of the wrong type."""
+    if hint is Matrix:
+        if isinstance(value, Variable):
+            return "its column of symbols is its .vector"
+        if type(value).__module__.startswith("numpy"):
+            return "write Matrix(array.tolist()), with Matrix from sympy"
+        return "write Matrix([...]), with Matrix from sympy"
+    if hint is Symbol and isinstance(value, Variable):
+        return "its symbol is its .scalar"
+    if hint is Variable and isinstance(value, Symbol):
+        return "give the variable that it belongs to"
+    if hint is float and isinstance(value, Expr):
+        return "write float(...) of it"
+    if callable(value):
+        return "call it"
+    plain = {str: "a text", float: "a number", int: "a whole number", bool: "True or False"}
+    return f"give {plain.get(hint) or described_type(hint)}"
+
+
+def described_type(hint: Any) -> str:
+    name = getattr(hint, "__name__", str(hint))
+    return f"{'an' if name[0] in 'AEIOU' else 'a'} {name}"
+
+
+def check_box(item: Variable) -> None:
+    if not item.symbols:
+        fail(item, "it has no component; name one for each symbol, as in 'x y z'")
+    for bound in (item.low, item.high):
+        if len(bound) != len(item.symbols):
+            given = f"{len(item.symbols)} components, but a box of {len(bound)}"
+            fail(item, f"{given}; give one bound for all, or one for each")
+    for symbol, low, high in zip(item.symbols, item.low, item.high, strict=True):
+        if not (isfinite(low) and isfinite(high)):
+            fail(item, f"the box of {symbol} is {low:.6g} to {high:.6g}; give finite bounds: tests draw points in it")
+        if not low < high:
+            fail(
+                item,
+                f"the box of {symbol} is {low:.6g} to {high:.6g}; each lower bound of the box must lie below the upper "
+                "one",
+            )
+
+
+# ---------------------------------------------------------------- the whole model
+
+
+def check_model(model: Model) -> None:
+    """Raise BoresightError on parts that do not fit together: names, shapes, symbols, states that nothing touches."""
+    check_names(model)
+    check_given(model)
+    check_rows(model)
+    for item in expressions(model):
+        check_shape(item)
+    for item in expressions(model):
+        check_symbols(model, item)
+        check_constants(item)
+    check_measurements(model)
+    check_noise(model)
+    check_step(model)
+    check_idle(model)
+    check_carried(model)
+
+
+def check_names(model: Model) -> None:
+    if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", model.name):
+        fail(model, f"a name is lower-case words joined by '-'; write {suggested_name(model.name)!r}")
+    if not re.fullmatch(r"[a-z][a-z0-9]*", model.c_prefix) or model.c_prefix in ("bs", *KEYWORDS.split()):
+        fail(
+            model,
+            f"c_prefix {model.c_prefix!r} must be lower-case letters and digits, not 'bs' and no word of C; choose "
+            "another",
+        )
+    variables = (*model.states, *model.inputs)
+    by_field = unique((item, "field", item.name) for item in variables)
+    unique((item, "symbol", symbol.name) for item in variables for symbol in item.symbols)
+    # a state's index is a macro in upper case
+    unique((item, "symbol", symbol.name.upper()) for item in model.states for symbol in item.symbols)
+    by_unit = unique(
+        [(model, "function", name) for name in RESULTS if model.n]
+        + [(m, "measurement", m.name) for m in model.measurements]
+        + [(m, "function", f"{m.name}_{part}") for m in model.measurements for part in "zhH"]
+        + [(f, "function", f.name) for f in model.functions]
+        + [(s, "struct", s.name) for s in model.structs]
+    )
+    for f in model.functions:
+        unique((o, "output", o.name) for o in f.outputs)
+    outputs = {o.name: o for f in model.functions for o in f.outputs}
+
+    for table in (by_field, by_unit, outputs):
+        for name, part in table.items():
+            if not NAME.match(name):
+                fail(part, f"{name!r} cannot be a name in C; write letters, digits and '_'")
+            if name in TAKEN.split() or re.fullmatch(r"t\d+|(bs|BS)_.*|filter_.*", name):
+                fail(part, f"the name {name!r} has a meaning in C or in the generated code; choose another")
+    for item in variables:
+        for symbol in item.symbols:
+            if not NAME.match(symbol.name):
+                fail(item, f"the symbol {symbol.name!r} cannot be a name in C; write letters, digits and '_'")
+            if symbol.name in KEYWORDS.split():
+                fail(item, f"the symbol {symbol.name!r} has a meaning in C; choose another")
+    inner = {**outputs, **by_field, **{s.name: s for s in model.structs}}
+    made = {f"{name}{end}": name for name in outputs for end in OF_OUTPUT}
+    made |= {f"{name}{end}": name for name in by_field for end in OF_FIELD}
+    made |= {f"{f}_{s.name}": s.name for f in ("sin", "cos") for item in variables for s in item.symbols}
+    for name, part in inner.items():
+        if name in made:
+            fail(part, f"the generated code makes {name!r} of {made[name]!r} for itself; choose another name")
+    for name in by_unit:
+        for end in OF_UNIT:
+            if f"{name}{end}" in by_unit:
+                taken = f"{name}{end}"
+                fail(by_unit[taken], f"the generated code makes {taken!r} of {name!r} for itself; choose another name")
+    for name, output in outputs.items():
+        if name in {s.name for s in model.structs}:
+            fail(output, f"{name!r} is the name of a struct too, and C passes both to one function; choose another")
+
+
+def suggested_name(name: str) -> str:
+    words = re.findall(r"[a-z0-9]+", re.sub(r"(?<=[a-z])(?=[A-Z])", "-", name).lower())
+    return "-".join(words).lstrip("0123456789-") or "my-model"
+
+
+def unique(named: Any) -> dict[str, Any]:
+    """The part of each name; raises BoresightError on a name that two have."""
+    parts: dict[str, Any] = {}
+    for part, what, name in named:
+        if name in parts:
+            other = parts[name]
+            owner = "a function of every model" if isinstance(other, Model) else f"{kind(other)} {other.name}"
+            at = f" in {other.where}" if other.where and not isinstance(other, Model) else ""
+            fail(part, f"the {what} name {name!r} is used twice: it is that of {owner}{at}; choose another")
+        parts[name] = part
+    return parts
+
+
+@dataclass(frozen=True)
+class Expressions:
+    """A matrix of the model with the names of its rows and columns; of a column, none for the latter."""
+
+    part: Any
+    label: str
+    matrix: Matrix
+    shape: tuple[int, int]
+    rows: tuple[str, ...]
+    columns: tuple[str, ...] = ()
+    of_state: bool = False  # whether it may read the state
+
+    def entry(self, i: int, j: int) -> str:
+        """As `F[omega, theta]`."""
+        names = [self.rows[i] if i < len(self.rows) else str(i)]
+        names += [self.columns[j] if j < len(self.columns) else str(j)] if self.columns or self.shape[1] != 1 else []
+        return f"{self.label}[{', '.join(names)}]"
+
+
+def expressions(model: Model) -> Iterator[Expressions]:
+    """Every matrix that the model is given by."""
+    n, x = model.n, tuple(symbol.name for symbol in model.x)
+    noise, total = tuple(map(str, model.noise)), model.kind == "total-state"
+    square = {"F": False, "Q": total}
+    columns = {"f": True, "next": True}
+    for name in ("F", "f", "next", "Q"):
+        matrix = getattr(model, name, None)
+        if matrix is not None and name in square:
+            yield Expressions(model, name, matrix, (n, n), x, x, square[name])
+        elif matrix is not None:
+            yield Expressions(model, name, matrix, (n, 1), x, (), columns[name])
+    if model.G.shape != (0, 0) or model.noise.rows:
+        yield Expressions(model, "G", model.G, (n, len(noise)), x, noise, total)
+        yield Expressions(model, "noise", model.noise, (len(noise), 1), noise, (), total)
+    for m in model.measurements:
+        rows = len(m.rows)
+        for name, shape in (("z", (rows, 1)), ("h", (rows, 1)), ("H", (rows, n))):
+            matrix = getattr(m, name)
+            if matrix is not None:
+                yield Expressions(m, name, matrix, shape, m.rows, x if name == "H" else (), name == "h")
+    sizes = {item.name: item for item in model.inputs}
+    for f in model.functions:
+        for o in f.outputs:
+            known = sizes.get(o.name)
+            named = tuple(s.name for s in known.symbols) if known and known.size == o.value.rows else ()
+            yield Expressions(o, "value", o.value, o.value.shape, named, (), True)
+
+
+def check_shape(item: Expressions) -> None:
+    if item.matrix.shape != item.shape:
+        rows = f": its rows are {', '.join(item.rows)}" if item.rows else ""
+        turned = "; it is transposed: give its .T" if item.matrix.shape == item.shape[::-1] else rows
+        fail(item.part, f"{item.label} has shape {item.matrix.shape}, not {item.shape}{turned}")
+
+
+def entries_with(item: Expressions, wanted: Any) -> str:
+    """The first entry that holds the expression."""
+    for (i, j), value in item.matrix.todok().items():
+        if wanted in parts_of([value]):
+            return item.entry(i, j)
+    return item.label
+
+
+def check_symbols(model: Model, item: Expressions) -> None:
+    states = set(model.x)
+    owners = {symbol: variable for variable in (*model.states, *model.inputs) for symbol in variable.symbols}
+    known = set(owners) if item.of_state else set(owners) - states
+    for symbol in sorted(symbols_in(item.matrix) - known, key=str):
+        at = entries_with(item, symbol)
+        twin = next((owner for own, owner in owners.items() if own.name == symbol.name and own != symbol), None)
+        if twin is not None:
+            its = ".scalar" if twin.size == 1 else ".symbols"
+            fail(
+                item.part,
+                f"{at} uses another {symbol} than variable {twin.name} ({twin.where}), which is declared as real; take "
+                f"it from the variable's {its}",
+            )
+        if symbol in states:
+            fail(item.part, f"{at} uses the state {symbol}, {OF_STATE[item.label]}")
+        guess = did_you_mean(symbol.name, [own.name for own in owners])
+        allowed = "no input or state" if item.of_state else "no input"
+        fail(item.part, f"{at} uses {symbol}, which is {allowed}{guess}; add a variable for it to a Struct")
+
+
+OF_STATE = {
+    **dict.fromkeys(("F", "G", "noise"), "which is an error: use f for x' = f(x) + G w"),
+    "H": "which H may not: write h, whose Jacobian is printed as H",
+    "z": "which z may not: it is made from inputs alone, and what the state predicts is h",
+}
+
+
+def check_constants(item: Expressions) -> None:
+    wrong = UNDEFINED & parts_of(item.matrix)
+    for part in sorted(wrong, key=str):
+        fail(
+            item.part,
+            f"{entries_with(item, part)} holds {part}, which is no real number: look for a division by zero, the root "
+            "of a negative number or a constant that is not finite",
+        )
+
+
+def check_given(model: Model) -> None:
+    """What belongs together is there and nothing else: an error state has F, a total state f, or next with Q."""
+    given = [name for name in ("F", "f", "next") if getattr(model, name) is not None]
+    if not model.n:
+        if given or model.Q is not None or model.dt is not None or model.measurements:
+            fail(
+                model,
+                "without states there is no F, f, next, Q, dt and no measurement; give states, or leave these out",
+            )
+        return
+    if len(given) != 1:
+        named = " and ".join(given) or "none"
+        fail(model, f"give one of F, of an error state, and f or next, of a total state; given is {named}")
+    if (model.next is None) != (model.Q is None):
+        fail(
+            model,
+            "next and Q, the covariance that the noise adds over the step, belong together; f and F have G and noise",
+        )
+    if model.next is not None and (model.G.rows or model.noise.rows):
+        fail(model, "next has its noise in Q; G and noise belong to f and F")
+    if model.next is None and not model.noise.rows:
+        fail(model, "give at least one noise: without one, the filter soon believes its state and takes no measurement")
+    if model.order not in ORDERS:
+        fail(model, f"order is {model.order!r}; it is 1, 2 or 3")
+    if model.kind == "total-state":
+        flown = f"a total state is flown by {given[0]}"
+        if model.order != Model.order:
+            fail(model, f"order {model.order} is that of an error state's Phi and Q; {flown}: leave order out")
+        for f in model.functions:
+            if f.name in ("feedback", "strapdown"):
+                fail(f, f"{f.name} belongs to an error state, given by F; {flown} and holds what {f.name} would carry")
+        if model.mechanics is not None:
+            fail(model, f"mechanics belongs to an error state, given by F; {flown}")
+    for block in model.states:
+        if block.wraps and block.unit != "rad":
+            fail(block, f"it wraps, but its unit is {block.unit!r}; angles in rad wrap")
+        if block.wraps and not all(lo <= -pi and hi >= pi for lo, hi in zip(block.low, block.high, strict=True)):
+            fail(block, "it wraps to [-pi, pi), which its box must hold; widen the box, or leave wraps out")
+
+
+def check_rows(model: Model) -> None:
+    """Each measurement has rows, and either h or H."""
+    for m in model.measurements:
+        own = m.first_order is not None and m.first_order.of is None
+        if not m.rows:
+            fail(m, "it has no row; name one for each scalar that is measured")
+        if (m.H is None) == (m.h is None) and not (own and m.H is not None):
+            fail(m, "give either h or H, or both with a first_order of its own")
+
+
+def check_noise(model: Model) -> None:
+    """Each noise acts on a state; Q is symmetric."""
+    for i in range(model.noise.rows):
+        if model.noise[i].is_zero or model.G[:, i].is_zero_matrix:
+            fail(model, f"noise {model.noise[i]} has no effect: it or column {i} of G is zero; leave it out")
+    Q: Any = model.Q
+    for at, difference in (Q - Q.T).todok().items() if Q is not None else ():
+        if difference.simplify() != 0:
+            fail(model, f"Q is not symmetric: {Q[at]} at {at} is {Q[at[::-1]]} at {at[::-1]}")
+
+
+def check_measurements(model: Model) -> None:
+    for m in model.measurements:
+        if m.H.is_zero_matrix if m.H is not None else not symbols_in(m.h) & set(model.x):
+            fail(m, f"it depends on no state; its h or H must use one of {', '.join(map(str, model.x))}")
+        for name in m.angle if isinstance(m.angle, tuple) else ():
+            if name not in m.rows:
+                fail(m, f"angle names {name!r}, which is no row{did_you_mean(name, m.rows)}; rows are {listed(m.rows)}")
+        if m.first_order is None:
+            continue
+        exact = [other.name for other in model.measurements if other.h is not None]
+        named = m.first_order.of or m.name
+        if named not in exact:
+            guess = did_you_mean(named, exact)
+            fail(m, f"first_order names {named!r}, which is no measurement with an h{guess}")
+        inputs = [v.name for v in model.inputs]
+        for item in (m.first_order.small, *(name for name, _ in m.first_order.tied)):
+            if item is not None and item not in inputs:
+                fail(m, f"first_order names {item!r}, which is no input{did_you_mean(item, inputs)}")
+
+
+def listed(names: Any) -> str:
+    return ", ".join(names)
+
+
+def check_step(model: Model) -> None:
+    """dt is an input, above zero; the step of a model in discrete time need not be named."""
+    if not model.n or (model.next is not None and model.dt is None):
+        return
+    owner = next((v for v in model.inputs if model.dt in v.symbols), None)
+    if model.dt is None:
+        fail(model, "dt is None, which is no input; give dt=, the symbol of the step's length, which is in a Struct")
+    if owner is None:
+        guess = did_you_mean(str(model.dt), [str(s) for v in model.inputs for s in v.symbols])
+        fail(model, f"dt is {model.dt}, which is no input{guess}; add its variable to a Struct")
+
+
+def check_idle(model: Model) -> None:
+    """A constant is a state where something sees it; what nothing touches is refused."""
+    if not model.n:
+        return
+    flow = next((m for m in (model.F, model.f, model.next) if m is not None), None)
+    if flow is None:
+        return
+    seen = symbols_in(*(m.h for m in model.measurements if m.h is not None))
+    for i, (symbol, block) in enumerate((s, item) for item in model.states for s in item.symbols):
+        if model.F is not None:
+            moves = any(flow[i, j] != 0 or flow[j, i] != 0 for j in range(model.n))
+        else:
+            rest = symbol if model.next is not None else 0
+            moves = flow[i] != rest or any(symbol in flow[j].free_symbols for j in range(model.n) if j != i)
+        driven = model.G.rows > i and any(model.G[i, j] != 0 for j in range(model.G.cols))
+        driven = driven or (model.Q is not None and model.Q[i, i] != 0)
+        seen_by_H = any(m.H is not None and not m.H[:, i].is_zero_matrix for m in model.measurements)
+        if not (moves or driven or seen_by_H or symbol in seen):
+            fail(
+                block,
+                f"the state {symbol} has no dynamics and no noise, and no other state or measurement uses it; couple "
+                "it, or leave it out",
+            )
+
+
+def check_carried(model: Model) -> None:
+    """What strapdown and feedback return replaces the inputs of the same names."""
+    inputs = {item.name: item for item in model.inputs}
+    for f in model.functions:
+        for o in f.outputs if f.name in ("strapdown", "feedback") else ():
+            if o.name not in inputs:
+                guess = did_you_mean(o.name, list(inputs))
+                fail(
+                    o,
+                    f"{f.name} returns {o.name!r}, which is no input{guess}; its outputs carry on the inputs of their "
+                    "names",
+                )
+            if o.value.shape != (inputs[o.name].size, 1):
+                fail(
+                    o,
+                    f"{f.name} returns {o.name} of shape {o.value.shape}; the input {o.name} has "
+                    f"{(inputs[o.name].size, 1)}",
+                )
