@@ -1,7 +1,8 @@
 """The page of a difference: entry by entry before and after, with the names that a model's own page has."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 from sympy import Matrix, Symbol
 
@@ -9,29 +10,44 @@ from boresight.codegen.difference import CORNERS, POINTS, Cost, Difference, Entr
 from boresight.derive.ledger.differences import differences, marks
 from boresight.derive.model import Function, Model, Output, Struct, substituted, symbols_in
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section
-from boresight.derive.pages.model import LONG, Description, forms, lettered, letters_of, names_of
-from boresight.derive.pages.named import operations
+from boresight.derive.pages.model import Description, forms, lettered, letters_of, names_of
+from boresight.derive.pages.named import nodes
 
-SIZES = f"""Sizes are the largest at {POINTS + CORNERS} points of the box, in SI units and rad; as part of a row they are of
- the largest entry in it, each times the box of its state.""".replace("\n", "")
+SIZES = (
+    f"Sizes are the largest at {POINTS + CORNERS} points of the box, in SI units and rad; as part of a row they are of "
+    "the largest entry in it, each times the box of its state."
+)
 
 
-def difference_page(found: Difference) -> Page:
-    """Text, LaTeX and HTML are written of it."""
+def differences_page(found: Sequence[Difference]) -> Page:
+    """One page of what differs in one or more models; text, LaTeX and HTML are written of it."""
+    different = [one for one in found if not one.same]
+    sections = tuple(
+        replace(section, title=f"{one.model}, {section.title}" if len(found) > 1 else section.title)
+        for one in different
+        for section in sections_of(one)
+    )
+    title = found[0].model if len(found) == 1 else f"{len(different)} of {len(found)} models"
+    return Page(
+        f"{title}: against {found[0].against}",
+        sections or (Section("", (Prose("No difference."),)),),
+        (SIZES,) if different else (),
+    )
+
+
+def sections_of(found: Difference) -> tuple[Section, ...]:
     changed = [entry for entry in found.entries if not entry.rounding]
     shown = Description(both(found, changed))
     alike(shown)
     sections = [
-        *([Section("What is stated", tuple(map(stated, found.statements)))] if found.statements else []),
+        *([Section("what is stated", tuple(map(stated, found.statements)))] if found.statements else []),
         *matrix_sections(found, changed, shown),
     ]
     used = {s for section in sections for form in forms_of(section) for s in letters_of(form.relation)}
     sections += names_of(shown, used)
     if found.cost:
-        sections.append(Section("Cost", tuple(cost(found.cost))))
-    title = f"{found.model}: against {found.against}"
-    lead = ("No difference.",) if found.same else (SIZES,) if changed else ()
-    return lettered(shown, Page(title, tuple(sections), lead))
+        sections.append(Section("cost", tuple(cost(found.cost))))
+    return lettered(shown, Page("", tuple(sections))).sections
 
 
 def both(found: Difference, changed: list[Entry]) -> Model:
@@ -47,22 +63,30 @@ def both(found: Difference, changed: list[Entry]) -> Model:
 
 
 def alike(shown: Description) -> None:
-    """Take back the names that stand on one side of a pair alone: what differs is then seen in the same letters."""
+    """Take back a name that stands on one side of a pair alone if the other side has terms of what it stands for: what
+    differs is then seen in the same letters."""
     groups = shown.naming.groups
     values = {
         letter: value
         for one in shown.naming.named
         for letter, value in zip(one.entries, one.value, strict=True)
-        if letter.is_Symbol and letter != value and not value.is_number
+        if letter.is_Symbol and letter != value and value.is_Add
     }
     pairs = []
     for before, after in zip(*groups.values(), strict=True) if groups else ():
-        pair = Matrix([before, after])
-        while own := (symbols_in([pair[0]]) ^ symbols_in([pair[1]])) & values.keys():
-            pair = substituted(pair, {letter: values[letter] for letter in own})
-        pairs.append(pair if operations(pair) <= LONG else Matrix([before, after]))
+        pair = [before, after]
+        for letter in reversed(values):  # outer ones first
+            inside = [letter in symbols_in([side]) for side in pair]
+            if inside[0] != inside[1] and terms(values[letter]) & terms(*nodes([[pair[inside[0]]]])):
+                pair = list(substituted(Matrix(pair), {letter: values[letter]}))
+        pairs.append(pair)
     for which, key in enumerate(groups):
         groups[key] = Matrix([pair[which] for pair in pairs])
+
+
+def terms(*expressions: Any) -> set[Any]:
+    """The terms of all sums among these, without their numbers."""
+    return {term for e in expressions if e.is_Add for term in e.as_coefficients_dict()}
 
 
 def forms_of(section: Section) -> Iterator[Form]:

@@ -17,8 +17,8 @@ def committed(path: Path, revision: str) -> str:
     done = git(home, "show", f"{commit}:{inside.as_posix()}")
     if done.returncode:
         raise BoresightError(
-            f"{revision} has no {inside.as_posix()}: it is older than that file, or the model was not committed with it; "
-            "choose another revision with --against"
+            f"{revision} has no {inside.as_posix()}: it is older than such files, or the model was not committed; choose "
+            "another revision with --against"
         )
     return done.stdout
 
@@ -56,6 +56,8 @@ def worktree(home: Path, revision: str) -> Iterator[Path]:
 
 def git(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     try:
-        return subprocess.run(["git", *words], cwd=folder, capture_output=True, text=True, encoding="utf-8", check=False)
+        return subprocess.run(
+            ["git", *words], cwd=folder, capture_output=True, text=True, encoding="utf-8", check=False
+        )
     except FileNotFoundError:
         raise BoresightError("git is not installed; name a generated folder with --against") from None
