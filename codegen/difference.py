@@ -134,7 +134,8 @@ def matrices(model: Model) -> dict[str, Matrix]:
 
     def put(name: str, matrix: Any, of: str = "", rows: tuple[str, ...] = ()) -> None:
         if matrix is not None and len(matrix):
-            named = places(name, matrix.shape, labels_of([s.name for s in model.x], list(model.noise)) | {"r": rows})
+            labels = {**labels_of([s.name for s in model.x], list(model.noise)), "r": rows}
+            named = places(name, matrix.shape, labels)
             found[f"{of} {name}".strip()] = {place: matrix[at] for place, at in named.items()}
 
     def jacobian(column: Any) -> Any:
@@ -283,9 +284,9 @@ def together(old: Model, new: Model) -> tuple[Variable, ...]:
     for v in (*old.states, *old.inputs):
         left = [i for i, s in enumerate(v.symbols) if s not in known]
         if left:
-            own = ([value[i] for i in left] for value in (v.symbols, v.low, v.high))
-            listed.append(replace(v, **dict(zip(("symbols", "low", "high"), map(tuple, own), strict=True)),
-                                  norm=v.norm if len(left) == v.size else None))  # fmt: skip
+            symbols, low, high = (tuple(value[i] for i in left) for value in (v.symbols, v.low, v.high))
+            whole = len(left) == v.size
+            listed.append(replace(v, symbols=symbols, low=low, high=high, norm=v.norm if whole else None))
     return tuple(listed)
 
 
@@ -307,7 +308,7 @@ def cost(old: Model, new: Model) -> Cost:
     sources = {path for path in old_files.keys() | new_files.keys() if path.startswith("src/")}
     differing = {path for path in sources if old_files.get(path) != new_files.get(path)}
     try:
-        return Cost(changes, *(text_size(files, differing) for files in (old_files, new_files)))
+        return Cost(changes, text_size(old_files, differing), text_size(new_files, differing))
     except BoresightError as error:
         return Cost(changes, None, None, str(error))
 

@@ -28,11 +28,8 @@ def differences_page(found: Sequence[Difference]) -> Page:
         for section in sections_of(one)
     )
     title = found[0].model if len(found) == 1 else f"{len(different)} of {len(found)} models"
-    return Page(
-        f"{title}: against {found[0].against}",
-        sections or (Section("", (Prose("No difference."),)),),
-        (SIZES,) if different else (),
-    )
+    sections = sections or (Section("", (Prose("No difference."),)),)
+    return Page(f"{title}: against {found[0].against}", sections, (SIZES,) if different else ())
 
 
 def sections_of(found: Difference) -> tuple[Section, ...]:

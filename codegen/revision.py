@@ -17,8 +17,8 @@ def committed(path: Path, revision: str) -> str:
     done = git(home, "show", f"{commit}:{inside.as_posix()}")
     if done.returncode:
         raise BoresightError(
-            f"{revision} has no {inside.as_posix()}: it is older than such files, or the model was not committed; choose "
-            "another revision with --against"
+            f"{revision} has no {inside.as_posix()}: it is older than such files, or the model was not committed; "
+            "choose another revision with --against"
         )
     return done.stdout
 
