@@ -135,7 +135,7 @@ def equation(entry: dict[str, str], conditions: Sequence[str]) -> Parts:
 
 
 def verified(checks: Sequence["Check"]) -> Parts:
-    """For each model a table of its C, then what its F, G, H and feedback are beside exact mechanics; the verdict."""
+    """For each model a table of its C, then what it states and flies beside exact mechanics; the verdict."""
     from boresight.codegen.mechanics import MechanicsCheck
     from boresight.codegen.verify import UnitCheck
 
@@ -144,8 +144,9 @@ def verified(checks: Sequence["Check"]) -> Parts:
         numbers = ("points", "outputs", "error", "bound / error")
         rows = table("function", "points", "outputs", "bits", "error", "bound / error", "", right=numbers)
         exact = table(
-            "held against", "exact mechanics", "difference", "", prose="exact mechanics", right=("difference",)
-        )
+            "held against", "exact mechanics", "difference", "order", "", prose="exact mechanics",
+            right=("difference", "order"),
+        )  # fmt: skip
         orders: Parts = []
         for check in (check for check in checks if check.model == name):
             ok = "ok" if check.ok else "FAILED"
@@ -157,10 +158,11 @@ def verified(checks: Sequence["Check"]) -> Parts:
                 )  # fmt: skip
             elif isinstance(check, MechanicsCheck):
                 if check.ok is None:
-                    exact.add_row(check.unit, check.why, "", "not checked")
+                    exact.add_row(check.unit, check.why, "", "", "not checked")
                 else:
                     where = f"; {check.entry}" if check.entry else ""
-                    exact.add_row(check.unit, check.against + where, f"{check.difference:.1e}", ok)
+                    order = f"{check.order:.2f}" if check.order is not None else ""
+                    exact.add_row(check.unit, check.against + where, f"{check.difference:.1e}", order, ok)
             else:
                 beyond = (
                     "" if check.coefficient is None
@@ -170,7 +172,8 @@ def verified(checks: Sequence["Check"]) -> Parts:
         parts += [name, indented(rows), *map(indented, orders), *([indented(exact)] if exact.row_count else [])]
     parts.append(
         "The bits are compared with CasADi's C, error and bound with 50 digits; a difference from exact mechanics is a "
-        "part of the largest of its row, each entry times the box of its state."
+        "part of the largest of its row, each entry times the box of its state; its order is the power of dt with "
+        "which it falls."
     )
     left = sum(c.ok is None for c in checks)
     verdict = f"verify: {sum(c.ok is True for c in checks)} passed, {sum(c.ok is False for c in checks)} failed"

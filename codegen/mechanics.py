@@ -40,12 +40,13 @@ Reference = Callable[[Mapping[str, Sequence[Any]]], list[Any]]  # of a printed u
 
 @dataclass(frozen=True)
 class MechanicsCheck:
-    """unit: F, G, feedback, a strapdown or a measurement matrix.  against: the exact thing it is held against.
+    """unit: F, G, Phi, Q, feedback, a strapdown or a measurement matrix.  against: the exact thing it is held against.
 
     difference: the largest between what is stated and what is exact, as a part of the largest of its row, each entry
     times the box of its state.  entry: the place and size of it, where it is one too many.  ratio: what is left of the
-    remainder when the errors are halved; coefficient: the remainder over their square.  Both are None where no
-    remainder is.  why: what is missing for the check; then it says nothing, and `ok` is None.
+    remainder when the errors are halved; coefficient: the remainder over their square.  order: the power of the step
+    with which what is left falls.  Each is None where no remainder is.  why: what is missing for the check; then it
+    says nothing, and `ok` is None.
     """
 
     model: str
@@ -56,6 +57,7 @@ class MechanicsCheck:
     ratio: float | None = None
     coefficient: float | None = None
     why: str = ""
+    order: float | None = None
 
     @property
     def ok(self) -> bool | None:
@@ -161,6 +163,7 @@ class Verdict:
     entry: str = ""
     ratio: float | None = None
     coefficient: float | None = None
+    order: float | None = None
 
     def note(self, off: float, limit: float, entry: str) -> None:
         self.difference = max(self.difference, abs(off))
@@ -190,7 +193,9 @@ class Verdict:
                 self.entry = f"half the error leaves {less / left:.3f} of the remainder, not a quarter"
 
     def check(self, model: Model, unit: str, against: str) -> MechanicsCheck:
-        return MechanicsCheck(model.name, unit, against, self.difference, self.entry, self.ratio, self.coefficient)
+        return MechanicsCheck(
+            model.name, unit, against, self.difference, self.entry, self.ratio, self.coefficient, order=self.order
+        )
 
 
 # ---------------------------------------------------------------- F, G and feedback
@@ -228,10 +233,10 @@ class Exact:
     def outputs(self, f: Function) -> list[Variable]:
         return [self.fields[output.name] for output in f.outputs]
 
-    def sensed(self, values: Values) -> Values:
-        """What the strapdown reads over the short step, the same for estimates and truth."""
+    def sensed(self, values: Values, dt: Any = STEP) -> Values:
+        """What the strapdown reads over the step, the same for estimates and truth."""
         assert self.model.dt is not None
-        at = values | dict.fromkeys(self.idle, arb(0)) | {self.model.dt: STEP}
+        at = values | dict.fromkeys(self.idle, arb(0)) | {self.model.dt: dt}
         if self.stepped:
             for (variable, _), column in zip(self.mechanics.step, self.stepped(at), strict=True):
                 at.update(zip(variable.symbols, column, strict=True))
@@ -301,9 +306,12 @@ class Moving:
 
     def rate(self, x: Sequence[Any]) -> Matrix:
         """Of the error x, with perfect sensors."""
-        exact, hat = self.exact, self.hat
-        after, true = (exact.after(values, self.sensed) for values in (hat, exact.true(hat, x)))
-        return (exact.read_out(after, true, self.inverse) - Matrix(list(x))) / STEP
+        return (self.parted(x, self.sensed) - Matrix(list(x))) / STEP
+
+    def parted(self, x: Sequence[Any], sensed: Values) -> Matrix:
+        """What becomes of the error x over a step, which may go backwards in time."""
+        after, true = (self.exact.after(values, sensed) for values in (self.hat, self.exact.true(self.hat, x)))
+        return self.exact.read_out(after, true, self.inverse)
 
     def driven_rate(self, w: Sequence[Any]) -> Matrix:
         """Of no error, where the sensors are wrong by w."""

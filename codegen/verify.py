@@ -3,7 +3,8 @@
 For every printed unit, at random points of its box and at its corners: our C and CasADi's C give the same bits; both
 lie within a running bound on rounding errors of the SymPy expressions in 50 digits; what the C leaves out as zero is
 zero.  For a measurement matrix that is a first order of an exact measurement: it is its Jacobian in the limit, and the
-difference falls linearly.  What the model says is held against exact mechanics in codegen/mechanics.py.
+difference falls linearly.  What the model says is held against exact mechanics in codegen/mechanics.py, and what is
+flown over steps of time in codegen/flown.py.
 """
 
 import multiprocessing
@@ -21,6 +22,7 @@ import numpy as np
 from flint import arb
 
 from boresight import BoresightError
+from boresight.codegen.flown import check_flown
 from boresight.codegen.functions.reference import Entries, precise
 from boresight.codegen.functions.samples import answered, generator, sample
 from boresight.codegen.functions.tape import evaluate
@@ -116,7 +118,8 @@ def verify_all(
                 collect(before)
             before = Underway(model, cases, stack)
             before.laws = [check_first_order(model, m, made, flight) for m in model.measurements if m.first_order]
-            before.laws += check_mechanics(model, {unit.name: unit.reference for unit in made})
+            references = {unit.name: unit.reference for unit in made}
+            before.laws += check_mechanics(model, references) + check_flown(model, references)
         if before:
             collect(before)
     return checks

@@ -130,8 +130,6 @@ def described_type(hint: Any) -> str:
 
 
 def check_box(item: Variable) -> None:
-    if not item.symbols:
-        fail(item, "it has no component; name one for each symbol, as in 'x y z'")
     for bound in (item.low, item.high):
         if len(bound) != len(item.symbols):
             given = f"{len(item.symbols)} components, but a box of {len(bound)}"
@@ -199,6 +197,8 @@ def check_names(model: Model) -> None:
             if name in TAKEN.split() or re.fullmatch(r"t\d+|(bs|BS)_.*|filter_.*", name):
                 fail(part, f"the name {name!r} has a meaning in C or in the generated code; choose another")
     for item in variables:
+        if not item.symbols:
+            fail(item, "it has no component; name each of them, as in 'x y z'")
         for symbol in item.symbols:
             if not NAME.match(symbol.name):
                 fail(item, f"the symbol {symbol.name!r} cannot be a name in C; write letters, digits and '_'")

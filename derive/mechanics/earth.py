@@ -7,19 +7,22 @@ three, so that one derivation serves NED and ENU.  Angles in rad, lengths in m.
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import ImmutableMatrix, Matrix, Rational, cos, sin, sqrt, tan
+from sympy import ImmutableMatrix, Matrix, cos, sin, sqrt, tan
+
+from boresight.derive.constant import constant
 
 # NGA.STND.0036: defining constants of WGS 84, and what follows from them.
-SEMI_MAJOR_AXIS = 6378137  # m
-FLATTENING = 1 / Rational("298.257223563")
-ECCENTRICITY_SQUARED = FLATTENING * (2 - FLATTENING)
-EARTH_RATE = Rational("7.292115e-5")  # rad/s
-GRAVITATIONAL_CONSTANT = Rational("3.986004418e14")  # m^3/s^2, the Earth's mass with its atmosphere
-GRAVITY_EQUATOR = Rational("9.7803253359")  # m/s^2, normal gravity on the ellipsoid
-GRAVITY_POLE = Rational("9.8321849379")
-# k of Somigliana's formula, and the ratio of centrifugal to gravitational acceleration at the equator.
-SOMIGLIANA = (1 - FLATTENING) * GRAVITY_POLE / GRAVITY_EQUATOR - 1
-CENTRIFUGAL_RATIO = EARTH_RATE**2 * SEMI_MAJOR_AXIS**3 * (1 - FLATTENING) / GRAVITATIONAL_CONSTANT
+SEMI_MAJOR_AXIS = constant("a", 6378137, "m", "semi-major axis, WGS 84")
+FLATTENING = constant("f_ell", "1/298.257223563", "1", "flattening, WGS 84")
+ECCENTRICITY_SQUARED = constant("e2", FLATTENING * (2 - FLATTENING), "1", "square of the first eccentricity")
+EARTH_RATE = constant("omega_ie", "7.292115e-5", "rad/s", "the Earth's rate, WGS 84")
+GRAVITATIONAL_CONSTANT = constant("GM", "3.986004418e14", "m^3/s^2",
+                                  "the Earth's gravitational constant, its atmosphere included")  # fmt: skip
+GRAVITY_EQUATOR = constant("g_e", "9.7803253359", "m/s^2", "normal gravity at the equator")
+GRAVITY_POLE = constant("g_p", "9.8321849379", "m/s^2", "normal gravity at the pole")
+SOMIGLIANA = constant("k", (1 - FLATTENING) * GRAVITY_POLE / GRAVITY_EQUATOR - 1, "1", "k of Somigliana's formula")
+CENTRIFUGAL_RATIO = constant("m", EARTH_RATE**2 * SEMI_MAJOR_AXIS**3 * (1 - FLATTENING) / GRAVITATIONAL_CONSTANT, "1",
+                             "centrifugal over gravitational acceleration, at the equator")  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -104,7 +107,7 @@ def metres(lat, height, frame: Frame = NED) -> Matrix:
 def normal_gravity(lat, height):
     """Normal gravity (m/s^2): Somigliana's formula on the ellipsoid, to the second power of the height above it."""
     s2 = sin(lat) ** 2
-    on_ellipsoid = GRAVITY_EQUATOR * (1 + SOMIGLIANA * s2) / sqrt(1 - ECCENTRICITY_SQUARED * s2)
+    on_ellipsoid = (GRAVITY_EQUATOR + GRAVITY_EQUATOR * SOMIGLIANA * s2) / sqrt(1 - ECCENTRICITY_SQUARED * s2)
     a, f, m = SEMI_MAJOR_AXIS, FLATTENING, CENTRIFUGAL_RATIO
     return on_ellipsoid * (1 - 2 * (1 + f + m - 2 * f * s2) * height / a + 3 * height**2 / a**2)
 
@@ -114,8 +117,8 @@ def gravity_gradient(lat, height) -> tuple:
     s2, s_c = sin(lat) ** 2, sin(lat) * cos(lat)
     a, f, m, e2, k = SEMI_MAJOR_AXIS, FLATTENING, CENTRIFUGAL_RATIO, ECCENTRICITY_SQUARED, SOMIGLIANA
     w2 = 1 - e2 * s2
-    on_ellipsoid = GRAVITY_EQUATOR * (1 + k * s2) / sqrt(w2)
-    on_ellipsoid_by_lat = GRAVITY_EQUATOR * s_c / sqrt(w2) * (2 * k + e2 * (1 + k * s2) / w2)
+    on_ellipsoid = (GRAVITY_EQUATOR + GRAVITY_EQUATOR * k * s2) / sqrt(w2)
+    on_ellipsoid_by_lat = GRAVITY_EQUATOR * s_c / sqrt(w2) * (2 * k + (e2 + e2 * k * s2) / w2)
     factor = 1 - 2 * (1 + f + m - 2 * f * s2) * height / a + 3 * height**2 / a**2
     factor_by_lat = 8 * f * s_c * height / a
     factor_by_height = -2 * (1 + f + m - 2 * f * s2) / a + 6 * height / a**2

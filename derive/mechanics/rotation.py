@@ -4,12 +4,13 @@ Angles in rad, roll pitch yaw from navigation to body; ``C_b2n`` takes body comp
 quaternions are Hamilton, scalar first.  Every expression is free of branches and of 0/0, so that it can become C.
 """
 
-import sympy as sp
 from sympy import Matrix, atan2, cos, eye, sin, sqrt
 
-# Added to the square of an angle before its root is taken, so that a rotation by zero divides by 1e-15 and not by
-# zero.  It changes the quaternion of any rotation vector by less than 1e-30.
-TINY_SQUARE = sp.Rational(1, 10**30)
+from boresight.derive.constant import constant
+
+# Of use where a root of squares is divided by: a rotation by zero divides by 1e-15 and not by zero.  It changes the
+# quaternion of any rotation vector by less than 1e-30.
+TINY_SQUARE = constant("epsilon", "1e-30", "rad^2", "added to the square of an angle before its root is taken")
 
 
 def skew(v) -> Matrix:

@@ -1,0 +1,250 @@
+"""What is flown over steps of time held against the flow of the equation, in many digits: Phi, Q and the strapdown.
+
+Two flights of the strapdown part from a small error, which `feedback` puts in and its inverse reads out, as Phi at the
+middle of the step says.  Of an F that stands still Phi is the exponential, and Q the integral of Lyapunov's equation.
+Over an instant too short for the Earth to be felt, a strapdown gives what a body does that turns and accelerates
+unevenly: coning, sculling and scrolling.  What is left of each must fall with the power of the step that is claimed.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from math import inf, log2
+from typing import Any
+
+from flint import arb
+
+from boresight.codegen.functions.reference import precise
+from boresight.codegen.functions.samples import generator
+from boresight.codegen.mechanics import (
+    FINITE,
+    MOVED,
+    NAVIGATION,
+    STEP,
+    Exact,
+    MechanicsCheck,
+    Moving,
+    Reference,
+    Values,
+    Verdict,
+    box,
+    compiled,
+    fields,
+    filled,
+    finite_error,
+    largest,
+    navigating,
+    points,
+    row_sizes,
+    scaled,
+    slope,
+)
+from boresight.derive.ledger import ellipsoid
+from boresight.derive.ledger.numbers import Matrix, digits, zeros
+from boresight.derive.ledger.witness import hamilton, vector
+from boresight.derive.model import Function, Model, symbols_in
+from boresight.derive.models.variables import INCREMENTS
+
+SHORT = arb((1, -32))  # s, a step whose remainder is looked at
+SEEN = arb((1, -7))  # s, a step at which a wrong entry of Phi is named
+TURNED = arb((1, -13))  # rad and m/s over one interval of the uneven motion, about
+TERMS = 24  # of its power series: TURNED to this power is beyond the digits
+FELT = 1e-15  # of the motion: what the Earth adds is less
+NOTHING = 1e-40  # of a row: what is less is no remainder
+SLACK = 0.01  # of a power
+
+
+def check_flown(model: Model, reference: Mapping[str, Reference]) -> list[MechanicsCheck]:
+    """Every check of one model; reference: of its printed units, by name."""
+    checks = [check_motion(model, f, level) for f, level in navigating(model)]
+    if model.F is not None:
+        try:
+            checks.append(check_transition(Exact(model), reference))
+        except LookupError as missing:
+            checks.append(MechanicsCheck(model.name, "Phi", "", why=str(missing.args[0])))
+        checks += check_still(model, reference)
+    return checks
+
+
+def falls(
+    verdict: Verdict,
+    parts: Sequence[Matrix],
+    sizes: Sequence[float],
+    power: int,
+    rows: Sequence[str],
+    columns: Sequence[str] = (),
+    nothing: float = NOTHING,
+) -> None:
+    """That every entry of what a step leaves falls with this power of it, or a higher one.
+
+    parts: what a step and half of it leave; sizes: what each row is measured by.
+    """
+    left, less = parts
+    for i, row in enumerate(rows):
+        for j in range(left.cols):
+            off, half = (abs(float(part[i, j])) / sizes[i] for part in (left, less))
+            if off <= nothing:
+                continue
+            verdict.difference = max(verdict.difference, off)
+            found = log2(off / half) if half else inf
+            if verdict.order is None or found < verdict.order:
+                verdict.order = found
+                if found < power - SLACK:
+                    where = f"{row} by {columns[j]}" if columns else row
+                    verdict.entry = f"{where}: what is left falls with dt^{found:.2f}, not dt^{power}"
+
+
+# ---------------------------------------------------------------- error states
+
+
+def check_transition(exact: Exact, reference: Mapping[str, Reference]) -> MechanicsCheck:
+    """Phi at the middle of a step against two flights, which part there and are followed to both of its ends."""
+    model, n = exact.model, exact.model.n
+    scale, names, verdict = box(model), [s.name for s in model.x], Verdict()
+    with precise():
+        for k, middle in enumerate(points(model, "Phi")):
+            moving = Moving(exact, middle, scale)
+            error = finite_error(model, scale, "Phi", str(k))
+            rates = scaled(filled((n, n), reference["F"](fields(model, middle))[0]), scale)
+            sizes = [float(SHORT) * size for size in row_sizes(rates, scale)]
+
+            def left(x: Sequence[Any], dt: Any, moving: Moving = moving) -> Matrix:
+                """The error at the end of the step, less Phi times that at its start."""
+                middle = moving.hat
+                start, end = (moving.parted(x, exact.sensed(middle, sign * dt / 2)) for sign in (-1, 1))
+                Phi = filled((n, n), reference["Phi"](fields(model, middle | {model.dt: dt}))[0])
+                return end - Phi * start
+
+            def first_order(dt: Any, error: Matrix = error) -> Matrix:
+                ahead, behind = (left(list(sign * MOVED * error), dt) for sign in (1, -1))
+                return (ahead - behind) / (2 * MOVED)
+
+            at_whole, at_half = first_order(SHORT), first_order(SHORT / 2)
+            falls(verdict, (at_whole / FINITE, at_half / FINITE), sizes, min(model.order, 2) + 1, names)
+            if verdict.entry:
+                off = slope(lambda x: left(x, SEEN), scale)
+                verdict.entry = f"{most_off(off, rates, scale, names)}; {verdict.entry}"
+                break
+            verdict.remainder((left(list(part * error), SHORT) - part * at_whole for part in (1, arb(1) / 2)), sizes)
+    return verdict.check(model, "Phi", "two flights of strapdown and feedback")
+
+
+def most_off(off: Matrix, rates: Matrix, scale: Sequence[Any], names: Sequence[str]) -> str:
+    """The entry of Phi that is most off; off: exact - stated, and rates: F, each column times the box of its state."""
+    sizes = row_sizes(rates, scale)
+    places = [(i, j) for i in range(off.rows) for j in range(off.cols)]
+    i, j = max(places, key=lambda at: abs(float(off[at])) / sizes[at[0]])
+    return f"{names[i]} by {names[j]} is {-float(off[i, j] / scale[j]):.3g} too large over {float(SEEN):.3g} s"
+
+
+def check_still(model: Model, reference: Mapping[str, Reference]) -> list[MechanicsCheck]:
+    """Phi and Q where F and the noise stand still over the step."""
+    n, names, transition, noise = model.n, [s.name for s in model.x], Verdict(), Verdict()
+    with precise():
+        for values in points(model, "Q"):
+            F, S = (filled((n, n), reference[unit](fields(model, values))[0]) for unit in ("F", "Qc"))
+            parts = []
+            for dt in (SHORT, SHORT / 2):
+                now = fields(model, values | {model.dt: dt})
+                stated = [filled((n, n), reference[unit](now)[0]) for unit in ("Phi", "Q")]
+                exact = transition_and_noise(F, S, dt)
+                parts.append([mine - theirs for mine, theirs in zip(stated, exact, strict=True)])
+
+            for verdict, two, whole, power in zip(
+                (transition, noise), zip(*parts, strict=True), (F, S), (model.order + 1, model.order + 2), strict=True
+            ):
+                sizes = [float(SHORT) * size for size in row_sizes(whole, box(model))]
+                falls(verdict, two, sizes, power, names, names)
+    return [
+        transition.check(model, "Phi", "exp(F dt)"),
+        noise.check(model, "Q", "the integrated Lyapunov equation"),
+    ]
+
+
+def transition_and_noise(F: Matrix, S: Matrix, dt: Any) -> tuple[Matrix, Matrix]:
+    """exp(F dt) and the integral of exp(F s) S exp(F s)' over dt, by one exponential: Van Loan 1978."""
+    n = F.rows
+    both = zeros(2 * n, 2 * n)
+    both[:n, :n], both[:n, n:], both[n:, n:] = -F, S, F.T
+    grown = (both * dt).exp()
+    Phi = grown[n:, n:].T
+    return Phi, Phi * grown[:n, n:]
+
+
+# ---------------------------------------------------------------- strapdown
+
+
+Series = list[Matrix]  # the coefficients of a power series
+
+
+def product(of: Callable[[Matrix, Matrix], Matrix], left: Series, right: Series, k: int) -> Matrix:
+    """Coefficient k of the product of two series."""
+    terms = [of(left[i], right[k - i]) for i in range(k + 1) if i < len(left) and k - i < len(right)]
+    return sum(terms[1:], terms[0])
+
+
+def integrated(series: Series) -> Series:
+    return [0 * series[0], *(part / (k + 1) for k, part in enumerate(series))]
+
+
+def at(series: Series, s: Any) -> Matrix:
+    total = series[-1]
+    for part in reversed(series[:-1]):
+        total = total * s + part
+    return total
+
+
+def uneven(q: Matrix, omega: Series, force: Series) -> tuple[Series, Series]:
+    """Attitude of a body that turns by omega, and the velocity that the force gives it; all resolved in its own axes
+    but for what is returned, which starts from q and from rest."""
+    turning = [q]
+    for k in range(TERMS):
+        turning.append(product(hamilton, turning, [vector(0, *rate) for rate in omega], k) / (2 * (k + 1)))
+    back = [vector(p[0], -p[1], -p[2], -p[3]) for p in turning]
+    turned = [product(hamilton, turning, [vector(0, *f) for f in force], k) for k in range(TERMS)]
+    acceleration = [product(hamilton, turned, back, k)[1:4, 0] for k in range(TERMS)]
+    return turning, integrated(acceleration)
+
+
+def check_motion(model: Model, f: Function, level: ellipsoid.Level) -> MechanicsCheck:
+    """One step of uneven motion, over an instant too short for the Earth to be felt.
+
+    What reads the interval before is right to the third power of the step: coning, sculling, scrolling.  What does not
+    read it is right to the second.
+    """
+    inputs = {v.name: v for v in model.inputs}
+    outputs = [next(o for o in f.outputs if o.name == name) for name in NAVIGATION]
+    run, read = compiled(*(o.value for o in outputs)), symbols_in(*(o.value for o in outputs))
+    before = {s for v in INCREMENTS[2:] for s in v.symbols}
+    verdict, rng = Verdict(), generator("uneven", model.name, f.name)
+    for values in points(model, f.name):
+        p, v, q = (Matrix([values[s] for s in inputs[name].symbols]) for name in NAVIGATION)
+        rate, force = ([Matrix([arb(float(c)) for c in rng.uniform(-1, 1, 3)]) for _ in range(3)] for _ in range(2))
+        parts: list[list[Matrix]] = []
+        with precise():
+            turning, velocity = uneven(q, rate, force)
+            way, sums = integrated(velocity), [integrated(series) for series in (rate, force)]
+            for s in (TURNED, TURNED / 2):
+                now: Values = dict.fromkeys(read, arb(0)) | {inputs["dt"].scalar: STEP}
+                increments = [at(series, s) for series in sums] + [-at(series, -s) for series in sums]
+                columns = zip(
+                    (*(inputs[name] for name in NAVIGATION), *INCREMENTS), (p, v, q, *increments), strict=True
+                )
+                for variable, column in columns:
+                    now.update(zip(variable.symbols, column, strict=True))
+                made = run(now)
+                mean = position_rate(p, v + at(way, s) / s, level)
+                exact = (mean, v + at(velocity, s), at(turning, s))
+                found = ((made[0] - p) / STEP, *made[1:])
+                parts.append([mine - theirs for mine, theirs in zip(found, exact, strict=True)])
+            sizes = [largest(exact[0] - position_rate(p, v, level)), largest(exact[1] - v), largest(exact[2] - q)]
+            parts = [[s * part[0], *part[1:]] for s, part in zip((1, arb(1) / 2), parts, strict=True)]
+        for output, size, *two in zip(outputs, sizes, *parts, strict=True):
+            rows = [s.name for s in inputs[output.name].symbols]
+            power = 4 if symbols_in(output.value) & before else 3
+            falls(verdict, two, [size] * len(rows), power, rows, nothing=FELT)
+    return verdict.check(model, f.name, "a body that turns and accelerates unevenly")
+
+
+def position_rate(position: Matrix, v_n: Matrix, level: ellipsoid.Level) -> Matrix:
+    """Of the coordinates, by the velocity over the ground."""
+    with digits(ellipsoid.WORKING):
+        return level.slope(position).solve(level.axes(position) * v_n)
