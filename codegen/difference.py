@@ -17,8 +17,10 @@ from boresight.codegen.functions.tape import evaluate, tape
 from boresight.codegen.generate import Change, default_folder, load_model
 from boresight.codegen.revision import committed
 from boresight.codegen.text.equations import FILE, Words, equations_text, labels_of, places, read_equations
+from boresight.codegen.text.equations import matrices as expressions
 from boresight.codegen.text.files import folder_files
-from boresight.derive.model import Model, Variable, symbols_in
+from boresight.derive.constant import behind
+from boresight.derive.model import Model, Variable, constants_in, substituted, symbols_in
 from boresight.derive.pages.model import JACOBIAN
 from boresight.derive.pages.named import operations
 from boresight.runtime.compiler import compile_sources, compiler, run
@@ -43,7 +45,7 @@ class Entry:
 
     largest: by how much the values differ at most, at the point `at`.  relative: the same over the largest entry of
     its row, each times what it multiplies; where that is largest.  rounding: the values nowhere differ by more than
-    double precision explains.
+    double precision explains.  constants: it is the same but for the values of constants.
     """
 
     matrix: str
@@ -54,6 +56,7 @@ class Entry:
     relative: float | None = None
     at: Mapping[str, float] | None = None
     rounding: bool = False
+    constants: bool = False
 
 
 @dataclass(frozen=True)
@@ -112,8 +115,9 @@ def now(model: Model) -> Model:
 
 def compared(model: str, against: str, old: Model, new: Model) -> Difference:
     before, after = matrices(old), matrices(new)
+    swap = swapped(old, new)
     entries = [
-        Entry(key, place, a, b)
+        Entry(key, place, a, b, constants=a is not None and substituted(sp.Matrix([a]), swap)[0] == b)
         for key in dict.fromkeys([*after, *before])
         for place, a, b in paired(before.get(key, {}), after.get(key, {}))
         if a != b
@@ -123,6 +127,12 @@ def compared(model: str, against: str, old: Model, new: Model) -> Difference:
     return Difference(
         model, against, old, new, statements, tuple(map(measured, entries)), {key: len(m) for key, m in after.items()}
     )
+
+
+def swapped(old: Model, new: Model) -> dict[Any, Any]:
+    """The constants of the old model that have another value in the new one, and those."""
+    values = {one.name: one for one in constants_in(*expressions(new))}
+    return {one: values[one.name] for one in constants_in(*expressions(old)) if values.get(one.name, one) != one}
 
 
 Matrix = Mapping[str, Any]  # entries by their place, all of them
@@ -194,7 +204,15 @@ def described(model: Model) -> dict[str, dict[str, str]]:
         for o in f.outputs:
             box = ", ".join(f"{low:.6g} to {high:.6g}" for low, high in zip(o.low, o.high, strict=True))
             parts[f"{o.name} of {f.name}"] = {"unit": o.unit, "meaning": o.meaning, "frame": o.frame, "box": box}
+    for c in behind(constants_in(*expressions(model))):
+        parts[f"constant {c.name}"] = {"value": shown(c.value), "unit": c.unit, "meaning": c.meaning}
     return parts
+
+
+def shown(value: Any) -> str:
+    """A decimal number where there is one of few digits, else the expression."""
+    decimal = f"{float(value):.15g}"
+    return decimal if value.is_Rational and sp.Rational(decimal) == value else str(value)
 
 
 def stated(before: dict[str, dict[str, str]], after: dict[str, dict[str, str]]) -> Iterator[Statement]:
@@ -344,7 +362,7 @@ def to_json(found: Difference) -> dict[str, Any]:
         {name: None if value is None else words(value) for name, value in (("before", e.before), ("after", e.after))}
         for e in found.entries
     ]
-    numbers = ("largest", "relative", "at", "rounding")
+    numbers = ("largest", "relative", "at", "rounding", "constants")
     entries = [
         {"matrix": e.matrix, "entry": e.place, **text, **{name: getattr(e, name) for name in numbers}}
         for e, text in zip(found.entries, written, strict=True)

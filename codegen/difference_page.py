@@ -6,7 +6,7 @@ from typing import Any
 
 from sympy import Matrix, Symbol
 
-from boresight.codegen.difference import CORNERS, POINTS, Cost, Difference, Entry, Statement, together
+from boresight.codegen.difference import CORNERS, POINTS, Cost, Difference, Entry, Statement, swapped, together
 from boresight.derive.ledger.differences import differences, marks
 from boresight.derive.model import Function, Model, Output, Struct, substituted, symbols_in
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section
@@ -33,7 +33,7 @@ def differences_page(found: Sequence[Difference]) -> Page:
 
 
 def sections_of(found: Difference) -> tuple[Section, ...]:
-    changed = [entry for entry in found.entries if not entry.rounding]
+    changed = [entry for entry in found.entries if not entry.rounding and not entry.constants]
     shown = Description(both(found, changed))
     alike(shown)
     sections = [
@@ -49,11 +49,13 @@ def sections_of(found: Difference) -> tuple[Section, ...]:
 
 def both(found: Difference, changed: list[Entry]) -> Model:
     """A model whose functions are the entries before and after: so the same names are put into both."""
-    columns = (("before", [e.before for e in changed]), ("after", [e.after for e in changed]))
+    before, after = (
+        Matrix([0 if side is None else side for side in sides])
+        for sides in ([e.before for e in changed], [e.after for e in changed])
+    )
+    columns = ("before", substituted(before, swapped(found.old, found.new))), ("after", after)
     functions = tuple(
-        Function(name, name, (Output("entries", Matrix([0 if e is None else e for e in column]), "1", name),))
-        for name, column in columns
-        if column
+        Function(name, name, (Output("entries", column, "1", name),)) for name, column in columns if changed
     )
     struct = Struct("both", "what either reads", together(found.old, found.new))
     return Model(found.model, "difference", found.model, found.new.frame, (), (struct,), functions=functions)
@@ -118,10 +120,11 @@ def matrix_sections(found: Difference, changed: list[Entry], shown: Description)
         blocks: list[Block] = []
         for k, (_, entry) in enumerate(own):
             blocks += [Prose(sized(entry), entry.place), *pair(entry, written[0].forms[2 * k : 2 * k + 2])]
-        same = [e.place for e in found.entries if e.matrix == key and e.rounding]
-        if same:
-            blocks.append(Prose(f"{', '.join(same)}: no value differs beyond rounding.", "Written otherwise"))
-        count = len(own) + len(same)
+        others = [e for e in found.entries if e.matrix == key and e not in changed]
+        for entry in others:
+            why = "written otherwise; no value differs beyond rounding" if entry.rounding else "a constant alone"
+            blocks.append(Prose(f"{why}; {sized(entry)}" if entry.constants else why, entry.place))
+        count = len(own) + len(others)
         entries = f"{count} of {found.of[key]} entries" if key in found.of else f"{count} entries, all gone"
         yield Section(f"{key}: {entries}", (*blocks, *written[1:]))
 
