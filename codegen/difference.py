@@ -25,7 +25,7 @@ from boresight.derive.pages.model import JACOBIAN
 from boresight.derive.pages.named import operations
 from boresight.runtime.compiler import compile_sources, compiler, run
 
-CORNERS, POINTS = 64, 1000  # at which entries are compared
+POINTS = 2000  # at which entries are compared
 SMALLEST = ("-std=c99", "-Os", "-ffp-contract=off")
 
 
@@ -182,7 +182,8 @@ def described(model: Model) -> dict[str, dict[str, str]]:
         box = [f"{low:.6g} to {high:.6g}" for low, high in zip(v.low, v.high, strict=True)]
         return {
             "components": ", ".join(s.name for s in v.symbols), "unit": v.unit, "meaning": v.meaning, "frame": v.frame,
-            "box": ", ".join(dict.fromkeys(box)), "norm": " to ".join(map(str, v.norm or ())), "wraps": str(v.wraps),
+            "box": ", ".join(dict.fromkeys(box)), "norm": " to ".join(map(str, v.norm or ())),
+            "wraps": "to -pi to pi" * v.wraps,
         }  # fmt: skip
 
     parts = {
@@ -196,8 +197,9 @@ def described(model: Model) -> dict[str, dict[str, str]]:
     parts |= {f"input {v.name}": variable(v) | {"struct": s.name} for s in model.structs for v in s.fields}
     for m in model.measurements:
         parts[f"measurement {m.name}"] = {
-            "rows": ", ".join(m.rows), "unit": m.unit, "meaning": m.meaning, "angle": str(m.angle),
-            "correlated": str(m.correlated), "equations": ", ".join(m.equations),
+            "rows": ", ".join(m.rows), "unit": m.unit, "meaning": m.meaning,
+            "angles": ", ".join(m.rows if m.angle is True else m.angle or ()),
+            "noise": "correlated" if m.correlated else "of independent rows", "equations": ", ".join(m.equations),
         }  # fmt: skip
     for f in model.functions:
         parts[f"function {f.name}"] = {"meaning": f.meaning, "equations": ", ".join(f.equations)}
@@ -219,7 +221,7 @@ def stated(before: dict[str, dict[str, str]], after: dict[str, dict[str, str]]) 
     """A part that is new or gone is one statement, else there is one for each field that differs."""
     for part in dict.fromkeys([*after, *before]):
         if part not in before or part not in after:
-            said = ", ".join(text for text in (before | after)[part].values() if text not in ("", "False"))
+            said = ", ".join(text for text in (before | after)[part].values() if text)
             yield Statement(part, "", said if part in before else None, said if part in after else None)
         else:
             old, new = before[part], after[part]
@@ -239,7 +241,7 @@ class Measured:
         self.model, self.before, self.after = new, before, after
         self.variables = together(old, new)
         self.symbols = {s: ca.SX.sym(s.name) for v in self.variables for s in v.symbols}
-        self.points = sample(self.variables, CORNERS, POINTS, generator("difference", new.name))
+        self.points = drawn(self.variables, generator("difference", new.name))
         self.at = {s.name: part[:, i] for v, part in zip(self.variables, self.points, strict=True)
                    for i, s in enumerate(v.symbols)}  # fmt: skip
         self.noise = {place: value for model in (old, new) for place, value in zip(
@@ -293,6 +295,18 @@ class Measured:
         values, bounds = evaluate(program, self.points)
         order = np.argsort([nonzero for _, nonzero, _ in program.results])
         return np.array(values)[order], np.array(bounds)[order]
+
+
+def drawn(variables: tuple[Variable, ...], rng: np.random.Generator) -> list[np.ndarray]:
+    """(POINTS, size) for each variable.  In half of the points a component is as often at either end of its box as
+    within it, unless a norm binds it: extremes lie there."""
+    points = sample(variables, 0, POINTS, rng)
+    for v, part in zip(variables, points, strict=True):
+        place = rng.integers(0, 3, part.shape)
+        place[: POINTS // 2] = 2
+        if v.norm is None:
+            part[:] = np.where(place == 0, v.low, np.where(place == 1, v.high, part))
+    return points
 
 
 def together(old: Model, new: Model) -> tuple[Variable, ...]:

@@ -6,7 +6,7 @@ from typing import Any
 
 from sympy import Matrix, Symbol
 
-from boresight.codegen.difference import CORNERS, POINTS, Cost, Difference, Entry, Statement, swapped, together
+from boresight.codegen.difference import POINTS, Cost, Difference, Entry, Statement, swapped, together
 from boresight.derive.ledger.differences import differences, marks
 from boresight.derive.model import Function, Model, Output, Struct, substituted, symbols_in
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section
@@ -14,7 +14,7 @@ from boresight.derive.pages.model import Description, forms, lettered, letters_o
 from boresight.derive.pages.named import nodes
 
 SIZES = (
-    f"Sizes are the largest at {POINTS + CORNERS} points of the box, in SI units and rad; as part of a row they are of "
+    f"Sizes are the largest at {POINTS} points of the box, in SI units and rad; as part of a row they are of "
     "the largest entry in it, each times the box of its state."
 )
 
@@ -40,7 +40,7 @@ def sections_of(found: Difference) -> tuple[Section, ...]:
         *([Section("what is stated", tuple(map(stated, found.statements)))] if found.statements else []),
         *matrix_sections(found, changed, shown),
     ]
-    used = {s for section in sections for form in forms_of(section) for s in letters_of(form.relation)}
+    used = {s for section in sections for form in forms(section) for s in letters_of(form.relation)}
     sections += names_of(shown, used)
     if found.cost:
         sections.append(Section("cost", tuple(cost(found.cost))))
@@ -88,13 +88,6 @@ def terms(*expressions: Any) -> set[Any]:
     return {term for e in expressions if e.is_Add for term in e.as_coefficients_dict()}
 
 
-def forms_of(section: Section) -> Iterator[Form]:
-    for block in section.blocks:
-        if isinstance(block, Pair):
-            yield from (*block.left.forms, *block.right.forms)
-    yield from forms(section)
-
-
 def stated(statement: Statement) -> Prose:
     what = statement.part + f", {statement.field}" * bool(statement.field)
     if statement.before is None:
@@ -119,7 +112,7 @@ def matrix_sections(found: Difference, changed: list[Entry], shown: Description)
         written = shown.formulas(relations)
         blocks: list[Block] = []
         for k, (_, entry) in enumerate(own):
-            blocks += [Prose(sized(entry), entry.place), *pair(entry, written[0].forms[2 * k : 2 * k + 2])]
+            blocks += pair(entry, written[0].forms[2 * k : 2 * k + 2])
         others = [e for e in found.entries if e.matrix == key and e not in changed]
         for entry in others:
             why = "written otherwise; no value differs beyond rounding" if entry.rounding else "a constant alone"
@@ -132,10 +125,11 @@ def matrix_sections(found: Difference, changed: list[Entry], shown: Description)
 def pair(entry: Entry, forms: tuple[Form, ...]) -> Iterator[Block]:
     before, after = forms
     if entry.before is None:
-        yield Formulas((after,), "new")
+        yield from (Prose("new", entry.place), Formulas((after,)))
     elif entry.after is None:
-        yield Formulas((before,), "gone")
+        yield from (Prose("gone", entry.place), Formulas((before,)))
     else:
+        yield Prose(sized(entry), entry.place)
         found = differences([before.relation], [after.relation])
         left, right = (
             replace(form, marks=frozenset(marks([form.relation], found, which)[0]))
@@ -145,8 +139,6 @@ def pair(entry: Entry, forms: tuple[Form, ...]) -> Iterator[Block]:
 
 
 def sized(entry: Entry) -> str:
-    if entry.before is None or entry.after is None:
-        return "the row or the column is new" if entry.before is None else "the row or the column is gone"
     if entry.largest is None or entry.at is None:
         return "no point of the box was found at which both have a value"
     at = ", ".join(f"{name} = {value:.4g}" for name, value in entry.at.items())

@@ -32,7 +32,7 @@ from boresight.derive.pages.named import (
     operations,
     rebuilt,
 )
-from boresight.derive.pages.page import Block, Form, Formulas, Page, Prose, Section, Table
+from boresight.derive.pages.page import Block, Form, Formulas, Page, Pair, Prose, Section, Table
 
 LONG = 150  # operations: what is longer is broken into parts that have letters
 WIDE = 52  # characters: a matrix that is wider is given entry by entry
@@ -354,6 +354,8 @@ def forms(section: Section) -> Iterator[Form]:
     for block in section.blocks:
         if isinstance(block, Formulas):
             yield from block.forms
+        elif isinstance(block, Pair):
+            yield from (*block.left.forms, *block.right.forms)
         elif isinstance(block, Table):
             yield from (form for row in block.rows for cell in row if not isinstance(cell, str) for form in cell)
 
@@ -657,6 +659,8 @@ def lettered(shown: Description, page: Page) -> Page:
     def block(one: Block) -> Block:
         if isinstance(one, Formulas):
             return replace(one, forms=tuple(map(formed, one.forms)))
+        if isinstance(one, Pair):
+            return Pair(*(replace(side, forms=tuple(map(formed, side.forms))) for side in (one.left, one.right)))
         if isinstance(one, Table):
             rows = tuple(tuple(c if isinstance(c, str) else tuple(map(formed, c)) for c in row) for row in one.rows)
             return replace(one, rows=rows)
