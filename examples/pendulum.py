@@ -1,7 +1,7 @@
 """A pendulum that is let go, and the encoder that reads its angle: a total state, flown by its own equation.
 
-boresight generate examples/pendulum.py:PENDULUM
-boresight verify examples/pendulum.py:PENDULUM
+boresight generate pendulum.py:PENDULUM
+boresight verify pendulum.py:PENDULUM
 """
 
 from sympy import Matrix, pi, sin

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.runtime.arguments import check_inputs
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.library import Library
@@ -23,7 +24,7 @@ class CompiledFilter(Filter):
     measured value (..., m), as a keyword.
     """
 
-    def __init__(self, model: Library, nav: dict[str, Array], P: Array):
+    def __init__(self, model: Library, nav: dict[str, Array], P: Array, x: Any = None):
         described = model.manifest.get("filter") if isinstance(model, Library) else None
         if described is None:
             raise BoresightError(
@@ -31,7 +32,7 @@ class CompiledFilter(Filter):
             )
         if model.precision != "double":
             raise BoresightError(f"{model.name} is compiled in {model.precision}; CompiledFilter carries P in double")
-        super().__init__(model, nav, P)
+        super().__init__(model, nav, P, x)
         self.described = described
         n = len(model.states)
         size = getattr(model.dll, f"{model.manifest['c_prefix']}_filter_size")
@@ -104,6 +105,7 @@ class CompiledFilter(Filter):
         measured: rows (..., m) bool, m, gate and iterations of a measurement, for which nu, S and used are returned.
         """
         library: Library = self.model
+        check_inputs(function, library, inputs, self.nav, self.P)
         values = {**self.nav, **inputs}
         missing = [name for name in described["fields"] if name not in values]
         if missing:
