@@ -128,7 +128,8 @@ def test_every_formula_of_a_difference_is_shown_as_it_is(coriolis, form):
     document = write(page, "html" if form == "mathml" else form)
     if form == "mathml":
         assert document.count("<math") >= len(shown)
-        assert document.count('class="slip"') == sum(len(one.marks) for one in shown)
+        marked = [WRITERS[form](one.relation, one.quantities, marks=one.marks) for one in shown]
+        assert document.count('class="slip"') == "".join(marked).count('class="slip"') >= 4
     else:
         flat = plain(document)
         assert all(plain(WRITERS[form](one.relation, one.quantities, marks=one.marks)) in flat for one in shown)
@@ -220,8 +221,8 @@ def test_operations_and_code_are_of_the_functions_that_differ():
     old = pendulum()
     made = cost(read(old), read(replace(old, G=Matrix([0, 2]))))
     changes = {c.name: (c.before, c.after) for c in made.changes}
-    assert {"Qc", "Q"} <= changes.keys() and "encoder_h" not in changes
-    assert changes["Qc"][1] > changes["Qc"][0]
+    assert "Q" in changes and "encoder_h" not in changes
+    assert changes["Q"][1] > changes["Q"][0]
     assert not made.unknown and 0 < made.before < made.after
 
 
