@@ -161,6 +161,22 @@ def test_phi_and_q_of_an_error_state_are_exact_to_their_order_of_a_standing_F(or
     assert orders(errors(model, "Q", HALVED, **IN)) == pytest.approx([order + 2] * 2, abs=0.35)
 
 
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_of_an_f_that_moves_every_order_leaves_out_half_its_rate_times_the_square_of_the_step(order):
+    model, h, rate = replace(MASS, order=order), 2.0**-10, np.array([[0, 0, 0], [3.0, 0, 0], [0, 0, 0]])
+    F = printed(model, "F", **IN)
+    y = solve_ivp(
+        lambda t, y: ((F + rate * t) @ y.reshape(3, 3)).ravel(),
+        (0, h),
+        np.eye(3).ravel(),
+        "DOP853",
+        rtol=1e-12,
+        atol=1e-15,
+    ).y[:, -1]
+    left = (y.reshape(3, 3) - printed(model, "Phi", dt=h, **IN)) / (h * h / 2)
+    assert left == pytest.approx(rate + (F @ F if order == 1 else 0), abs=20 * h)
+
+
 def generated(model, order, folder):
     """The folder of a model of this module, its Phi taken to another order."""
     folder.mkdir()
