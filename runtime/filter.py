@@ -141,9 +141,11 @@ class Filter:
 
     def _brought(self, measurement: str, inputs: dict[str, Any]) -> Array | None:
         """z (..., m) out of the inputs, or None where the model has a function for it."""
-        known = getattr(self.model, "measurements", None)
-        if known is not None and measurement not in known:
-            raise BoresightError(f"{self.model.name} has no measurement {measurement!r}; it has {', '.join(known)}")
+        if not hasattr(self.model, f"{measurement}_H"):
+            known = f"; it has {', '.join(self.model.measurements)}" if hasattr(self.model, "measurements") else ""
+            raise BoresightError(
+                f"{getattr(self.model, 'name', 'the model')} has no measurement {measurement!r}{known}"
+            )
         if hasattr(self.model, f"{measurement}_z"):
             if "z" in inputs:
                 raise BoresightError(f"{measurement} makes its z of its inputs; leave z out")
@@ -151,7 +153,7 @@ class Filter:
         if "z" not in inputs:
             raise BoresightError(f"{measurement} needs z, the measured value; pass it as a keyword")
         z: Array = np.atleast_1d(np.asarray(inputs.pop("z"), dtype=float))
-        m = len(known[measurement]["rows"]) if known else z.shape[-1]
+        m = len(self._described(measurement, "rows") or range(z.shape[-1]))
         if z.shape[-1] != m:
             raise BoresightError(f"{measurement}: z has shape {z.shape}; its last axis must be {m} long")
         if not np.isfinite(z).all():
