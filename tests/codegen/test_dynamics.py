@@ -16,10 +16,10 @@ from boresight.codegen.functions.samples import sample
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import generate, load_model
 from boresight.derive.model import Measurement, Model, Struct, variable
+from boresight.runtime.array import wrapped
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
-from boresight.runtime.rotation import wrapped
 
 PENDULUM = load_model(f"{ROOT / 'examples' / 'pendulum.py'}:PENDULUM")
 AT = {"x": [2.0, 0.5], "rod": [1.0, 0.1], "torque": [0.1]}
