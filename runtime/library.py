@@ -135,6 +135,10 @@ class Bound:
         return self.call()
 
 
+class NoFunction(BoresightError, AttributeError):
+    """A name that the model has no function of."""
+
+
 class Library:
     """The functions of one model as attributes: `load("euler-matching").euler_H(euler_b=..., euler_m=...)`.
 
@@ -169,10 +173,11 @@ class Library:
         given = {}
         for name, value in fields.items():
             size = self.field[name]["size"]
+            vector = size > 1 or name == "x"  # the state is one even where it has one component
             array = np.asarray(value, dtype=float)
-            if size > 1 and (array.ndim == 0 or array.shape[-1] != size):
+            if vector and (array.ndim == 0 or array.shape[-1] != size):
                 raise BoresightError(f"{function}: {name} has shape {array.shape}; its last axis must be {size} long")
-            given[name] = array if size > 1 else array[..., None]
+            given[name] = array if vector else array[..., None]
         try:
             return given, np.broadcast_shapes(*(array.shape[:-1] for array in given.values()))
         except ValueError:
@@ -226,7 +231,7 @@ class Library:
             return units[name]
         if name.startswith("__") or not units:
             raise AttributeError(name)
-        raise BoresightError(f"{self.name} has no function {name!r}; it has {', '.join(units)}")
+        raise NoFunction(f"{self.name} has no function {name!r}; it has {', '.join(units)}")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.units]

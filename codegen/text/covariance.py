@@ -54,14 +54,21 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "packed": packed,
         "block": block,
         "row": row,
-        # a nonlinear measurement keeps P and H there
-        "work": max(2 * row * row, packed + max(len(nonzeros(made, f"{m.name}_H")) for m in model.measurements)),
+        # a nonlinear measurement keeps H there, dense where its R is, and its dense P
+        "work": max(2 * row * row, n * n + max(n * len(m.rows) for m in model.measurements)),
         **given,
         "order": model.order,
         "series": series(model.order),
         "powers": " + ".join(["I", "F", "F F", "F F F"][: model.order + 1]),
         "highest": ("second", "third", "fourth")[model.order - 1],
+        "spread": (
+            "Qc + L(Qc) / 2 = Qc + L(Qc / 2)",
+            "Qc + L(Qc) / 2 + L(L(Qc)) / 6 = Qc + L(Qc / 2 + L(Qc) / 6)",
+            "Qc + L(Qc) / 2 + L(L(Qc)) / 6 + L(L(L(Qc))) / 24 = Qc + L(Qc / 2 + L(Qc / 6 + L(Qc) / 24))",
+        )[model.order - 1],
         "Phi": table(Phi, n),
         "first": ", ".join(str(min(leftmost[j:])) for j in range(n)),
+        "third": repr(1 / 3),
         "sixth": repr(1 / 6),
+        "twentyfourth": repr(1 / 24),
     }

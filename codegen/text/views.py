@@ -36,7 +36,7 @@ def argument(a: Variable, path: str) -> dict[str, Any]:
     return {
         "name": a.name,
         "size": a.size,
-        "access": path if a.size > 1 else f"&{path}",
+        "access": path if indexed else f"&{path}",
         "element": f"{local}[i]" if indexed else local,
         "low": ", ".join(number(v) for v in a.low),
         "high": ", ".join(number(v) for v in a.high),
