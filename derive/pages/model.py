@@ -49,7 +49,7 @@ from boresight.derive.pages.named import (
     operations,
     rebuilt,
 )
-from boresight.derive.pages.page import Block, Form, Formulas, Page, Prose, Section, Table
+from boresight.derive.pages.page import Block, Form, Formulas, Page, Pair, Prose, Section, Table
 
 LONG = 150  # operations: what is longer is broken into parts that have letters
 WIDE = 52  # characters: a matrix that is wider is given entry by entry
@@ -362,10 +362,10 @@ def model_page(model: Model, manifest: Mapping[str, Any] | None = None) -> Page:
         *(_function(shown, f, units) for f in model.functions),
     ]
     used = {s for section in sections for form in forms(section) for s in letters_of(form.relation)}
-    sections += _names(shown, used)
+    sections += names_of(shown, used)
     sections += [Section("C functions", tuple(_functions(model, units)), "c-functions"), *_equations(model)]
     lead = (f"{model.title[0].upper()}{model.title[1:]}.", f"Frame: {model.frame}.", *model.card)
-    return _lettered(shown, Page(model.name, tuple(sections), lead))
+    return lettered(shown, Page(model.name, tuple(sections), lead))
 
 
 def formulas(model: Model) -> list[Form]:
@@ -379,6 +379,8 @@ def forms(section: Section) -> Iterator[Form]:
     for block in section.blocks:
         if isinstance(block, Formulas):
             yield from block.forms
+        elif isinstance(block, Pair):
+            yield from (*block.left.forms, *block.right.forms)
         elif isinstance(block, Table):
             yield from (form for row in block.rows for cell in row if not isinstance(cell, str) for form in cell)
 
@@ -438,7 +440,7 @@ def _inputs(model: Model) -> Iterator[Block]:
         yield _variables(model, struct.fields)
 
 
-def _names(shown: Description, used: set[Symbol]) -> list[Section]:
+def names_of(shown: Description, used: set[Symbol]) -> list[Section]:
     """The names that stand in the formulas, and the constants; what defines them is followed."""
     named: list[tuple[Named, list[Relation]]] = []
     constants: list[tuple[Named, list[Relation]]] = []
@@ -666,7 +668,7 @@ def _equations(model: Model) -> Iterator[Section]:
 # ---------------------------------------------------------------- letters
 
 
-def _lettered(shown: Description, page: Page) -> Page:
+def lettered(shown: Description, page: Page) -> Page:
     """Every formula of the page with the LaTeX of its letters."""
     named = {
         quantity.symbol.name + "(" * quantity.function: quantity
@@ -682,6 +684,8 @@ def _lettered(shown: Description, page: Page) -> Page:
     def block(one: Block) -> Block:
         if isinstance(one, Formulas):
             return replace(one, forms=tuple(map(formed, one.forms)))
+        if isinstance(one, Pair):
+            return Pair(*(replace(side, forms=tuple(map(formed, side.forms))) for side in (one.left, one.right)))
         if isinstance(one, Table):
             rows = tuple(tuple(c if isinstance(c, str) else tuple(map(formed, c)) for c in row) for row in one.rows)
             return replace(one, rows=rows)

@@ -2,8 +2,7 @@
 
 from sympy import Abs, Matrix, Max, Min, acos, asin, atan, cosh, exp, log, sign, sinh, tanh
 
-from boresight.derive.constant import constant
-from boresight.derive.model import Function, Measurement, Model, Output, Struct, variable
+from boresight.derive.model import Function, Measurement, Model, Output, Struct, constant, variable
 
 height = variable("height", "y", "m", "height above the sea", -400.0, 9000.0)
 fall = variable("fall", "v", "m/s", "speed downward", -60.0, 60.0)
