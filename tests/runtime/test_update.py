@@ -3,6 +3,8 @@
 Held in Python and in C against least squares of SciPy, the update in matrices, and a target that crosses half a turn.
 """
 
+import re
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -16,6 +18,7 @@ from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 
+ROOT = Path(__file__).parent.parent.parent
 KINDS = pytest.mark.parametrize("kind", [Filter, CompiledFilter], ids=["python", "c"])
 FAR = np.array([20.0, -3000.0, 0.0, 0.0, 0.0])
 SURE = np.diag([1e-4, 1e-4, 1e-4, 1e-4, 1e-8])  # all but what a test makes uncertain
@@ -135,6 +138,16 @@ def test_iterations_find_the_most_probable_state(kind, smeared, radar):
     cost = (best - NEAR) @ np.linalg.solve(WIDE, best - NEAR)
     off = HERE - seen(best)
     assert said.nis == pytest.approx(cost + off @ np.linalg.solve(full, off), rel=1e-3)
+
+
+def test_the_conventions_say_how_far_from_the_most_probable_state_the_iterations_end(radar):
+    text = " ".join((ROOT / "docs" / "conventions.md").read_text().split())
+    said = re.search(r"from 5 m, .* one iteration ends (\S+) sigma .* three end (\S+) sigma", text)
+    best, spread = most_probable(NEAR, WIDE, HERE, np.diag(NOISE))
+    for iterations, sigmas in zip((1, 3), said.groups(), strict=True):
+        loop = begun(Filter, radar, NEAR, WIDE)
+        loop.update("radar", NOISE, z=HERE, iterations=iterations)
+        assert f"{away(loop.x, best, spread):.{len(sigmas.split('.')[1])}f}" == sigmas
 
 
 @KINDS
