@@ -41,6 +41,7 @@ def completed(*sources: Callable[[], list[str]]) -> Callable[[str], list[str]]:
 
 
 FORMATS = ["text", "latex", "html", "pdf"]
+NEW = ["total-state", "error-state", "ins"]
 STUDIES = ["azimuth-hold", "euler-table", "float-covariance", "sea-state"]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document and nothing else.")]
 Out = Annotated[Path | None, typer.Option("-o", "--out", help="Folder for results.")]
@@ -71,6 +72,28 @@ def root(version: Annotated[bool, typer.Option("--version", help="Print the vers
     if version:
         print(f"boresight {__version__}")
         raise typer.Exit
+
+
+@app.command()
+def new(
+    name: Annotated[str, typer.Argument(help="Lower-case words joined by '-'; NAME.py and fly_NAME.py are written.")],
+    kind: Annotated[
+        str,
+        typer.Option(
+            help="total-state, flown by f: a pendulum; error-state, with feedback: height and speed aided by a "
+            "barometer; ins: GNSS/INS with lever arm and delay, 15 states.",
+            autocompletion=completed(lambda: NEW),
+        ),
+    ] = "total-state",
+    out: Annotated[Path, typer.Option("-o", "--out", help="Folder to write to.")] = Path(),
+) -> None:
+    """Begin a model of your own, and the script that flies it."""
+    from boresight.codegen import new as begin
+
+    model, script = begin.new(name, kind, out)
+    constant = model.stem.upper()
+    print(f"{model}, {script}")
+    print(f"try 'boresight generate {model}:{constant}', 'boresight verify {model}:{constant}', 'python {script}'")
 
 
 @app.command()

@@ -109,7 +109,7 @@ def export_view(manifest: dict[str, Any], library: Library, files: dict[str, str
         + [
             (
                 f"{prefix}_filter",
-                size * (carried + n + 2 * counts["PACKED"] + sum(counts[k] for k in ("F", "QC", "PHI", "WORK"))),
+                size * (carried + n + 2 * counts["PACKED"] + sum(counts.get(k, 0) for k in ("F", "QC", "PHI", "WORK"))),
             )
         ],
         "measurements": manifest["measurements"],
@@ -142,7 +142,9 @@ def minute(manifest: dict[str, Any], library: Library, precision: str) -> dict[s
             value *= norm.mean() / np.linalg.norm(value)
         if name == "dt":
             value = np.clip([1.0], low, high)
-        return np.clip(value, low, high).astype(real).astype(float)
+        near = np.clip(value, low, high).astype(real)  # which rounding may have led out of the box again
+        near = np.where(near > high, np.nextafter(near, real(-np.inf)), near)
+        return np.where(near < low, np.nextafter(near, real(np.inf)), near).astype(float)
 
     def fill(structs: list[str]) -> dict[str, dict[str, Any]]:
         return {s: {field["name"]: near_middle(field["name"]) for field in manifest["structs"][s]} for s in structs}
@@ -151,13 +153,15 @@ def minute(manifest: dict[str, Any], library: Library, precision: str) -> dict[s
     calls = [described["propagate"], *described["measurements"].values(), described["correct"] or {"structs": []}]
     outside = [s for s in manifest["structs"] if any(s in call["structs"] for call in calls)]
     seconds = [fill(outside) for _ in range(SECONDS)]
-    half = [(h - low) / 2 for block in manifest["blocks"] for low, h in zip(block["low"], block["high"], strict=True)]
-    P0 = np.diag(((WIDE * np.array(half)) ** 2).astype(real).astype(float))
 
     def flat(given: dict[str, dict[str, Any]]) -> dict[str, Any]:
         return {k: v if v.size > 1 else v[0] for part in given.values() for k, v in part.items()}
 
-    loop = Filter(library, flat(start), P0)
+    total = manifest["kind"] == "total-state"
+    lows, highs = (np.array([v for block in manifest["blocks"] for v in block[end]]) for end in ("low", "high"))
+    x0 = ((3 * lows + 5 * highs) / 8).astype(real).astype(float) if total else None  # off the middle, to move
+    P0 = np.diag(((WIDE * (highs - lows) / 2) ** 2).astype(real).astype(float))
+    loop = Filter(library, flat(start), P0, x0)
     R: dict[str, list[float]] = {}
     for given in map(flat, seconds):
         loop.predict(**only(given, described["propagate"]["fields"]))
@@ -177,7 +181,9 @@ def minute(manifest: dict[str, Any], library: Library, precision: str) -> dict[s
         "start": start,
         "seconds": seconds,
         "P0": P0,
+        "x0": x0,
         "R": R,
+        "x": loop.x,
         "sigma": np.sqrt(np.diag(loop.P)),
         "literal": lambda values: literal(values, text),
     }

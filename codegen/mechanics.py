@@ -70,7 +70,7 @@ def check_mechanics(model: Model, reference: Mapping[str, Reference]) -> list[Me
     if model.f is not None:
         checks.append(check_own_rate(model, reference["F"]))
         checks.append(MechanicsCheck(model.name, "G", "", why="f says nothing of the noise"))
-    elif model.n:
+    elif model.kind == "error-state":
         try:
             checks += check_error_model(Exact(model), reference["F"])
         except LookupError as missing:
@@ -223,7 +223,7 @@ class Exact:
         self.carried, self.returned = (self.outputs(f) for f in (strapdown, feedback))
         known = {s for v in model.inputs for s in v.symbols}
         self.idle = symbols_in(*(o.value for o in strapdown.outputs)) - known | {
-            s for v in INCREMENTS for s in v.symbols
+            s for v in (*INCREMENTS, *(what for _, what in self.mechanics.driven)) for s in v.symbols
         }
         self.strapdown, self.feedback = (compiled(*(o.value for o in f.outputs)) for f in (strapdown, feedback))
         self.stepped = compiled(*(sp.Matrix(e) for _, e in self.mechanics.step)) if self.mechanics.step else None

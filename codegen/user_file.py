@@ -42,6 +42,7 @@ def explain(error: BaseException, path: Path) -> NoReturn:
         raise BoresightError(f"{at}: {error.msg}; correct the line: Python cannot read it") from error
     frame, line = users_frame(error, path)
     text = " ".join(f"{type(error).__name__}: {error}".split())
+    text = re.sub(r" \(/\S+\)$", "", text)  # the file of a module that lacks a name
     where = line_of(frame.f_code.co_filename, line) if frame else line_of(str(path), 1)
     raise BoresightError(f"{where}: {text}{remedy(error, frame, path)}") from error
 
@@ -101,7 +102,7 @@ def name_meant(name: str, module: str) -> str:
     if close or not module.startswith("boresight"):
         return close
     defines = re.compile(rf"^(?:def|class) {name}\b|^{name}\b.* = ", re.MULTILINE)
-    for path in sorted(sources()):
+    for path in sorted(sources(), key=lambda path: ("mechanics" not in path.parts, path)):
         if path.name != "__init__.py" and defines.search(path.read_text(encoding="utf-8")):
             parts = path.relative_to(PACKAGE).with_suffix("").parts
             return f"; it is in boresight.{'.'.join(parts)}"

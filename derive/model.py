@@ -11,6 +11,8 @@ from typing import Any
 from sympy import ImmutableMatrix, Matrix, Symbol
 
 from boresight import BoresightError
+from boresight.derive.constant import Constant
+from boresight.derive.constant import constant as constant
 from boresight.derive.where import where_written
 
 NONE = ImmutableMatrix(0, 0, [])
@@ -373,13 +375,25 @@ def symbols_in(*matrices: Matrix) -> set[Symbol]:
     return {part for part in parts_of(*matrices) if part.is_Symbol}
 
 
-def substituted(matrix: Matrix, mapping: Mapping[Symbol, Any]) -> Matrix:
-    """The matrix with expressions in the place of symbols; as in symbols_in, what is held many times is done once."""
+def constants_in(*matrices: Matrix) -> set[Constant]:
+    """All named constants that the matrices read."""
+    return {part for part in parts_of(*matrices) if isinstance(part, Constant)}
+
+
+def numeric(matrix: Matrix) -> Matrix:
+    """The matrix with numbers in the place of its constants, as it is printed and flown."""
+    found = constants_in(matrix)
+    return substituted(matrix, {one: one.exact for one in found}) if found else matrix
+
+
+def substituted(matrix: Matrix, mapping: Mapping[Any, Any]) -> Matrix:
+    """The matrix with expressions in the place of symbols or constants; what is held many times is done once."""
     known: dict[Any, Any] = dict(mapping)
 
     def visit(part: Any) -> Any:
         if part not in known:
-            known[part] = part.func(*map(visit, part.args)) if part.args else part
+            args = tuple(map(visit, part.args))
+            known[part] = part if args == part.args else part.func(*args)
         return known[part]
 
     return Matrix(*matrix.shape, [visit(entry) for entry in matrix])

@@ -4,9 +4,9 @@ boresight generate examples/own_model.py:TANK
 boresight verify examples/own_model.py:TANK
 """
 
-from sympy import Matrix, Rational, sqrt
+from sympy import Matrix, sqrt
 
-from boresight.derive.model import Measurement, Model, Struct, variable
+from boresight.derive.model import Measurement, Model, Struct, constant, variable
 
 level = variable("level", "depth", "m", "depth of the water", 0.01, 5.0)
 meter = variable("meter", "offset", "m", "offset of the meter", -0.5, 0.5)
@@ -14,7 +14,7 @@ tank = variable("tank", "area drain", "m^2, m^2", "areas of the tank and of the 
 dt = variable("dt", "dt", "s", "length of the step", 1e-3, 10.0)
 inflow = variable("inflow", "inflow drift", "m/sqrt(s), m/sqrt(s)", "root densities of inflow and offset", 0.0, 0.1)
 
-GRAVITY = Rational("9.81")  # m/s^2
+GRAVITY = constant("g", "9.81", "m/s^2", "gravity")
 
 depth, offset = level.scalar, meter.scalar
 area, drain = tank.symbols

@@ -1,14 +1,14 @@
 """A pendulum that is let go, and the encoder that reads its angle: a total state, flown by its own equation.
 
-boresight generate examples/pendulum.py:PENDULUM
-boresight verify examples/pendulum.py:PENDULUM
+boresight generate pendulum.py:PENDULUM
+boresight verify pendulum.py:PENDULUM
 """
 
-from sympy import Matrix, Rational, pi, sin
+from sympy import Matrix, pi, sin
 
-from boresight.derive.model import Measurement, Model, Struct, variable
+from boresight.derive.model import Measurement, Model, Struct, constant, variable
 
-GRAVITY = Rational("9.81")  # m/s^2
+GRAVITY = constant("g", "9.81", "m/s^2", "gravity")
 HALF_TURN = float(pi)
 
 angle = variable("angle", "theta", "rad", "angle from hanging down", -HALF_TURN, HALF_TURN, wraps=True)

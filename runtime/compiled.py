@@ -23,7 +23,7 @@ class CompiledFilter(Filter):
     measured value (..., m), as a keyword.
     """
 
-    def __init__(self, model: Library, nav: dict[str, Array], P: Array):
+    def __init__(self, model: Library, nav: dict[str, Array], P: Array, x: Any = None):
         described = model.manifest.get("filter") if isinstance(model, Library) else None
         if described is None:
             raise BoresightError(
@@ -31,7 +31,7 @@ class CompiledFilter(Filter):
             )
         if model.precision != "double":
             raise BoresightError(f"{model.name} is compiled in {model.precision}; CompiledFilter carries P in double")
-        super().__init__(model, nav, P)
+        super().__init__(model, nav, P, x)
         self.described = described
         n = len(model.states)
         size = getattr(model.dll, f"{model.manifest['c_prefix']}_filter_size")

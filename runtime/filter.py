@@ -1,4 +1,4 @@
-"""An error-state Kalman filter over a model's functions: one run, or many side by side.
+"""A Kalman filter over a model's functions, of an error state or of a total state: one run, or many side by side.
 
 Everything here broadcasts: P is (..., n, n), and what stands before the last axes are runs.  The same loop flies the
 compiled C of `boresight.runtime.library` and any object that offers the same functions in plain NumPy.
@@ -11,6 +11,7 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime.array import Array
+from boresight.runtime.rotation import wrapped
 
 
 @dataclass(frozen=True)
@@ -30,21 +31,42 @@ class Innovation:
 class Filter:
     """Predict, update by a named measurement, feed back.
 
-    model: offers `Phi`, `Q`, `NAME_z`, `NAME_H` (and `NAME_h` where H depends on x), `feedback`, `strapdown`; each is
-    called with the fields that it lists in `.fields`.
+    model: offers `Phi`, `Q`, `NAME_z`, `NAME_H` (and `NAME_h` where H depends on x), `feedback`, `strapdown`, and
+    `next` if its state is total; each is called with the fields that it lists in `.fields`.  `wraps`: the places
+    of the states that are kept in [-pi, pi).
     nav: the quantities that the strapdown carries and the feedback corrects, by field name, each (..., size).
-    P: (..., n, n) covariance of the error state, which is zero between a feedback and the next update.
+    P: (..., n, n) covariance of the state.
+    x: (..., n) where a total state begins.  An error state begins, by default, and after each feedback, at zero.
     """
 
-    def __init__(self, model: Any, nav: dict[str, Array], P: Array):
+    def __init__(self, model: Any, nav: dict[str, Array], P: Array, x: Any = None):
         self.model = model
         self.nav = {name: np.array(value, dtype=float) for name, value in nav.items()}
         self.P = np.array(P, dtype=float)
         check_covariance("P", self.P)
-        self.x = np.zeros(self.P.shape[:-1])
+        self.total = "next" in dir(model)
+        if x is None and self.total:
+            raise BoresightError(f"{getattr(model, 'name', model)!s} has a total state; give x, where it begins")
+        self.x = self._start(x)
+
+    def _start(self, x: Any) -> Array:
+        n = self.P.shape[-1]
+        x = np.zeros(n) if x is None else np.asarray(x, dtype=float)
+        if x.ndim < 1 or x.shape[-1] != n:
+            raise BoresightError(f"x has shape {x.shape}; it must be (..., {n}), as P is (..., {n}, {n})")
+        runs = np.broadcast_shapes(self.P.shape[:-2], x.shape[:-1])
+        return self.wrapped(np.array(np.broadcast_to(x, (*runs, n))))
+
+    def wrapped(self, x: Array) -> Array:
+        """The state x with those of its angles that wrap in [-pi, pi)."""
+        places = getattr(self.model, "wraps", ())
+        if places:
+            x = x.copy()
+            x[..., places] = wrapped(x[..., places])
+        return x
 
     def call(self, name: str, **inputs: Any) -> Any:
-        """The model's function NAME, fed from nav, the error state x and the inputs."""
+        """The model's function NAME, fed from nav, the state x and the inputs."""
         unit = getattr(self.model, name)
         known = {**self.nav, "x": self.x, **inputs}
         missing = [field for field in unit.fields if field not in known]
@@ -57,9 +79,10 @@ class Filter:
         self.nav.update(named(self.call("strapdown", **inputs), self.nav))
 
     def predict(self, **inputs: Any) -> None:
-        """Carry x and P over `dt`."""
+        """Carry x and P over `dt`: a total state by `next`, an error state by Phi."""
         Phi, Q = self.call("Phi", **inputs), self.call("Q", **inputs)
-        self.x = np.einsum("...ij,...j->...i", Phi, self.x)
+        after = self.call("next", **inputs) if self.total else np.einsum("...ij,...j->...i", Phi, self.x)
+        self.x = self.wrapped(after)
         self.P = Phi @ self.P @ np.swapaxes(Phi, -1, -2) + Q
 
     def update(

@@ -216,7 +216,9 @@ class Library:
                     f"{function}: {name}{at} has the norm {np.linalg.norm(value):.6g}; it must lie within "
                     f"{box['norm'][0]:.6g} to {box['norm'][1]:.6g}"
                 )
-        raise BoresightError(f"{function}: an input{at} was refused: BS_{Status(int(status[where])).name}")
+        raise BoresightError(
+            f"{function}: what it gives{at} leaves its box or is no number: BS_{Status(int(status[where])).name}"
+        )
 
     def __getattr__(self, name: str) -> Unit:
         units = self.__dict__.get("units", {})

@@ -22,10 +22,10 @@ from boresight.runtime.array import Array
 from boresight.runtime.library import load
 from boresight.runtime.transfer import Message, Transfer
 from boresight.runtime.units import DEG, MIL, MILLI_G, STANDARD_GRAVITY
+from boresight.studies.consistency import chi_square_band
 from boresight.studies.figures import BLUE, ORANGE, figure
 from boresight.studies.observability import Moment, Replaced, along, shown_after, with_fields
 from boresight.studies.sea_flight import GRADES, RULES, Scenario, constants, draw, motion_of
-from boresight.studies.sea_state import chi_square_band
 
 Progress = Callable[[str], None]
 

@@ -16,6 +16,7 @@ from boresight import BoresightError
 from boresight.runtime.library import load
 from boresight.runtime.units import MIL
 from boresight.studies import sea_bench, sea_delay
+from boresight.studies.consistency import chi_square_band
 from boresight.studies.sea_flight import FILTERS, GRADES, MOTIONS, Flight, Scenario, checked, draw, fly, motion_of
 
 LIMIT_MIL = 2.0  # the paper's
@@ -61,13 +62,6 @@ def table(flight: Flight, scenario: Scenario) -> dict[str, Any]:
         out[name]["nees"] = nees.mean(-1).tolist()
         out[name]["nees_of"] = e_i.shape[-1]
     return out
-
-
-def chi_square_band(freedom: int, count: int) -> list[float]:
-    """95 % band of the mean of `count` chi-square numbers of so many degrees of freedom."""
-    from scipy.stats import chi2
-
-    return [float(chi2.ppf(q, freedom * count) / count) for q in (0.025, 0.975)]
 
 
 def claims(result: dict[str, Any], scenario: Scenario) -> list[dict[str, Any]]:

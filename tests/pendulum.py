@@ -1,8 +1,8 @@
 """A model that has nothing to do with navigation: a damped pendulum whose tip is seen from the side."""
 
-from sympy import Matrix, Rational, sin
+from sympy import Matrix, sin
 
-from boresight.derive.model import Function, Measurement, Model, Output, Struct, variable
+from boresight.derive.model import Function, Measurement, Model, Output, Struct, constant, variable
 
 swing = variable("swing", "angle rate", "rad, rad/s", "state of the pendulum", -3.0, 3.0)
 plant = variable("plant", "length damping", "m, 1/s", "its length and damping", (0.1, 0.0), (10.0, 1.0))
@@ -10,7 +10,7 @@ dt = variable("dt", "dt", "s", "length of the step", 1e-4, 1.0)
 push = variable("push", "push", "rad/s/sqrt(s)", "noise density of the gusts", 0.0, 1.0)
 seen = variable("seen", "seen", "m", "where the tip is seen", -10.0, 10.0)
 
-GRAVITY = Rational("9.81")
+GRAVITY = constant("g", "9.81", "m/s^2", "gravity")
 angle, rate = swing.symbols
 length, damping = plant.symbols
 

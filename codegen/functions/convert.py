@@ -11,6 +11,7 @@ import sympy as sp
 from sympy.core import sorting
 
 from boresight import BoresightError
+from boresight.derive.model import numeric
 
 MOST = sys.float_info.max
 FUNCTIONS: dict[Any, Any] = {
@@ -39,7 +40,7 @@ def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> li
     BoresightError on a function that flight C does not have.
     """
     with nodes_counted_once():
-        replacements, reduced = sp.cse([sp.Matrix(matrix) for matrix in matrices], order="canonical")
+        replacements, reduced = sp.cse([sp.Matrix(numeric(matrix)) for matrix in matrices], order="canonical")
     known: dict[Any, Any] = dict(symbols)
 
     def walk(expression: Any) -> Any:

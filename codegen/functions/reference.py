@@ -12,6 +12,7 @@ import sympy as sp
 from flint import arb, ctx
 
 from boresight import BoresightError
+from boresight.derive.model import numeric
 
 DIGITS = 50  # wanted of the largest number on the way
 GUARD = 30  # digits beyond the wanted ones, which cancellation may take
@@ -53,6 +54,7 @@ def evaluator(
     With `by`, the Jacobian of each, a column, by these symbols instead: the chain rule, step by step along the
     expressions.  Raises BoresightError on a function that it does not know.
     """
+    matrices = [numeric(matrix) for matrix in matrices]
     lines: list[str] = []
     known: dict[Any, str] = {symbol: f"x[{i}]" for i, symbol in enumerate(symbols)}
     slopes: dict[tuple[Any, Any], str] = {}

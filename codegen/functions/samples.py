@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 PAIRS = 200  # of points between which the edge of a result's box is looked for
 FEW = 8  # points at which the ends of boxes are tried before the others
+TRIES = 32  # points drawn for each that is wanted, where half of them have no answer
 BEYOND = 5e-4  # how far outside its box the self-test puts a number, as a part of the bound
 
 
@@ -77,20 +78,19 @@ def answered(
     """
     if not unit.args:
         return []  # a constant: one point without coordinates
-    points = sample(unit.args, 2 * corners, 2 * count, rng, small=small)
-    points = single(unit.args, points) if in_float else points
-    values, bounds = evaluate(unit.tape, points, real=np.float32 if in_float else np.float64)
-    keep = np.isfinite(np.array(bounds)).all(axis=0)
-    for (output, nz, _), value, bound in zip(unit.tape.results, values, bounds, strict=True):
-        result = unit.results[output]
-        if result.low:
-            keep &= (value - bound >= result.low[nz]) & (value + bound <= result.high[nz])
-    chosen = np.flatnonzero(keep)[:count]
-    if len(chosen) < count:
-        raise BoresightError(
-            f"{unit.name}: only {len(chosen)} of {2 * count} points of its box have an answer; narrow the box"
-        )
-    return [part[chosen] for part in points]
+    for drawn in (2 * count, TRIES * count):  # the state that a step ends in leaves its box at many
+        points = sample(unit.args, 2 * corners, drawn, rng, small=small)
+        points = single(unit.args, points) if in_float else points
+        values, bounds = evaluate(unit.tape, points, real=np.float32 if in_float else np.float64)
+        keep = np.isfinite(np.array(bounds)).all(axis=0)
+        for (output, nz, _), value, bound in zip(unit.tape.results, values, bounds, strict=True):
+            result = unit.results[output]
+            if result.low:
+                keep &= (value - bound >= result.low[nz]) & (value + bound <= result.high[nz])
+        chosen = np.flatnonzero(keep)[:count]
+        if len(chosen) == count:
+            return [part[chosen] for part in points]
+    raise BoresightError(f"{unit.name}: only {len(chosen)} of {drawn} points of its box have an answer; narrow the box")
 
 
 def results(unit: "Unit", points: list[np.ndarray]) -> list[np.ndarray]:

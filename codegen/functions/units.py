@@ -9,13 +9,14 @@ from typing import Any
 import casadi as ca
 import numpy as np
 import sympy as sp
-from flint import arb
 
+from boresight import BoresightError
 from boresight.codegen.functions.convert import to_casadi
 from boresight.codegen.functions.identities import identified
-from boresight.codegen.functions.reference import Entries, evaluator, precise
+from boresight.codegen.functions.reference import Entries, evaluator
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import Tape, share_reciprocals, tape
+from boresight.derive.checks import expressions, fail
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
 
 TRIED = 8  # points, and as many small ones, at which the roundings of equal values are compared
@@ -56,50 +57,6 @@ def described(name: str, unit: str, meaning: str, **rest: Any) -> Result:
     return Result(name, (0, 0), (), unit, meaning, **rest)
 
 
-def symmetric(matrix: Any) -> Any:
-    """An SX matrix whose upper triangle is a copy of its lower one, to the bit."""
-    return ca.tril2symm(ca.tril(matrix))
-
-
-Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
-
-
-def by_rows(entries: Entries, count: int) -> Rows:
-    rows: Rows = [{} for _ in range(count)]
-    for (i, j), value in entries.items():
-        rows[i][j] = value
-    return rows
-
-
-def times(a: Rows, b: Rows) -> Rows:
-    product: Rows = []
-    for row in a:
-        total: dict[int, Any] = {}
-        for k, left in row.items():
-            for j, right in b[k].items():
-                total[j] = total[j] + left * right if j in total else left * right
-        product.append(total)
-    return product
-
-
-def transposed(a: Rows, columns: int) -> Rows:
-    turned: Rows = [{} for _ in range(columns)]
-    for i, row in enumerate(a):
-        for j, value in row.items():
-            turned[j][i] = value
-    return turned
-
-
-def weighted(*terms: tuple[Any, Rows]) -> Entries:
-    """The sum of weight times matrix."""
-    total: Entries = {}
-    for weight, rows in terms:
-        for i, row in enumerate(rows):
-            for j, value in row.items():
-                total[i, j] = total[i, j] + weight * value if (i, j) in total else weight * value
-    return total
-
-
 def state_variable(model: Model) -> Variable:
     """The whole state as one input, named x."""
     parts = model.states
@@ -110,8 +67,19 @@ def state_variable(model: Model) -> Variable:
 
 
 def units(model: Model) -> list[Unit]:
-    """Every printed unit of the model, in a fixed order."""
-    return UnitMaker(model).units()
+    """Every printed unit of the model, in a fixed order.  Raises BoresightError on an entry that C cannot hold."""
+    maker = UnitMaker(model)
+    try:
+        return maker.units()
+    except BoresightError:
+        for item in expressions(model):
+            for (i, j), entry in item.matrix.todok().items():
+                try:
+                    maker.convert(sp.Matrix([entry]))
+                    maker.numeric(sp.Matrix([entry]))
+                except BoresightError as error:
+                    fail(item.part, f"{item.entry(i, j)}: {error}")
+        raise
 
 
 class UnitMaker:
@@ -122,6 +90,10 @@ class UnitMaker:
         self.variables = (state_variable(model), *model.inputs)
         self.vectors = {v.name: ca.SX.sym(v.name, v.size) for v in self.variables}
         self.symbols = {s: self.vectors[v.name][i] for v in self.variables for i, s in enumerate(v.symbols)}
+        # A derivative may not depend on what its function reads; any value in the box will then do.
+        self.anywhere = {
+            v.name: [lo / 4 + hi * 3 / 4 for lo, hi in zip(v.low, v.high, strict=True)] for v in self.variables
+        }
         rng = generator("roundings", model.name)
         drawn = [sample(self.variables, 0, TRIED, rng, small=small) for small in (False, True)]
         self.points = [np.vstack(both) for both in zip(*drawn, strict=True)]
@@ -135,15 +107,15 @@ class UnitMaker:
         used = symbols_in(*matrices)
         order = [s for s in symbols if s in used]
         where = {s: (v.name, i) for v in self.variables for i, s in enumerate(v.symbols)}
-        # A derivative may not depend on what its function reads; any value in the box will then do.
-        anywhere = {v.name: [lo / 4 + hi * 3 / 4 for lo, hi in zip(v.low, v.high, strict=True)] for v in self.variables}
         by = self.variables[0].symbols if jacobian else ()
         compiled: list[Any] = []  # made on first use: a unit that did not change never needs it
 
         def evaluate(values: Values) -> list[Entries]:
             if not compiled:
                 compiled.append(evaluator(order, matrices, by))
-            return list(compiled[0]([values.get(name, anywhere[name])[i] for name, i in (where[s] for s in order)]))
+            return list(
+                compiled[0]([values.get(name, self.anywhere[name])[i] for name, i in (where[s] for s in order)])
+            )
 
         return evaluate
 
@@ -177,7 +149,13 @@ class UnitMaker:
             meaning,
             args,
             tuple(
-                replace(result, shape=(value.size1(), value.size2()), nonzeros=place)
+                replace(
+                    result,
+                    shape=value.shape,
+                    nonzeros=place,
+                    low=tuple(result.low[r * value.size2() + c] for r, c in place) if result.low else (),
+                    high=tuple(result.high[r * value.size2() + c] for r, c in place) if result.low else (),
+                )
                 for (value, result), place in zip(results, places, strict=True)
             ),
             equations,
@@ -186,8 +164,10 @@ class UnitMaker:
         )
 
     def units(self) -> list[Unit]:
+        from boresight.codegen.functions.dynamics import dynamics  # which makes units itself
+
         model = self.model
-        made = self.dynamics() if model.n else []
+        made = dynamics(self) if model.n else []
         for measurement in model.measurements:
             made += self.measurement(measurement)
         for f in model.functions:
@@ -210,87 +190,6 @@ class UnitMaker:
                 )
             )
         return made
-
-    def dynamics(self) -> list[Unit]:
-        model = self.model
-        if model.F is not None:
-            (F,) = self.convert(model.F)
-            F_exact = self.numeric(model.F)
-        else:
-            (f,) = self.convert(model.f)
-            F = ca.jacobian(f, self.vectors["x"])
-            F_exact = self.numeric(model.f, jacobian=True)
-        G, noise = self.convert(model.G, model.noise)
-        G_exact, dt = self.numeric(model.G, model.noise), self.symbols[model.dt]
-        where = next(v.name for v in model.inputs if model.dt in v.symbols)
-        n, source = model.n, model.equations
-        A = F * dt
-        spread = symmetric(G @ ca.diag(noise * noise) @ G.T)  # noise covariance per second
-        FS = F @ spread
-        FFS = F @ FS
-        Q = spread * dt + (FS + FS.T) * (dt * dt / 2) + (FFS + FFS.T + 2 * FS @ F.T) * (dt * dt * dt / 6)
-
-        identity: Rows = [{i: arb(1)} for i in range(n)]
-
-        def spread_exact(values: Values) -> Rows:
-            g, root = G_exact(values)
-            rows = by_rows(g, n)
-            noisy = [{j: value * root[j, 0] ** 2 for j, value in row.items() if (j, 0) in root} for row in rows]
-            return times(noisy, transposed(rows, model.noise.rows))
-
-        def density(values: Values) -> list[Entries]:
-            with precise():
-                return [weighted((1, spread_exact(values)))]
-
-        def Phi_exact(values: Values) -> list[Entries]:
-            with precise():
-                f, h = by_rows(F_exact(values)[0], n), arb(values[where][0])
-                return [weighted((1, identity), (h, f), (h * h / 2, times(f, f)))]
-
-        def Q_exact(values: Values) -> list[Entries]:
-            """The integral of Phi(s) S Phi(s)' over the step, Phi to second order, cut after the third power of dt."""
-            with precise():
-                f, h, s = by_rows(F_exact(values)[0], n), arb(values[where][0]), spread_exact(values)
-                # Phi(s) = 1 + F s + F F s^2 / 2: each pair of its terms around S, with the power of its integral;
-                # the pair (j, i) is (i, j) transposed, as S is symmetric.
-                powers: list[tuple[Any, Rows]] = [(arb(1), identity), (arb(1), f), (arb(1) / 2, times(f, f))]
-                terms = []
-                for i, j in ((0, 0), (0, 1), (0, 2), (1, 1)):
-                    (u, left), (v, right) = powers[i], powers[j]
-                    weight, term = u * v * h ** (i + j + 1) / (i + j + 1), times(times(left, s), transposed(right, n))
-                    terms += [(weight, term)] if i == j else [(weight, term), (weight, transposed(term, n))]
-                return [weighted(*terms)]
-
-        return [
-            self.unit(
-                "F",
-                "system matrix, x' = F x + G w",
-                [(F, described("F", "1/s and mixed", "system matrix"))],
-                F_exact,
-                source,
-            ),
-            self.unit(
-                "Phi",
-                "transition matrix over dt, I + F dt + (F dt)^2 / 2",
-                [(ca.SX.eye(n) + A + A @ A / 2, described("Phi", "mixed", "transition matrix"))],
-                Phi_exact,
-                source,
-            ),
-            self.unit(
-                "Qc",
-                "noise covariance per second, G W G'",
-                [(spread, described("Qc", "mixed", "density of the noise"))],
-                density,
-                source,
-            ),
-            self.unit(
-                "Q",
-                "covariance that the noise adds over dt",
-                [(symmetric(Q), described("Q", "mixed", "covariance of the noise"))],
-                Q_exact,
-                source,
-            ),
-        ]
 
     def measurement(self, m: Measurement) -> list[Unit]:
         made = []

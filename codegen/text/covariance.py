@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from boresight.codegen.functions.dynamics import series
 from boresight.codegen.functions.units import Unit
 from boresight.derive.model import Model
 
@@ -26,22 +27,28 @@ def nonzeros(made: list[Unit], name: str) -> Places:
     return unit.results[0].nonzeros
 
 
-def phi_places(n: int, F: Places) -> Places:
-    """Non-zeros of I + F + F F, whatever the numbers."""
+def phi_places(n: int, F: Places, order: int) -> Places:
+    """Non-zeros of I + F + F F ... to the power `order`, whatever the numbers."""
     below: dict[int, set[int]] = {i: {column for row, column in F if row == i} for i in range(n)}
-    places = {(i, i) for i in range(n)} | set(F)
-    places |= {(i, column) for i in range(n) for k in below[i] for column in below[k]}
+    places = power = {(i, i) for i in range(n)}
+    for _ in range(order):
+        power = {(i, column) for i, k in power for column in below[k]}
+        places = places | power
     return tuple(sorted(places))
 
 
 def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     """Sizes and index tables of the covariance functions."""
     n = model.n
-    F, Qc = nonzeros(made, "F"), nonzeros(made, "Qc")
-    Phi = phi_places(n, F)
+    if model.kind == "error-state":
+        F, Qc = nonzeros(made, "F"), nonzeros(made, "Qc")
+        Phi = phi_places(n, F, model.order)
+        given: dict[str, Any] = {"F": table(F, n), "Qc": table(Qc, n)}
+    else:
+        Phi, given = nonzeros(made, "Phi"), {"F": None, "Q": table(nonzeros(made, "Q"), n)}
     block = -(-n // -(-n // BLOCK))  # as even as the number of states allows
     row = -(-n // block) * block
-    leftmost = [min(column for i, column in Phi if i == j) for j in range(n)]
+    leftmost = [min([j, *(column for i, column in Phi if i == j)]) for j in range(n)]
     packed = n * (n + 1) // 2
     return {
         "packed": packed,
@@ -49,8 +56,11 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "row": row,
         # a nonlinear measurement keeps P and H there
         "work": max(2 * row * row, packed + max(len(nonzeros(made, f"{m.name}_H")) for m in model.measurements)),
-        "F": table(F, n),
-        "Qc": table(Qc, n),
+        **given,
+        "order": model.order,
+        "series": series(model.order),
+        "powers": " + ".join(["I", "F", "F F", "F F F"][: model.order + 1]),
+        "highest": ("second", "third", "fourth")[model.order - 1],
         "Phi": table(Phi, n),
         "first": ", ".join(str(min(leftmost[j:])) for j in range(n)),
         "sixth": repr(1 / 6),

@@ -15,7 +15,7 @@ sum_k |h_k| sqrt(P_kk) sqrt(P_ii) and that of S to R + (sum_k |h_k| sqrt(P_kk))^
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from math import ldexp, sqrt
+from math import factorial, ldexp, sqrt
 from typing import Any
 
 import numpy as np
@@ -37,19 +37,22 @@ def generator(seed: int) -> Iterator[int]:
 
 @dataclass(frozen=True)
 class Case:
-    """Integers: F, Qc and P in 2^-8, x in 2^-4, h in 2^-6, R in 2^-24, z in 2^-3; scale are powers of two."""
+    """Integers: A, B and P in 2^-8, x in 2^-4, h in 2^-6, R in 2^-24, z in 2^-3; scale are powers of two.
+
+    A and B are F and Qc of an error state, Phi and Q of a total state.
+    """
 
     scale: list[int]
     P: Any  # (n, n) of int
-    F: Any
-    Qc: Any
+    A: Any
+    B: Any
     x: Any
     h: Any
     R: int
     z: int
 
 
-def draw_case(k: int, n: int, F_places: Places, Qc_places: Places) -> Case:
+def draw_case(k: int, n: int, A_places: Places, B_places: Places) -> Case:
     kind, numbers = k % 8, generator(k + 1)
 
     def draw() -> int:
@@ -67,18 +70,18 @@ def draw_case(k: int, n: int, F_places: Places, Qc_places: Places) -> Case:
             value = draw() // 8 - 16
             empty = kind in (0, 6) or (kind == 1 and i != j) or (kind == 2 and j > 1)
             root[i, j] = 0 if empty else value
-    F, Qc = table(), table()
-    for place in F_places:
+    A, B = table(), table()
+    for place in A_places:
         value = draw()
-        F[place] = 0 if kind == 4 else value // 2 + 64 if value % 2 else -(value // 2 + 64)
-    for i, j in Qc_places:
+        A[place] = 0 if kind == 4 else value // 2 + 64 if value % 2 else -(value // 2 + 64)
+    for i, j in B_places:
         if i < j:
-            Qc[i, j] = Qc[j, i] = draw() - 128
-    for i, j in Qc_places:
+            B[i, j] = B[j, i] = draw() - 128
+    for i, j in B_places:
         if i == j:
-            Qc[i, i] = sum(abs(Qc[i, other]) for other in range(n) if other != i) + draw() + 1
+            B[i, i] = sum(abs(B[i, other]) for other in range(n) if other != i) + draw() + 1
     if kind in (5, 6):
-        Qc = table()
+        B = table()
     x, h = np.zeros(n, dtype=object), np.zeros(n, dtype=object)
     for i in range(n):
         value = draw() - 128
@@ -86,7 +89,7 @@ def draw_case(k: int, n: int, F_places: Places, Qc_places: Places) -> Case:
         x[i] = draw() - 128
         h[i] = value if chosen else 0
     R = (draw() + 1) * (1 if k % 5 == 4 else 2**16)
-    return Case(scale, root @ root.T, F, Qc, x, h, R, draw() - 128)
+    return Case(scale, root @ root.T, A, B, x, h, R, draw() - 128)
 
 
 def rounded(value: int | Fraction, power: int = 0) -> float:
@@ -114,31 +117,62 @@ def semidefinite(matrix: Any) -> bool:
     return all(c * (-1) ** (len(matrix) - k) >= 0 for k, c in enumerate(coefficients))
 
 
-def predicted(case: Case) -> tuple[list[float], list[float], list[float], list[float], bool]:
-    """Phi P Phi' + Q packed, Phi x, sizes of rounding errors in both; whether Q, cut after dt^3, is a covariance."""
+@dataclass(frozen=True)
+class Step:
+    """Integers: Phi, and what bounds it, in 1 / per; Q in 1 / parts; and the variances that bound Q's elements."""
+
+    Phi: Any
+    size: Any
+    per: int
+    Q: Any
+    parts: int
+    variance: list[float]
+
+
+def step(case: Case, order: int | None) -> Step:
+    """Phi and Q of a case: drawn where `order` is None, otherwise from F, Qc and dt to that power of F dt."""
+    if order is None:
+        return Step(case.A, abs(case.A), 2**8, case.B, 2**8, [v / 2**8 for v in np.diag(case.B)])
     n = len(case.scale)
     one = np.array([[int(i == j) for j in range(n)] for i in range(n)], dtype=object)
-    a = 8 - DT_POWER  # A = F dt in 2^-a
-    A, S = case.F, case.Qc  # S = Qc dt in 2^-a too
-    twice_Phi = (one << (2 * a + 1)) + (A << (a + 1)) + A @ A  # in 2^-(2 a + 1)
-    AS = A @ S
-    AAS = A @ AS
-    # Q = S + (A S + S A') / 2 + (A A S + 2 A S A' + S A' A') / 6, six times, in 2^-3a
-    six_Q = (6 * S << (2 * a)) + (3 * (AS + AS.T) << a) + AAS + AAS.T + 2 * AS @ A.T
-    PhiPPhi = twice_Phi @ case.P @ twice_Phi.T  # in 2^-(4 a + 10)
-    first = [Fraction(PhiPPhi[at], 2 ** (4 * a + 10)) + Fraction(six_Q[at], 6 * 2 ** (3 * a)) for at in upper(n)]
+    a = 8 - DT_POWER  # F dt and Qc dt in 2^-a
+    per, parts = factorial(order) * 2 ** (a * order), factorial(order + 1) * 2 ** (a * (order + 1))
+
+    def series(A: Any) -> Any:
+        """1 + A + A A / 2 + ..., in 1 / per."""
+        total, power = 0 * one, one
+        for i in range(order + 1):
+            total, power = total + (per // (factorial(i) * 2 ** (a * i))) * power, power @ A
+        return total
+
+    # Q = S + L(S) / 2 + L(L(S)) / 6 + ..., where L(X) = A X + (A X)'
+    Q, grown = 0 * one, case.B
+    for i in range(1, order + 2):
+        Q, grown = Q + (parts // (factorial(i) * 2 ** (a * i))) * grown, case.A @ grown + (case.A @ grown).T
+    return Step(series(case.A), series(abs(case.A)), per, Q, parts, [v / 2**a for v in np.diag(case.B)])
+
+
+def predicted(case: Case, order: int | None) -> tuple[list[float], list[float], list[float], list[float], bool]:
+    """Phi P Phi' + Q packed, Phi x, sizes of rounding errors in both; whether Q is a covariance."""
+    n = len(case.scale)
+    s = step(case, order)
+    PhiPPhi = s.Phi @ case.P @ s.Phi.T
+    first = [Fraction(PhiPPhi[at], s.per**2 * 2**8) + Fraction(s.Q[at], s.parts) for at in upper(n)]
     P = [rounded(value, case.scale[i] + case.scale[j]) for (i, j), value in zip(upper(n), first, strict=True)]
-    x = [rounded(value, s - 2 * a - 5) for value, s in zip(twice_Phi @ case.x, case.scale, strict=True)]
-    size_Phi = (one << (2 * a + 1)) + (abs(A) << (a + 1)) + abs(A) @ abs(A)
+    Phi_x, size_x = s.Phi @ case.x, s.size @ abs(case.x)
+    x = [rounded(Fraction(v, s.per * 2**4), scale) for v, scale in zip(Phi_x, case.scale, strict=True)]
     sigma = [sqrt(v / 2**8) for v in np.diag(case.P)]
-    noise = [sqrt(v / 2**a) for v in np.diag(S)]
+    noise = [sqrt(v) for v in s.variance]
     size = []  # s_i s_j + q_i q_j <= the product of these
-    for row in size_Phi:
-        s, q = (total(v / 2 ** (2 * a + 1) * w for v, w in zip(row, sizes, strict=True)) for sizes in (sigma, noise))
-        size.append(sqrt(s * s + q * q))
-    size_x = [v / 2 ** (2 * a + 5) for v in size_Phi @ abs(case.x)]
-    size, size_x = ([ldexp(v, s) for v, s in zip(values, case.scale, strict=True)] for values in (size, size_x))
-    return P, x, size, size_x, semidefinite(six_Q)
+    for k, row in enumerate(s.size):
+        along = total(v / s.per * w for v, w in zip(row, sigma, strict=True))
+        spread = noise[k] if order is None else total(v / s.per * w for v, w in zip(row, noise, strict=True))
+        size.append(sqrt(along * along + spread * spread))
+    size, size_x = (
+        [ldexp(v, scale) for v, scale in zip(values, case.scale, strict=True)]
+        for values in (size, [v / (s.per * 2**4) for v in size_x])
+    )
+    return P, x, size, size_x, semidefinite(s.Q)
 
 
 def updated(case: Case) -> tuple[list[float], list[float], list[float], list[float], list[float]]:
@@ -165,10 +199,10 @@ def updated(case: Case) -> tuple[list[float], list[float], list[float], list[flo
     return after, after_x, size, size_x, [float(nu), float(S), size_nu, size_S]
 
 
-def vectors_view(n: int, F: Places, Qc: Places) -> dict[str, Any]:
-    """The tables of `test_covariance.c.j2`."""
-    cases = [draw_case(k, n, F, Qc) for k in range(VECTORS)]
-    ahead, taken = [predicted(case) for case in cases], [updated(case) for case in cases]
+def vectors_view(n: int, A: Places, B: Places, order: int | None) -> dict[str, Any]:
+    """The tables of `test_covariance.c.j2`.  A and B: places of F and Qc, or of Phi and Q where `order` is None."""
+    cases = [draw_case(k, n, A, B) for k in range(VECTORS)]
+    ahead, taken = [predicted(case, order) for case in cases], [updated(case) for case in cases]
 
     return {
         "count": VECTORS,
@@ -188,6 +222,7 @@ def vectors_view(n: int, F: Places, Qc: Places) -> dict[str, Any]:
         "updated_size": rows_of([row[2] for row in taken], three_digits),
         "updated_size_x": rows_of([row[3] for row in taken], three_digits),
         "updated_row": rows_of([row[4] for row in taken]),
-        "F_rows": ", ".join(str(row) for row, _ in F),
-        "Qc_rows": ", ".join(str(row) for row, _ in Qc),
+        "A_rows": ", ".join(str(row) for row, _ in A),
+        "B_rows": ", ".join(str(row) for row, _ in B),
+        "diagonal": all((i, i) in A for i in range(n)),
     }

@@ -18,7 +18,8 @@ import sympy as sp
 from sympy.matrices import MatrixBase
 
 from boresight import BoresightError
-from boresight.derive.model import Mechanics, Model
+from boresight.derive.constant import Constant, behind, constant
+from boresight.derive.model import Mechanics, Model, constants_in
 
 FILE = "equations.json"
 FORMAT = 1
@@ -74,7 +75,11 @@ def equations_text(model: Model) -> str:
     """The model as JSON: the same bytes for the same model."""
     words = Words(entry for matrix in matrices(model) for entry in matrix)
     body = encoded(model, words, labels_of([s.name for s in model.x], list(model.noise)))
-    return laid_out({"format": FORMAT, **body, "where": words.where}) + "\n"
+    constants = {
+        one.name: {"value": Words(())(one.value), "unit": one.unit, "meaning": one.meaning}
+        for one in behind(constants_in(*matrices(model)))
+    }
+    return laid_out({"format": FORMAT, **body, "constants": constants, "where": words.where}) + "\n"
 
 
 def stated(kind: Any) -> dict[str, tuple[Field[Any], Any]]:
@@ -162,7 +167,7 @@ class Words:
             return text, ATOM if text.isdigit() else PRODUCT if e > 0 else SUM
         if e.is_Float:
             return (repr(float(e)), ATOM) if e >= 0 else (repr(float(e)), SUM)
-        if e.is_Symbol:
+        if e.is_Symbol or isinstance(e, Constant):
             return f"_{e.name}" if iskeyword(e.name) or e.name in NUMBERS else e.name, ATOM
         if e.is_NumberSymbol or e in (sp.true, sp.false):
             return str(e), ATOM
@@ -212,7 +217,8 @@ def read_equations(text: str, name: str) -> Model:
             raise ValueError(f"its format is {document['format']}, not {FORMAT}")
         fields = [field for struct in document["structs"] for field in struct["fields"]]
         states = [symbol for state in document["states"] for symbol in state["symbols"]]
-        reader = Reader([*states, *(symbol for field in fields for symbol in field["symbols"])], document["where"])
+        names = [*states, *(symbol for field in fields for symbol in field["symbols"])]
+        reader = Reader(names, document["constants"], document["where"])
         noise = document.get("noise", {"shape": (0, 0)})
         labels = labels_of(states, list(reader.matrix(noise, places("noise", noise["shape"], {}))))
         made: Model = decoded(Model, document, reader, labels)
@@ -247,9 +253,11 @@ def decoded(kind: Any, value: Any, reader: "Reader", labels: Labels, name: str =
 class Reader:
     """Expressions from their text.  Sums and products are made at once from all of their terms, as they were."""
 
-    def __init__(self, names: Iterable[str], where: Mapping[str, str]):
-        self.symbols = {name: sp.Symbol(name, real=True) for name in names}
+    def __init__(self, names: Iterable[str], constants: Mapping[str, Mapping[str, str]], where: Mapping[str, str]):
+        self.symbols: dict[str, Any] = {name: sp.Symbol(name, real=True) for name in names}
         self.known: dict[str, Any] = {}
+        for name, one in constants.items():
+            self.symbols[name] = constant(name, self(one["value"]), one["unit"], one["meaning"])
         for name, text in where.items():
             self.known[name] = self(text)
 

@@ -14,6 +14,7 @@ import casadi as ca
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from boresight.codegen.functions.reference import DIGITS
+from boresight.codegen.functions.singular import refuse_singular
 from boresight.codegen.functions.units import Unit, units
 from boresight.codegen.text import stationary_detector
 from boresight.codegen.text.covariance import covariance_view, nonzeros
@@ -62,6 +63,7 @@ def folder_files(
     kept: the path and the files under test of a self-test -> its text, if it need not be made again.
     """
     made = units(model)
+    refuse_singular(model, made)
     views = [view(model, unit) for unit in made]
     files = {FILE: equations_text(model)}
     for unit, u in zip(made, views, strict=True):
@@ -107,7 +109,9 @@ def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
 
 def covariance_test(model: Model, made: list[Unit]) -> str:
     """The self-test of the covariance's loops, whose golden vectors depend on nothing but sizes and places."""
-    v = vectors_view(model.n, nonzeros(made, "F"), nonzeros(made, "Qc"))
+    names = ("F", "Qc") if model.kind == "error-state" else ("Phi", "Q")
+    A, B = (nonzeros(made, name) for name in names)
+    v = vectors_view(model.n, A, B, model.order if model.kind == "error-state" else None)
     views = {"m": model_view(model, []), "c": covariance_view(model, made), "v": v}
     (text,) = rendered(("selftest/test_PREFIX_covariance.c",), {}, **views).values()
     return text

@@ -7,8 +7,8 @@ import numpy as np
 from boresight import BoresightError
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import evaluate
-from boresight.codegen.functions.units import Unit
-from boresight.codegen.text.covariance import nonzeros, table
+from boresight.codegen.functions.units import Unit, state_variable
+from boresight.codegen.text.covariance import Places, nonzeros, table
 from boresight.codegen.text.names import beyond, norms_beyond, number, rows_of, shared_tables
 from boresight.derive.model import Model
 
@@ -83,17 +83,38 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
                 **table(H.results[0].nonzeros, len(m.rows)),
             }
         )  # fmt: skip
-    dt = next(v for v in model.inputs if model.dt in v.symbols)
-    place = dt.symbols.index(model.dt)
-    path = f"filter->{owner[dt.name]}.{dt.name}" if owner[dt.name] in carried else f"{owner[dt.name]}->{dt.name}"
-    value = path if dt.size == 1 else f"{path}[{place}]"
-    structs = given("F", "Qc")
+
+    def linear() -> tuple[dict[str, Any], dict[str, Any]]:
+        """How an error state and its covariance are carried over dt, and dt as C."""
+        dt = next(v for v in model.inputs if model.dt in v.symbols)
+        place = dt.symbols.index(model.dt)
+        path = f"filter->{owner[dt.name]}.{dt.name}" if owner[dt.name] in carried else f"{owner[dt.name]}->{dt.name}"
+        value = path if dt.size == 1 else f"{path}[{place}]"
+        structs = given("F", "Qc")
+        if owner[dt.name] not in (*carried, *structs):
+            structs = [s.name for s in model.structs if s.name in (*structs, owner[dt.name])]
+        return {
+            "structs": structs, "F": call("F", "filter->F"), "Qc": call("Qc", "filter->Qc"),
+            "F_dense": call_dense("F"), "Qc_dense": call_dense("Qc"),
+            "fields": [*fields("F", "Qc"), dt.name],
+        }, box(value, dt, place) | {"value": value}  # fmt: skip
+
+    def total() -> dict[str, Any]:
+        """The same of a total state."""
+        return {
+            "structs": given("next", "Phi", "Q"), "fields": fields("next", "Phi", "Q"), "next": call("next", "next"),
+            "Phi": call("Phi", "filter->Phi"), "Phi_dense": call_dense("Phi"),
+            "Q": call("Q", "filter->work"), "Q_dense": call_dense("Q"), **scattered(nonzeros(made, "Q")),
+        }  # fmt: skip
+
+    propagate, dt = linear() if model.kind == "error-state" else (total(), None)
+    low, high = zip(*((lo, hi) for v in model.states for lo, hi in zip(v.low, v.high, strict=True)), strict=True)
     checked = [(s.name, a) for s in model.structs if s.name in carried for a in s.fields]
     bounds = {f"{a.name}_{end}": values for _, a in checked for end, values in (("low", a.low), ("high", a.high))}
-    tables, names = shared_tables(bounds)
-    if owner[dt.name] not in (*carried, *structs):
-        structs = [s.name for s in model.structs if s.name in (*structs, owner[dt.name])]
+    tables, names = shared_tables(bounds | ({"x_low": low, "x_high": high} if model.kind == "total-state" else {}))
     return {
+        "total": model.kind == "total-state",
+        "wraps": [i for i, wraps in enumerate(v.wraps for v in model.states for _ in v.symbols) if wraps],
         "carried": carried,
         "checked": [box(f"{struct}->{a.name}", a) for struct, a in checked],
         "tables": tables,
@@ -101,16 +122,18 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         "max_rows": max(len(m.rows) for m in model.measurements),
         "least_R": repr(LEAST_R),
         "most_R": repr(MOST_R),
-        "dt": box(value, dt, place) | {"value": value},
-        "propagate": {
-            "structs": structs, "F": call("F", "filter->F"), "Qc": call("Qc", "filter->Qc"),
-            "F_dense": call_dense("F"), "Qc_dense": call_dense("Qc"),
-            "fields": [*fields("F", "Qc"), dt.name],
-        },
+        "dt": dt,
+        "propagate": propagate,
         "measurements": measurements,
         "correct": change("feedback"),
         "strapdown": change("strapdown"),
     }  # fmt: skip
+
+
+def scattered(places: Places) -> dict[str, Any]:
+    """Which non-zeros of a symmetric matrix, row after row, stand in its packed upper triangle, and where."""
+    kept = [(k, j * (j + 1) // 2 + i) for k, (i, j) in enumerate(sorted(places)) if i <= j]
+    return {"count": len(kept), "from": ", ".join(str(k) for k, _ in kept), "to": ", ".join(str(at) for _, at in kept)}
 
 
 def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, Any]:
@@ -137,6 +160,7 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
         start += len(s.fields)
         structs.append({"name": s.name, "size": offset, "fields": fields, "rows": rows_of(rows)})
     start_x = inside(model)
+    x = state_variable(model)
     box_size = [hi - lo for block in model.states for lo, hi in zip(block.low, block.high, strict=True)]
 
     def places(name: str) -> str:
@@ -144,9 +168,12 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
 
     return {
         "count": FLOWN,
-        "dt": f["dt"]["value"].replace("filter->", "flown.")
-        if f["dt"]["value"].startswith("filter->")
-        else f"given_{f['dt']['value'].replace('->', '.')}",
+        "dt": f["dt"]
+        and (
+            f["dt"]["value"].replace("filter->", "flown.")
+            if f["dt"]["value"].startswith("filter->")
+            else f"given_{f['dt']['value'].replace('->', '.')}"
+        ),
         "structs": structs,
         "spoilt": [g for g in spoilt if g["functions"]],
         "checked": [
@@ -159,15 +186,15 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
         ],
         "sigma": ", ".join(repr(size * 1e-4) for size in box_size),
         "start": ", ".join(map(repr, start_x)),
-        "x_low": ", ".join(number(v) for block in model.states for v in block.low),
-        "x_high": ", ".join(number(v) for block in model.states for v in block.high),
-        "F_places": places("F"),
-        "Qc_places": places("Qc"),
+        "x_low": ", ".join(map(number, x.low)),
+        "x_high": ", ".join(map(number, x.high)),
+        "x_beyond": beyond(x),
+        "places": {name: places(name) for name in (("Phi", "Q") if f["total"] else ("F", "Qc"))},
     }
 
 
 def inside(model: Model) -> list[float]:
-    """An error state of zero, or where the box of a state that is no error leaves that out, its middle."""
+    """A state of zero, or where its box leaves that out, the middle of that."""
     bounds = [pair for block in model.states for pair in zip(block.low, block.high, strict=True)]
     return [0.0 if lo <= 0.0 <= hi else (lo + hi) / 2 for lo, hi in bounds]
 

@@ -14,6 +14,7 @@ from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
 
+from boresight.derive.constant import Constant
 from boresight.derive.ledger import numbers
 from boresight.derive.ledger.numbers import Matrix, zeros
 from boresight.derive.ledger.witness import hamilton, skew, vector
@@ -57,6 +58,8 @@ def evaluate(expression, point: Point) -> Value:
 def _evaluate(expression, point: Point) -> Value:
     if isinstance(expression, Symbol):
         return point.values[expression.name]
+    if isinstance(expression, Constant):
+        return evaluate(expression.exact, point)
     if expression.is_Number:
         return fmpq(int(expression.p), int(expression.q))
     if isinstance(expression, MatrixBase):

@@ -8,7 +8,8 @@ psi: the computed level c stands where the computed position is, turned from n b
     dv_c = v_hat - C_n2c v = dv + dtheta x v.
 The position error is the same in both: of the geodetic coordinates, in the frame's order.
 
-Inputs as in mechanization.py; f_n is the specific force in the level.  Blocks are 3x3.
+Inputs as in mechanization.py: position (3; rad, rad, m in the frame's order), v_n (3, m/s) and f_n (3, m/s^2) in the
+level.  Blocks are 3x3; those by position have columns per rad, rad and m.  Everything here is singular at the poles.
 """
 
 from sympy import Matrix, cos, diag, eye, sin, tan, zeros
@@ -31,18 +32,19 @@ from boresight.derive.mechanics.rotation import skew
 
 
 def by_coordinate(frame: Frame, lat: Matrix, height: Matrix) -> Matrix:
-    """3x3: the columns of what depends on latitude and height, in the order of the coordinates."""
+    """3x3 of the columns (3) by latitude (per rad) and by height (per m), in the order of the coordinates."""
     return lat * frame.coordinate("lat").T + height * frame.coordinate("height").T
 
 
 def omega_ie_by_position(frame: Frame, position) -> Matrix:
-    """d omega_ie_n / d position: the Earth's axis leans as the latitude changes."""
+    """d omega_ie_n / d position, 3x3 (rad/s per rad or m): the Earth's axis leans as the latitude changes."""
     lat, _ = frame.latitude_and_height(position)
     return by_coordinate(frame, EARTH_RATE * frame.vector(-sin(lat), 0, cos(lat)), zeros(3, 1))
 
 
 def omega_en_by_position(frame: Frame, position, v_n) -> Matrix:
-    """d omega_en_n / d position: the radii grow with height and change with latitude, and meridians converge."""
+    """d omega_en_n / d position, 3x3 (rad/s per rad or m): the radii grow with height and change with latitude, and
+    meridians converge."""
     lat, height = frame.latitude_and_height(position)
     v_north, v_east = frame.north.dot(v_n), frame.east.dot(v_n)
     meridian, transverse = radii(lat)
@@ -60,7 +62,7 @@ def omega_en_by_position(frame: Frame, position, v_n) -> Matrix:
 
 
 def omega_en_by_velocity(frame: Frame, position) -> Matrix:
-    """d omega_en_n / d v_n (1/m): the curvature of the ellipsoid."""
+    """d omega_en_n / d v_n, 3x3 (1/m): the curvature of the ellipsoid."""
     lat, height = frame.latitude_and_height(position)
     meridian, transverse = radii(lat)
     eastwards = frame.vector(1, 0, tan(lat)) / (transverse + height)
@@ -69,26 +71,26 @@ def omega_en_by_velocity(frame: Frame, position) -> Matrix:
 
 
 def gravity_by_position(frame: Frame, position) -> Matrix:
-    """d gravity_n / d position: stronger towards the poles, weaker with height."""
+    """d gravity_n / d position, 3x3 (m/s^2 per rad or m): stronger towards the poles, weaker with height."""
     by_lat, by_height = gravity_gradient(*frame.latitude_and_height(position))
     return by_coordinate(frame, frame.vector(0, 0, -by_lat), frame.vector(0, 0, -by_height))
 
 
 def position_rate_by_velocity(frame: Frame, position) -> Matrix:
-    """d position' / d v_n."""
+    """d position' / d v_n, 3x3 (rad/m, rad/m, 1 by row): one over the length of each coordinate's unit."""
     lengths = metres(*frame.latitude_and_height(position), frame)
     return Matrix.hstack(*(along(frame, eye(3).col(i), lengths) for i in range(3)))
 
 
 def displacement_by_position(frame: Frame, position) -> Matrix:
-    """The inverse of position_rate_by_velocity: metres along the frame's axes by coordinates."""
+    """The inverse of position_rate_by_velocity, 3x3: metres along the frame's axes by coordinates."""
     lengths = metres(*frame.latitude_and_height(position), frame)
     axes = Matrix.hstack(*(along(frame, eye(3).col(i), [1, 1, 1]) for i in range(3)))
     return axes.T * diag(*lengths)
 
 
 def lengths_by_position(frame: Frame, position) -> Matrix:
-    """3x3: how the relative length of each coordinate's unit changes with each coordinate."""
+    """3x3 (1/rad, 1/m by column): how the relative length of each coordinate's unit changes with each coordinate."""
     lat, height = frame.latitude_and_height(position)
     meridian, transverse = radii(lat)
     meridian_by_lat, transverse_by_lat = radii_by_latitude(lat)
@@ -99,8 +101,10 @@ def lengths_by_position(frame: Frame, position) -> Matrix:
 
 
 def level_by_position(frame: Frame, position) -> Matrix:
-    """dtheta by position, 3x3: how the level turns with each coordinate.  Along a meridian about west, along a
-    parallel about the Earth's axis."""
+    """dtheta by position, 3x3 (rad per rad or m): how the level turns with each coordinate.
+
+    Along a meridian it turns about west, along a parallel about the Earth's axis.
+    """
     lat, _ = frame.latitude_and_height(position)
     by_lat, by_lon = frame.vector(0, -1, 0), frame.vector(cos(lat), 0, sin(lat))
     return by_lat * frame.coordinate("lat").T + by_lon * frame.coordinate("lon").T
@@ -110,12 +114,15 @@ def level_by_position(frame: Frame, position) -> Matrix:
 
 
 def assembled(*rows) -> Matrix:
-    """One matrix of rows of blocks."""
+    """One matrix of rows of blocks, 3x3 or any that fit beside each other."""
     return Matrix.vstack(*(Matrix.hstack(*row) for row in rows))
 
 
 def phi_matrix(frame: Frame, position, v_n, f_n) -> Matrix:
-    """F of the phi model, 9x9: [position, dv, phi]' = F [position, dv, phi] + G [gyro, accelerometer error]."""
+    """F of the phi model, 9x9: x' = F x + G w of the errors x = [position, dv, phi], w = [gyro, accelerometer error].
+
+    Row: mechanics phi-3, phi-4.
+    """
     lat, height = frame.latitude_and_height(position)
     omega_ie, omega_en = omega_ie_n(lat, frame), omega_en_n(lat, height, v_n, frame)
     ie_p, en_p = omega_ie_by_position(frame, position), omega_en_by_position(frame, position, v_n)
@@ -135,7 +142,11 @@ def phi_matrix(frame: Frame, position, v_n, f_n) -> Matrix:
 
 
 def psi_matrix(frame: Frame, position, v_n, f_n) -> Matrix:
-    """F of the psi model, 9x9, as phi_matrix: the computed level knows its own rate, so no d omega_in remains."""
+    """F of the psi model, 9x9, of the errors x = [position, dv_c, psi]; G as in phi_matrix.
+
+    The computed level knows its own rate, so no d omega_in remains.
+    Row: mechanics psi-3, psi-4.
+    """
     lat, height = frame.latitude_and_height(position)
     omega_ie, omega_en = omega_ie_n(lat, frame), omega_en_n(lat, height, v_n, frame)
 
@@ -154,8 +165,11 @@ def psi_matrix(frame: Frame, position, v_n, f_n) -> Matrix:
 
 
 def noise_matrix(C_b2n: Matrix) -> Matrix:
-    """G of both models, 9x6: errors of the gyros (rad/s) and of the accelerometers (m/s^2), measured - true, in body
-    axes."""
+    """G of both models, 9x6, of C_b2n, 3x3: errors of the gyros (3, rad/s) and of the accelerometers (3, m/s^2),
+    measured - true, in body axes.
+
+    Row: mechanics phi-5.
+    """
     return assembled([zeros(3), zeros(3)], [zeros(3), C_b2n], [-C_b2n, zeros(3)])
 
 
@@ -163,12 +177,18 @@ def noise_matrix(C_b2n: Matrix) -> Matrix:
 
 
 def psi_from_phi(frame: Frame, position, v_n) -> Matrix:
-    """T, 9x9: psi states = T (phi states).  A covariance goes by T P T'."""
+    """T, 9x9: psi states = T (phi states).  A covariance goes by T P T'.
+
+    Row: mechanics map-2, map-3.
+    """
     turn = level_by_position(frame, position)
     # dv_c = dv + dtheta x v, psi = phi - dtheta
     return eye(9) - assembled([zeros(3, 9)], [skew(v_n) * turn, zeros(3, 6)], [turn, zeros(3, 6)])
 
 
 def phi_from_psi(frame: Frame, position, v_n) -> Matrix:
-    """The inverse of psi_from_phi, 9x9."""
+    """The inverse of psi_from_phi, 9x9: phi states = T (psi states).
+
+    Row: mechanics map-2, map-3.
+    """
     return 2 * eye(9) - psi_from_phi(frame, position, v_n)  # T = I - N with N N = 0, so I + N

@@ -1,8 +1,13 @@
 """The strapdown mechanization: exact rates of position, velocity and attitude, and the integrator that follows them.
 
-One derivation for every Frame of earth.py.  position: latitude, longitude and height in the frame's order.
-v_n: velocity over the ground.  q_b2n_wxyz, C_b2n: attitude.  f_n: specific force.  omega_ib_b: angular rate of the body
-against inertial space.
+One derivation for every Frame of earth.py.
+
+position: (3) geodetic latitude (rad), longitude (rad) and height (m) in the frame's order.
+v_n: (3, m/s) velocity over the ground, in the level.  f_n: (3, m/s^2) specific force in the level, f_n = C_b2n f_b.
+q_b2n_wxyz (4), C_b2n (3x3): attitude, body to level.
+omega_ib_b: (3, rad/s) angular rate of the body against inertial space, in body axes.
+
+Everything here is singular at the poles.
 """
 
 from sympy import Matrix
@@ -21,32 +26,41 @@ from boresight.derive.mechanics.rotation import (
 
 
 def position_rate(frame: Frame, position, v_n) -> Matrix:
-    """rad/s, rad/s, m/s in the frame's order: the velocity over the radii of the ellipsoid."""
+    """position' (3; rad/s, rad/s, m/s in the frame's order): the velocity over the radii of the ellipsoid.
+
+    Row: mechanics strapdown-1.
+    """
     return along(frame, v_n, metres(*frame.latitude_and_height(position), frame))
 
 
 def along(frame: Frame, v_n, lengths) -> Matrix:
-    """The velocity along each coordinate, over that coordinate's length.  Height grows upwards in NED too."""
+    """(3) the vector v_n along each coordinate, over that coordinate's length (3), in the frame's order.
+
+    Height grows upwards in NED too.
+    """
     v = frame.position(lat=frame.north.dot(v_n), lon=frame.east.dot(v_n), height=frame.up.dot(v_n))
     return Matrix([speed / length for speed, length in zip(v, lengths, strict=True)])
 
 
 def omega_in_n(frame: Frame, position, v_n) -> Matrix:
-    """Rate of the local level against inertial space (rad/s): the Earth's and the transport rate."""
+    """Rate of the level against inertial space, in the level (3, rad/s): the Earth's and the transport rate."""
     lat, height = frame.latitude_and_height(position)
     return omega_ie_n(lat, frame) + omega_en_n(lat, height, v_n, frame)
 
 
-def pull(frame: Frame, position, v_n) -> Matrix:
-    """Acceleration over the ground without any specific force (m/s^2): gravity and Coriolis."""
+def free_acceleration(frame: Frame, position, v_n) -> Matrix:
+    """Acceleration over the ground without any specific force, in the level (3, m/s^2): gravity and Coriolis."""
     lat, height = frame.latitude_and_height(position)
     turning = 2 * omega_ie_n(lat, frame) + omega_en_n(lat, height, v_n, frame)
     return gravity_n(lat, height, frame) - skew(turning) * v_n
 
 
 def velocity_rate(frame: Frame, position, v_n, f_n) -> Matrix:
-    """m/s^2, of the specific force f_n = C_b2n f_b."""
-    return f_n + pull(frame, position, v_n)
+    """v_n' (3, m/s^2): specific force, gravity and Coriolis.
+
+    Row: mechanics strapdown-1.
+    """
+    return f_n + free_acceleration(frame, position, v_n)
 
 
 def dcm_rate(frame: Frame, position, v_n, C_b2n: Matrix, omega_ib_b) -> Matrix:
@@ -55,7 +69,10 @@ def dcm_rate(frame: Frame, position, v_n, C_b2n: Matrix, omega_ib_b) -> Matrix:
 
 
 def quaternion_rate(frame: Frame, position, v_n, q_b2n_wxyz, omega_ib_b) -> Matrix:
-    """q_b2n_wxyz' (4, 1/s), as dcm_rate."""
+    """q_b2n_wxyz' (4, 1/s), as dcm_rate.
+
+    Row: mechanics strapdown-1.
+    """
     body = quaternion_product(q_b2n_wxyz, Matrix([0, *omega_ib_b]))
     level = quaternion_product(Matrix([0, *omega_in_n(frame, position, v_n)]), q_b2n_wxyz)
     return (body - level) / 2
@@ -65,7 +82,8 @@ def quaternion_rate(frame: Frame, position, v_n, q_b2n_wxyz, omega_ib_b) -> Matr
 
 
 def rotation_increment(dtheta, dtheta_before) -> Matrix:
-    """Rotation vector of the body over a step (rad), from the integrated rate of this step and of the one before.
+    """Rotation vector of the body over a step (3, rad), from the integrated rates (3, rad) of this step and of the one
+    before, as long.
 
     Coning: where the rate is linear in time over both steps, this is exact to the fourth power of the step.
     """
@@ -73,9 +91,10 @@ def rotation_increment(dtheta, dtheta_before) -> Matrix:
 
 
 def velocity_increment(dtheta, dv, dtheta_before, dv_before) -> Matrix:
-    """Integral of the specific force over a step (m/s), in the body axes at its start.
+    """Integral of the specific force over a step (3, m/s), in the body axes at its start.
 
-    The body's turn within the step, to its second power, and sculling.
+    dtheta (3, rad), dv (3, m/s): what gyros and accelerometers integrate over the step, and over the one before.
+    Knows the body's turn within the step, to its second power, and sculling.
     """
     turned = skew(dtheta) * dv
     sculling = (skew(dtheta_before) * dv + skew(dv_before) * dtheta) / 12
@@ -85,16 +104,18 @@ def velocity_increment(dtheta, dv, dtheta_before, dv_before) -> Matrix:
 def step(frame: Frame, position, v_n, q_b2n_wxyz, dtheta, dv, dtheta_before, dv_before, dt) -> tuple:
     """Position, velocity and attitude after one interval of inertial increments; of the second order in dt.
 
-    dtheta (rad), dv (m/s): integrals over the interval of what the gyros and accelerometers see; *_before: the same of
-    the interval before, as long; at the very start give the first ones twice.  Gravity, Coriolis and the turn of the
-    level are taken at the middle of the interval, which is predicted from its start.
+    dtheta (3, rad), dv (3, m/s): integrals over the interval of what the gyros and accelerometers see; dtheta_before,
+    dv_before: the same of the interval before, as long; at the very start give the first ones twice.  dt: s.
+
+    Gravity, Coriolis and the turn of the level are taken at the middle of the interval, which is predicted from its
+    start.
     """
     gained = dcm_from_quaternion(q_b2n_wxyz) * velocity_increment(dtheta, dv, dtheta_before, dv_before)
-    v_middle = v_n + (gained + dt * pull(frame, position, v_n)) / 2
+    v_middle = v_n + (gained + dt * free_acceleration(frame, position, v_n)) / 2
     p_middle = position + dt / 2 * position_rate(frame, position, v_n)
 
     level = dt * omega_in_n(frame, p_middle, v_middle)  # rotation vector of the level over the step
-    v_next = v_n + small_rotation(-level / 2) * gained + dt * pull(frame, p_middle, v_middle)
+    v_next = v_n + small_rotation(-level / 2) * gained + dt * free_acceleration(frame, p_middle, v_middle)
     # mean velocity: that of a constant acceleration, less what the growth of the acceleration takes from it (scrolling)
     growth = dcm_from_quaternion(q_b2n_wxyz) * (dv - dv_before + skew(dtheta) * dv)
     lat, height = frame.latitude_and_height(p_middle)

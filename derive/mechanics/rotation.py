@@ -4,55 +4,59 @@ Angles in rad, roll pitch yaw from navigation to body; ``C_b2n`` takes body comp
 quaternions are Hamilton, scalar first.  Every expression is free of branches and of 0/0, so that it can become C.
 """
 
-import sympy as sp
 from sympy import Matrix, atan2, cos, eye, sin, sqrt
 
-# Added to the square of an angle before its root is taken, so that a rotation by zero divides by 1e-15 and not by
-# zero.  It changes the quaternion of any rotation vector by less than 1e-30.
-TINY_SQUARE = sp.Rational(1, 10**30)
+from boresight.derive.constant import constant
+
+# Of use where a root of squares is divided by: a rotation by zero divides by 1e-15 and not by zero.  It changes the
+# quaternion of any rotation vector by less than 1e-30.
+TINY_SQUARE = constant("epsilon", "1e-30", "rad^2", "added to the square of an angle before its root is taken")
 
 
 def skew(v) -> Matrix:
-    """[v x], 3x3: skew(v) @ w is the cross product v x w."""
+    """[v x], 3x3, of a vector (3): skew(v) * w is the cross product v x w."""
     x, y, z = v
     return Matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
 
 
 def vee(M) -> Matrix:
-    """The vector of the skew-symmetric part of a 3x3 matrix: vee(skew(v)) == v."""
+    """(3): the vector of the skew-symmetric part of a 3x3 matrix: vee(skew(v)) == v."""
     return Matrix([M[2, 1] - M[1, 2], M[0, 2] - M[2, 0], M[1, 0] - M[0, 1]]) / 2
 
 
 def small_rotation(e) -> Matrix:
-    """I + [e x], the rotation by the vector e (rad) to first order."""
+    """I + [e x], 3x3: the rotation by the vector e (3, rad) to first order; it errs by e^2 / 2."""
     return eye(3) + skew(e)
 
 
 def rotation_x(angle) -> Matrix:
-    """The rotation by `angle` about the first axis; turns components of the turned frame into the first one's."""
+    """3x3: the rotation by `angle` (rad) about the first axis; takes components of the turned frame to the first's."""
     c, s = cos(angle), sin(angle)
     return Matrix([[1, 0, 0], [0, c, -s], [0, s, c]])
 
 
 def rotation_y(angle) -> Matrix:
-    """The rotation by `angle` about the second axis, as rotation_x."""
+    """3x3: the rotation by `angle` (rad) about the second axis, as rotation_x."""
     c, s = cos(angle), sin(angle)
     return Matrix([[c, 0, s], [0, 1, 0], [-s, 0, c]])
 
 
 def rotation_z(angle) -> Matrix:
-    """The rotation by `angle` about the third axis, as rotation_x."""
+    """3x3: the rotation by `angle` (rad) about the third axis, as rotation_x."""
     c, s = cos(angle), sin(angle)
     return Matrix([[c, -s, 0], [s, c, 0], [0, 0, 1]])
 
 
 def dcm_from_euler(roll, pitch, yaw) -> Matrix:
-    """C_b2n, 3x3, of the Euler angles: yaw about z, then pitch about y, then roll about x."""
+    """C_b2n, 3x3, of the Euler angles (rad): yaw about z, then pitch about y, then roll about x."""
     return rotation_z(yaw) * rotation_y(pitch) * rotation_x(roll)
 
 
 def euler_from_dcm(C) -> Matrix:
-    """[roll, pitch, yaw] of C_b2n; pitch in [-pi/2, pi/2].  At a pitch of +-90 deg roll and yaw are one angle."""
+    """[roll, pitch, yaw] (rad) of C_b2n, 3x3; roll and yaw in [-pi, pi], pitch in [-pi/2, pi/2].
+
+    At a pitch of +-90 deg roll and yaw are one angle.
+    """
     return Matrix(
         [
             atan2(C[2, 1], C[2, 2]),
@@ -89,18 +93,18 @@ def quaternion_product(p, q) -> Matrix:
 
 
 def conjugate(q) -> Matrix:
-    """The inverse of a unit quaternion, [w, x, y, z]."""
+    """[w, x, y, z] with the vector part turned round: the inverse of a unit quaternion."""
     w, x, y, z = q
     return Matrix([w, -x, -y, -z])
 
 
 def normalized(q) -> Matrix:
-    """The quaternion, scaled to unit norm."""
+    """The quaternion (4), scaled to unit norm; of the zero quaternion there is none."""
     return q / sqrt(q.dot(q))
 
 
 def quaternion_from_rotation_vector(e) -> Matrix:
-    """[w, x, y, z] of the finite rotation by the vector e (rad): exact, to 1e-30, and defined at zero."""
+    """[w, x, y, z] of the finite rotation by the vector e (3, rad): exact, to 1e-30, and defined at zero."""
     x, y, z = e
     angle = sqrt(x**2 + y**2 + z**2 + TINY_SQUARE)
     scale = sin(angle / 2) / angle
@@ -108,5 +112,5 @@ def quaternion_from_rotation_vector(e) -> Matrix:
 
 
 def dcm_from_rotation_vector(e) -> Matrix:
-    """exp([e x]), 3x3: the finite rotation by the vector e (rad), exact to 1e-30 and defined at zero."""
+    """exp([e x]), 3x3: the finite rotation by the vector e (3, rad), exact to 1e-30 and defined at zero."""
     return dcm_from_quaternion(quaternion_from_rotation_vector(e))

@@ -23,7 +23,6 @@ from boresight.derive.ledger.equation import Quantity, Relation, as_written, pro
 from boresight.derive.mechanics.rotation import skew
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
 from boresight.derive.pages.named import (
-    CONSTANTS,
     Named,
     Naming,
     component_letters,
@@ -424,10 +423,6 @@ def _names(shown: Description, used: set[Symbol]) -> list[Section]:
             relations = list(_defined(one))
             used |= {s for relation in relations for s in letters_of(relation)}
             (constants if one.constant else named).insert(0, (one, relations))
-    for one in reversed(CONSTANTS):
-        if one.letter in used:
-            constants.insert(0, (one, list(_defined(one))))
-            used |= {s for relation in constants[0][1] for s in letters_of(relation)}
     blocks: list[Block] = []
     for one, relations in named:
         blocks += [Prose(one.meaning, one.letter.name), Formulas(tuple(Form(relation) for relation in relations))]

@@ -11,14 +11,16 @@ from fractions import Fraction
 from itertools import count
 from typing import Any
 
-from sympy import Add, Basic, Function, ImmutableMatrix, Integer, Matrix, Mul, Pow, Rational, S, Symbol, sin, sqrt
+from sympy import Add, Basic, Function, ImmutableMatrix, Matrix, Mul, Pow, Rational, S, Symbol, sin, sqrt
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
 
+from boresight.derive.checks import expressions
+from boresight.derive.constant import Constant, behind
 from boresight.derive.ledger.equation import product
 from boresight.derive.mechanics import earth, rotation
 from boresight.derive.mechanics.rotation import skew
-from boresight.derive.model import Model, Variable, symbols_in
+from boresight.derive.model import Model, Variable, constants_in, substituted, symbols_in
 
 FRAMES = earth.FRAMES
 LONG = 60  # operations of a rotation vector that stays part of a longer expression
@@ -70,6 +72,49 @@ def array(
     ]
     letter = Symbol(name, commutative=False)
     return Named(letter, meaning, value, ImmutableMatrix(*value.shape, entries), value if shown is None else shown)
+
+
+# ---------------------------------------------------------------- constants
+
+
+def letter_of(one: Constant) -> Symbol:
+    return Symbol(one.name, positive=True)
+
+
+def lettered(expression):
+    """An expression or a matrix with letters in the place of its constants."""
+    if not isinstance(expression, MatrixBase):
+        return lettered(Matrix([expression]))[0]
+    put = substituted(Matrix(expression), {one: letter_of(one) for one in constants_in(expression)})
+    return type(expression)(put)
+
+
+def constants(matrices: Iterable[Matrix]) -> list[Named]:
+    """The constants that stand in the matrices, each after those in its value."""
+    return [
+        scalar(
+            one.name,
+            one.exact,
+            one.meaning + f", {one.unit}" * (one.unit != "1"),
+            constant=True,
+            shown=_decimal(one.value) if one.value.is_Rational else lettered(one.value),
+        )
+        for one in behind(constants_in(*matrices))
+    ]
+
+
+a, f, e2, g_e, k, m, epsilon = map(
+    letter_of,
+    (
+        earth.SEMI_MAJOR_AXIS,
+        earth.FLATTENING,
+        earth.ECCENTRICITY_SQUARED,
+        earth.GRAVITY_EQUATOR,
+        earth.SOMIGLIANA,
+        earth.CENTRIFUGAL_RATIO,
+        rotation.TINY_SQUARE,
+    ),
+)
 
 
 # ---------------------------------------------------------------- how a form is found
@@ -222,8 +267,10 @@ class Naming:
     named: list[Named] = field(default_factory=list)
 
     def __post_init__(self) -> None:
+        self.named += constants(self.groups.values())
+        self.groups = {key: lettered(matrix) for key, matrix in self.groups.items()}
         self.read = {key: symbols_in(matrix) for key, matrix in self.groups.items()}
-        self.names = {s.name for one in self.vectors.values() for s in (one.letter, *one.entries)}
+        self.names = {s.name for one in (*self.vectors.values(), *self.named) for s in (one.letter, *one.entries)}
 
     def put(self, candidates: Iterable[Named], groups: Collection[str] | None = None) -> list[Named]:
         """Put these names into all groups, or into some; those that stand somewhere are kept."""
@@ -301,7 +348,7 @@ def component_letters(model: Model) -> dict[Symbol, Symbol]:
     """What each component is called: where v_n is a vector, its component along n is v_N, and so for all such axes."""
     every = (*model.states, *model.inputs)
     names = {v.name for v in every if v.size > 1}
-    kept = {one.letter.name for one in CONSTANTS}
+    kept = {one.letter.name for one in constants(item.matrix for item in expressions(model))}
 
     def axes(v: Variable) -> tuple[str, ...]:
         """Suffixes of the components, if they have some."""
@@ -341,11 +388,11 @@ def _finite_rotations(made: Naming) -> list[Named]:
     """The quaternion of each rotation vector: its angle is the root of the squares and of TINY_SQUARE."""
     order = [s for v in made.vectors.values() for s in v.entries]
     squares = [node for node in nodes(made.groups.values())
-               if node.is_Add and len(node.args) == 4 and node.args[0] == rotation.TINY_SQUARE]  # fmt: skip
+               if node.is_Add and len(node.args) == 4 and epsilon in node.args]  # fmt: skip
     result: list[Named] = []
     for square in squares:
         index = sum(one.letter.name.startswith("angle_") for one in made.named) + 1
-        parts = [_root(part) for part in square.args[1:]]
+        parts = [_root(part) for part in square.args if part != epsilon]
         if operations(parts) > LONG:
             continue
         parts.sort(key=lambda part: min(order.index(s) for s in symbols_in([part]) if s in order))
@@ -354,12 +401,12 @@ def _finite_rotations(made: Naming) -> list[Named]:
             turn = array(f"turn_{index}", ImmutableMatrix(parts), "a rotation vector, rad", suffixes="xyz")
             made.put([turn], here)
             parts = list(turn.entries)
-        total = rotation.TINY_SQUARE + sum(part**2 for part in parts)
+        total = epsilon + sum(part**2 for part in parts)
         angle = scalar(f"angle_{index}", S.One, "", shown=sqrt(total), constant=True)
         root = Rewriter([(angle.letter**2, total)])
         made.rewrite(root, None, [symbols_in([total])])
         made.named.append(replace(angle, meaning="the angle of a rotation, rad", constant=False))
-        value = root.matrix(ImmutableMatrix(rotation.quaternion_from_rotation_vector(parts)))
+        value = root.matrix(lettered(ImmutableMatrix(rotation.quaternion_from_rotation_vector(parts))))
         entries = ImmutableMatrix([Symbol(f"r_{index}_{part}") for part in "wxyz"])
         meaning = f"the quaternion of the rotation by ({', '.join(map(str, parts))})"
         result += made.put([Named(Symbol(f"r_{index}", commutative=False), meaning, value, entries, value)])
@@ -440,35 +487,13 @@ crossed = Function("skew", commutative=False)  # [v x], the matrix of the cross 
 # ---------------------------------------------------------------- the Earth
 
 
-def _constant(name: str, value, meaning: str, shown) -> Named:
-    return scalar(name, value, meaning, constant=True, shown=shown)
-
-
-_f = _constant("f_ell", earth.FLATTENING, "flattening, WGS 84", "1/298.257223563")
-_a = _constant("a", Integer(earth.SEMI_MAJOR_AXIS), "semi-major axis, m, WGS 84", "6378137")
-_omega = _constant("omega_ie", earth.EARTH_RATE, "the Earth's rate, rad/s, WGS 84", "7.292115e-5")
-_GM = _constant("GM", earth.GRAVITATIONAL_CONSTANT, "the Earth's gravitational constant, m^3/s^2", "3.986004418e14")
-_g_e = _constant("g_e", earth.GRAVITY_EQUATOR, "normal gravity at the equator, m/s^2", "9.7803253359")
-_g_p = _constant("g_p", earth.GRAVITY_POLE, "normal gravity at the pole, m/s^2", "9.8321849379")
-f, a, omega_ie, GM, g_e, g_p = (one.letter for one in (_f, _a, _omega, _GM, _g_e, _g_p))
-_e = _constant("e2", earth.ECCENTRICITY_SQUARED, "square of the first eccentricity", f * (2 - f))
-_k = _constant("k", earth.SOMIGLIANA, "k of Somigliana's formula", (1 - f) * g_p / g_e - 1)
-_m = _constant("m", earth.CENTRIFUGAL_RATIO, "centrifugal over gravitational acceleration, at the equator",
-               omega_ie**2 * a**3 * (1 - f) / GM)  # fmt: skip
-_tiny = _constant("epsilon", rotation.TINY_SQUARE, "added to the square of an angle before its root is taken",
-                  "1e-30")  # fmt: skip
-e2, k, m = (one.letter for one in (_e, _k, _m))
-CONSTANTS = (_omega, _a, _f, _e, _GM, _g_e, _g_p, _k, _m, _tiny)
-
-
 def _latitudes(made: Naming) -> list:
     """The angles X of which 1 - e^2 sin(X)^2 stands somewhere, inner ones first."""
     found = []
     for node in nodes(made.groups.values()):
         if node.is_Add and len(node.args) == 2 and node.args[0] is S.One:
-            number, rest = node.args[1].as_coeff_Mul()
-            base, power = rest.as_base_exp()
-            if number == -earth.ECCENTRICITY_SQUARED and power == 2 and isinstance(base, sin):
+            base, power = (-node.args[1] / e2).as_base_exp()
+            if power == 2 and isinstance(base, sin):
                 found.append(base.args[0])
     return found
 
@@ -480,10 +505,10 @@ def _at_latitude(made: Naming, lat, suffix: str) -> None:
         lat = place.letter
     s2 = sin(lat) ** 2
     w = scalar(f"w{suffix}", S.One, "", shown=sqrt(1 - e2 * s2), constant=True)
-    root = Rewriter([(w.letter**2, 1 - earth.ECCENTRICITY_SQUARED * s2)])
+    root = Rewriter([(w.letter**2, 1 - e2 * s2)])
 
     made.rewrite(root, None, [{lat}])
-    meridian, transverse = (root(value) for value in earth.radii(lat))
+    meridian, transverse = (root(lettered(value)) for value in earth.radii(lat))
     heights = []
     for node in nodes(made.groups.values()):
         if node.is_Add:
@@ -498,7 +523,7 @@ def _at_latitude(made: Naming, lat, suffix: str) -> None:
 
     R_N, R_E = a * (1 - e2) / (1 - e2 * s2) ** Rational(3, 2), a / sqrt(1 - e2 * s2)
     N, E = f"R_N{suffix}", f"R_E{suffix}"
-    by_lat = [root(value) for value in earth.radii_by_latitude(lat)]
+    by_lat = [root(lettered(value)) for value in earth.radii_by_latitude(lat)]
     candidates = [
         scalar(N, meridian, "meridian radius of curvature, m", shown=R_N),
         scalar(E, transverse, "transverse radius of curvature, m", shown=R_E),
@@ -510,9 +535,10 @@ def _at_latitude(made: Naming, lat, suffix: str) -> None:
         suffixed = suffix + f"_{index}" * bool(index)
         above = 1 - 2 * (1 + f + m - 2 * f * s2) * h / a + 3 * h**2 / a**2
         ground = g_e * (1 + k * s2) / sqrt(1 - e2 * s2)
-        by_lat, by_height = earth.gravity_gradient(lat, h)
+        by_lat, by_height = map(lettered, earth.gravity_gradient(lat, h))
         above_ground += [
-            scalar(f"g{suffixed}", root(earth.normal_gravity(lat, h)), "normal gravity, m/s^2", shown=ground * above),
+            scalar(f"g{suffixed}", root(lettered(earth.normal_gravity(lat, h))), "normal gravity, m/s^2",
+                   shown=ground * above),
             scalar(f"g_lat{suffixed}", root(by_lat), f"derivative of g by {lat}",
                    shown=ground.diff(lat) * above + ground * above.diff(lat)),
             scalar(f"g_h{suffixed}", root(by_height), f"derivative of g by {h}", shown=ground * above.diff(h)),
@@ -527,7 +553,8 @@ def _at_latitude(made: Naming, lat, suffix: str) -> None:
             continue
         for h in heights:
             at = made.vectors[v.name].entries
-            rate = root.matrix(earth.omega_ie_n(lat, frame) + earth.omega_en_n(lat, h, at, frame)).applyfunc(radii)
+            rate = lettered(earth.omega_ie_n(lat, frame) + earth.omega_en_n(lat, h, at, frame))
+            rate = root.matrix(rate).applyfunc(radii)
             axes = [axis.upper() for axis in frame.axes]
             meaning = "rate of the level against inertial space, rad/s"
             rates.append(array(f"omega_in_n{suffix}", rate, meaning, suffixes=axes))
@@ -540,18 +567,13 @@ def _at_latitude(made: Naming, lat, suffix: str) -> None:
 
 
 def _numbers(made: Naming) -> None:
-    """Letters for the constants, decimals for decimal numbers, and a letter of its own for any other long number."""
+    """Decimals for decimal numbers, and a letter of its own for any other long number."""
     own: dict = {}
     memo: dict = {}
 
     def number(value):
         if abs(value.p) < SMALL and value.q < SMALL and value.q not in (100, 1000):
             return value
-        for one in CONSTANTS:
-            for power in (1, -1, 2, -2):
-                ratio = value / one.value[0] ** power
-                if abs(ratio.p) < SMALL and ratio.q < SMALL:
-                    return ratio * one.letter**power
         if value.q == 1 and abs(value.p) < 10**9:
             return value
         if abs(value) not in own:
@@ -579,10 +601,11 @@ def _numbers(made: Naming) -> None:
 
 
 def _decimal(value) -> str:
-    """A decimal number where there is one of few digits, else a fraction."""
+    """A decimal number where there is one of few digits, or one over it, else a fraction."""
     exact = Fraction(int(value.p), int(value.q))
-    text = format(float(value), ".12g")
-    return text if Fraction(text) == exact else str(exact)
+    texts = (format(float(number), ".12g") for number in (exact, 1 / exact))
+    text, below = texts
+    return text if Fraction(text) == exact else f"1/{below}" if 1 / Fraction(below) == exact else str(exact)
 
 
 def visited(shown, visit):

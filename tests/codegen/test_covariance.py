@@ -170,7 +170,8 @@ def test_what_is_no_covariance_is_refused(loops):
 # ---- the golden vectors themselves
 
 
-def test_the_vectors_are_what_numpy_computes():
+@pytest.mark.parametrize("order", [1, 2, 3, None])
+def test_the_vectors_are_what_numpy_computes(order):
     """Exact fractions and floating point agree to the tolerances printed beside the vectors."""
     F, Qc = ((0, 1), (0, 2), (1, 2)), ((1, 1), (1, 2), (2, 1), (2, 2))
     places = [(i, j) for j in range(3) for i in range(j + 1)]
@@ -178,10 +179,15 @@ def test_the_vectors_are_what_numpy_computes():
         case = draw_case(k, 3, F, Qc)
         scale = 2.0 ** np.array(case.scale)
         P, x = (np.array(v, dtype=float) for v in (case.P / 2**8, case.x / 2**4))
-        A, S = (np.array(v, dtype=float) / 2**12 for v in (case.F, case.Qc))
-        Phi = np.eye(3) + A + A @ A / 2
-        Q = S + (A @ S + S @ A.T) / 2 + (A @ A @ S + 2 * A @ S @ A.T + S @ A.T @ A.T) / 6
-        packed, moved, size, _, _ = predicted(case)
+        A, S = (np.array(v, dtype=float) / 2**12 for v in (case.A, case.B))
+        powers = [np.eye(3), A, A @ A / 2, A @ A @ A / 6][: (order or 0) + 1]
+        Phi = sum(powers) if order else 2**4 * A
+        Q = S * 2**4
+        if order:  # what a product of two powers integrates to, up to the highest power of dt
+            Q = sum(
+                a @ S @ b.T / (i + j + 1) for i, a in enumerate(powers) for j, b in enumerate(powers) if i + j <= order
+            )
+        packed, moved, size, _, _ = predicted(case, order)
         expected = (Phi @ P @ Phi.T + Q) * np.outer(scale, scale)
         for value, (i, j) in zip(packed, places, strict=True):
             assert abs(value - expected[i, j]) <= 50 * U * size[i] * size[j]
@@ -197,7 +203,10 @@ def test_the_vectors_are_what_numpy_computes():
 
 
 def test_the_places_of_phi_hold_every_power_that_it_has():
-    assert phi_places(3, ((0, 1), (1, 2))) == ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
+    assert phi_places(3, ((0, 1), (1, 2)), 1) == ((0, 0), (0, 1), (1, 1), (1, 2), (2, 2))
+    assert phi_places(3, ((0, 1), (1, 2)), 2) == ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
+    assert phi_places(4, ((0, 1), (1, 2), (2, 3)), 2)[:4] == ((0, 0), (0, 1), (0, 2), (1, 1))
+    assert phi_places(4, ((0, 1), (1, 2), (2, 3)), 3)[3] == (0, 3)
     assert table(((0, 2), (2, 0), (0, 1)), 3) == {"nnz": 3, "start": "0, 2, 2, 3", "at": "1, 2, 0"}
 
 

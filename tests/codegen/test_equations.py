@@ -80,10 +80,10 @@ def test_every_kind_of_expression_is_read_back(value):
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
-        ("- 981*sin(theta)", "- 981*sin(theata)"),
-        ("- 981*sin(theta)", "- __import__('os')"),
-        ("- 981*sin(theta)", "- theta.real"),
-        ("- 981*sin(theta)", "- "),
+        ("- g*sin(theta)", "- g*sin(theata)"),
+        ("- g*sin(theta)", "- __import__('os')"),
+        ("- g*sin(theta)", "- theta.real"),
+        ("- g*sin(theta)", "- "),
         ('"format": 1', '"format": 2'),
         ('"theta": "omega"', '"theta": "omega'),
         ('"theta": "omega"', '"angle": "omega"'),

@@ -58,7 +58,7 @@ def test_what_is_differentiated_by_hand_is_the_automatic_derivative():
 def test_gravity_is_the_closed_form_of_the_level_ellipsoid():
     """Pizzetti and Somigliana: equator and pole from GM, a, f and the rotation, in 40 digits."""
     with mp.workdps(40):
-        a, f = mp.mpf(earth.SEMI_MAJOR_AXIS), 1 / mp.mpf("298.257223563")
+        a, f = mp.mpf(int(earth.SEMI_MAJOR_AXIS)), 1 / mp.mpf("298.257223563")
         GM, rate = mp.mpf("3.986004418e14"), mp.mpf("7.292115e-5")
         b = a * (1 - f)
         e2 = mp.sqrt(a**2 - b**2) / b  # second eccentricity

@@ -196,11 +196,10 @@ def test_what_cannot_be_flown_is_named():
 
 def test_a_model_without_navigation_brings_its_own_residual(pendulum_folder):
     model = load(pendulum_folder)
-    loop = CompiledFilter(model, {}, np.diag([0.04, 0.01]))
-    loop.x = np.array([0.3, -0.1])
+    loop = CompiledFilter(model, {}, np.diag([0.04, 0.01]), x=[0.3, -0.1])
     Phi = model.Phi(x=loop.x, plant=np.array([1.0, 0.1]), dt=0.01)
     Q = model.Q(x=loop.x, plant=np.array([1.0, 0.1]), dt=0.01, push=0.1)
-    P, x = Phi @ loop.P @ Phi.T + Q, Phi @ loop.x
+    P, x = Phi @ loop.P @ Phi.T + Q, model.next(x=loop.x, plant=np.array([1.0, 0.1]), dt=0.01)
     loop.predict(plant=np.array([1.0, 0.1]), dt=0.01, push=0.1)
     assert np.allclose(loop.P, P, rtol=1e-14) and np.allclose(loop.x, x, rtol=1e-14)
     H, h = model.tip_H(x=x, plant=np.array([1.0, 0.1])), model.tip_h(x=x, plant=np.array([1.0, 0.1]))

@@ -41,7 +41,7 @@ def evidence(number: str) -> str:
 
 def findings() -> tuple[str, ...]:
     """What was computed about the text beside the equations."""
-    earth_rate = float(sp.Rational(earth.EARTH_RATE)) / DEGREE * HOUR
+    earth_rate = float(earth.EARTH_RATE) / DEGREE * HOUR
     north = 1 / (earth_rate * math.cos(LATITUDE * DEGREE)) / DEGREE
     return (
         f"Line {DETECTORS[0]} has the detector of mean and deviation both of the angular rate; its reasons, and (31), "

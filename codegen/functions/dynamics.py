@@ -1,0 +1,332 @@
+"""The printed units that carry the state of a model and its covariance over a step.
+
+Each has a reference in balls that shares the SymPy expressions with it and nothing else: where CasADi differentiates a
+whole step, the reference puts the step together from values and Jacobians of f, by the chain rule.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from math import factorial
+from typing import Any
+
+import casadi as ca
+from flint import arb
+
+from boresight.codegen.functions.reference import Entries, precise
+from boresight.codegen.functions.units import Unit, UnitMaker, described
+
+Values = Mapping[str, Sequence[Any]]  # field name -> components, floats or balls
+Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
+LARGEST = 3e38  # a float holds it: what is not below it counts as not finite
+
+
+def dynamics(maker: UnitMaker) -> list[Unit]:
+    """F and what follows from it over dt, or the step of a total state with its derivative and its noise."""
+    if maker.model.kind == "error-state":
+        return error_state(maker)
+    return list(total_state(maker) if maker.model.f is not None else discrete(maker))
+
+
+# ---------------------------------------------------------------- matrices of balls
+
+
+def by_rows(entries: Entries, count: int) -> Rows:
+    rows: Rows = [{} for _ in range(count)]
+    for (i, j), value in entries.items():
+        rows[i][j] = value
+    return rows
+
+
+def identity(n: int) -> Rows:
+    return [{i: arb(1)} for i in range(n)]
+
+
+def times(a: Rows, b: Rows) -> Rows:
+    product: Rows = []
+    for row in a:
+        total: dict[int, Any] = {}
+        for k, left in row.items():
+            for j, right in b[k].items():
+                total[j] = total[j] + left * right if j in total else left * right
+        product.append(total)
+    return product
+
+
+def transposed(a: Rows, columns: int) -> Rows:
+    turned: Rows = [{} for _ in range(columns)]
+    for i, row in enumerate(a):
+        for j, value in row.items():
+            turned[j][i] = value
+    return turned
+
+
+def weighted(*terms: tuple[Any, Rows]) -> Entries:
+    """The sum of weight times matrix."""
+    total: Entries = {}
+    for weight, rows in terms:
+        for i, row in enumerate(rows):
+            for j, value in row.items():
+                total[i, j] = total[i, j] + weight * value if (i, j) in total else weight * value
+    return total
+
+
+def symmetric(matrix: Any) -> Any:
+    """An SX matrix whose upper triangle is a copy of its lower one, to the bit."""
+    return ca.tril2symm(ca.tril(matrix))
+
+
+# ---------------------------------------------------------------- an error state
+
+
+def error_state(maker: UnitMaker) -> list[Unit]:
+    """F, Phi to the model's order of F dt, and Q to one more of dt."""
+    model = maker.model
+    n, order, source = model.n, model.order, model.equations
+    (F,) = maker.convert(model.F)
+    F_exact = maker.numeric(model.F)
+    G, noise = maker.convert(model.G, model.noise)
+    root_exact, dt, dt_exact = root(maker), maker.symbols[model.dt], step(maker)
+    A = F * dt
+    spread = symmetric(G @ ca.diag(noise * noise) @ G.T)  # noise covariance per second
+    FS = F @ spread
+    FFS = F @ FS
+    twice = FFS + FFS.T + 2 * FS @ F.T  # L(L(spread)), where L(X) = F X + (F X)'
+    thrice = F @ twice
+    Phi = ca.SX.eye(n) + A
+    Q = spread * dt + (FS + FS.T) * (dt * dt / 2)
+    if order > 1:
+        Phi += A @ A / 2
+        Q += twice * (dt * dt * dt / 6)
+    if order > 2:
+        Phi += A @ A @ A / 6
+        Q += (thrice + thrice.T) * (dt * dt * dt * dt / 24)
+
+    def spread_exact(values: Values) -> Rows:
+        rows = root_exact(values)
+        return times(rows, transposed(rows, model.noise.rows))
+
+    def density(values: Values) -> list[Entries]:
+        with precise():
+            return [weighted((1, spread_exact(values)))]
+
+    def powers(values: Values) -> list[tuple[Any, Rows]]:
+        """1, F, F F / 2, ...: what stands with the powers of dt in Phi."""
+        f, terms = by_rows(F_exact(values)[0], n), [identity(n)]
+        for _ in range(order):
+            terms.append(times(terms[-1], f))
+        return [(arb(1) / factorial(i), term) for i, term in enumerate(terms)]
+
+    def Phi_exact(values: Values) -> list[Entries]:
+        with precise():
+            h = dt_exact(values)
+            return [weighted(*((u * h**i, term) for i, (u, term) in enumerate(powers(values))))]
+
+    def Q_exact(values: Values) -> list[Entries]:
+        """The integral of Phi(s) S Phi(s)' over the step, cut after one more power of dt than Phi has."""
+        with precise():
+            h, s, of_Phi = dt_exact(values), spread_exact(values), powers(values)
+            # Each pair of terms of Phi around S, with the power of its integral; the pair (j, i) is (i, j) transposed,
+            # as S is symmetric.
+            terms = []
+            pairs = [(i, j) for i in range(order + 1) for j in range(i, order + 1 - i)]
+            for i, j in pairs:
+                (u, left), (v, right) = of_Phi[i], of_Phi[j]
+                weight, term = u * v * h ** (i + j + 1) / (i + j + 1), times(times(left, s), transposed(right, n))
+                terms += [(weight, term)] if i == j else [(weight, term), (weight, transposed(term, n))]
+            return [weighted(*terms)]
+
+    return [
+        maker.unit(
+            "F",
+            "system matrix, x' = F x + G w",
+            [(F, described("F", "1/s and mixed", "system matrix"))],
+            F_exact,
+            source,
+        ),
+        maker.unit(
+            "Phi",
+            f"transition matrix over dt, {series(order)}",
+            [(Phi, described("Phi", "mixed", "transition matrix"))],
+            Phi_exact,
+            source,
+        ),
+        maker.unit(
+            "Qc",
+            "noise covariance per second, G W G'",
+            [(spread, described("Qc", "mixed", "density of the noise"))],
+            density,
+            source,
+        ),
+        maker.unit(
+            "Q",
+            "covariance that the noise adds over dt",
+            [(symmetric(Q), described("Q", "mixed", "covariance of the noise"))],
+            Q_exact,
+            source,
+        ),
+    ]
+
+
+def series(order: int) -> str:
+    """Phi of an error state as text."""
+    return " + ".join(["I", "F dt", "(F dt)^2 / 2", "(F dt)^3 / 6"][: order + 1])
+
+
+def step(maker: UnitMaker) -> Callable[[Values], Any]:
+    """dt as a ball."""
+    variable = next(v for v in maker.model.inputs if maker.model.dt in v.symbols)
+    place = variable.symbols.index(maker.model.dt)
+    return lambda values: arb(values.get(variable.name, maker.anywhere[variable.name])[place])
+
+
+def root(maker: UnitMaker) -> Callable[[Values], Rows]:
+    """G times the roots of the densities, of which times its transpose is the noise covariance per second."""
+    model = maker.model
+    exact = maker.numeric(model.G, model.noise)
+
+    def evaluate(values: Values) -> Rows:
+        g, densities = exact(values)
+        rows = by_rows(g, model.n)
+        return [{j: value * densities[j, 0] for j, value in row.items() if (j, 0) in densities} for row in rows]
+
+    return evaluate
+
+
+# ---------------------------------------------------------------- a total state
+
+
+def total_state(maker: UnitMaker) -> Iterator[Unit]:
+    """F, and over a step with the inputs held: next by Runge and Kutta, Phi its derivative, Q by Radau."""
+    model, x, h = maker.model, maker.vectors["x"], maker.symbols[maker.model.dt]
+    n, source = model.n, model.equations
+    f, G, noise = maker.convert(model.f, model.G, model.noise)
+    F = ca.jacobian(f, x)
+    read = list(maker.vectors.values())
+    at = ca.Function("at", read, [f, F, G @ ca.diag(noise)])
+
+    def given(state: Any) -> Any:
+        return at(state, *read[1:])
+
+    k1, *_ = given(x)
+    k2, *_ = given(x + h / 2 * k1)
+    k3, *_ = given(x + h / 2 * k2)
+    k4, *_ = given(x + h * k3)
+    after = x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+
+    # Of Radau's two nodes one is the end, the other lies at dt / 3: a midpoint step leads there, and one on to the end.
+    half, *_ = given(x + h / 6 * k1)
+    node = x + h / 3 * half
+    onward, slope, root_node = given(node)
+    _, middle, _ = given(node + h / 3 * onward)
+    B = ca.SX.eye(n) + 2 * h / 3 * middle @ (ca.SX.eye(n) + h / 3 * slope)
+    from_node, from_end = B @ root_node, given(after)[2]
+    Q = h / 4 * (from_end @ from_end.T) + 3 * h / 4 * (from_node @ from_node.T)
+
+    f_exact, F_exact = maker.numeric(model.f), maker.numeric(model.f, jacobian=True)
+    root_exact, dt_exact = root(maker), step(maker)
+
+    def rate(values: Values, state: Sequence[Any]) -> list[Any]:
+        entries = f_exact({**values, "x": state})[0]
+        return [entries.get((i, 0), arb(0)) for i in range(n)]
+
+    def slopes(values: Values, state: Sequence[Any]) -> Rows:
+        return by_rows(F_exact({**values, "x": state})[0], n)
+
+    def moved(state: Sequence[Any], weight: Any, by: Sequence[Any]) -> list[Any]:
+        return [arb(a) + weight * b for a, b in zip(state, by, strict=True)]
+
+    def stages(values: Values) -> tuple[list[list[Any]], list[list[Any]]]:
+        """Where f is taken in a step of Runge and Kutta, and what it is there."""
+        h, x = dt_exact(values), start(values)
+        states, rates = [x], [rate(values, x)]
+        for share in (h / 2, h / 2, h):
+            states.append(moved(x, share, rates[-1]))
+            rates.append(rate(values, states[-1]))
+        return states, rates
+
+    def start(values: Values) -> list[Any]:
+        return [arb(v) for v in values.get("x", maker.anywhere["x"])]
+
+    def end(values: Values) -> list[Any]:
+        h, (states, rates) = dt_exact(values), stages(values)
+        total = [a + 2 * b + 2 * c + d for a, b, c, d in zip(*rates, strict=True)]
+        return moved(states[0], h / 6, total)
+
+    def next_exact(values: Values) -> list[Entries]:
+        with precise():
+            return [{(i, 0): value for i, value in enumerate(end(values))}]
+
+    def Phi_exact(values: Values) -> list[Entries]:
+        """d k_i / d x = F (1 + share d k_(i-1) / d x), stage after stage."""
+        with precise():
+            h, (states, _) = dt_exact(values), stages(values)
+            grown = [slopes(values, states[0])]
+            for share, state in zip((h / 2, h / 2, h), states[1:], strict=True):
+                inner = by_rows(weighted((1, identity(n)), (share, grown[-1])), n)
+                grown.append(times(slopes(values, state), inner))
+            weights = (h / 6, h / 3, h / 3, h / 6)
+            return [weighted((1, identity(n)), *zip(weights, grown, strict=True))]
+
+    def Q_exact(values: Values) -> list[Entries]:
+        with precise():
+            h, x = dt_exact(values), start(values)
+            node = moved(x, h / 3, rate(values, moved(x, h / 6, rate(values, x))))
+            middle = slopes(values, moved(node, h / 3, rate(values, node)))
+            inner = by_rows(weighted((1, identity(n)), (h / 3, slopes(values, node))), n)
+            B = by_rows(weighted((1, identity(n)), (2 * h / 3, times(middle, inner))), n)
+            terms = []
+            for weight, state, onward in ((3 * h / 4, node, B), (h / 4, end(values), identity(n))):
+                rows = times(onward, root_exact({**values, "x": state}))
+                terms.append((weight, times(rows, transposed(rows, model.noise.rows))))
+            return [weighted(*terms)]
+
+    yield maker.unit(
+        "F",
+        "system matrix, F = d f / d x, x' = f(x) + G w",
+        [(F, described("F", "1/s and mixed", "system matrix"))],
+        F_exact,
+        source,
+    )
+    yield from carried(
+        maker,
+        (after, next_exact, "one step of the fourth-order Runge-Kutta method, inputs held"),
+        (ca.jacobian(after, x), Phi_exact),
+        (Q, Q_exact, "covariance that the noise adds over dt, by the two nodes of Radau, at dt / 3 and at dt"),
+    )
+
+
+def discrete(maker: UnitMaker) -> Iterator[Unit]:
+    """next and Q as the model gives them, and Phi."""
+    model = maker.model
+    after, Q = maker.convert(model.next, model.Q)
+    return carried(
+        maker,
+        (after, maker.numeric(model.next), "as the model gives it"),
+        (ca.jacobian(after, maker.vectors["x"]), maker.numeric(model.next, jacobian=True)),
+        (Q, maker.numeric(model.Q), "covariance that the noise adds over one step, as the model gives it"),
+    )
+
+
+def carried(
+    maker: UnitMaker, after: tuple[Any, Any, str], Phi: tuple[Any, Any], Q: tuple[Any, Any, str]
+) -> Iterator[Unit]:
+    """next, Phi and Q, each from its SX matrix, its reference and how it is made.
+
+    The state must end in its box; an angle that wraps may end anywhere, and is wrapped by the filter.  Where f is taken
+    within the step the state may have left its box, so that any of them may be no number: then there is no answer.
+    """
+    model = maker.model
+    sides = [
+        (-LARGEST, LARGEST) if block.wraps else side
+        for block in model.states
+        for side in zip(block.low, block.high, strict=True)
+    ]
+    low, high = zip(*sides, strict=True)
+    units = ", ".join(block.unit for block in model.states)
+    for name, matrix, exact, meaning, result in (
+        ("next", ca.densify(after[0]), after[1], f"state one step later: {after[2]}", ("next", units, "state")),
+        ("Phi", Phi[0], Phi[1], "transition matrix over one step, d next / d x", ("Phi", "mixed", "transition matrix")),
+        ("Q", symmetric(Q[0]), Q[1], Q[2], ("Q", "mixed", "covariance of the noise")),
+    ):
+        size = matrix.numel()
+        box = {"low": low, "high": high} if name == "next" else {"low": (-LARGEST,) * size, "high": (LARGEST,) * size}
+        yield maker.unit(name, meaning, [(matrix, described(*result, **box))], exact, model.equations)

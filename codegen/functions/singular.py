@@ -1,0 +1,201 @@
+"""Where an expression has no value inside the boxes of what it reads, found before C is made of it.
+
+What is not finite at a point has a step that is the first: a root, a logarithm, a division.  And a divisor that is
+negative at one point of the boxes and positive at another is zero between them.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from boresight.codegen.functions.elementary import norm
+from boresight.codegen.functions.samples import generator, sample
+from boresight.codegen.functions.tape import Tape, computed, tape
+from boresight.codegen.functions.units import Unit, UnitMaker
+from boresight.derive.checks import fail
+from boresight.derive.model import Model, Variable
+
+CORNERS, POINTS = 64, 128
+HALVINGS = 80
+LARGE = 1e9  # times the largest value at the points: what a division by zero gives that is met but to rounding
+# Over a step the state may leave its box; what is singular inside of it is so in f or F too.
+OVER_A_STEP = ("Phi", "Q", "next")
+FACTORS = ("mul", "sq", "neg", "twice", "fabs", "sqrt")  # zero where an operand is
+SHOWN = {"add": "({} + {})", "sub": "({} - {})", "mul": "{}*{}", "div": "{}/({})", "neg": "-{}", "sq": "({})**2",
+         "twice": "2*{}", "inv": "1/({})"}  # fmt: skip
+LONGEST = 60  # of an expression in a message
+Points = list[np.ndarray]  # one (points, size) array an argument
+
+
+@dataclass(frozen=True)
+class Looked:
+    """A list of operations to look at: of the part of the model it belongs to, with a name for each result."""
+
+    part: Any
+    tape: Tape
+    args: tuple[Variable, ...]
+    names: tuple[str, ...]  # in the order of the tape's results
+
+
+def refuse_singular(model: Model, made: list[Unit]) -> None:
+    """Raise BoresightError that names the entry, the point and the boxes, if one has no value inside of them."""
+    for looked in (*of_flow(model), *(of_unit(model, unit) for unit in made if unit.name not in OVER_A_STEP)):
+        found = not_finite(looked) or zero_divisor(looked)
+        if found:
+            refuse(model, looked, *found)
+
+
+def of_flow(model: Model) -> Iterator[Looked]:
+    """f or next of a total state, of which the units hold Jacobians and whole steps."""
+    for name in ("f", "next"):
+        flow = getattr(model, name)
+        if flow is not None:
+            maker = UnitMaker(model)
+            (value,) = maker.convert(flow)
+            entries = ca.vertcat(*(value[i] for i in range(model.n)))
+            function = ca.Function(name, [maker.vectors[v.name] for v in maker.variables], [ca.densify(entries)])
+            yield Looked(model, tape(function), maker.variables, tuple(f"{name}[{s}]" for s in model.x))
+
+
+def of_unit(model: Model, unit: Unit) -> Looked:
+    x = [str(symbol) for symbol in model.x]
+    part, rows, label = next(
+        ((m, m.rows, unit.name[-1]) for m in model.measurements if unit.name in (f"{m.name}_{one}" for one in "zhH")),
+        (next((f for f in model.functions if f.name == unit.name), model), x, ""),
+    )
+    names = []
+    for output, nz, _ in unit.tape.results:
+        result = unit.results[output]
+        i, j = result.nonzeros[nz]
+        row = rows[i] if i < len(rows) and result.shape[0] == len(rows) else str(i)
+        column = f", {x[j] if result.shape[1] == len(x) else j}" if result.shape[1] > 1 else ""
+        names.append(f"{label or result.name}[{row}{column}]")
+    return Looked(part, unit.tape, unit.args, tuple(names))
+
+
+def points_of(looked: Looked) -> Points:
+    """Corners of the boxes, points drawn in them, and one that is zero where its box holds zero."""
+    if not looked.args:
+        return []
+    drawn = sample(looked.args, CORNERS, POINTS, generator("singular"))
+    zeros = [np.clip(0.0 * part[-1:], v.low, v.high) if v.norm is None else part[-1:]
+             for v, part in zip(looked.args, drawn, strict=True)]  # fmt: skip
+    return [np.vstack(both) for both in zip(drawn, zeros, strict=True)]
+
+
+def not_finite(looked: Looked) -> tuple[str, int, list[np.ndarray]] | None:
+    """The entry that has no value at one of the points, the step that is the first without one, and the point."""
+    points = points_of(looked)
+    values = computed(looked.tape, points)
+    for name, (_, _, position) in zip(looked.names, looked.tape.results, strict=True):
+        for k in np.flatnonzero(~np.isfinite(values[position]))[:1]:
+            first = next(
+                step
+                for step in needed(looked.tape, position)
+                if not np.isfinite(values[step][k])
+                and all(np.isfinite(values[a][k]) for a in looked.tape.steps[step].args)
+            )
+            return name, first, [part[k] for part in points]
+    return None
+
+
+def zero_divisor(looked: Looked) -> tuple[str, int, list[np.ndarray]] | None:
+    """The same for a divisor that changes its sign, at the point where it is zero."""
+    points, steps = points_of(looked), looked.tape.steps
+    values = computed(looked.tape, points)
+    for step in (i for i, one in enumerate(steps) if one.op in ("div", "inv")):
+        for factor in factors(looked.tape, steps[step].args[-1]):
+            v = values[factor]
+            if not (v.min() < 0 < v.max()):
+                continue
+            point = between(looked, factor, points, int(v.argmin()), int(v.argmax()))
+            there = computed(looked.tape, point)
+            for name, (_, _, position) in zip(looked.names, looked.tape.results, strict=True):
+                seen = abs(values[position]).max()
+                if not abs(there[position][0]) <= LARGE * seen and step in needed(looked.tape, position):
+                    return name, step, [part[0] for part in point]
+    return None
+
+
+def needed(program: Tape, position: int) -> list[int]:
+    """The steps that a step depends on, and itself, in order."""
+    found, waiting = {position}, [position]
+    while waiting:
+        new = set(program.steps[waiting.pop()].args) - found
+        found |= new
+        waiting += new
+    return sorted(found)
+
+
+def factors(program: Tape, step: int) -> list[int]:
+    """The steps at whose zeros this one is zero: the factors of a product, what is squared."""
+    one = program.steps[step]
+    return [f for a in one.args for f in factors(program, a)] if one.op in FACTORS else [step]
+
+
+def between(looked: Looked, step: int, points: Points, a: int, b: int) -> Points:
+    """The point between points a and b, of other signs, at which the step is zero; norms stay in their range."""
+    low, high = 0.0, 1.0
+
+    def at(share: float) -> Points:
+        made = []
+        for arg, part in zip(looked.args, points, strict=True):
+            value = part[a : a + 1] * (1 - share) + part[b : b + 1] * share
+            if arg.norm:
+                value = value / norm(value) * sum(arg.norm) / 2
+            made.append(value)
+        return made
+
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        if computed(looked.tape, at(middle))[step][0] <= 0:
+            low = middle
+        else:
+            high = middle
+    return at(low)
+
+
+def refuse(model: Model, looked: Looked, name: str, step: int, point: list[np.ndarray]) -> None:
+    one = looked.tape.steps[step]
+    operand = one.args[-1] if one.op in ("div", "inv") else one.args[0]
+    by = shown(looked, operand)
+    does = f"divides by {by}" if one.op in ("div", "inv") else f"takes {one.op} of {by}"
+    sources = [s.source for i in needed(looked.tape, operand) if (s := looked.tape.steps[i]).op == "input"]
+    owners = {s: v for v in (*model.states, *model.inputs) for s in v.symbols}
+    at, boxes = [], {}
+    for argument, component in sources:
+        symbol = looked.args[argument].symbols[component]
+        variable = owners[symbol]
+        i = variable.symbols.index(symbol)
+        at.append(f"{symbol} = {near_zero(point[argument][component], variable, i):.6g}")
+        boxes[symbol] = f"{symbol} is {variable.low[i]:.6g} to {variable.high[i]:.6g} in {variable.where}"
+    some = f"at {', '.join(at[:4])} it {does}" if at else f"it {does}"
+    more = f"; {', '.join(list(boxes.values())[:4])}" if boxes else ""
+    fail(looked.part, f"{name} has no value inside the boxes: {some}{more}; narrow the box, or write another form")
+
+
+def near_zero(value: float, variable: Variable, i: int) -> float:
+    """The value, without what halving has left of a zero."""
+    return 0.0 if abs(value) < 1e-12 * (variable.high[i] - variable.low[i]) else float(value)
+
+
+def shown(looked: Looked, step: int) -> str:
+    """The step as an expression of the model's symbols; `an expression` if it is long."""
+
+    def text(step: int, room: int) -> str:
+        one = looked.tape.steps[step]
+        if room < 0:
+            return ""
+        if one.op == "input":
+            return str(looked.args[one.source[0]].symbols[one.source[1]])
+        if one.op == "const":
+            return f"{one.constant:.6g}"
+        inner = [text(a, room - 1) for a in one.args]
+        return SHOWN.get(one.op, f"{one.op}({', '.join('{}' for _ in inner)})").format(*inner)
+
+    made = text(step, 8)
+    made = made[1:-1] if made.startswith("(") and made.endswith(")") and "(" not in made[1:-1] else made
+    return made if len(made) <= LONGEST and "()" not in made else "an expression"

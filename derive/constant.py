@@ -1,0 +1,107 @@
+"""Numbers with a name, a unit and a meaning: in expressions by their names, and as numbers in what is printed as C."""
+
+from collections.abc import Iterable
+from typing import Any
+
+from sympy import Expr, Float, NumberSymbol, Rational, nan, sympify
+
+from boresight import BoresightError
+
+
+class Constant(NumberSymbol):
+    """A constant of nature or of a model; made by `constant`.
+
+    Like pi it is a number to SymPy: no free symbol, and evalf and lambdify know its value.
+    value: as it was given, perhaps in terms of other constants.  exact: without them.
+    """
+
+    __slots__ = ("exact", "meaning", "name", "unit", "value")
+    name: str
+    value: Expr
+    exact: Expr
+    unit: str
+    meaning: str
+    is_real = True
+    is_zero = False
+
+    def __new__(cls, name: str, value: Expr, unit: str, meaning: str) -> "Constant":
+        self = super().__new__(cls)
+        self.name, self.value, self.unit, self.meaning = name, value, unit, meaning
+        self.exact = value.xreplace({part: part.exact for part in value.atoms(Constant)})
+        return self
+
+    def __getnewargs__(self) -> tuple[str, Expr, str, str]:
+        return self.name, self.value, self.unit, self.meaning
+
+    def __getstate__(self) -> None:
+        return None
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        return self.name, self.exact, self.unit
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (isinstance(other, Constant) and self._hashable_content() == other._hashable_content())
+
+    def __hash__(self) -> int:
+        return super().__hash__()
+
+    def _eval_is_positive(self) -> bool:
+        return bool(self.exact.is_positive)
+
+    def _as_mpf_val(self, prec: int) -> Any:
+        return self.exact._eval_evalf(prec)._mpf_
+
+    def __int__(self) -> int:
+        return int(self.exact)
+
+    def approximation_interval(self, number_cls: Any) -> Any:
+        whole = self.exact.__floor__()
+        return (whole, whole + 1) if issubclass(number_cls, type(whole)) else None
+
+    def _sympystr(self, printer: Any) -> str:
+        return self.name
+
+    def _sympyrepr(self, printer: Any) -> str:
+        return self.name
+
+    def _latex(self, printer: Any) -> str:
+        from boresight.derive.pages.model import letter_latex
+
+        return letter_latex(self.name)
+
+    def _lambdacode(self, printer: Any) -> str:
+        """In Python, NumPy's or mpmath's, as made by lambdify."""
+        return str(printer.doprint(self.exact))
+
+    _pythoncode = _numpycode = _mpmathcode = _lambdacode
+
+
+def constant(name: str, value: Expr | str | float, unit: str, meaning: str) -> Constant:
+    """A named constant.  value: exact as text or a Rational, as `constant("g", "9.81", "m/s^2", "gravity")`; a float is
+    taken for the decimal number that it shows; or an expression of other constants.  unit: SI, angles in rad.
+
+    Raises BoresightError on a value that is no finite number, or is zero.
+    """
+    try:
+        number = sympify(Rational(str(value)) if isinstance(value, str | float | Float) else value)
+    except (TypeError, ValueError):  # no number at all
+        number = nan
+    if not (isinstance(number, Expr) and number.is_number and number.is_finite and number.is_real):
+        raise BoresightError(f"the constant {name} is {value}; give a finite number, or an expression of constants")
+    if number.is_zero:
+        raise BoresightError(f"the constant {name} is zero; write 0, which has every unit")
+    return Constant(name, number, unit, meaning)
+
+
+def behind(constants: Iterable[Constant]) -> list[Constant]:
+    """The constants and those that their values are made of, each after the latter."""
+    found: dict[Constant, None] = {}
+
+    def visit(one: Constant) -> None:
+        for part in sorted(one.value.atoms(Constant), key=str):
+            visit(part)
+        found[one] = None
+
+    for one in sorted(constants, key=str):
+        visit(one)
+    return list(found)

@@ -1,0 +1,141 @@
+"""Whether a filter knows how wrong it is: errors against P, innovations against S, over the runs of a flight.
+
+Of a filter that does, the squared error weighed by P (NEES) is chi-square with as many degrees of freedom as there are
+states, and the squared innovation weighed by S (NIS) with as many as there are rows; their means over the runs lie
+in a band that is known beforehand.
+"""
+
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight.runtime.array import Array
+from boresight.runtime.filter import Innovation
+
+DRAWN = 20  # runs whose errors are drawn
+SURE = 0.95
+
+
+def chi_square_band(freedom: int, count: int) -> list[float]:
+    """95 % band of the mean of `count` chi-square numbers of so many degrees of freedom."""
+    from scipy.stats import chi2
+
+    return [float(chi2.ppf(q, freedom * count) / count) for q in ((1 - SURE) / 2, (1 + SURE) / 2)]
+
+
+class Consistency:
+    """What a flight leaves to be judged.
+
+    shown: each state's label and the factor by which it is shown, as {"heading, deg": 180 / pi}; in the order of P.
+    """
+
+    def __init__(self, shown: dict[str, float]):
+        self.labels, self.factors = list(shown), np.array(list(shown.values()))
+        self.times: list[float] = []
+        self._errors: list[Array] = []
+        self._sigmas: list[Array] = []
+        self._nees: list[Array] = []
+        self._innovations: dict[str, list[tuple[float, Array, Array]]] = {}
+
+    def error(self, time: float, error: Array, P: Array) -> None:
+        """The estimate's error at this time, computed - true, (..., n), and its covariance (..., n, n)."""
+        self.times.append(time)
+        error = np.atleast_2d(error)
+        P = np.broadcast_to(P, (*error.shape, error.shape[-1]))
+        self._errors.append(error * self.factors)
+        self._sigmas.append(np.sqrt(np.diagonal(P, axis1=-2, axis2=-1)) * self.factors)
+        self._nees.append(np.einsum("...i,...i->...", error, np.linalg.solve(P, error[..., None])[..., 0]))
+
+    def innovation(self, time: float, measurement: str, found: Innovation) -> None:
+        """What `Filter.update` returned."""
+        taken = (time, np.atleast_1d(found.nis), np.atleast_1d(found.used.sum(-1)))
+        self._innovations.setdefault(measurement, []).append(taken)
+
+    @property
+    def errors(self) -> Array:
+        """(T, runs, n) by the factors."""
+        return np.array(self._errors)
+
+    @property
+    def sigmas(self) -> Array:
+        """(T, runs, n) by the factors."""
+        return np.array(self._sigmas)
+
+    @property
+    def nees(self) -> Array:
+        """(T,) mean over the runs."""
+        return np.array(self._nees).mean(-1)
+
+    @property
+    def nees_band(self) -> list[float]:
+        """Where `nees` lies at 95 % of all times."""
+        return chi_square_band(len(self.labels), self.errors.shape[1])
+
+    @property
+    def nees_inside(self) -> float:
+        """The part of all times at which `nees` lies in its band."""
+        low, high = self.nees_band
+        return float(np.mean((low <= self.nees) & (self.nees <= high)))
+
+    def nis(self, measurement: str) -> tuple[float, list[float]]:
+        """NIS per row used, mean of all runs and times, and the band in which it lies 95 times of 100."""
+        _, nis, rows = map(np.array, zip(*self._innovations[measurement], strict=True))
+        return float(nis.sum() / rows.sum()), chi_square_band(1, int(rows.sum()))
+
+    def report(self) -> str:
+        """One table in text."""
+        width = max(map(len, self.labels))
+        rms = np.sqrt(np.mean(self.errors[-1] ** 2, axis=0))
+        sigma = np.sqrt(np.mean(self.sigmas[-1] ** 2, axis=0))
+        lines = [f"at {self.times[-1]:g} s, {self.errors.shape[1]} runs".ljust(width) + "   rms error       sigma"]
+        width = max(width, len(lines[0]) - 24)
+        lines += [f"{name:{width}}{e:12.4g}{s:12.4g}" for name, e, s in zip(self.labels, rms, sigma, strict=True)]
+        low, high = self.nees_band
+        lines.append(
+            f"NEES {self.nees.mean():.2f} of {len(self.labels)}; "
+            f"in {low:.2f} to {high:.2f} at {self.nees_inside:.0%} of all times (95 % expected)"
+        )
+        for name in self._innovations:
+            mean, (low, high) = self.nis(name)
+            lines.append(f"NIS of {name} {mean:.3f} per row; {low:.3f} to {high:.3f} expected")
+        return "\n".join(lines)
+
+    def draw(self, path: str | Path) -> str:
+        """Errors with 3 sigma, NEES and NIS with their bands, as a figure; a line that says what became of it."""
+        if find_spec("matplotlib") is None:
+            return "no figure: matplotlib is missing; run pip install 'boresight[replay]'"
+        from boresight.studies.figures import BLUE, ORANGE, figure
+
+        panels = len(self.labels) + 1 + len(self._innovations)
+        columns = 1 if panels <= 4 else 3
+        rows = -(-panels // columns)
+        size = {"nrows": rows, "ncols": columns, "sharex": True, "squeeze": False}
+        with figure(Path(path), 8 if columns == 1 else 12, 0.5 + 1.7 * rows, **size) as (drawing, axes):
+            axes = axes.ravel()
+            for i, (ax, label) in enumerate(zip(axes, self.labels, strict=False)):
+                limit = 3 * np.sqrt(np.mean(self.sigmas[..., i] ** 2, axis=1))
+                ax.plot(self.times, self.errors[:, :DRAWN, i], color=BLUE, linewidth=0.6, alpha=0.5)
+                ax.plot(self.times, limit, color=ORANGE)
+                ax.plot(self.times, -limit, color=ORANGE)
+                ax.set_title(label)
+            self._chi_square(axes[len(self.labels)], "NEES", self.times, self.nees, self.nees_band)
+            for ax, (name, taken) in zip(axes[len(self.labels) + 1 :], self._innovations.items(), strict=False):
+                times, nis, used = map(np.array, zip(*taken, strict=True))
+                m = int(used.max())
+                self._chi_square(ax, f"NIS of {name}", times, nis.mean(-1), chi_square_band(m, nis.shape[-1]))
+            for ax in axes[panels:]:
+                ax.remove()
+            for ax in axes[max(panels - columns, 0) : panels]:
+                ax.set_xlabel("time, s")
+                ax.tick_params(labelbottom=True)
+            drawing.suptitle(f"errors of {min(DRAWN, self.errors.shape[1])} runs, and 3 sigma of the filter")
+        return f"figure in {path}"
+
+    def _chi_square(self, ax: Any, title: str, times: Any, mean: Array, band: list[float]) -> None:
+        from boresight.studies.figures import BLUE, GREY
+
+        ax.axhspan(*band, color=GREY, alpha=0.3, linewidth=0)
+        ax.plot(times, mean, color=BLUE, linewidth=0.8)
+        ax.set_title(f"{title}, mean of the runs, and 95 % band")

@@ -1,0 +1,343 @@
+"""Mistakes in a user's model file, each through the command line: one line with the place, the thing and the remedy."""
+
+from dataclasses import dataclass
+
+import pytest
+
+from boresight import cli
+
+GOOD = """
+from sympy import Matrix, Piecewise, Symbol, nan, oo, sin, sqrt
+
+from boresight.derive.model import Function, Measurement, Model, Output, Struct, variable
+
+angle = variable("angle", "theta", "rad", "angle from hanging down", -3.0, 3.0)
+rate = variable("rate", "omega", "rad/s", "its rate", -20.0, 20.0)
+rod = variable("rod", "length damping", "m, 1/s", "length and damping of the pendulum", (0.1, 0.0), (10.0, 1.0))
+dt = variable("dt", "dt", "s", "length of the step", 1e-4, 0.2)
+torque = variable("torque", "jitter", "rad/s/sqrt(s)", "root density of the acceleration", 0.0, 1.0)
+
+theta, omega = angle.scalar, rate.scalar
+length, damping = rod.symbols
+
+MODEL = Model(
+    name="swing",
+    c_prefix="sw",
+    title="a pendulum, 2 states",
+    frame="none",
+    states=(angle, rate),
+    structs=(Struct("plant", "the pendulum", (rod,)), Struct("step", "one step", (dt, torque))),
+    f=Matrix([omega, -1 / length * sin(theta) - damping * omega]),
+    G=Matrix([0, 1]),
+    noise=torque.vector,
+    dt=dt.scalar,
+    measurements=(Measurement("encoder", ("reading",), "rad", "the angle that is read", h=Matrix([theta])),),
+    functions=(Function("height", "its height", (Output("rise", Matrix([sin(theta)]), "1", "over the length"),)),),
+)
+"""
+
+ERROR_STATE = {
+    "f=Matrix([omega, -1 / length * sin(theta) - damping * omega])": "F=Matrix([[0, 1], [-1 / length, -damping]])",
+}
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """edits: text of the good file -> what stands there instead.  at: how the line begins that the message names.
+    says: what the message holds besides."""
+
+    name: str
+    edits: dict[str, str]
+    at: str
+    says: tuple[str, ...]
+    target: str = ":MODEL"
+
+
+F_LINE = "f=Matrix([omega, -1 / length * sin(theta) - damping * omega])"
+MODEL = "MODEL = Model("
+ENCODER = "measurements=(Measurement("
+HEIGHT = "functions=(Function("
+RATE = 'rate = variable("rate"'
+
+
+def mistake(name, old, new, at, *says, **more):
+    return Mistake(name, {old: new}, at, says, **more)
+
+
+def with_function(name, outputs):
+    old = 'Function("height", "its height", (Output("rise", Matrix([sin(theta)]), "1", "over the length"),))'
+    return {**ERROR_STATE, old: f'Function("{name}", "a test", ({outputs},))'}
+
+
+MISTAKES = [
+    mistake(
+        "undefined Python name", "damping * omega]", "kappa * omega]", "f=Matrix", "NameError", "'kappa'", "define"
+    ),
+    mistake("misspelt Python name", "damping * omega]", "dampin * omega]", "f=Matrix", "did you mean 'damping'?"),
+    mistake(
+        "undeclared symbol", "damping * omega]", 'Symbol("kappa") * omega]', MODEL, "f[omega] uses kappa", "Struct"
+    ),
+    mistake("misspelt symbol", "damping * omega]", 'Symbol("dampng", real=True) * omega]', MODEL, "mean 'damping'?"),
+    mistake("f of 3", F_LINE, "f=Matrix([omega, 1, 2])", MODEL, "f has shape (3, 1), not (2, 1)", "theta, omega"),
+    mistake(
+        "no noise of effect", "G=Matrix([0, 1])", "G=Matrix([0, 0])", MODEL, "noise jitter has no effect", "column 0"
+    ),
+    Mistake(
+        "no noise at all",
+        {"G=Matrix([0, 1])": "G=Matrix(2, 0, [])", "noise=torque.vector": "noise=Matrix(0, 1, [])"},
+        MODEL,
+        ("give at least one noise",),
+    ),
+    Mistake(
+        "state that nothing touches",
+        {F_LINE: "f=Matrix([-theta, 0])", "G=Matrix([0, 1])": "G=Matrix([1, 0])"},
+        RATE,
+        ("the state omega has no dynamics and no noise", "leave it out"),
+    ),
+    mistake(
+        "measurement of no state",
+        "h=Matrix([theta])",
+        "h=Matrix([length])",
+        ENCODER,
+        "depends on no state",
+        "theta, omega",
+    ),
+    mistake(
+        "H transposed", "h=Matrix([theta])", "H=Matrix([1, 0])", ENCODER, "H has shape (2, 1), not (1, 2)", "its .T"
+    ),
+    mistake(
+        "field of C", '"rate", "omega"', '"double", "omega"', 'rate = variable("double"', "'double'", "choose another"
+    ),
+    mistake("field of the generated code", '"rate", "omega"', '"x", "omega"', 'rate = variable("x"', "'x'", "choose"),
+    mistake("symbol int", "length damping", "length int", "rod = ", "symbol 'int'", "choose another"),
+    mistake("symbol NULL", "length damping", "length NULL", "rod = ", "symbol 'NULL'", "choose another"),
+    mistake("c_prefix of C", 'c_prefix="sw"', 'c_prefix="double"', MODEL, "c_prefix 'double'", "choose another"),
+    mistake("struct of C", 'Struct("plant"', 'Struct("register"', "structs=", "'register'", "choose another"),
+    mistake("measurement of C", 'Measurement("encoder"', 'Measurement("while"', ENCODER, "'while'", "choose another"),
+    mistake(
+        "measurement named F", 'Measurement("encoder"', 'Measurement("F"', ENCODER, "'F' is used twice", "every model"
+    ),
+    mistake("function named Phi", 'Function("height"', 'Function("Phi"', HEIGHT, "'Phi' is used twice", "every model"),
+    mistake(
+        "function as a measurement's", 'Function("height"', 'Function("encoder_h"', HEIGHT, "'encoder_h'", "encoder in"
+    ),
+    mistake("output of C", 'Output("rise"', 'Output("static"', HEIGHT, "'static'", "choose another"),
+    mistake(
+        "duplicate field",
+        '"rate", "omega"',
+        '"angle", "omega"',
+        'rate = variable("angle"',
+        "'angle' is used twice",
+        ":6",
+    ),
+    mistake("duplicate symbol", '"rate", "omega"', '"rate", "theta"', RATE, "symbol name 'theta' is used twice", ":6"),
+    mistake("duplicate but for case", '"rate", "omega"', '"rate", "Theta"', RATE, "'THETA' is used twice", ":6"),
+    Mistake(
+        "output beside NAME_nz",
+        with_function(
+            "turned", 'Output("up", Matrix([length]), "m", "up"), Output("up_nz", Matrix([damping]), "1/s", "more")'
+        ),
+        HEIGHT[:11],
+        ("'up_nz'", "choose another"),
+    ),
+    mistake(
+        "singular inside the box",
+        "-1 / length * sin(theta)",
+        "1 / theta",
+        MODEL,
+        "f[omega]",
+        "theta = 0",
+        "divides by theta",
+        "-3 to 3",
+        ":6",
+        "narrow",
+    ),
+    mistake(
+        "square singular inside the box", "-1 / length * sin(theta)", "length / theta**2", MODEL, "theta = 0", "narrow"
+    ),
+    mistake(
+        "root of a negative",
+        "-1 / length * sin(theta)",
+        "sqrt(theta - 1)",
+        MODEL,
+        "f[omega]",
+        "sqrt of theta - 1",
+        "narrow",
+    ),
+    mistake(
+        "measurement singular",
+        "h=Matrix([theta])",
+        "h=Matrix([theta / (damping - length)])",
+        ENCODER,
+        "h[reading]",
+        "divides by",
+        "damping",
+        "narrow",
+    ),
+    mistake(
+        "output singular", "Matrix([sin(theta)])", "Matrix([length / omega])", HEIGHT, "rise[0]", "omega = 0", "narrow"
+    ),
+    mistake("nan", "damping * omega]", "nan * omega]", MODEL, "f[omega] holds nan", "not finite"),
+    mistake("float nan", "damping * omega]", "float('nan') * omega]", MODEL, "f[omega] holds nan", "not finite"),
+    mistake(
+        "division by zero", "damping * omega]", "omega / (damping - damping)]", MODEL, "f[omega] holds zoo", "division"
+    ),
+    mistake("inf", "damping * omega]", "oo * omega]", MODEL, "f[omega] holds", "not finite"),
+    mistake("inf in a box", "-20.0, 20.0", "float('-inf'), 20.0", RATE, "-inf to 20", "finite"),
+    mistake("nan in a box", "-20.0, 20.0", "float('nan'), 20.0", RATE, "nan to 20", "finite"),
+    mistake("box upside down", "-20.0, 20.0", "20.0, -20.0", RATE, "lower bound", "below"),
+    mistake(
+        "box of 3 for 2",
+        "(0.1, 0.0), (10.0, 1.0)",
+        "(0.1, 0.0, 0.0), (10.0, 1.0, 1.0)",
+        "rod =",
+        "2 components",
+        "box of 3",
+    ),
+    mistake(
+        "syntax error",
+        "length, damping = rod.symbols",
+        "length, damping = (rod.symbols",
+        "length, damping",
+        "never closed",
+    ),
+    mistake(
+        "wrong import of Boresight",
+        "from boresight.derive.model",
+        "from boresight.model",
+        "from boresight.model",
+        "did you mean 'boresight.derive.model'?",
+    ),
+    mistake("wrong import", "from sympy import", "from simpy import", "from simpy", "did you mean 'sympy'?"),
+    mistake(
+        "wrong name in an import",
+        "import Function, Meas",
+        "import Functions, Meas",
+        "from boresight",
+        "mean 'Function'?",
+    ),
+    mistake(
+        "name of another module", "import Function, Meas", "import skew, Function, Meas", "from boresight", "rotation"
+    ),
+    mistake(
+        "name with a space", 'name="swing"', 'name="My Swing"', MODEL, "lower-case words joined by '-'", "'my-swing'"
+    ),
+    mistake("dt forgotten", "    dt=dt.scalar,\n", "", MODEL, "dt is None", "give dt="),
+    mistake("dt as a variable", "dt=dt.scalar", "dt=dt", MODEL, "dt is a Variable dt", ".scalar"),
+    mistake("dt of no struct", "(dt, torque)", "(torque,)", MODEL, "dt is dt, which is no input", "Struct"),
+    mistake(
+        "G of wrong width", "G=Matrix([0, 1])", "G=Matrix([[0, 0], [1, 1]])", MODEL, "G has shape (2, 2), not (2, 1)"
+    ),
+    mistake("wrong keyword", 'c_prefix="sw"', 'prefix="sw"', MODEL, "'prefix'", "did you mean 'c_prefix'?"),
+    mistake(
+        "wrong keyword of variable", "-20.0, 20.0)", "-20.0, 20.0, wrap=True)", RATE, "'wrap'", "did you mean 'wraps'?"
+    ),
+    mistake("argument forgotten", '    title="a pendulum, 2 states",\n', "", MODEL, "missing 1 required", "'title'"),
+    mistake("list for Matrix", F_LINE, "f=[omega, -sin(theta)]", MODEL, "f is a list", "Matrix([...])"),
+    mistake("expression for Matrix", "h=Matrix([theta])", "h=theta", ENCODER, "h is a Symbol theta", "Matrix([...])"),
+    mistake("numpy.sin", "* sin(theta) -", "* __import__('numpy').sin(theta) -", "f=", "TypeError", "from sympy"),
+    mistake("math.sin", "* sin(theta) -", "* __import__('math').sin(theta) -", "f=", "TypeError", "from sympy"),
+    mistake(
+        "states without comma", "states=(angle, rate)", "states=(angle)", MODEL, "states is a Variable angle", "comma"
+    ),
+    mistake(
+        "list of states", "states=(angle, rate)", "states=[angle, rate]", MODEL, "states is a list", "round brackets"
+    ),
+    mistake("fields without comma", "(rod,)", "(rod)", "structs=", "fields is a Variable rod", "comma"),
+    mistake(
+        "symbol as a state",
+        "states=(angle, rate)",
+        "states=(theta, omega)",
+        MODEL,
+        "states[0] is a Symbol theta",
+        "variable",
+    ),
+    mistake("rows as a text", '("reading",)', '("reading")', ENCODER, "rows is 'reading', not a tuple", "('reading',)"),
+    Mistake(
+        "F of the state",
+        {F_LINE: "F=Matrix([[0, 1], [-theta, 0]])"},
+        MODEL,
+        ("F[omega, theta] uses the state theta", "use f"),
+    ),
+    mistake(
+        "own symbol",
+        "damping * omega]",
+        'damping * Symbol("omega")]',
+        MODEL,
+        "another omega",
+        "declared as real",
+        ".scalar",
+        ":7",
+    ),
+    mistake("h and H", "h=Matrix([theta])", "h=Matrix([theta]), H=Matrix([[1, 0]])", ENCODER, "either h or H"),
+    mistake("f and F", F_LINE, F_LINE + ", F=Matrix([[0, 1], [1, 0]])", MODEL, "given is F and f"),
+    mistake(
+        "condition on a symbol",
+        "damping * omega]",
+        "(omega if theta > 0 else damping)]",
+        "f=",
+        "truth value",
+        "Piecewise",
+    ),
+    Mistake(
+        "feedback of a wrong name",
+        with_function("feedback", 'Output("rodd", Matrix([length, theta]), "m", "new rod")'),
+        HEIGHT[:11],
+        ("'rodd', which is no input", "did you mean 'rod'?"),
+    ),
+    Mistake(
+        "feedback of a wrong size",
+        with_function("feedback", 'Output("rod", Matrix([length]), "m", "new rod")'),
+        HEIGHT[:11],
+        ("shape (1, 1)", "(2, 1)"),
+    ),
+    mistake("called like a built-in", 'name="swing"', 'name="strapdown"', MODEL, "strapdown", "choose another name"),
+    mistake("comment ended", '"its rate"', '"its rate */"', "rate =", "meaning", "comment in C"),
+    mistake(
+        "angle names no row", "h=Matrix([theta])", 'h=Matrix([theta]), angle=("readin",)', ENCODER, "mean 'reading'?"
+    ),
+    mistake(
+        "function that C lacks", "* sin(theta) -", "* __import__('sympy').gamma(theta) -", MODEL, "f[omega]", "gamma"
+    ),
+    mistake("no such NAME", "MODEL =", "MODEL =", "", "has no 'MODELL'", "did you mean 'MODEL'?", target=":MODELL"),
+    mistake("not a Model", "MODEL =", "MODEL =", "", "is a Variable, not a Model", "MODEL", target=":angle"),
+    mistake("no NAME", "MODEL =", "MODEL =", "", "its models are MODEL", target=""),
+]
+
+
+@pytest.fixture
+def generate(tmp_path, capsys, monkeypatch):
+    """`boresight generate` of a text, in an empty folder: status, output and error."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(text, target=":MODEL"):
+        (tmp_path / "swing.py").write_text(text)
+        with pytest.raises(SystemExit) as ended:
+            cli.main(["generate", f"swing.py{target}", "-o", "out"])
+        return ended.value.code or 0, *capsys.readouterr()
+
+    return run
+
+
+@pytest.mark.parametrize("case", MISTAKES, ids=lambda case: case.name)
+def test_a_mistake_is_one_line_with_its_place_and_what_to_do(generate, tmp_path, case):
+    text = GOOD
+    for old, new in case.edits.items():
+        assert text.count(old) == 1, old
+        text = text.replace(old, new)
+    status, out, error = generate(text, case.target)
+    assert status == 1 and not out
+    assert len(error.splitlines()) == 1, error
+    if case.at:
+        (line,) = [i for i, line in enumerate(text.splitlines(), 1) if line.strip().startswith(case.at)]
+        assert error.startswith(f"boresight: swing.py:{line}: "), (line, error)
+    for words in case.says:
+        assert words in error, (words, error)
+    assert "Traceback" not in error and "compiler" not in error
+    assert {path.name for path in tmp_path.iterdir()} <= {"swing.py", "__pycache__"}
+
+
+def test_the_file_without_a_mistake_is_generated(generate, tmp_path):
+    status, _, error = generate(GOOD)
+    assert (status, error) == (0, "")
+    assert (tmp_path / "out" / "manifest.json").is_file()

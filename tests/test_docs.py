@@ -1,0 +1,101 @@
+"""What the tutorial and the how-to pages show runs, word for word and in order, in an empty folder.
+
+A `python FILE` block is that file.  A plain `python` block runs, block after block in one namespace; a comment behind
+its last print, or a `text` block, is what was printed.  In a `console` block a line behind `$` is run, and the lines
+below it are what it prints: `...` stands for anything.
+"""
+
+import io
+import os
+import re
+import shlex
+import subprocess
+import sys
+from contextlib import chdir, contextmanager, redirect_stdout
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+from boresight import cli
+
+HOW_TO = ROOT / "docs" / "how-to"
+PAGES = sorted(HOW_TO.glob("*.md"))
+BLOCK = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+def shown(expected, printed):
+    """Whether the text is what was printed, where `...` stands for anything."""
+    parts = [re.escape(part) for part in re.split(r"\.\.\.", expected.strip())]
+    return re.fullmatch(".*".join(parts).replace(r"\ ", r"\s+"), printed.strip(), re.DOTALL)
+
+
+def command(line):
+    """What a command prints; boresight runs in this process."""
+    words = shlex.split(line)
+    if words[0] == "boresight":
+        out = io.StringIO()
+        with redirect_stdout(out), pytest.raises(SystemExit) as ended:
+            cli.main(words[1:])
+        assert not ended.value.code, line
+        return out.getvalue()
+    env = {**os.environ, "PYTHONPATH": str(ROOT), "PATH": f"{os.path.dirname(sys.executable)}:{os.environ['PATH']}"}
+    done = subprocess.run(line, shell=True, capture_output=True, text=True, env=env, check=False)
+    assert done.returncode == 0, (line, done.stderr)
+    return done.stdout + done.stderr
+
+
+@contextmanager
+def own_modules():
+    """What a page imports of its folder is not there for the next page."""
+    before = set(sys.modules)
+    yield
+    for name in set(sys.modules) - before:
+        if str(Path.cwd()) in str(getattr(sys.modules[name], "__file__", "")):
+            del sys.modules[name]
+
+
+def run(page, folder):
+    """Every block of the page; the last names that its Python left."""
+    names, printed = {"__name__": "page"}, ""
+    with chdir(folder), own_modules():
+        for language, file, text in BLOCK.findall(page.read_text()):
+            if file:
+                (folder / file).write_text(text)
+            elif language == "python":
+                out = io.StringIO()
+                with redirect_stdout(out):
+                    exec(compile(text, page.name, "exec"), names)
+                printed = out.getvalue()
+                promised = re.search(r"print\(.*\)  # (.*)\n\Z", text)
+                assert not promised or shown(promised[1], printed), (text, printed)
+            elif language == "console":
+                for line, expected in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", text, re.MULTILINE):
+                    printed = command(line)
+                    assert shown(expected, printed), (line, expected, printed)
+            elif language == "text":
+                assert shown(text, printed), (text, printed)
+            else:
+                raise AssertionError(f"{page.name}: a block of {language} that nothing runs")
+    return names
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_every_block_of_the_page_runs(page, tmp_path, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "100")
+    run(page, tmp_path)
+
+
+def test_a_block_that_does_not_run_or_prints_something_else_is_seen(tmp_path):
+    page = tmp_path / "page.md"
+    for text in (
+        "```python\n1 / 0\n```\n",
+        "```python\nprint(2)  # 3\n```\n",
+        "```console\n$ echo 2\n3\n```\n",
+        "```console\n$ false\n```\n",
+        "```python\nprint(2)\n```\n\n```text\n3\n```\n",
+        "```sh\nls\n```\n",
+    ):
+        page.write_text(text)
+        with pytest.raises((AssertionError, ZeroDivisionError)):
+            run(page, tmp_path)

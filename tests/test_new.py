@@ -1,0 +1,84 @@
+"""A model that `boresight new` began runs at once: generated, verified, flown, exported."""
+
+import re
+import runpy
+import subprocess
+
+import numpy as np
+import pytest
+from conftest import ROOT
+from test_examples import consistent
+
+from boresight import BoresightError, cli
+from boresight.codegen.generate import load_model
+from boresight.codegen.new import KINDS, new
+
+
+def boresight(*words):
+    with pytest.raises(SystemExit) as ended:
+        cli.main([str(word) for word in words])
+    assert not ended.value.code
+
+
+@pytest.mark.parametrize("kind", ["error-state"])
+def test_from_an_empty_folder_to_a_verified_flown_exported_filter(tmp_path, monkeypatch, capsys, kind):
+    monkeypatch.chdir(tmp_path)
+    boresight("new", "my-first", "--kind", kind)
+    boresight("generate", "my_first.py:MY_FIRST")
+    boresight("verify", "my_first.py:MY_FIRST")
+    assert re.search(r"verify: \d+ passed, 0 failed$", capsys.readouterr().out.rstrip())
+
+    assert consistent(runpy.run_path("fly_my_first.py", run_name="__main__")["judged"])
+    assert "NEES" in capsys.readouterr().out
+    assert (tmp_path / "my_first.png").stat().st_size > 10_000
+
+    boresight("export", "my_first.py:MY_FIRST", "-o", "flight")
+    made = subprocess.run(["make", "-C", "flight", "-s", "test"], capture_output=True, text=True, check=True)
+    assert re.search(r"\d+ passed, 0 failed", made.stdout)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_is_an_example_under_another_name(tmp_path, kind):
+    example = KINDS[kind].replace("-", "_")
+    for path in new("my-own", kind, tmp_path):
+        before = (ROOT / "examples" / path.name.replace("my_own", example)).read_text().splitlines()
+        differ = [now for old, now in zip(before, path.read_text().splitlines(), strict=True) if old != now]
+        assert 0 < len(differ) < 10 and all(re.search("my-own|my_own|MY_OWN|mo", line) for line in differ)
+        assert not re.search(rf"{example}\.(py|png)|\b{example.upper()}\b", path.read_text())
+    model = load_model(f"{tmp_path / 'my_own.py'}:MY_OWN")
+    assert (model.name, model.c_prefix) == ("my-own", "mo")
+    assert model.kind == ("total-state" if kind == "total-state" else "error-state")
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "says"),
+    [
+        ("My", "ins", "'My' cannot name a model"),
+        ("a_b", "ins", "'a_b' cannot name a model"),
+        ("numpy", "ins", "numpy.py would hide Python's own module numpy"),
+        ("azimuth-hold", "ins", "azimuth-hold is a built-in model"),
+        ("mine", "total", "there is no kind 'total'; choose total-state, error-state, ins"),
+    ],
+)
+def test_what_cannot_begin_is_one_line_and_leaves_nothing(tmp_path, name, kind, says):
+    with pytest.raises(BoresightError, match=re.escape(says)):
+        new(name, kind, tmp_path / "there")
+    assert not (tmp_path / "there").exists()
+
+
+@pytest.mark.parametrize("there", ["mine.py", "fly_mine.py"])
+def test_nothing_is_overwritten(tmp_path, there):
+    (tmp_path / there).write_text("x = 1\n")
+    with pytest.raises(BoresightError, match=f"{there} exists; choose another name"):
+        new("mine", "ins", tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == [there]
+
+
+def test_without_matplotlib_the_numbers_are_printed_and_the_line_says_what_is_missing(tmp_path, monkeypatch):
+    from boresight.studies import consistency
+
+    judged = consistency.Consistency({"height, m": 1.0})
+    judged.error(1.0, np.array([[3.0], [-3.0]]), np.array([[4.0]]))
+    monkeypatch.setattr(consistency, "find_spec", lambda name: None)
+    assert "pip install" in judged.draw(tmp_path / "a.png") and not list(tmp_path.iterdir())
+    assert re.search(r"height, m +3 +2\nNEES 2.25 of 1;", judged.report())
