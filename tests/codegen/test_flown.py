@@ -7,6 +7,7 @@ from functools import cache
 import pytest
 
 from boresight.codegen.flown import check_flown
+from boresight.codegen.functions.dynamics import dynamics
 from boresight.codegen.functions.reference import precise
 from boresight.codegen.functions.units import UnitMaker
 from boresight.codegen.generate import load_model
@@ -25,7 +26,7 @@ def model(name):
 
 @cache
 def references(name):
-    return {unit.name: unit.reference for unit in UnitMaker(model(name)).dynamics()}
+    return {unit.name: unit.reference for unit in dynamics(UnitMaker(model(name)))}
 
 
 def checked(made, reference):
