@@ -211,7 +211,10 @@ class Underway:
 
 def prepare(model: Model, unit: Unit, flight: Library, casadi: Library, points: int) -> Case:
     inputs = answered(unit, CORNERS, points + CORNERS, generator("verify", model.name, unit.name))
-    fields = {a.name: values if a.size > 1 else values[:, 0] for a, values in zip(unit.args, inputs, strict=True)}
+    fields = {
+        a.name: values if a.size > 1 or a.name == "x" else values[:, 0]
+        for a, values in zip(unit.args, inputs, strict=True)
+    }
     ours, theirs = (as_dict(unit, getattr(library, unit.name)(**fields)) for library in (flight, casadi))
     same = all(ours[r.name].tobytes() == theirs[r.name].tobytes() for r in unit.results)
     count = len(inputs[0]) if inputs else 1
@@ -307,7 +310,7 @@ def check_first_order(model: Model, m: Measurement, made: list[Unit], library: L
         return out
 
     def compiled(u: Unit) -> np.ndarray:
-        fields = {a.name: values[a.name] if a.size > 1 else values[a.name][:, 0] for a in u.args}
+        fields = {a.name: values[a.name] if a.size > 1 or a.name == "x" else values[a.name][:, 0] for a in u.args}
         return np.asarray(getattr(library, u.name)(**fields))
 
     def difference(scale: float) -> tuple[float, float]:

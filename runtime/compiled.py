@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.runtime.arguments import check_inputs
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.library import Library
@@ -104,6 +105,7 @@ class CompiledFilter(Filter):
         measured: rows (..., m) bool, m, gate and iterations of a measurement, for which nu, S and used are returned.
         """
         library: Library = self.model
+        check_inputs(function, library, inputs, self.nav, self.P)
         values = {**self.nav, **inputs}
         missing = [name for name in described["fields"] if name not in values]
         if missing:

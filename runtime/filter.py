@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.runtime.arguments import check_inputs, check_start
 from boresight.runtime.array import Array
 from boresight.runtime.rotation import wrapped
 
@@ -43,6 +44,7 @@ class Filter:
         self.model = model
         self.nav = {name: np.array(value, dtype=float) for name, value in nav.items()}
         self.P = np.array(P, dtype=float)
+        check_start(model, self.nav, self.P)
         check_covariance("P", self.P)
         self.total = "next" in dir(model)
         if x is None and self.total:
@@ -68,6 +70,7 @@ class Filter:
     def call(self, name: str, **inputs: Any) -> Any:
         """The model's function NAME, fed from nav, the state x and the inputs."""
         unit = getattr(self.model, name)
+        check_inputs(name, self.model, inputs, self.nav, self.P, unit.fields)
         known = {**self.nav, "x": self.x, **inputs}
         missing = [field for field in unit.fields if field not in known]
         if missing:

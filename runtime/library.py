@@ -169,10 +169,11 @@ class Library:
         given = {}
         for name, value in fields.items():
             size = self.field[name]["size"]
+            vector = size > 1 or name == "x"  # the state is one even where it has one component
             array = np.asarray(value, dtype=float)
-            if size > 1 and (array.ndim == 0 or array.shape[-1] != size):
+            if vector and (array.ndim == 0 or array.shape[-1] != size):
                 raise BoresightError(f"{function}: {name} has shape {array.shape}; its last axis must be {size} long")
-            given[name] = array if size > 1 else array[..., None]
+            given[name] = array if vector else array[..., None]
         try:
             return given, np.broadcast_shapes(*(array.shape[:-1] for array in given.values()))
         except ValueError:

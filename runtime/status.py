@@ -6,7 +6,7 @@ from enum import IntEnum
 class Status(IntEnum):
     OK = 0  # the outputs are written
     NULL_POINTER = 1  # an argument is a null pointer; nothing is written
-    NOT_FINITE = 2  # an input is NaN or infinite; nothing is written
+    NOT_FINITE = 2  # an input, or what it gives, is NaN or infinite; nothing is written
     OUT_OF_RANGE = 3  # an input, or the result, lies outside its box; nothing is written
     NOT_READY = 4  # too few samples so far; nothing is decided
     NOT_POSITIVE = 5  # a covariance is none, or a variance is not above zero

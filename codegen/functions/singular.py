@@ -18,7 +18,7 @@ from boresight.codegen.functions.units import Unit, UnitMaker
 from boresight.derive.checks import fail
 from boresight.derive.model import Model, Variable
 
-CORNERS, POINTS = 64, 128
+CORNERS, POINTS = 64, 512
 HALVINGS = 80
 LARGE = 1e9  # times the largest value at the points: what a division by zero gives that is met but to rounding
 # Over a step the state may leave its box; what is singular inside of it is so in f or F too.
@@ -77,10 +77,16 @@ def of_unit(model: Model, unit: Unit) -> Looked:
 
 
 def points_of(looked: Looked) -> Points:
-    """Corners of the boxes, points drawn in them, and one that is zero where its box holds zero."""
+    """Corners of the boxes, points drawn in them, some of whose numbers are ends of their boxes or zero, and one that
+    is zero where its box holds zero."""
     if not looked.args:
         return []
-    drawn = sample(looked.args, CORNERS, POINTS, generator("singular"))
+    rng = generator("singular")
+    drawn = sample(looked.args, CORNERS, POINTS, rng)
+    for v, part in zip(looked.args, drawn, strict=True):
+        chance = rng.integers(0, 6, part[POINTS // 2 :].shape)
+        for k, end in enumerate((v.low, v.high, np.clip(0.0, v.low, v.high)) if v.norm is None else ()):
+            part[POINTS // 2 :] = np.where(chance == k, end, part[POINTS // 2 :])
     zeros = [np.clip(0.0 * part[-1:], v.low, v.high) if v.norm is None else part[-1:]
              for v, part in zip(looked.args, drawn, strict=True)]  # fmt: skip
     return [np.vstack(both) for both in zip(drawn, zeros, strict=True)]
@@ -90,8 +96,14 @@ def not_finite(looked: Looked) -> tuple[str, int, list[np.ndarray]] | None:
     """The entry that has no value at one of the points, the step that is the first without one, and the point."""
     points = points_of(looked)
     values = computed(looked.tape, points)
+    lost: list[np.ndarray] = []  # where a step hangs on what has no value, which a comparison hides
+    for step, value in zip(looked.tape.steps, values, strict=True):
+        of = [lost[a] for a in step.args]
+        if step.op == "if_else_zero":
+            of[1] = of[1] & (values[step.args[0]] != 0)
+        lost.append(np.any([np.isnan(value), *of], axis=0))
     for name, (_, _, position) in zip(looked.names, looked.tape.results, strict=True):
-        for k in np.flatnonzero(~np.isfinite(values[position]))[:1]:
+        for k in np.flatnonzero(lost[position] | ~np.isfinite(values[position]))[:1]:
             first = next(
                 step
                 for step in needed(looked.tape, position)

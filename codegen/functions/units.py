@@ -15,7 +15,7 @@ from boresight.codegen.functions.convert import to_casadi
 from boresight.codegen.functions.identities import identified
 from boresight.codegen.functions.reference import Entries, evaluator
 from boresight.codegen.functions.samples import generator, sample
-from boresight.codegen.functions.tape import Tape, share_reciprocals, tape
+from boresight.codegen.functions.tape import BOUNDED, Tape, share_reciprocals, tape
 from boresight.derive.checks import expressions, fail
 from boresight.derive.model import Measurement, Model, Variable, symbols_in
 
@@ -46,6 +46,7 @@ class Unit:
     equations: tuple[str, ...]
     function: Any  # casadi.Function: the single source of both prints
     reference: Callable[[Values], list[Entries]]  # the non-zeros of each result, as balls
+    guarded: bool = False  # whether the C answers with finite numbers only
 
     @cached_property
     def tape(self) -> Tape:
@@ -70,7 +71,7 @@ def units(model: Model) -> list[Unit]:
     """Every printed unit of the model, in a fixed order.  Raises BoresightError on an entry that C cannot hold."""
     maker = UnitMaker(model)
     try:
-        return maker.units()
+        made = maker.units()
     except BoresightError:
         for item in expressions(model):
             for (i, j), entry in item.matrix.todok().items():
@@ -80,6 +81,8 @@ def units(model: Model) -> list[Unit]:
                 except BoresightError as error:
                     fail(item.part, f"{item.entry(i, j)}: {error}")
         raise
+    guarded = any(step.op in BOUNDED for unit in made for step in unit.tape.steps)
+    return [replace(unit, guarded=guarded) for unit in made]
 
 
 class UnitMaker:

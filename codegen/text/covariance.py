@@ -61,7 +61,14 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "series": series(model.order),
         "powers": " + ".join(["I", "F", "F F", "F F F"][: model.order + 1]),
         "highest": ("second", "third", "fourth")[model.order - 1],
+        "spread": (
+            "Qc + L(Qc) / 2 = Qc + L(Qc / 2)",
+            "Qc + L(Qc) / 2 + L(L(Qc)) / 6 = Qc + L(Qc / 2 + L(Qc) / 6)",
+            "Qc + L(Qc) / 2 + L(L(Qc)) / 6 + L(L(L(Qc))) / 24 = Qc + L(Qc / 2 + L(Qc / 6 + L(Qc) / 24))",
+        )[model.order - 1],
         "Phi": table(Phi, n),
         "first": ", ".join(str(min(leftmost[j:])) for j in range(n)),
+        "third": repr(1 / 3),
         "sixth": repr(1 / 6),
+        "twentyfourth": repr(1 / 24),
     }

@@ -12,6 +12,7 @@ but above the last that counts, may add n^2 of them.  In an update, rounding of 
 sum_k |h_k| sqrt(P_kk) sqrt(P_ii) and that of S to R + (sum_k |h_k| sqrt(P_kk))^2, whose ratio to S multiplies all.
 """
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -199,16 +200,29 @@ def updated(case: Case) -> tuple[list[float], list[float], list[float], list[flo
     return after, after_x, size, size_x, [float(nu), float(S), size_nu, size_S]
 
 
+def paths(n: int, F: Places) -> Counter[tuple[int, int]]:
+    """How many products of one, two or three elements of F each element of 1 + F + F F / 2 + F F F / 6 sums."""
+    total, power = Counter({(i, i): 1 for i in range(n)}), Counter({(i, i): 1 for i in range(n)})
+    for _ in range(3):
+        longer: Counter[tuple[int, int]] = Counter()
+        for (i, k), count in power.items():
+            longer.update({(i, j): count for row, j in F if row == k})
+        power = longer
+        total += power
+    return total
+
+
 def vectors_view(n: int, A: Places, B: Places, order: int | None) -> dict[str, Any]:
     """The tables of `test_covariance.c.j2`.  A and B: places of F and Qc, or of Phi and Q where `order` is None."""
     cases = [draw_case(k, n, A, B) for k in range(VECTORS)]
     ahead, taken = [predicted(case, order) for case in cases], [updated(case) for case in cases]
 
+    terms = n if order != 3 else max(paths(n, A).values()) + 2  # that are summed in an element of Phi
     return {
         "count": VECTORS,
         "dt_power": DT_POWER,
-        # Phi x: n products and sums, on the n + 4 roundings of Phi
-        "of_state": 2 * n + 8,
+        # Phi x: n products and sums, on those of Phi
+        "of_state": n + terms + 8,
         # twice Phi, twice a sum of n; three terms of an update with n roundings in each of g, g and S
         "of_joseph": 10 * n + 30,
         "of_ud": 5 * n * n + 10 * n + 30,

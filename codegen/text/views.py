@@ -36,7 +36,7 @@ def argument(a: Variable, path: str) -> dict[str, Any]:
     return {
         "name": a.name,
         "size": a.size,
-        "access": path if a.size > 1 else f"&{path}",
+        "access": path if indexed else f"&{path}",
         "element": f"{local}[i]" if indexed else local,
         "low": ", ".join(number(v) for v in a.low),
         "high": ", ".join(number(v) for v in a.high),
@@ -51,7 +51,7 @@ def argument(a: Variable, path: str) -> dict[str, Any]:
     }
 
 
-def outcome(r: Result, model: Model) -> dict[str, Any]:
+def outcome(r: Result, model: Model, guarded: bool) -> dict[str, Any]:
     """One output of a unit."""
     positions = [row * r.shape[1] + column for row, column in r.nonzeros]
     total = r.shape[0] * r.shape[1]
@@ -71,6 +71,7 @@ def outcome(r: Result, model: Model) -> dict[str, Any]:
         "index": "" if dense else ", ".join(map(str, positions)),
         "positions": ", ".join(map(str, positions)),
         "low": r.low,
+        "checked": bool(r.low) or guarded,
         "parameter": f"bs_real {r.name}[{size}]",
         "nz_parameter": f"bs_real {nz_name(r)}[{len(positions)}]",
         "path": r.name,
@@ -117,7 +118,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
     reads = (["x"] if reads_x else []) + structs
 
     args = [argument(a, reach.get(a.name, ("", "x"))[1]) for a in unit.args]
-    results = [outcome(r, model) for r in unit.results]
+    results = [outcome(r, model, unit.guarded) for r in unit.results]
     inputs = ([f"const bs_real x[{prefix.upper()}_N_STATES]"] if reads_x else []) + [
         f"const {prefix}_{s} *{s}" for s in structs
     ]

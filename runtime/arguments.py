@@ -1,0 +1,54 @@
+"""What a filter is given, checked against what its model declares: one line for a wrong name, shape or size."""
+
+from collections.abc import Collection, Mapping
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError, did_you_mean
+from boresight.runtime.array import Array
+
+
+def check_inputs(
+    function: str,
+    model: Any,
+    inputs: Mapping[str, Any],
+    nav: Mapping[str, Array],
+    P: Array,
+    taken: Collection[str] = (),
+) -> None:
+    """Raise BoresightError on an input that the model does not have, and in one run on a number that comes in a list.
+
+    nav, P: of the filter, whose leading axes are runs.  taken: what the function takes, a field of the model or not.
+    A model that declares no fields is not checked.
+    """
+    fields = getattr(model, "field", None)
+    if fields is None:
+        return
+    for name, value in inputs.items():
+        if name in taken and name not in fields:
+            continue
+        if name not in fields:
+            guess = did_you_mean(name, fields) or f"; it has {', '.join(fields)}"
+            raise BoresightError(f"{function}: {model.name} has no input {name!r}{guess}")
+        if fields[name]["size"] == 1 and np.shape(value) == (1,) and P.ndim == 2 and one_run(fields, nav):
+            raise BoresightError(f"{function}: {name} has shape (1,), an axis of runs; for one run give a number")
+
+
+def one_run(fields: Mapping[str, Any], nav: Mapping[str, Array]) -> bool:
+    return all(np.ndim(value) == (fields[name]["size"] > 1) for name, value in nav.items() if name in fields)
+
+
+def check_start(model: Any, nav: Mapping[str, Array], P: Array) -> None:
+    """The same for what a filter begins with, and for the sizes of nav and P."""
+    states = getattr(model, "states", None)
+    n = len(states) if states is not None else P.shape[-1] if P.ndim else 0
+    if P.shape[-2:] != (n, n):
+        named = f" for the states {', '.join(states)}" if states is not None else ""
+        raise BoresightError(f"P has shape {P.shape}; it must be (..., {n}, {n}){named}")
+    check_inputs("nav", model, nav, {}, P)
+    fields = getattr(model, "field", None) or {}
+    for name, value in nav.items():
+        size = fields[name]["size"] if name in fields else 1
+        if size > 1 and value.shape[-1:] != (size,):
+            raise BoresightError(f"nav: {name} has shape {value.shape}; its last axis must be {size} long")

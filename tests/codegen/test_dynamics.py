@@ -1,0 +1,219 @@
+"""What carries a state and its covariance over a step, against the equations that it is a step of."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from building import STRICT, self_test
+from conftest import ROOT
+from flint import arb
+from scipy.integrate import solve_ivp
+from sympy import Matrix, Rational, diag, lambdify, sin
+
+from boresight.codegen.functions.reference import precise
+from boresight.codegen.functions.samples import sample
+from boresight.codegen.functions.units import units
+from boresight.codegen.generate import generate, load_model
+from boresight.derive.model import Measurement, Model, Struct, variable
+from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.filter import Filter
+from boresight.runtime.library import load
+from boresight.runtime.rotation import wrapped
+
+PENDULUM = load_model(f"{ROOT / 'examples' / 'pendulum.py'}:PENDULUM")
+AT = {"x": [2.0, 0.5], "rod": [1.0, 0.1], "torque": [0.1]}
+
+dt = variable("dt", "dt", "s", "length of the step", 1e-4, 1.0)
+spring = variable("spring", "k tau", "1/s^2, s", "stiffness, and memory of the push", (0.1, 0.5), (4.0, 5.0))
+push = variable("push", "p_1 p_2", "m/s/sqrt(s), m/s^2/sqrt(s)", "root densities", 0.0, 1.0)
+motion = variable("motion", "place speed force", "m, m/s, m/s^2", "errors of a mass on a spring", -10.0, 10.0)
+k, tau = spring.symbols
+place, speed, force = motion.symbols
+STIFF = Matrix([[0, 1, 0], [-k, 0, 1], [0, 0, -1 / tau]])
+SEEN = Measurement("seen", ("place",), "m", "where the mass is: z = computed - measured", H=Matrix([[1, 0, 0]]))
+MASS = Model(
+    name="mass",
+    c_prefix="ms",
+    title="a mass on a spring, 3 error states",
+    frame="along the spring",
+    states=(motion,),
+    structs=(Struct("plant", "the spring", (spring,)), Struct("step", "one step", (dt, push))),
+    F=STIFF,
+    G=Matrix([[0, 0], [1, 0], [0, 1]]),
+    noise=push.vector,
+    dt=dt.scalar,
+    measurements=(SEEN,),
+)
+# The same as a total state; and one whose noise grows with the state, along a way that turns.
+WHOLE = replace(MASS, name="whole-mass", c_prefix="wm", title="a mass on a spring, 3 states", F=None,
+                f=STIFF * motion.vector)  # fmt: skip
+GUSTY = replace(WHOLE, name="gusty-mass", c_prefix="gm", f=Matrix([speed, force - k * sin(place), -force / tau]),
+                G=Matrix([[sin(speed), 0], [1, place / 4], [place * speed / 8, 1]]))  # fmt: skip
+IN = {"x": [1.0, -2.0, 0.5], "spring": [2.0, 1.5], "push": [0.3, 0.7]}
+
+
+MADE = {}
+
+
+def printed(model, name, **fields):
+    """What CasADi's function of a unit gives, as a matrix."""
+    if (model.name, model.order) not in MADE:
+        MADE[model.name, model.order] = {unit.name: unit for unit in units(model)}
+    unit = MADE[model.name, model.order][name]
+    out = np.zeros(unit.results[0].shape)
+    values = np.array(unit.function(*(fields[a.name] for a in unit.args))).reshape(-1)
+    for at, value in zip(unit.results[0].nonzeros, values, strict=True):
+        out[at] = value
+    return out
+
+
+def integrated(model, seconds, **fields):
+    """x, Phi and Q after `seconds`: x' = f(x), Phi' = F Phi, P' = F P + P F' + G W G' from SymPy's matrices."""
+    n = model.n
+    known = [s for v in model.inputs for s in v.symbols]
+    given = [value for v in model.inputs for value in ([seconds] if v.name == "dt" else np.atleast_1d(fields[v.name]))]
+    f = model.f if model.f is not None else model.F * model.x
+    parts = lambdify([list(model.x), known], [f, f.jacobian(model.x), model.G * diag(*model.noise)])
+
+    def rates(_, y):
+        x, Phi, P = y[:n], y[n : n + n * n].reshape(n, n), y[n + n * n :].reshape(n, n)
+        rate, F, L = parts(x, given)
+        return np.concatenate([np.ravel(rate), (F @ Phi).ravel(), (F @ P + P @ F.T + L @ L.T).ravel()])
+
+    begin = np.concatenate([fields["x"], np.eye(n).ravel(), np.zeros(n * n)])
+    y = solve_ivp(rates, (0, seconds), begin, method="DOP853", rtol=1e-12, atol=1e-15).y[:, -1]
+    return y[:n], y[n : n + n * n].reshape(n, n), y[n + n * n :].reshape(n, n)
+
+
+def errors(model, name, steps, **fields):
+    """How far a unit is from the integrated equation, for each length of the step."""
+    place = ("next", "Phi", "Q").index(name)
+    exact = [integrated(model, h, **fields)[place] for h in steps]
+    got = [printed(model, name, dt=h, **fields) for h in steps]
+    return np.array([np.abs(a.reshape(b.shape) - b).max() for a, b in zip(got, exact, strict=True)])
+
+
+def orders(off):
+    """The power of the step with which errors fall, from one halving to the next."""
+    return np.log2(off[:-1] / off[1:])
+
+
+HALVED = (0.1, 0.05, 0.025)
+
+
+# ---- a total state
+
+
+@pytest.mark.parametrize(("model", "fields"), [(PENDULUM, AT), (WHOLE, IN), (GUSTY, IN)], ids=lambda v: str(v)[:9])
+def test_next_and_phi_err_by_the_fifth_power_of_a_step_and_q_by_the_fourth(model, fields):
+    """So over a given time next is of fourth order and Q of third, for an F that stands and for one that moves."""
+    assert orders(errors(model, "next", HALVED, **fields)) == pytest.approx([5, 5], abs=0.35)
+    assert orders(errors(model, "Phi", HALVED, **fields)) == pytest.approx([5, 5], abs=0.35)
+    assert orders(errors(model, "Q", HALVED, **fields)) == pytest.approx([4, 4], abs=0.35)
+
+
+def test_phi_of_a_pendulum_is_ten_thousand_times_nearer_than_that_of_its_start():
+    _, exact, _ = integrated(PENDULUM, 0.05, **AT)
+    F = printed(PENDULUM, "F", **AT)
+    A = F * 0.05
+    off = np.abs(printed(PENDULUM, "Phi", dt=0.05, **AT) - exact).max()
+    at_start = np.abs(np.eye(2) + A + A @ A / 2 - exact).max()
+    assert off == pytest.approx(3.2e-7, rel=0.05) and at_start == pytest.approx(4.3e-3, rel=0.05)
+
+
+@pytest.mark.parametrize(("model", "fields"), [(PENDULUM, AT), (GUSTY, IN)], ids=lambda v: str(v)[:9])
+def test_phi_is_the_derivative_of_next(model, fields):
+    """Against differences of the reference of next, in balls of 80 digits."""
+    printed(model, "next", dt=0.05, **fields)
+    unit = MADE[model.name, model.order]["next"]
+    small = arb((1, -100))
+    with precise():
+        for j in range(model.n):
+            x = [arb(v) for v in fields["x"]]
+            ends = []
+            for sign in (1, -1):
+                moved = [v + sign * small * (i == j) for i, v in enumerate(x)]
+                ends.append(unit.reference({**fields, "dt": [0.05], "x": moved})[0])
+            slope = [float((ends[0][i, 0] - ends[1][i, 0]) / (2 * small)) for i in range(model.n)]
+            assert printed(model, "Phi", dt=0.05, **fields)[:, j] == pytest.approx(slope, rel=1e-13, abs=1e-15)
+
+
+@pytest.mark.parametrize("model", [PENDULUM, GUSTY], ids=lambda m: m.name)
+def test_q_is_a_covariance_to_the_bit_wherever_it_is_taken(model):
+    printed(model, "Q", dt=0.05, **(AT if model is PENDULUM else IN))
+    unit = MADE[model.name, model.order]["Q"]
+    drawn = sample(unit.args, 0, 300, np.random.default_rng(2))
+    for point in zip(*drawn, strict=True):
+        Q = printed(model, "Q", **{a.name: value for a, value in zip(unit.args, point, strict=True)})
+        assert Q.tobytes() == Q.T.copy().tobytes()
+        sigma = np.sqrt(np.diag(Q))
+        assert np.linalg.eigvalsh(Q / np.outer(sigma, sigma)).min() > -1e-15 * model.n
+
+
+# ---- an error state
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_phi_and_q_of_an_error_state_are_exact_to_their_order_of_a_standing_F(order):
+    model = replace(MASS, order=order)
+    assert orders(errors(model, "Phi", HALVED, **IN)) == pytest.approx([order + 1] * 2, abs=0.35)
+    assert orders(errors(model, "Q", HALVED, **IN)) == pytest.approx([order + 2] * 2, abs=0.35)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_the_loops_in_c_carry_what_the_printed_phi_and_q_say(order, tmp_path):
+    (tmp_path / "mass.py").write_text(
+        f"from dataclasses import replace\nimport sys\nsys.path.insert(0, {str(ROOT / 'tests' / 'codegen')!r})\n"
+        f"from test_dynamics import MASS\nMODEL = replace(MASS, order={order})\n"
+    )
+    folder = tmp_path / "out"
+    generate(f"{tmp_path / 'mass.py'}:MODEL", folder)
+    for precision in ((), ("-DBORESIGHT_FLOAT",)):
+        (tmp_path / f"built{len(precision)}").mkdir()
+        done = self_test(folder, tmp_path / f"built{len(precision)}", *STRICT, *precision)
+        assert (done.returncode, done.stdout) == (0, "7 passed, 0 failed\n"), done.stdout + done.stderr
+    library = load(folder)
+    loops = [kind(library, {}, np.diag([0.1, 0.2, 0.3])) for kind in (Filter, CompiledFilter)]
+    for loop in loops:
+        loop.x = np.array([1.0, 2.0, 3.0])
+        for _ in range(5):
+            loop.predict(spring=IN["spring"], push=IN["push"], dt=0.5)
+    assert pytest.approx(loops[0].P, rel=1e-13) == loops[1].P
+    assert loops[1].x == pytest.approx(loops[0].x, rel=1e-13)
+    header = (folder / "include" / "mass_covariance.h").read_text()
+    assert ["Phi = I + F dt, and", "+ (F dt)^2 / 2, and", "+ (F dt)^3 / 6, and"][order - 1] in header
+
+
+# ---- discrete time
+
+TURN = Model(
+    name="turn",
+    c_prefix="tn",
+    title="a heading that drifts, 1 state, in discrete time",
+    frame="none",
+    states=(heading := variable("heading", "psi", "rad", "heading", -np.pi, np.pi, wraps=True),),
+    structs=(Struct("step", "one step", (turn := variable("turn", "u", "rad", "turn in the step", -1.0, 1.0),)),),
+    next=Matrix([heading.scalar + turn.scalar + sin(heading.scalar) / 10]),
+    Q=Matrix([[Rational("1e-4") + turn.scalar**2 / 1000]]),
+    measurements=(Measurement("compass", ("psi",), "rad", "heading", h=Matrix([heading.scalar]), angle=True),),
+)
+
+
+def test_a_model_in_discrete_time_is_flown_as_it_is_given(tmp_path):
+    (tmp_path / "turn.py").write_text(
+        f"import sys\nsys.path.insert(0, {str(ROOT / 'tests' / 'codegen')!r})\nfrom test_dynamics import TURN\n"
+    )
+    folder = tmp_path / "out"
+    generate(f"{tmp_path / 'turn.py'}:TURN", folder)
+    for precision in ((), ("-DBORESIGHT_FLOAT",)):
+        (tmp_path / f"built{len(precision)}").mkdir()
+        done = self_test(folder, tmp_path / f"built{len(precision)}", *STRICT, *precision)
+        assert (done.returncode, done.stdout) == (0, "7 passed, 0 failed\n"), done.stdout + done.stderr
+    library, angle, P = load(folder), 3.0, 0.01
+    loops = [kind(library, {}, [[P]], x=[angle]) for kind in (Filter, CompiledFilter)]
+    for _ in range(20):
+        slope = 1 + np.cos(angle) / 10
+        angle, P = float(wrapped(angle + 0.4 + np.sin(angle) / 10)), slope * P * slope + 1e-4 + 0.4**2 / 1000
+        for loop in loops:
+            loop.predict(turn=0.4)
+            assert loop.x == pytest.approx([angle], abs=1e-13) and pytest.approx(np.array([[P]]), rel=1e-12) == loop.P

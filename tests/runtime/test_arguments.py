@@ -1,0 +1,64 @@
+"""What a filter is given wrongly is one line that names it, in the Python filter and in the compiled one."""
+
+import numpy as np
+import pytest
+
+from boresight import BoresightError
+from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.filter import Filter
+from boresight.runtime.library import load
+
+NAV = {"plant": np.array([1.0, 0.1])}
+STEP = {"dt": 0.01, "push": 0.1}
+I = np.eye(2)
+
+
+@pytest.fixture(params=[Filter, CompiledFilter], ids=["python", "compiled"])
+def flown(request, pendulum_folder):
+    """A filter of the pendulum, which begins with nav and P."""
+    return lambda nav=NAV, P=I: request.param(load(pendulum_folder), nav, P)
+
+
+def test_what_is_right_is_flown(flown):
+    one, many = flown(), flown({"plant": np.tile(NAV["plant"], (3, 1))}, np.tile(np.eye(2), (3, 1, 1)))
+    one.predict(**STEP)
+    many.predict(**STEP)
+    many.predict(dt=[0.01], push=np.full(3, 0.1))
+    assert one.P.shape == (2, 2) and many.P.shape == (3, 2, 2)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"pusch": 0.1}, r"pendulum has no input 'pusch' \(did you mean 'push'\?\)"),
+        ({"push": [0.1]}, r"push has shape \(1,\), an axis of runs; for one run give a number"),
+        ({"wind": 0.1}, "pendulum has no input 'wind'; it has .*plant, dt, push"),
+        ({"plant": 1.0}, r"plant has shape \(\); its last axis must be 2 long"),
+        ({"plant": [1.0, 0.1, 0.0]}, r"plant has shape \(3,\); its last axis must be 2 long"),
+    ],
+)
+def test_an_input_of_a_wrong_name_or_shape_is_named(flown, changes, said):
+    one = flown()
+    with pytest.raises(BoresightError, match=said):
+        one.predict(**STEP | changes)
+    np.testing.assert_array_equal(one.P, I)
+
+
+@pytest.mark.parametrize(
+    ("nav", "P", "said"),
+    [
+        (NAV, np.eye(3), r"P has shape \(3, 3\); it must be \(..., 2, 2\) for the states angle, rate"),
+        (NAV, np.ones(2), r"P has shape \(2,\); it must be \(..., 2, 2\)"),
+        (NAV, 1.0, r"P has shape \(\); it must be"),
+        ({"plants": NAV["plant"]}, I, r"nav: pendulum has no input 'plants' \(did you mean 'plant'\?\)"),
+        ({"plant": np.ones(3)}, I, r"nav: plant has shape \(3,\); its last axis must be 2 long"),
+    ],
+)
+def test_a_start_of_a_wrong_size_or_name_is_refused_at_once(flown, nav, P, said):
+    with pytest.raises(BoresightError, match=said):
+        flown(nav, P)
+
+
+def test_what_nav_lacks_is_named_where_it_is_needed(flown):
+    with pytest.raises(BoresightError, match="needs plant; pass it as a keyword"):
+        flown({}).predict(**STEP)
