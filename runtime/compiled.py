@@ -20,8 +20,7 @@ from boresight.runtime.status import Status
 class CompiledFilter(Filter):
     """Predict, update by a named measurement, feed back.  model: a library of `boresight.runtime.library.load`.
 
-    nav, P and x are as in `Filter`, and may be assigned between calls.  A measurement that has no `NAME_z` takes z, the
-    measured value (..., m), as a keyword.
+    nav, P and x are as in `Filter`, and may be assigned between calls.
     """
 
     def __init__(self, model: Library, nav: dict[str, Array], P: Array, x: Any = None):
@@ -65,22 +64,22 @@ class CompiledFilter(Filter):
         iterations: int = 1,
         **inputs: Any,
     ) -> Innovation:
-        """Take one measurement, row after row: see `Filter.update`."""
-        known = self.described["measurements"]
-        if measurement not in known:
-            raise BoresightError(f"{self.model.name} has no measurement {measurement!r}; it has {', '.join(known)}")
+        """Take one measurement, row after row: see `Filter.update`.  R is (..., m, m) of a correlated one alone."""
         if iterations < 1:
             raise BoresightError(f"{measurement}: iterations is {iterations}; it must be at least 1")
-        described = known[measurement]
+        z = self._brought(measurement, inputs)
+        described = self.described["measurements"][measurement]
         m = described["m"]
         R, rows = np.atleast_1d(np.asarray(R, dtype=float)), np.atleast_1d(np.asarray(rows, dtype=bool))
-        if not (np.isfinite(R).all() and (R > 0).all()):
-            raise BoresightError(f"{measurement}: every variance in R must be finite and above zero")
-        vectors = {"R": R}
-        if described["brings_z"]:
-            if "z" not in inputs:
-                raise BoresightError(f"{measurement} needs z; pass it as a keyword")
-            vectors = {"z": np.atleast_1d(np.asarray(inputs.pop("z"), dtype=float))} | vectors
+        _, L_inverse = self._noise(measurement, R, (m,) if z is None else z.shape, rows)
+        if L_inverse is not None:
+            if not self._described(measurement, "correlated"):
+                raise BoresightError(
+                    f"{measurement}: R has shape {R.shape}, and its C takes the variances of independent rows; give "
+                    "these, generate the Measurement with correlated=True, or fly Filter"
+                )
+            R = R.reshape((*R.shape[:-2], m * m))
+        vectors = {"R": R} if z is None else {"z": z, "R": R}
         nu, S, used = self._fly(
             f"measure_{measurement}", described, inputs, vectors, (rows, m, gate or 0.0, iterations)
         )
@@ -100,7 +99,7 @@ class CompiledFilter(Filter):
         vectors: dict[str, Array] | None = None,
         measured: tuple[Array, int, float, int] | None = None,
     ) -> Any:
-        """Call `function` of the C filter for all runs.  vectors: R, and z if brought, (..., m).
+        """Call `function` of the C filter for all runs.  vectors: z if brought (..., m), and R.
 
         measured: rows (..., m) bool, m, gate and iterations of a measurement, for which nu, S and used are returned.
         """
@@ -135,8 +134,8 @@ class CompiledFilter(Filter):
         if measured is not None:
             rows, m, gate, iterations = measured
             for vector in (vectors or {}).values():
-                kept.append(np.ascontiguousarray(np.broadcast_to(vector, (*runs, m))))
-                arguments += [ctypes.c_void_p(kept[-1].ctypes.data), ctypes.c_size_t(m)]
+                kept.append(np.ascontiguousarray(np.broadcast_to(vector, (*runs, vector.shape[-1]))))
+                arguments += [ctypes.c_void_p(kept[-1].ctypes.data), ctypes.c_size_t(vector.shape[-1])]
             kept.append(np.ascontiguousarray(np.broadcast_to(rows, (*runs, m)), dtype=np.uint8))
             arguments.append(ctypes.c_void_p(kept[-1].ctypes.data))
             arguments.append(ctypes.byref(ctypes.c_double(gate)))

@@ -4,6 +4,7 @@ Everything here broadcasts: P is (..., n, n), and what stands before the last ax
 compiled C of `boresight.runtime.library` and any object that offers the same functions in plain NumPy.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,14 +15,16 @@ from boresight.runtime.arguments import check_inputs, check_start
 from boresight.runtime.array import Array
 from boresight.runtime.rotation import wrapped
 
+STILL = 0.01  # sigmas by which an estimate may move and need not be linearised again
+
 
 @dataclass(frozen=True)
 class Innovation:
     """The innovation of one measurement.  Rows that were masked or gated have used = False and add nothing to nis."""
 
-    nu: Array  # (..., m) z - H x, or z - h(x) where h is not linear: row after row, each given the rows before it
+    nu: Array  # (..., m) z - h(x), or z - H x: row after row, each given the rows before it; of the last linearisation
     S: Array  # (..., m) the variance of nu
-    used: Array  # (..., m) bool
+    used: Array  # (..., m) bool; by the first linearisation
 
     @property
     def nis(self) -> Array:
@@ -32,9 +35,9 @@ class Innovation:
 class Filter:
     """Predict, update by a named measurement, feed back.
 
-    model: offers `Phi`, `Q`, `NAME_z`, `NAME_H` (and `NAME_h` where H depends on x), `feedback`, `strapdown`, and
-    `next` if its state is total; each is called with the fields that it lists in `.fields`.  `wraps`: the places
-    of the states that are kept in [-pi, pi).
+    model: offers `Phi`, `Q`, `NAME_H`, `NAME_z` unless the caller brings z, `NAME_h` unless h is H x, `feedback`,
+    `strapdown`, and `next` if its state is total; each is called with the fields that it lists in `.fields`.  It may
+    offer `measurements` and `wraps`, as `boresight.runtime.library.Library` does: which rows and states are angles.
     nav: the quantities that the strapdown carries and the feedback corrects, by field name, each (..., size).
     P: (..., n, n) covariance of the state.
     x: (..., n) where a total state begins.  An error state begins, by default, and after each feedback, at zero.
@@ -100,27 +103,154 @@ class Filter:
     ) -> Innovation:
         """Take one measurement, row after row, in Joseph form.
 
-        R: (..., m) variances of the rows, which are independent.  rows: (..., m) bool, False for a row that is absent.
-        gate: a row whose |nu| exceeds this many sigmas is left out.  iterations: how often a nonlinear measurement is
-        linearised again about the estimate it gave; 1 is the plain extended filter.
+        R: (..., m) variances of the rows, whose errors are independent; or (..., m, m) their covariance L D L', L lower
+        with ones on its diagonal: then the rows are those of L^-1 z, of variances D, and so are nu, S and the gate.
+        (For m runs (m, m) are variances, and (1, m, m) is a covariance.)
+        rows: (..., m) bool, False for a row that is absent, which has no part in L.
+        gate: a row whose |nu| exceeds this many sigmas, where it is linearised first, is left out.
+        iterations: how often at most a nonlinear measurement is linearised, about the last estimate and always from the
+        same x and P; 1 is the plain extended filter.  It ends where no state and no row moves by more than .01 sigma.
+        Where one moves by more than a sigma and by more than before, or x leaves its box, the first result is taken.
+        z: (..., m) the measured value, of a measurement that has no `NAME_z`.
         """
-        z = self.call(f"{measurement}_z", **inputs)
-        R = np.broadcast_to(np.asarray(R, dtype=float), np.broadcast_shapes(z.shape, np.shape(R)))
-        if not (np.isfinite(R).all() and (R > 0).all()):
-            raise BoresightError(f"{measurement}: every variance in R must be finite and above zero")
         if iterations < 1:
             raise BoresightError(f"{measurement}: iterations is {iterations}; it must be at least 1")
-        nonlinear = "x" in getattr(self.model, f"{measurement}_H").fields
-        x = self.x
-        for _ in range(iterations if nonlinear else 1):
-            H = self.call(f"{measurement}_H", x=x, **inputs)
-            target = z
-            if nonlinear:  # h about x, so that the rows below may treat it as linear in the state
-                h = self.call(f"{measurement}_h", x=x, **inputs)
-                target = z - h + np.einsum("...ij,...j->...i", H, x)
-            x, P, innovation = self._rows(target, H, R, np.asarray(rows), gate)
-        self.x, self.P = x, P
+        z, rows = self._measured(measurement, inputs), np.asarray(rows, dtype=bool)
+        D, L_inverse = self._noise(measurement, R, z.shape, rows)
+
+        def linear(at: Array) -> tuple[Array, Array]:
+            """Rows z and H that are linear in the state about `at`."""
+            target, H = self._linear(measurement, z, at, inputs)
+            if L_inverse is None:
+                return target, H
+            return np.einsum("...ij,...j->...i", L_inverse, target), L_inverse @ H
+
+        target, H = linear(self.x)
+        x, P, innovation = self._rows(target, H, D, rows, gate)
+        if not (np.isfinite(innovation.nu).all() and np.isfinite(innovation.S).all() and (innovation.S > 0).all()):
+            raise BoresightError(f"{measurement}: an innovation or its variance is no number; start from a new P")
+        if iterations > 1 and "x" in getattr(self.model, f"{measurement}_H").fields:
+            x, P, innovation = self._again(linear, D, iterations - 1, H, x, P, innovation)
+        self.x, self.P = self.wrapped(x), P
         return innovation
+
+    def _measured(self, measurement: str, inputs: dict[str, Any]) -> Array:
+        """z (..., m), of the model's own function or out of the inputs."""
+        z = self._brought(measurement, inputs)
+        return self.call(f"{measurement}_z", **inputs) if z is None else z
+
+    def _brought(self, measurement: str, inputs: dict[str, Any]) -> Array | None:
+        """z (..., m) out of the inputs, or None where the model has a function for it."""
+        known = getattr(self.model, "measurements", None)
+        if known is not None and measurement not in known:
+            raise BoresightError(f"{self.model.name} has no measurement {measurement!r}; it has {', '.join(known)}")
+        if hasattr(self.model, f"{measurement}_z"):
+            if "z" in inputs:
+                raise BoresightError(f"{measurement} makes its z of its inputs; leave z out")
+            return None
+        if "z" not in inputs:
+            raise BoresightError(f"{measurement} needs z, the measured value; pass it as a keyword")
+        z: Array = np.atleast_1d(np.asarray(inputs.pop("z"), dtype=float))
+        m = len(known[measurement]["rows"]) if known else z.shape[-1]
+        if z.shape[-1] != m:
+            raise BoresightError(f"{measurement}: z has shape {z.shape}; its last axis must be {m} long")
+        if not np.isfinite(z).all():
+            raise BoresightError(f"{measurement}: z holds a value that is not finite; leave its row out by rows")
+        return z
+
+    def _noise(self, measurement: str, given: Any, shape: tuple[int, ...], rows: Array) -> tuple[Array, Array | None]:
+        """Variances of independent rows (..., m), and L^-1 (..., m, m) which makes them so, or None.  shape: of z."""
+        m, runs = shape[-1], np.broadcast_shapes(shape[:-1], self.x.shape[:-1])
+        R: Array = np.atleast_1d(np.asarray(given, dtype=float))
+        correlated = self._described(measurement, "correlated")
+        full = R.shape[-2:] == (m, m) and (correlated or (m > 1 and R.shape[:-1] != runs[1 - R.ndim :]))
+        if not full and (correlated or R.shape[-1] != m):
+            first = "" if correlated else f"(..., {m}), its variances, or "
+            raise BoresightError(
+                f"{measurement}: R has shape {R.shape}; it must be {first}(..., {m}, {m}), its covariance"
+            )
+        variances = np.diagonal(R, axis1=-2, axis2=-1) if full else R
+        if not (np.isfinite(R).all() and (variances > 0).all()):
+            raise BoresightError(f"{measurement}: every variance in R must be finite and above zero")
+        if not full:
+            return np.broadcast_to(R, np.broadcast_shapes(shape, R.shape)), None
+        # An absent row keeps to itself.
+        present = np.broadcast_to(rows, np.broadcast_shapes(rows.shape, (m,)))
+        R = np.where(present[..., :, None] & present[..., None, :] | np.eye(m, dtype=bool), R, 0.0)
+        check_covariance(f"{measurement}: R", R, m)
+        try:
+            root = np.linalg.cholesky(R)
+        except np.linalg.LinAlgError:
+            root = np.zeros_like(R)
+        sigma = np.diagonal(root, axis1=-2, axis2=-1)
+        if not (sigma**2 > np.finfo(float).eps * variances).all():
+            raise BoresightError(f"{measurement}: R is not positive definite; a row of it follows from the others")
+        return sigma**2, np.linalg.inv(root / sigma[..., None, :])
+
+    def _linear(self, measurement: str, z: Array, at: Array, inputs: dict[str, Any]) -> tuple[Array, Array]:
+        """z and H (..., m, n) of rows that are linear in the state about `at`: an h is taken there; angles turn."""
+        inside, angles = self.wrapped(at), self._angles(measurement)
+        H = self.call(f"{measurement}_H", **{**inputs, "x": inside})
+        Hx = np.einsum("...ij,...j->...i", H, at)
+        if hasattr(self.model, f"{measurement}_h"):
+            off = z - self.call(f"{measurement}_h", **{**inputs, "x": inside})
+            return np.where(angles, wrapped(off), off) + Hx, H
+        off = z - Hx
+        return np.where(angles, z - (off - wrapped(off)), z), H
+
+    def _again(
+        self,
+        linear: Callable[[Array], tuple[Array, Array]],
+        R: Array,
+        iterations: int,
+        H: Array,
+        x: Array,
+        P: Array,
+        innovation: Innovation,
+    ) -> tuple[Array, Array, Innovation]:
+        """The result of the first linearisation, linearised again about itself; each run ends by itself."""
+        used = innovation.used
+
+        def moved(by: Array, P: Array, H: Array) -> Array:
+            """(...,) by how many sigmas a state or a row moved at most."""
+            variance = np.einsum("...ii->...i", P)
+            states = np.where(variance > 0, by**2 / np.where(variance > 0, variance, 1.0), 0.0)
+            by_rows = np.where(used, np.einsum("...ij,...j->...i", H, by) ** 2 / R, 0.0)
+            return np.sqrt(np.maximum(states.max(-1), by_rows.max(-1)))
+
+        first: tuple[Array, ...] = (x, P, innovation.nu, innovation.S)
+        last = first
+        before = moved(x - self.x, P, H)
+        going = before > STILL
+        for _ in range(iterations):
+            inside = self._inside(last[0])
+            last, going = chosen(going & ~inside, first, last), going & inside
+            if not going.any():
+                break
+            at = np.where(going[..., None], last[0], self.x)  # a run that has ended stays where there is an answer
+            target, H = linear(at)
+            x, P, innovation = self._rows(target, H, R, used, None)
+            step = moved(x - at, P, H)
+            diverges = ~(step <= np.maximum(before, 1.0))
+            last = chosen(going, (x, P, innovation.nu, innovation.S), last)
+            last = chosen(going & diverges, first, last)
+            going, before = going & ~diverges & (step > STILL), step
+        return last[0], last[1], Innovation(last[2], last[3], used)
+
+    def _described(self, measurement: str, what: str) -> Any:
+        """What the model says of a measurement, or None."""
+        return getattr(self.model, "measurements", {}).get(measurement, {}).get(what)
+
+    def _angles(self, measurement: str) -> Array:
+        """(m,) bool: which rows are angles; (1,) if the model does not say."""
+        angle = self._described(measurement, "angle")
+        return np.array([angle is True or row in (angle or ()) for row in self._described(measurement, "rows") or "x"])
+
+    def _inside(self, x: Array) -> Array:
+        """(...,) whether the model's functions answer for x."""
+        box = getattr(self.model, "field", {}).get("x")
+        at = self.wrapped(x)
+        return np.isfinite(at).all(-1) if box is None else ((at >= box["low"]) & (at <= box["high"])).all(-1)
 
     def _rows(self, z: Array, H: Array, R: Array, rows: Array, gate: float | None) -> tuple[Array, Array, Innovation]:
         x, P = self.x, self.P
@@ -156,6 +286,14 @@ class Filter:
 def named(result: Any, nav: dict[str, Array]) -> dict[str, Array]:
     """A function with several outputs returns them by name; one with a single output is nav's first entry."""
     return result if isinstance(result, dict) else {next(iter(nav)): result}
+
+
+def chosen(which: Array, new: tuple[Array, ...], old: tuple[Array, ...]) -> tuple[Array, ...]:
+    """Of the runs (...,) in `which` the new arrays, of the others the old ones."""
+    return tuple(
+        np.where(which.reshape(which.shape + (1,) * depth), a, b)
+        for a, b, depth in zip(new, old, (1, 2, 1, 1), strict=True)
+    )
 
 
 def check_covariance(name: str, P: Array, n: int | None = None) -> None:

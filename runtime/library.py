@@ -135,6 +135,10 @@ class Bound:
         return self.call()
 
 
+class NoFunction(BoresightError, AttributeError):
+    """A name that the model has no function of."""
+
+
 class Library:
     """The functions of one model as attributes: `load("euler-matching").euler_H(euler_b=..., euler_m=...)`.
 
@@ -227,7 +231,7 @@ class Library:
             return units[name]
         if name.startswith("__") or not units:
             raise AttributeError(name)
-        raise BoresightError(f"{self.name} has no function {name!r}; it has {', '.join(units)}")
+        raise NoFunction(f"{self.name} has no function {name!r}; it has {', '.join(units)}")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.units]

@@ -46,6 +46,15 @@ def pendulum_folder(compiled_once, tmp_path_factory):
     return folder
 
 
+@pytest.fixture(scope="session")
+def radar_folder(compiled_once, tmp_path_factory):
+    from boresight.codegen.generate import generate
+
+    folder = tmp_path_factory.mktemp("generated") / "radar"
+    generate(f"{ROOT / 'tests' / 'radar.py'}:RADAR", folder)
+    return folder
+
+
 @pytest.fixture
 def em_copy(tmp_path):
     """A copy of the generated folder, to be spoilt."""

@@ -54,8 +54,8 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "packed": packed,
         "block": block,
         "row": row,
-        # a nonlinear measurement keeps P and H there
-        "work": max(2 * row * row, packed + max(len(nonzeros(made, f"{m.name}_H")) for m in model.measurements)),
+        # a nonlinear measurement keeps H there, dense where its R is, and its dense P
+        "work": max(2 * row * row, n * n + max(n * len(m.rows) for m in model.measurements)),
         **given,
         "order": model.order,
         "series": series(model.order),

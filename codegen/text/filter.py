@@ -46,10 +46,10 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         arguments = ", ".join([*(reach(struct) for struct in view["reads"]), *out])
         return f"{view['c_name']}{'_nz' if view['sparse'] else ''}({arguments})"
 
-    def call_dense(name: str) -> str:
-        """The same into `dense`, zeros too: what the self-test calls."""
+    def call_dense(name: str, out: str = "dense") -> str:
+        """The same, zeros too."""
         view = by_name[name][1]
-        return f"{view['c_name']}({', '.join([*(reach(struct) for struct in view['reads']), 'dense'])})"
+        return f"{view['c_name']}({', '.join([*(reach(struct) for struct in view['reads']), out])})"
 
     def change(name: str) -> dict[str, Any] | None:
         """A function whose outputs are fields: it writes into copies of the structs that it changes."""
@@ -70,17 +70,23 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         if len(m.rows) > 32:
             raise BoresightError(f"measurement {m.name} has {len(m.rows)} rows; a filter in C takes 32 at most")
         H = by_name[f"{m.name}_H"][0]
-        nonlinear = any(a.name == "x" for a in H.args)
-        used = [f"{m.name}_H"] + [f"{m.name}_z"] * (m.z is not None) + [f"{m.name}_h"] * nonlinear
+        nonlinear, explicit = any(a.name == "x" for a in H.args), m.H is None
+        used = [f"{m.name}_H"] + [f"{m.name}_z"] * (m.z is not None) + [f"{m.name}_h"] * explicit
         at = "H" if nonlinear else "filter->work"
+        places = tuple((i, j) for i in range(len(m.rows)) for j in range(model.n))  # L^-1 H has zeros nowhere
         measurements.append(
             {
                 "name": m.name, "meaning": m.meaning, "names": ", ".join(m.rows), "unit": m.unit, "m": len(m.rows),
                 "equations": m.equations, "nonlinear": nonlinear, "structs": given(*used), "fields": fields(*used),
                 "z": call(f"{m.name}_z", "z") if m.z is not None else None,
-                "h": call(f"{m.name}_h", "target") if nonlinear else None,
-                "H": call(f"{m.name}_H", at), "H_dense": call_dense(f"{m.name}_H"), "all": 2 ** len(m.rows) - 1,
-                **table(H.results[0].nonzeros, len(m.rows)),
+                "h": call(f"{m.name}_h", "target") if explicit else None,
+                "H": call_dense(f"{m.name}_H", at) if m.correlated else call(f"{m.name}_H", at),
+                "H_dense": call_dense(f"{m.name}_H"), "all": 2 ** len(m.rows) - 1,
+                "angles": f"{sum(1 << i for i in m.angles)}U", "correlated": m.correlated,
+                "size_R": len(m.rows) ** (2 if m.correlated else 1),
+                # where z - h(x) goes, or a z of the caller's that is changed
+                "target": explicit or (m.z is None and bool(m.angles or m.correlated)),
+                **table(places if m.correlated else H.results[0].nonzeros, len(m.rows)),
             }
         )  # fmt: skip
 
@@ -115,6 +121,12 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
     return {
         "total": model.kind == "total-state",
         "wraps": [i for i, wraps in enumerate(v.wraps for v in model.states for _ in v.symbols) if wraps],
+        "explicit": any(u["h"] for u in measurements),
+        "angled": any(u["h"] and u["angles"] != "0U" for u in measurements),
+        "turned": any(not u["h"] and u["angles"] != "0U" for u in measurements),
+        "iterated": any(u["nonlinear"] for u in measurements),
+        "correlated": any(u["correlated"] for u in measurements),
+        "separated": any(u["nonlinear"] and u["correlated"] for u in measurements),
         "carried": carried,
         "checked": [box(f"{struct}->{a.name}", a) for struct, a in checked],
         "tables": tables,

@@ -123,7 +123,10 @@ def test_joseph_form_keeps_p_positive_over_a_long_run(library):
         (lambda f: f.update("euler", np.full(3, np.nan), euler_b=np.zeros(3), euler_m=np.zeros(3)), "finite"),
         (lambda f: f.update("euler", np.ones(3), iterations=0, euler_b=np.zeros(3), euler_m=np.zeros(3)), "at least 1"),
         (lambda f: f.update("euler", np.ones(3), euler_b=np.zeros(3)), "euler_z needs euler_m"),
-        (lambda f: f.update("eular", np.ones(3)), "no function 'eular_z'"),
+        (
+            lambda f: f.update("eular", np.ones(3)),
+            "euler-matching has no measurement 'eular'; it has euler, euler_exact",
+        ),
         (lambda f: f.predict(dt=1.0, omega_in_n=np.zeros(3)), "Q needs gyro_noise"),
         (lambda f: Filter(f.model, f.nav, np.ones((6, 5))), r"shape \(6, 5\)"),
         (lambda f: Filter(f.model, f.nav, np.full((6, 6), np.nan)), "not finite"),
