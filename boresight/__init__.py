@@ -18,7 +18,7 @@ __version__ = "0.1.0"
 
 # The modules that each extra of the installation brings.
 EXTRAS = {
-    "derive": ("sympy", "mpmath", "flint", "casadi", "jinja2", "markupsafe"),
+    "derive": ("sympy", "mpmath", "flint", "casadi", "jinja2", "markupsafe", "pint"),
     "replay": ("pydantic", "pandas", "matplotlib"),
     "parquet": ("pandas", "pyarrow"),
     "cli": ("typer", "rich"),

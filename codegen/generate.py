@@ -90,12 +90,22 @@ def is_checkout() -> bool:
 
 def load_model(target: str) -> Any:
     """The Model that `target` names: a built-in, or FILE.py:NAME with NAME a Model or a function that makes one."""
+    from boresight.derive.dimensions import check_units
+
+    if ":" in target:
+        model = own_model(target)
+    else:
+        known(target, model_names())
+        model = built_in(target)
+    check_units(model)
+    return model
+
+
+def own_model(target: str) -> Any:
+    """The Model of FILE.py:NAME."""
     from boresight.codegen import user_file
     from boresight.derive.model import Model
 
-    if ":" not in target:
-        known(target, model_names())
-        return built_in(target)
     file, name = target.rsplit(":", 1)
     path = source_of(target)
     assert path is not None

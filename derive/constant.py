@@ -6,6 +6,7 @@ from typing import Any
 from sympy import Expr, Float, NumberSymbol, Rational, nan, sympify
 
 from boresight import BoresightError
+from boresight.derive.where import written_at
 
 
 class Constant(NumberSymbol):
@@ -15,23 +16,24 @@ class Constant(NumberSymbol):
     value: as it was given, perhaps in terms of other constants.  exact: without them.
     """
 
-    __slots__ = ("exact", "meaning", "name", "unit", "value")
+    __slots__ = ("exact", "meaning", "name", "unit", "value", "where")
     name: str
     value: Expr
     exact: Expr
     unit: str
     meaning: str
+    where: str
     is_real = True
     is_zero = False
 
-    def __new__(cls, name: str, value: Expr, unit: str, meaning: str) -> "Constant":
+    def __new__(cls, name: str, value: Expr, unit: str, meaning: str, where: str = "") -> "Constant":
         self = super().__new__(cls)
-        self.name, self.value, self.unit, self.meaning = name, value, unit, meaning
+        self.name, self.value, self.unit, self.meaning, self.where = name, value, unit, meaning, where
         self.exact = value.xreplace({part: part.exact for part in value.atoms(Constant)})
         return self
 
-    def __getnewargs__(self) -> tuple[str, Expr, str, str]:
-        return self.name, self.value, self.unit, self.meaning
+    def __getnewargs__(self) -> tuple[str, Expr, str, str, str]:
+        return self.name, self.value, self.unit, self.meaning, self.where
 
     def __getstate__(self) -> None:
         return None
@@ -90,7 +92,7 @@ def constant(name: str, value: Expr | str | float, unit: str, meaning: str) -> C
         raise BoresightError(f"the constant {name} is {value}; give a finite number, or an expression of constants")
     if number.is_zero:
         raise BoresightError(f"the constant {name} is zero; write 0, which has every unit")
-    return Constant(name, number, unit, meaning)
+    return Constant(name, number, unit, meaning, written_at())
 
 
 def behind(constants: Iterable[Constant]) -> list[Constant]:

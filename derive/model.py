@@ -27,6 +27,7 @@ class Variable:
     low, high: the valid box, inclusive, the same for each component or one value each.
     norm: where the Euclidean norm must lie (for a quaternion), or None.
     wraps: as a state, an angle of which a whole turn means nothing: kept in [-pi, pi).
+    wide: an angle whose box goes beyond two turns, which without this word is taken for one in degrees.
     """
 
     name: str
@@ -38,6 +39,7 @@ class Variable:
     frame: str = ""
     norm: tuple[float, float] | None = None
     wraps: bool = False
+    wide: bool = False
     where: str = where_written()
 
     def __post_init__(self) -> None:
@@ -72,6 +74,7 @@ def variable(
     frame: str = "",
     norm: tuple[float, float] | None = None,
     wraps: bool = False,
+    wide: bool = False,
 ) -> Variable:
     """A Variable from its components' names, as in `variable("mu", "mu_x mu_y mu_z", "rad", "...", -0.5, 0.5)`."""
     symbols = tuple(Symbol(component, real=True) for component in components.split())
@@ -79,7 +82,7 @@ def variable(
     def bound(value: float | Iterable[float]) -> tuple[float, ...]:
         return tuple(value) if isinstance(value, Iterable) else (float(value),) * len(symbols)
 
-    return Variable(name, symbols, unit, meaning, bound(low), bound(high), frame, norm, wraps)
+    return Variable(name, symbols, unit, meaning, bound(low), bound(high), frame, norm, wraps, wide)
 
 
 @dataclass(frozen=True)

@@ -5,11 +5,11 @@ boresight verify vertical.py:VERTICAL
 python fly_vertical.py
 """
 
-from sympy import Matrix, Rational
+from sympy import Matrix
 
-from boresight.derive.model import Function, Measurement, Mechanics, Model, Output, Struct, variable
+from boresight.derive.model import Function, Measurement, Mechanics, Model, Output, Struct, constant, variable
 
-GRAVITY = Rational("9.81")  # m/s^2
+GRAVITY = constant("g", "9.81", "m/s^2", "gravity")
 
 # What the navigation carries.
 height = variable("height", "height", "m", "height", -500.0, 20000.0)

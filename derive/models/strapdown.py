@@ -33,7 +33,8 @@ def strapdown(frame: Frame = ENU) -> Model:
         functions=(
             replace(var.strapdown(frame), name="step"),
             Function("rates", "the exact time derivatives that a step integrates", (
-                Output("position_rate", mechanization.position_rate(frame, *nav[:2]), "rad/s, m/s", order, "WGS-84"),
+                Output("position_rate", mechanization.position_rate(frame, *nav[:2]), "rad/s, rad/s, m/s",
+                       order, "WGS-84"),
                 Output("v_n_rate", mechanization.velocity_rate(frame, *nav[:2], f_n), "m/s^2", "acceleration",
                        frame.name),
                 Output("q_b2n_rate", mechanization.quaternion_rate(frame, *nav, OMEGA_IB_B.vector), "1/s",

@@ -158,8 +158,9 @@ def test_a_function_that_is_not_defined_throughout_its_box_is_refused_in_one_lin
 def test_nothing_is_written_of_what_is_refused(tmp_path):
     source = tmp_path / "wrong.py"
     source.write_text(
-        "from dataclasses import replace\nfrom sonde import SONDE, v\nfrom sympy import Matrix, log\n"
-        "m = SONDE.measurements[0]\nWRONG = replace(SONDE, measurements=(replace(m, h=Matrix([log(v)])),))\n"
+        "from dataclasses import replace\nfrom sonde import SONDE, own_v\nfrom sympy import Matrix, log\n"
+        "m = SONDE.measurements[0]\n"
+        "WRONG = replace(SONDE, measurements=(replace(m, unit='1', h=Matrix([log(own_v)])),))\n"
     )
     with pytest.raises(BoresightError, match=r"wrong.py:5: measurement baro: h\[p\].*log of v"):
         generate(f"{source}:WRONG", tmp_path / "out")
@@ -185,7 +186,7 @@ HIDDEN = """
 from sympy import Matrix, Rational, log
 from boresight.derive.model import Function, Model, Output, Struct, variable
 
-speed = variable("speed", "v", "m/s", "a speed", -60.0, 60.0)
+speed = variable("speed", "v", "1", "a speed over 1 m/s", -60.0, 60.0)
 value = log((speed.scalar - Rational("31.4159")) ** 2 - Rational("1e-10"))
 HIDDEN = Model(
     name="hidden", c_prefix="hi", title="one function", frame="none", states=(),
@@ -206,7 +207,7 @@ def test_what_no_search_finds_is_a_status_and_nothing_is_written(tmp_path):
     speed = (ctypes.c_double * 1)(31.4159)
     assert library.dll.hi_level(speed, out.ctypes.data_as(ctypes.c_void_p)) == Status.NOT_FINITE
     assert out.tolist() == [7.0, 7.0]
-    with pytest.raises(BoresightError, match="level: what it gives .* is no number: BS_NOT_FINITE"):
+    with pytest.raises(BoresightError, match=r"level: what it gives .* is no number: BS_NOT_FINITE"):
         library.level(speed=31.4159)
 
 

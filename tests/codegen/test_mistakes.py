@@ -7,9 +7,9 @@ import pytest
 from boresight import cli
 
 GOOD = """
-from sympy import Matrix, Piecewise, Symbol, nan, oo, sin, sqrt
+from sympy import Matrix, Piecewise, Symbol, exp, nan, oo, pi, sin, sqrt
 
-from boresight.derive.model import Function, Measurement, Model, Output, Struct, variable
+from boresight.derive.model import Function, Measurement, Model, Output, Struct, constant, variable
 
 angle = variable("angle", "theta", "rad", "angle from hanging down", -3.0, 3.0)
 rate = variable("rate", "omega", "rad/s", "its rate", -20.0, 20.0)
@@ -19,6 +19,7 @@ torque = variable("torque", "jitter", "rad/s/sqrt(s)", "root density of the acce
 
 theta, omega = angle.scalar, rate.scalar
 length, damping = rod.symbols
+g = constant("g", "9.81", "m/s^2", "gravity")
 
 MODEL = Model(
     name="swing",
@@ -27,7 +28,7 @@ MODEL = Model(
     frame="none",
     states=(angle, rate),
     structs=(Struct("plant", "the pendulum", (rod,)), Struct("step", "one step", (dt, torque))),
-    f=Matrix([omega, -1 / length * sin(theta) - damping * omega]),
+    f=Matrix([omega, -g / length * sin(theta) - damping * omega]),
     G=Matrix([0, 1]),
     noise=torque.vector,
     dt=dt.scalar,
@@ -37,7 +38,7 @@ MODEL = Model(
 """
 
 ERROR_STATE = {
-    "f=Matrix([omega, -1 / length * sin(theta) - damping * omega])": "F=Matrix([[0, 1], [-1 / length, -damping]])",
+    "f=Matrix([omega, -g / length * sin(theta) - damping * omega])": "F=Matrix([[0, 1], [-g / length, -damping]])",
 }
 
 
@@ -53,11 +54,14 @@ class Mistake:
     target: str = ":MODEL"
 
 
-F_LINE = "f=Matrix([omega, -1 / length * sin(theta) - damping * omega])"
+F_LINE = "f=Matrix([omega, -g / length * sin(theta) - damping * omega])"
 MODEL = "MODEL = Model("
 ENCODER = "measurements=(Measurement("
 HEIGHT = "functions=(Function("
 RATE = 'rate = variable("rate"'
+ANGLE = 'angle = variable("angle"'
+ROD = 'rod = variable("rod"'
+G_LINE = "g = constant("
 
 
 def mistake(name, old, new, at, *says, **more):
@@ -142,23 +146,28 @@ MISTAKES = [
     ),
     mistake(
         "singular inside the box",
-        "-1 / length * sin(theta)",
-        "1 / theta",
+        "-g / length * sin(theta)",
+        "g / length / theta",
         MODEL,
         "f[omega]",
         "theta = 0",
-        "divides by theta",
+        "divides by length*theta",
         "-3 to 3",
         ":6",
         "narrow",
     ),
     mistake(
-        "square singular inside the box", "-1 / length * sin(theta)", "length / theta**2", MODEL, "theta = 0", "narrow"
+        "square singular inside the box",
+        "-g / length * sin(theta)",
+        "g / length / theta**2",
+        MODEL,
+        "theta = 0",
+        "narrow",
     ),
     mistake(
         "root of a negative",
-        "-1 / length * sin(theta)",
-        "sqrt(theta - 1)",
+        "-g / length * sin(theta)",
+        "g / length * sqrt(theta - 1)",
         MODEL,
         "f[omega]",
         "sqrt of theta - 1",
@@ -167,7 +176,7 @@ MISTAKES = [
     mistake(
         "measurement singular",
         "h=Matrix([theta])",
-        "h=Matrix([theta / (damping - length)])",
+        "h=Matrix([theta * damping / (damping - omega)])",
         ENCODER,
         "h[reading]",
         "divides by",
@@ -175,7 +184,101 @@ MISTAKES = [
         "narrow",
     ),
     mistake(
-        "output singular", "Matrix([sin(theta)])", "Matrix([length / omega])", HEIGHT, "rise[0]", "omega = 0", "narrow"
+        "output singular", "Matrix([sin(theta)])", "Matrix([damping / omega])", HEIGHT, "rise[0]", "omega = 0", "narrow"
+    ),
+    # units: what pint reads, and what every term must have
+    mistake("unknown unit", '"rad/s", "its rate"', '"furlog/s", "its rate"', RATE, "'furlog'", "'furlong'", "m/s^2"),
+    mistake(
+        "unit that is not SI",
+        '"rad/s", "its rate"',
+        '"deg/s", "its rate"',
+        RATE,
+        "deg/s is 0.0174533 rad/s",
+        "declare rad/s and convert",
+    ),
+    mistake("unit of other people", '"m, 1/s"', '"furlong, 1/s"', ROD, "furlong is 201.168 m", "declare m"),
+    mistake("too many units", '"m, 1/s"', '"m, 1/s, s"', ROD, "3 units (m, 1/s, s) for 2 components", "one for each"),
+    mistake(
+        "one unit for two",
+        '"m, 1/s"',
+        '"m"',
+        MODEL,
+        "f[omega] adds",
+        "damping*omega, which is rad*m/s",
+        "g*sin(theta)/length, which is 1/s^2",
+        "rad/s^2, omega per second",
+    ),
+    mistake(
+        "box in degrees",
+        "-3.0, 3.0",
+        "-180, 180",
+        ANGLE,
+        "the box of theta goes to 180 rad, 28.6 turns",
+        "radians(...)",
+        "wide=True",
+    ),
+    mistake(
+        "term of another dimension",
+        "damping * omega]",
+        "damping * theta]",
+        MODEL,
+        "f[omega] adds",
+        "damping*theta, which is rad/s",
+        "-g*sin(theta)/length, which is 1/s^2",
+        "f[omega] is to be rad/s^2",
+    ),
+    mistake(
+        "entry of another dimension",
+        "f=Matrix([omega,",
+        "f=Matrix([theta,",
+        MODEL,
+        "f[theta] is theta, which is rad, and not rad/s, theta per second",
+    ),
+    mistake("bare number", "-g / length", "-9.81 / length", MODEL, "which is 1/m", "9.81", "constant(...)"),
+    mistake(
+        "transposed F",
+        F_LINE,
+        "F=Matrix([[0, -g / length], [1, -damping]])",
+        MODEL,
+        "F[theta, omega]",
+        "1/s^2",
+        "F is transposed: give its .T",
+    ),
+    mistake(
+        "noise per sample",
+        '"rad/s/sqrt(s)"',
+        '"rad/s"',
+        MODEL,
+        "G[omega, jitter] is 1",
+        "omega per jitter and root second",
+    ),
+    mistake(
+        "measurement of another dimension",
+        "h=Matrix([theta])",
+        "h=Matrix([theta * length])",
+        ENCODER,
+        "h[reading] is length*theta, which is rad*m, and not rad",
+    ),
+    mistake("degrees inside", "h=Matrix([theta])", "h=Matrix([theta * 180 / pi])", ENCODER, "pi/180", "at the border"),
+    mistake(
+        "angle that is no number",
+        'sin(theta)]), "1"',
+        'exp(theta)]), "1"',
+        HEIGHT,
+        "exp takes a number",
+        "theta is rad",
+    ),
+    mistake(
+        "length for an angle",
+        'sin(theta)]), "1"',
+        'sin(length)]), "1"',
+        HEIGHT,
+        "sin takes an angle or a number",
+        "length is m",
+    ),
+    mistake("constant of an unknown unit", '"m/s^2", "gravity"', '"m/s^s", "gravity"', G_LINE, "constant g", "'m/s^s'"),
+    mistake(
+        "constant named as a symbol", 'constant("g"', 'constant("omega"', G_LINE, "constant omega", "its rate", "choose"
     ),
     mistake("nan", "damping * omega]", "nan * omega]", MODEL, "f[omega] holds nan", "not finite"),
     mistake("float nan", "damping * omega]", "float('nan') * omega]", MODEL, "f[omega] holds nan", "not finite"),

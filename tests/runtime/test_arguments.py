@@ -11,12 +11,13 @@ from boresight.runtime.library import load
 NAV = {"plant": np.array([1.0, 0.1])}
 STEP = {"dt": 0.01, "push": 0.1}
 I = np.eye(2)
+X = np.zeros(2)
 
 
 @pytest.fixture(params=[Filter, CompiledFilter], ids=["python", "compiled"])
 def flown(request, pendulum_folder):
     """A filter of the pendulum, which begins with nav and P."""
-    return lambda nav=NAV, P=I: request.param(load(pendulum_folder), nav, P)
+    return lambda nav=NAV, P=I: request.param(load(pendulum_folder), nav, P, x=X)
 
 
 def test_what_is_right_is_flown(flown):
