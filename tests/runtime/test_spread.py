@@ -24,8 +24,8 @@ MODELS = (
     "velocity-attitude-lever",
     "velocity-dcm",
 )
-RUNS, STEPS, DT = 100, 200, 0.05
-UPDATE = 20  # steps between updates
+RUNS, STEPS, DT = 100, 100, 0.05
+UPDATE = 10  # steps between updates
 RARE = 1e-3  # how often a right filter would be refused, per verdict
 
 SIGMAS = {"rad": 1e-4, "m/s": 1e-2, "rad/s": 1e-5, "m/s^2": 1e-3, "m": 0.3, "s": 1e-3}  # of starts and of R, by unit
@@ -179,9 +179,9 @@ def fly(name, updates=True, size=1.0, change=None):
         if "position" not in taken and "position" in true:
             filter.nav["position"] = true["position"]  # which the filter takes from the master
         start = filter.nav
-        filter.strapdown(**KNOWN, **given[1])
+        filter.strapdown(**read(library, KNOWN | given[1]))
         end, filter.nav = filter.nav, middle(start, filter.nav)
-        filter.predict(**KNOWN, **rate, **noise)
+        filter.predict(**read(library, KNOWN | rate | noise))
         filter.nav = end
         step = {f: {**KNOWN, **given[0], **true}[f] for f in library.strapdown.fields}
         true = {**true, **named(library.strapdown(**step), "q_b2n_wxyz")}
@@ -209,11 +209,17 @@ def updated(library, filter, true, clean, size, rng):
         exact = z(**{f: at_truth[f] for f in z.fields})
         noise = sigma * rng.standard_normal(exact.shape)
         filter.model.change[f"{name}_z"] = lambda value, exact=exact, noise=noise: value - exact + noise
-        found.append(filter.update(name, sigma**2, **{f: v for f, v in now.items() if f not in hat}))
+        given = read(library, {f: v for f, v in now.items() if f not in hat})
+        found.append(filter.update(name, np.full(exact.shape[-1], sigma**2), **given))
     return found
 
 
 SENSED = (("omega_ib_b", "gyro_bias"), ("f_b", "accel_bias"))
+
+
+def read(library, inputs):
+    """Those that the model has."""
+    return {name: value for name, value in inputs.items() if name in library.field}
 
 
 def middle(start, end):
