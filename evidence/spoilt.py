@@ -71,12 +71,16 @@ class Shown:
     def judged(self) -> tuple[list, list, Values]:
         """The values of the sides, those of the matrices in them, and the free values at which they were computed."""
         shapes: dict[str, tuple[int, ...]] = {q.symbol.name: q.shape for q in self.quantities if not q.function}
+        results = {name: () if commutes else (3, 3) for name, commutes in self.heads.items()}
+        results |= {
+            q.symbol.name: q.shape for q in self.quantities if q.function and q.shape and q.symbol.name in results
+        }
         unknown = [name for name in self.symbols if name not in shapes]
         choices = [SHAPES[:: -1 if self.symbols[name].is_commutative else 1] for name in unknown]
         failed: Exception = ValueError()
         with digits(DIGITS):
             for found in product(*choices):
-                values = free({**shapes, **dict(zip(unknown, found, strict=True))}, self.heads, list(self.symbols))
+                values = free({**shapes, **dict(zip(unknown, found, strict=True))}, results, list(self.symbols))
                 try:
                     sides = [judged_value(side, values) for side in self.relation.sides]
                 except (ValueError, TypeError) as error:
@@ -127,13 +131,15 @@ def alike(a: Any, b: Any) -> bool:
     return shapes[0] == shapes[1] or 0 in (a, b)
 
 
-def free(shapes: Mapping[str, tuple[int, ...]], heads: Mapping[str, bool], present: Iterable[str]) -> Values:
-    """Every letter drawn by itself; a function is a random linear one of its arguments."""
+def free(
+    shapes: Mapping[str, tuple[int, ...]], results: Mapping[str, tuple[int, ...]], present: Iterable[str]
+) -> Values:
+    """Every letter drawn by itself; a function is a random linear one of its arguments, with a value of its shape."""
     letters = {name: drawn(name, shape) for name, shape in shapes.items()}
     samples = tuple({**letters, **{name: drawn(f"{name} at {i}", shapes[name]) for name in present}} for i in range(3))
     scattered = {name: (drawn(f"{name} 1", shapes[name]), drawn(f"{name} 2", shapes[name])) for name in present}
-    results = {name: (6,) if name == "samples" else () if commutes else (3, 3) for name, commutes in heads.items()}
-    return Values(letters, {name: linear(name, shape) for name, shape in results.items()}, samples, scattered)
+    functions = {name: linear(name, (6,) if name == "samples" else shape) for name, shape in results.items()}
+    return Values(letters, functions, samples, scattered)
 
 
 @cache

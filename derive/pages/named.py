@@ -595,7 +595,7 @@ def _numbers(made: Naming) -> None:
 
     made.groups = {key: matrix.applyfunc(visit) for key, matrix in made.groups.items()}
     made.named = [
-        replace(one, shown=one.shown if one.constant else visited(one.shown, visit), value=one.value)
+        replace(one, shown=one.shown if one.constant else visited(one.shown, visit), value=visited(one.value, visit))
         for one in made.named
     ] + list(own.values())
 
