@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from boresight.codegen.generate import generate
+from boresight.runtime.array import wrapped
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.library import load
-from boresight.runtime.rotation import wrapped
 from boresight.runtime.units import DEG
 from boresight.studies.consistency import Consistency
 
@@ -26,8 +26,8 @@ ECHO = np.array([10.0, 0.004])  # m, rad: one sigma
 CLUTTER = 0.05  # of the echoes are of something else
 GATE = 5.0  # sigma, beyond which an innovation is rejected
 
-# South-east of the radar and flying west: the bearing soon passes 180 deg.
-BEGIN = np.array([-3000.0, 1500.0, 20.0, -150.0, 0.02])
+# South-east of the radar, flying west and turning south: the bearing passes 180 deg after 10 s and after 95 s.
+BEGIN = np.array([-3000.0, 1500.0, 20.0, -150.0, -0.03])
 START = np.array([50.0, 50.0, 5.0, 5.0, 0.01])  # one sigma
 
 SHOWN = {

@@ -12,8 +12,7 @@ import numpy as np
 
 from boresight import BoresightError, did_you_mean
 from boresight.runtime.arguments import check_inputs, check_start
-from boresight.runtime.array import Array
-from boresight.runtime.rotation import wrapped
+from boresight.runtime.array import Array, wrapped
 
 STILL = 0.01  # sigmas by which an estimate may move and need not be linearised again
 

@@ -11,7 +11,24 @@ from functools import cache
 from itertools import count
 from typing import Any
 
-from sympy import Add, ImmutableMatrix, Integer, Matrix, Mul, Piecewise, Pow, Rational, S, Symbol, cse, eye
+from sympy import (
+    Add,
+    DiracDelta,
+    Heaviside,
+    ImmutableMatrix,
+    Integer,
+    Matrix,
+    Mul,
+    Piecewise,
+    Pow,
+    Rational,
+    S,
+    Symbol,
+    cse,
+    exp,
+    eye,
+    log,
+)
 from sympy import Function as Letter
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
@@ -36,6 +53,7 @@ from boresight.derive.pages.page import Block, Form, Formulas, Page, Pair, Prose
 
 LONG = 150  # operations: what is longer is broken into parts that have letters
 WIDE = 52  # characters: a matrix that is wider is given entry by entry
+LETTERED = ("atan2", "Abs", "sign", "Max", "Min")  # functions that stand under their name
 JACOBIAN = 60  # operations: a longer h or f is not differentiated for the reader
 
 z_, h_, f_, F_, G_, H_, Q_, Q_c, S_, Phi = (
@@ -97,11 +115,13 @@ class Description:
     def _differentiated(self, key: str, column: Matrix) -> Iterator[tuple[str, Matrix]]:
         self.jacobians.add(key)
         if operations(column) < JACOBIAN:
-            yield key, column.jacobian(self.model.x)
+            slopes = column.jacobian(self.model.x)
+            # of a jump no slope is shown; below it is 0, above it is 1
+            yield key, slopes.replace(DiracDelta, lambda *_: 0).replace(Heaviside, lambda a, _: Letter("step")(a))
 
     # ---- blocks of a matrix ------------------------------------------------------------------------------------
 
-    def matrix(self, key: str, letter: Symbol, rows: Sequence["Part"], columns: Sequence["Part"]) -> list[Formulas]:
+    def matrix(self, key: str, letter: Symbol, rows: Sequence["Part"], columns: Sequence["Part"]) -> list[Block]:
         """The blocks that are not zero, those that are a matrix with a name first as such; then what they need."""
         M = self.naming.groups[key]
         relations: list[tuple[Any, Any]] = []
@@ -114,7 +134,10 @@ class Description:
                     relations += self._block(letter, row, column, block)
                 left += column.size
             top += row.size
-        return self.formulas(relations)
+        blocks: list[Block] = [*self.formulas(relations)]
+        if any(isinstance(node, AppliedUndef) and node.func.__name__ == "step" for node in nodes([M])):
+            blocks.append(Prose("step(a) is 1 where a is above zero, 0 below, and 1/2 at zero."))
+        return blocks
 
     def _block(self, letter: Symbol, row: "Part", column: "Part", block: Matrix) -> Iterator[tuple[Any, Any]]:
         tree = self.written(block)
@@ -291,9 +314,11 @@ def ordered(expression: Any) -> Any:
         arguments.sort(key=_place)
         return as_written(Mul, arguments)
     if expression.is_Pow:
-        return Pow(*arguments, evaluate=False)
+        if expression.exp.is_Rational:
+            return Pow(*arguments, evaluate=False)
+        return exp(ordered(expression.exp * log(expression.base)), evaluate=False)  # as C has it
     name = type(expression).__name__
-    return Letter(name.lower())(*arguments) if name in ("atan2", "Abs") else expression.func(*arguments, evaluate=False)
+    return Letter(name.lower())(*arguments) if name in LETTERED else expression.func(*arguments, evaluate=False)
 
 
 @cache
@@ -305,7 +330,7 @@ def written(expression: Any) -> str:
 
 
 def _place(factor: Any) -> tuple[int, str]:
-    base, exponent = factor.as_base_exp()
+    base, exponent = (factor, S.One) if isinstance(factor, exp) else factor.as_base_exp()
     kind = 0 if factor.is_Number else 1 if base.is_Symbol else 2 if base.is_Function else 3
     return kind + 4 * bool(exponent.is_number and exponent < 0), written(factor)
 
@@ -764,7 +789,7 @@ def _quantities(relation: Relation, shapes: Mapping[str, tuple[int, ...]]) -> It
         for node in nodes([[side]]):
             if node.is_Symbol:
                 yield Quantity(node, letter_latex(node.name), "", "", shapes.get(node.name, ()))
-            elif isinstance(node, AppliedUndef) and node.func.__name__ in ("atan2", "abs", "below"):
+            elif isinstance(node, AppliedUndef) and node.func.__name__ in ("below", "step", *map(str.lower, LETTERED)):
                 name = node.func.__name__
                 yield Quantity(Symbol(name), rf"\mathrm{{{name}}}", "", "", function=True)
             elif isinstance(node, AppliedUndef) and node.func.__name__ in ("f", "F", "Q_c"):

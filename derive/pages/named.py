@@ -157,7 +157,7 @@ class Rewriter:
             letter, index = self.others[expression]
             self.found.add(index)
             return letter
-        if expression.is_Mul or expression.is_Pow:
+        if expression.is_Mul or (expression.is_Pow and expression.exp.is_Rational):
             number, factors = _factors(expression)
             changed = {}
             for base, exponent in factors.items():

@@ -16,10 +16,10 @@ from boresight.codegen.functions.samples import sample
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import generate, load_model
 from boresight.derive.model import Measurement, Model, Struct, variable
+from boresight.runtime.array import wrapped
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
-from boresight.runtime.rotation import wrapped
 
 PENDULUM = load_model(f"{ROOT / 'examples' / 'pendulum.py'}:PENDULUM")
 AT = {"x": [2.0, 0.5], "rod": [1.0, 0.1], "torque": [0.1]}
@@ -159,6 +159,22 @@ def test_phi_and_q_of_an_error_state_are_exact_to_their_order_of_a_standing_F(or
     model = replace(MASS, order=order)
     assert orders(errors(model, "Phi", HALVED, **IN)) == pytest.approx([order + 1] * 2, abs=0.35)
     assert orders(errors(model, "Q", HALVED, **IN)) == pytest.approx([order + 2] * 2, abs=0.35)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_of_an_f_that_moves_every_order_leaves_out_half_its_rate_times_the_square_of_the_step(order):
+    model, h, rate = replace(MASS, order=order), 2.0**-10, np.array([[0, 0, 0], [3.0, 0, 0], [0, 0, 0]])
+    F = printed(model, "F", **IN)
+    y = solve_ivp(
+        lambda t, y: ((F + rate * t) @ y.reshape(3, 3)).ravel(),
+        (0, h),
+        np.eye(3).ravel(),
+        "DOP853",
+        rtol=1e-12,
+        atol=1e-15,
+    ).y[:, -1]
+    left = (y.reshape(3, 3) - printed(model, "Phi", dt=h, **IN)) / (h * h / 2)
+    assert left == pytest.approx(rate + (F @ F if order == 1 else 0), abs=20 * h)
 
 
 def generated(model, order, folder):

@@ -4,6 +4,7 @@ import random
 import re
 from dataclasses import replace
 from fractions import Fraction
+from functools import reduce
 
 import numpy as np
 import pytest
@@ -27,10 +28,15 @@ from boresight.evidence.spoilt import WRITERS, Shown, rendered
 
 SWING = f"{ROOT / 'examples' / 'pendulum.py'}:PENDULUM"
 TANK = f"{ROOT / 'examples' / 'own_model.py'}:TANK"
-MODELS = ("euler-matching", "phi-error", "velocity-attitude", TANK, PENDULUM)
+SONDE = f"{ROOT / 'tests' / 'codegen' / 'sonde.py'}:SONDE"
+MODELS = (SONDE, "euler-matching", "phi-error", "velocity-attitude", TANK, PENDULUM)
 FUNCTIONS = {
     "atan2": numbers.atan2,
     "abs": abs,
+    "sign": lambda a: a.sgn(),
+    "step": lambda a: (1 + a.sgn()) / 2,
+    "max": lambda *some: reduce(arb.max, map(arb, some)),
+    "min": lambda *some: reduce(arb.min, map(arb, some)),
     "below": lambda a, b, then, otherwise: then if a < b else otherwise,
 }
 
@@ -214,7 +220,7 @@ def test_a_sign_that_is_flipped_in_one_block_is_seen(made, block):
 
 
 @pytest.mark.parametrize("form", WRITERS)
-@pytest.mark.parametrize("target", ["euler-matching", "phi-error", TANK, SWING])
+@pytest.mark.parametrize("target", ["euler-matching", "phi-error", TANK, SWING, SONDE])
 def test_every_formula_of_a_page_is_shown_as_it_is(made, target, form):
     _, page = made(target)
     shown = {one.relation: Shown(str(one.relation.sides[0]), one.relation, one.quantities)
