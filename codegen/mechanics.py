@@ -40,13 +40,13 @@ Reference = Callable[[Mapping[str, Sequence[Any]]], list[Any]]  # of a printed u
 
 @dataclass(frozen=True)
 class MechanicsCheck:
-    """unit: F, G, Phi, Q, feedback, a strapdown or a measurement matrix.  against: the exact thing it is held against.
+    """unit: F, G, next, Phi, Q, feedback, a strapdown or a measurement matrix.  against: what it is held against.
 
     difference: the largest between what is stated and what is exact, as a part of the largest of its row, each entry
     times the box of its state.  entry: the place and size of it, where it is one too many.  ratio: what is left of the
-    remainder when the errors are halved; coefficient: the remainder over their square.  order: the power of the step
-    with which what is left falls.  Each is None where no remainder is.  why: what is missing for the check; then it
-    says nothing, and `ok` is None.
+    remainder when the errors are halved; coefficient: the remainder over their square, or of next over dt^5.  order:
+    the power of the step with which what is left falls.  Each is None where no remainder is.  why: what is missing for
+    the check; then it says nothing, and `ok` is None.
     """
 
     model: str
