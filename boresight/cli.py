@@ -369,6 +369,24 @@ def diff(
 
 
 @app.command()
+def watch(
+    target: Annotated[
+        str,
+        typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
+    ],
+) -> None:
+    """Look at a model after each save.
+
+    Prints what differs from the last good state and whether exact mechanics agrees, then generates.  An error in the
+    file is one line.  Ctrl-C ends it.
+    """
+    from boresight import terminal
+    from boresight.codegen.watch import watch as look
+
+    look(target, lambda text: print(terminal.marked(text), flush=True))
+
+
+@app.command()
 def verify(
     targets: Targets = None,
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,

@@ -9,6 +9,7 @@ import json
 import os
 import tempfile
 from collections.abc import Collection
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -78,9 +79,9 @@ def versions() -> dict[str, str]:
     return {name: importlib.metadata.version(name) for name in VERSIONED}
 
 
-def default_folder(target: str) -> Path:
+def default_folder(target: str, model: Any = None) -> Path:
     """generated/ of the checkout for a built-in model, from any folder; ./generated/ for a user's own."""
-    name = load_model(target).name if ":" in target else target
+    name = (model or load_model(target)).name if ":" in target else target
     home = PACKAGE if is_checkout() and ":" not in target and Path.cwd() != PACKAGE else Path()
     return home / "generated" / name.replace("-", "_")
 
@@ -201,9 +202,16 @@ def old_manifest(folder: Path) -> dict[str, Any]:
 # ---------------------------------------------------------------- generate
 
 
-def generate(target: str, folder: Path | None = None, check: bool = False) -> Report:
+def generate(
+    target: str,
+    folder: Path | None = None,
+    check: bool = False,
+    model: Any = None,
+    writing: AbstractContextManager[Any] = nullcontext(),  # noqa: B008
+) -> Report:
     """Make the folder of one model agree with its source; with `check`, only say what would change.
 
+    model: what `target` names, if it is loaded already.  writing: held while files are put in their places.
     Raises BoresightError on a model that does not fit together, a generated file edited by hand, a folder that cannot
     be written to.  Nothing is left half written.
     """
@@ -227,7 +235,7 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
     if check and not before:
         generated_folder(target, folder)
 
-    document, files = make(target, folder, not check and same_generator(before, stamp))
+    document, files = make(target, folder, not check and same_generator(before, stamp), model)
     refuse_taken(document["c_prefix"], document["model"], folder)
     hashes = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
     document |= {"files": hashes, **stamp}
@@ -242,7 +250,8 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
     stale = [path for path in before.get("files", {}) if path not in files and (folder / path).is_file()]
     differing = [path for path, text in files.items() if not same(folder / path, text)]
     if not check:
-        write(folder, {path: files[path] for path in differing}, stale)
+        with writing:
+            write(folder, {path: files[path] for path in differing}, stale)
     strange = strange_files(folder, {*files, *stale}) if before else ()
     return Report(document["model"], folder, changes, tuple(sorted(differing + stale)), False, strange=strange)
 
@@ -277,7 +286,7 @@ def same_generator(before: dict[str, Any], stamp: dict[str, Any]) -> bool:
     )
 
 
-def make(target: str, folder: Path, keep: bool) -> tuple[dict[str, Any], dict[str, str]]:
+def make(target: str, folder: Path, keep: bool, model: Any = None) -> tuple[dict[str, Any], dict[str, str]]:
     """What the manifest says of the target, and all other files.
 
     keep: golden vectors, which cost most of the time, are taken from the folder where the C that they test is the same.
@@ -288,7 +297,7 @@ def make(target: str, folder: Path, keep: bool) -> tuple[dict[str, Any], dict[st
         unmoved = keep and all(same(folder / path, text) for path, text in tested.items())
         return (folder / test).read_text(encoding="utf-8") if unmoved and (folder / test).is_file() else None
 
-    return detector_files() if target in COMPONENTS else folder_files(load_model(target), kept)
+    return detector_files() if target in COMPONENTS else folder_files(model or load_model(target), kept)
 
 
 def write(folder: Path, files: dict[str, str], stale: list[str]) -> None:
