@@ -8,6 +8,7 @@ import importlib.metadata
 import json
 import os
 import tempfile
+from collections.abc import Collection
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
@@ -51,6 +52,7 @@ class Report:
     written: tuple[str, ...]  # files that were, or would be, written or removed
     up_to_date: bool  # known from the manifest alone
     comparable: bool = True  # with check: the versions of SymPy and CasADi are those of the committed files
+    strange: tuple[str, ...] = ()  # files in the folder that are not generated
 
 
 def model_names() -> list[str]:
@@ -167,6 +169,24 @@ def edited(folder: Path, manifest: dict[str, Any]) -> list[str]:
     ]
 
 
+def strange_files(folder: Path, files: Collection[str]) -> tuple[str, ...]:
+    """What lies in a generated folder beside these files; of the folder that one works in, in its subfolders."""
+    places = {Path(path).parts[0] for path in files if "/" in path} if folder.resolve() == Path.cwd() else {""}
+    found = (path for place in places for path in (folder / place).rglob("*") if path.is_file())
+    return tuple(sorted(name for path in found if (name := path.relative_to(folder).as_posix()) not in files))
+
+
+def generated_folder(target: str, folder: Path | None = None) -> Path:
+    """The folder that a model of one's own was generated in: the one given, or that of its name."""
+    folder = folder or default_folder(target)
+    if not (folder / "manifest.json").is_file():
+        raise BoresightError(
+            f"{folder} holds no generated model; run 'boresight generate {target}', or name the folder it was "
+            "generated in with --generated"
+        )
+    return folder
+
+
 def old_manifest(folder: Path) -> dict[str, Any]:
     try:
         manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
@@ -208,11 +228,12 @@ def generate(
     stamp = {"made_from": made_from(source_of(target) if ":" not in target else None), "versions": versions()}
     complete = before and all((folder / path).is_file() for path in before["files"])
     if not check and ":" not in target and complete and all(before.get(key) == value for key, value in stamp.items()):
-        return Report(before["model"], folder, (), (), up_to_date=True)
+        strange = strange_files(folder, {*before["files"], "manifest.json"})
+        return Report(before["model"], folder, (), (), up_to_date=True, strange=strange)
     if check and before and before.get("versions") != versions():
         return Report(before["model"], folder, (), (), up_to_date=False, comparable=False)
     if check and not before:
-        raise BoresightError(f"{folder} holds no generated model; run 'boresight generate {target}'")
+        generated_folder(target, folder)
 
     document, files = make(target, folder, not check and same_generator(before, stamp), model)
     refuse_taken(document["c_prefix"], document["model"], folder)
@@ -231,7 +252,8 @@ def generate(
     if not check:
         with writing:
             write(folder, {path: files[path] for path in differing}, stale)
-    return Report(document["model"], folder, changes, tuple(sorted(differing + stale)), up_to_date=False)
+    strange = strange_files(folder, {*files, *stale}) if before else ()
+    return Report(document["model"], folder, changes, tuple(sorted(differing + stale)), False, strange=strange)
 
 
 def refuse_taken(prefix: str, name: str, folder: Path) -> None:
