@@ -151,6 +151,16 @@ def test_the_conventions_say_how_far_from_the_most_probable_state_the_iterations
 
 
 @KINDS
+def test_it_goes_on_while_a_row_moves_by_more_than_its_sigmas_though_no_state_does(kind, radar):
+    x, P, R = np.array([30.0, -30.0, 0, 0, 0]), np.diag([100.0, 100.0, 1, 1, 1e-6]), np.array([1e-8, 0.09])
+    z = seen(x) + np.array([3.0, 0.4])  # the range is good to .1 mm, and neither coordinate to a metre
+    best, spread = most_probable(x, P, z, np.diag(R))
+    loop = begun(kind, radar, x, P)
+    loop.update("radar", R, z=z, iterations=20)
+    assert away(loop.x, best, spread) < 0.01
+
+
+@KINDS
 def test_each_iteration_starts_from_the_first_state_and_covariance(kind, radar):
     x = NEAR
     for _ in range(3):
@@ -170,7 +180,10 @@ def test_the_gate_is_that_of_the_first_linearisation(kind, radar):
     sigmas = [abs(said.nu) / np.sqrt(said.S) for said in (first, last)]
     row = int(np.argmax(abs(sigmas[0] - sigmas[1])))
     gate = (sigmas[0][row] + sigmas[1][row]) / 2
-    said = begun(kind, radar, NEAR, WIDE).update("radar", NOISE, z=HERE, iterations=20, gate=gate)
+    loop, masked = begun(kind, radar, NEAR, WIDE), begun(kind, radar, NEAR, WIDE)
+    said = loop.update("radar", NOISE, z=HERE, iterations=20, gate=gate)
+    masked.update("radar", NOISE, z=HERE, iterations=20, rows=said.used)
+    np.testing.assert_array_equal((loop.x, np.diag(loop.P)), (masked.x, np.diag(masked.P)))
     assert said.used.tolist() == (sigmas[0] <= gate).tolist()
     assert said.used.tolist() != (sigmas[1] <= gate).tolist()
 
