@@ -18,6 +18,7 @@ from boresight.derive.ledger.judge import EXACT
 from boresight.derive.ledger.numbers import digits, exact, eye, largest, zeros
 from boresight.derive.mechanics import earth
 from boresight.derive.mechanics import error_models as em
+from boresight.derive.model import numeric
 from boresight.derive.models.phi_error import phi_error_ned
 from boresight.derive.papers import paper
 from boresight.derive.papers.mechanics import kinematics
@@ -88,10 +89,10 @@ def test_the_differentiated_rates_are_the_matrices_that_fly_entry_by_entry(model
         "psi": (kinematics.F_psi, lambda: em.psi_matrix(frame, p, v, f)),
         "map": (kinematics.T_psi, lambda: em.psi_from_phi(frame, p, v)),
     }[model]
-    difference = Matrix(mine(level)) - flown()
+    difference = Matrix(mine(level)) - numeric(flown())
     assert [place for place, entry in difference.todok().items() if not vanishes(entry)] == []
     # and it would be seen: 1e-9 of one entry
-    spoilt = next(e for e in flown() if e.has(LAT) and not e.is_number)
+    spoilt = next(e for e in numeric(flown()) if e.has(LAT) and not e.is_number)
     assert not vanishes(spoilt * Rational(1, 10**9))
 
 
