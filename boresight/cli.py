@@ -290,6 +290,75 @@ def generate(
 
 
 @app.command()
+def diff(
+    target: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="MODEL | FILE.py:NAME",
+            help="All built-in models if left out.",
+            show_default=False,
+            autocompletion=completed(model_names),
+        ),
+    ] = None,
+    against: Annotated[
+        str, typer.Option(metavar="REVISION | DIR", help="A revision of git, or another generated folder.")
+    ] = "HEAD",
+    form: Annotated[
+        str, typer.Option("--format", help="text, latex or html.", autocompletion=completed(lambda: FORMATS[:3]))
+    ] = "text",
+    out: Annotated[Path | None, typer.Option("-o", "--out", help="File to write.")] = None,
+    studied: Annotated[
+        str | None,
+        typer.Option(
+            "--study",
+            metavar="'NAME ...'",
+            help="Run this study, with its options, as the revision has it and as it is now.",
+            show_default=False,
+        ),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Show what an edit changed in a model's equations.
+
+    What the source states now is held against the equations.json that was committed with the generated C: entries of
+    F, f, G, Q, z, h and H and of functions before and after, with the largest difference of their values over the box;
+    states and inputs; operations and code size.  Exits 1 if something differs.
+    """
+    from boresight import terminal
+    from boresight.codegen import difference as d
+    from boresight.codegen.difference_page import differences_page
+    from boresight.derive.pages.render import write as written
+
+    one_of(form, FORMATS[:3], "format")
+    targets = [target] if target else model_names()
+    with terminal.progress() as progress:
+        found = []
+        for done, name in enumerate(targets):
+            progress(done, len(targets), name)
+            found.append(d.difference(name, against))
+    flown = None
+    if studied is not None:
+        from boresight.side_by_side import both_flown, report
+
+        with terminal.working() as working:
+            flown = both_flown(studied, against, working)
+    if as_json:
+        print_json({"models": [d.to_json(one) for one in found], "study": flown})
+    else:
+        text = written(differences_page(found), form)
+        if out is not None:
+            write(out, text.encode())
+        elif form == "text":
+            terminal.page_text(terminal.marked(text))
+        else:
+            sys.stdout.write(text)
+        if flown is not None:
+            terminal.page(*report(flown, against))
+    same = all(one.same for one in found) and (flown is None or flown["before"] == flown["after"])
+    raise typer.Exit(0 if same else 1)
+
+
+@app.command()
 def verify(
     targets: Targets = None,
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,

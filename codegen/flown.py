@@ -1,9 +1,10 @@
-"""What is flown over steps of time held against the flow of the equation, in many digits: Phi, Q and the strapdown.
+"""What is flown over steps of time held against the flow of the equation, in many digits: next, Phi, Q, the strapdown.
 
-Two flights of the strapdown part from a small error, which `feedback` puts in and its inverse reads out, as Phi at the
-middle of the step says.  Of an F that stands still Phi is the exponential, and Q the integral of Lyapunov's equation.
-Over an instant too short for the Earth to be felt, a strapdown gives what a body does that turns and accelerates
-unevenly: coning, sculling and scrolling.  What is left of each must fall with the power of the step that is claimed.
+Of a total state the flow is that of f, by Gauss and Legendre's method of the sixth order.  Of an error state it is that
+of two flights of the strapdown: they part from a small error, which `feedback` puts in and its inverse reads out, as
+Phi at the middle of the step says.  Q is the integral of Lyapunov's equation.  Over an instant too short for the Earth
+to be felt, a strapdown gives what a body does that turns and accelerates unevenly: coning, sculling and scrolling.
+What is left of each must fall with the power of the step that is claimed.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -13,11 +14,14 @@ from typing import Any
 from flint import arb
 
 from boresight.codegen.functions.reference import precise
-from boresight.codegen.functions.samples import generator
+from boresight.codegen.functions.samples import generator, sample
+from boresight.codegen.functions.units import state_variable
 from boresight.codegen.mechanics import (
     FINITE,
+    LEAST,
     MOVED,
     NAVIGATION,
+    POINTS,
     STEP,
     Exact,
     MechanicsCheck,
@@ -43,24 +47,32 @@ from boresight.derive.ledger.witness import hamilton, vector
 from boresight.derive.model import Function, Model, symbols_in
 from boresight.derive.models.variables import INCREMENTS
 
-SHORT = arb((1, -32))  # s, a step whose remainder is looked at
+SHORT = arb((1, -32))  # s, a step whose remainder is looked at, of an error state
+FLIGHT = arb((1, -24))  # s, one of a total state, whose remainder falls faster
 SEEN = arb((1, -7))  # s, a step at which a wrong entry of Phi is named
 TURNED = arb((1, -13))  # rad and m/s over one interval of the uneven motion, about
 TERMS = 24  # of its power series: TURNED to this power is beyond the digits
 FELT = 1e-15  # of the motion: what the Earth adds is less
 NOTHING = 1e-40  # of a row: what is less is no remainder
+FLOWN, ADDED = 5, 4  # the powers of dt with which one step of a total state and its Q err
+ITERATIONS = 12  # each wins a factor of dt
 SLACK = 0.01  # of a power
 
 
 def check_flown(model: Model, reference: Mapping[str, Reference]) -> list[MechanicsCheck]:
     """Every check of one model; reference: of its printed units, by name."""
     checks = [check_motion(model, f, level) for f, level in navigating(model)]
-    if model.F is not None:
+    if model.kind == "error-state":
         try:
             checks.append(check_transition(Exact(model), reference))
         except LookupError as missing:
             checks.append(MechanicsCheck(model.name, "Phi", "", why=str(missing.args[0])))
         checks += check_still(model, reference)
+    elif model.f is not None:
+        checks += [check_derivative(model, reference), *check_flow(model, reference)]
+    elif model.next is not None:
+        given = [MechanicsCheck(model.name, unit, "", why="it is what the model gives") for unit in ("next", "Q")]
+        checks += [check_derivative(model, reference), *given]
     return checks
 
 
@@ -167,6 +179,98 @@ def transition_and_noise(F: Matrix, S: Matrix, dt: Any) -> tuple[Matrix, Matrix]
     grown = (both * dt).exp()
     Phi = grown[n:, n:].T
     return Phi, Phi * grown[:n, n:]
+
+
+# ---------------------------------------------------------------- total states
+
+
+def states(model: Model, what: str) -> list[tuple[Values, Matrix]]:
+    """Values of all inputs, and states, in their boxes."""
+    drawn = sample((state_variable(model),), 0, POINTS, generator("state", model.name, what))[0].tolist()
+    return list(zip(points(model, what), [Matrix([arb(v) for v in state]) for state in drawn], strict=True))
+
+
+def read(model: Model, values: Values, x: Matrix, dt: Any = None) -> dict[str, Any]:
+    """What a unit is called with."""
+    moved = values if dt is None else values | {model.dt: dt}
+    return fields(model, moved) | {"x": list(x)}
+
+
+def check_derivative(model: Model, reference: Mapping[str, Reference]) -> MechanicsCheck:
+    """Phi against differences of next."""
+    n, scale, names, verdict = model.n, box(model), [s.name for s in model.x], Verdict()
+    with precise():
+        for values, x in states(model, "Phi"):
+
+            def after(error: Sequence[Any], values: Values = values, x: Matrix = x) -> Matrix:
+                return filled((n, 1), reference["next"](read(model, values, x + Matrix(list(error))))[0])
+
+            Phi, found = filled((n, n), reference["Phi"](read(model, values, x))[0]), slope(after, scale)
+            verdict.compare(scaled(Phi, scale), found, names, names, scale, row_sizes(found, scale))
+    return verdict.check(model, "Phi", "differences of next")
+
+
+def check_flow(model: Model, reference: Mapping[str, Reference]) -> list[MechanicsCheck]:
+    """next against the flow of f, and Q against the integral of Lyapunov's equation along it."""
+    n, scale, names, step, noise = model.n, box(model), [s.name for s in model.x], Verdict(), Verdict()
+    f, driven = compiled(model.f), compiled(model.G, model.noise)
+
+    def parted(both: Matrix) -> tuple[Matrix, Matrix]:
+        """The state, and the covariance that stands below it row by row."""
+        entries = list(both)
+        return Matrix(entries[:n]), Matrix([entries[n * i : n * (i + 1)] for i in range(1, n + 1)])
+
+    with precise():
+        for values, x in states(model, "next"):
+            start = Matrix([*x, *zeros(n * n, 1)])
+
+            def rate(both: Matrix, values: Values = values) -> Matrix:
+                state, P = parted(both)
+                here = values | dict(zip(model.x, state, strict=True))
+                (G, roots), F = driven(here), filled((n, n), reference["F"](read(model, values, state))[0])
+                GW = scaled(G, list(roots))
+                return Matrix([*f(here)[0], *(F * P + (F * P).T + GW * GW.T)])
+
+            def left(dt: Any, values: Values = values, x: Matrix = x, rate: Any = rate, start: Any = start) -> Any:
+                """What next and Q have too much."""
+                state, P = parted(flow(rate, start, dt))
+                now = read(model, values, x, dt)
+                return filled((n, 1), reference["next"](now)[0]) - state, filled((n, n), reference["Q"](now)[0]) - P
+
+            speed, spread = parted(rate(start))
+            (x_whole, Q_whole), (x_half, Q_half) = left(FLIGHT), left(FLIGHT / 2)
+            moved = [max(abs(float(v)), LEAST * float(b)) for v, b in zip(speed, scale, strict=True)]
+            falls(step, (x_whole, x_half), [float(FLIGHT) * v for v in moved], FLOWN, names)
+            falls(noise, (Q_whole, Q_half), [float(FLIGHT) * v for v in row_sizes(spread, scale)], ADDED, names, names)
+            if step.entry:
+                off = left(SEEN)[0]
+                i = max(range(n), key=lambda i: abs(float(off[i])) / moved[i])
+                step.entry = f"{names[i]} is {float(off[i]):.3g} too large over {float(SEEN):.3g} s; {step.entry}"
+                break
+            off_box = largest(v / b / FLIGHT**FLOWN for v, b in zip(x_whole, scale, strict=True))
+            step.coefficient = max(step.coefficient or 0.0, off_box)
+    return [
+        step.check(model, "next", "the flow of f"),
+        noise.check(model, "Q", "the integrated Lyapunov equation"),
+    ]
+
+
+def flow(rate: Callable[[Matrix], Matrix], start: Matrix, dt: Any) -> Matrix:
+    """The state after dt by the three stages of Gauss and Legendre, which err with dt^7; found by iteration."""
+    root = arb(15).sqrt()
+    stages = (
+        (arb(5) / 36, arb(2) / 9 - root / 15, arb(5) / 36 - root / 30),
+        (arb(5) / 36 + root / 24, arb(2) / 9, arb(5) / 36 - root / 24),
+        (arb(5) / 36 + root / 30, arb(2) / 9 + root / 15, arb(5) / 36),
+    )
+
+    def after(weights: Sequence[Any]) -> Matrix:
+        return start + dt * (weights[0] * rates[0] + weights[1] * rates[1] + weights[2] * rates[2])
+
+    rates = [rate(start)] * 3
+    for _ in range(ITERATIONS):
+        rates = [rate(after(weights)) for weights in stages]
+    return after((arb(5) / 18, arb(4) / 9, arb(5) / 18))
 
 
 # ---------------------------------------------------------------- strapdown

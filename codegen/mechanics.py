@@ -40,13 +40,13 @@ Reference = Callable[[Mapping[str, Sequence[Any]]], list[Any]]  # of a printed u
 
 @dataclass(frozen=True)
 class MechanicsCheck:
-    """unit: F, G, Phi, Q, feedback, a strapdown or a measurement matrix.  against: the exact thing it is held against.
+    """unit: F, G, next, Phi, Q, feedback, a strapdown or a measurement matrix.  against: what it is held against.
 
     difference: the largest between what is stated and what is exact, as a part of the largest of its row, each entry
     times the box of its state.  entry: the place and size of it, where it is one too many.  ratio: what is left of the
-    remainder when the errors are halved; coefficient: the remainder over their square.  order: the power of the step
-    with which what is left falls.  Each is None where no remainder is.  why: what is missing for the check; then it
-    says nothing, and `ok` is None.
+    remainder when the errors are halved; coefficient: the remainder over their square, or of next over dt^5.  order:
+    the power of the step with which what is left falls.  Each is None where no remainder is.  why: what is missing for
+    the check; then it says nothing, and `ok` is None.
     """
 
     model: str
@@ -449,20 +449,25 @@ class Seen:
 
 def check_measurement(model: Model, m: Measurement, H_of: Reference) -> MechanicsCheck:
     """H against the exact h, or z before and after feedback, where what H neglects is zero and what is tied to the
-    others follows from them; and that z vanishes there, but for the second order of what is neglected."""
+    others follows from them; and that z vanishes there, but for the second order of what is neglected.
+
+    A total state is anywhere in its box, an error state zero.
+    """
     unit, columns, scale, verdict = f"{m.name}_H", [s.name for s in model.x], box(model), Verdict()
+    states = sample((state_variable(model),), 0, POINTS, generator("state", model.name, m.name))[0].tolist()
     try:
         seen = Seen(model, m)
     except LookupError as missing:
         return MechanicsCheck(model.name, unit, "", why=str(missing.args[0]))
     with precise():
         for k, values in enumerate(points(model, m.name)):
-            here = seen.at(values, 0)
+            x = states[k] if model.kind == "total-state" else [0.0] * model.n
+            here = seen.at(values | dict(zip(model.x, map(arb, x), strict=True)), 0)
 
             def left(x: Sequence[Any], here: Values = here) -> Matrix:
                 return seen.left(plus(here, model, x))[0]
 
-            H = filled((len(m.rows), model.n), H_of(fields(model, here) | {"x": [0.0] * model.n})[0])
+            H = filled((len(m.rows), model.n), H_of(fields(model, here) | {"x": x})[0])
             found = slope(left, scale)
             sizes = row_sizes(found)
             verdict.compare(scaled(H, scale), found, m.rows, columns, scale, sizes)

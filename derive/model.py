@@ -121,7 +121,7 @@ class Measurement:
     z = H x + noise, or h(x) + noise, of the error x = computed - true: so z is computed - measured, or of a turn
     whatever H makes of it.  meaning: says which, as `velocity of the master: z = computed - measured`.
     z: (m) from the inputs; None if the caller brings it, and then it is the measured value.
-    h: (m) the z of an error state x without noise, from states and inputs; its Jacobian is printed as H.
+    h: (m) the z of a state x without noise, from states and inputs; its Jacobian is printed as H.
     H: (m, n) a linear measurement matrix, printed instead of h.  first_order: what this H approximates.
     angle: the rows that are angles, True for all of them: z, h and z - h are wrapped to [-pi, pi).
     correlated: R is (m, m), not the variances of independent rows.

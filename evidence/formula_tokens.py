@@ -31,7 +31,7 @@ GLYPHS = {
     for word in words
 } | {r"\partial": "∂", r"\varphi": "ϕ", r"\vartheta": "ϑ", r"\varrho": "ϱ", r"\varepsilon": "ε", r"\ell": "ℓ"}
 ACCENTS = {r"\hat": "hat", r"\dot": "dot", r"\ddot": "ddot", r"\bar": "bar", r"\overline": "bar", r"\check": "check"}
-NAMED = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp"}
+NAMED = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp", "ln", "sinh", "cosh", "tanh"}
 SIGNS = {
     r"\,": "*", r"\times": "×", r"\leq": "≤", r"\in": "∈", r"\to": "→", r"\vee": "∨", r"\|": "‖", r"\{": "{",
     r"\}": "}", r"\langle": "⟨", r"\rangle": "⟩", "'": "′", **{sign: sign for sign in "+-=<,;|/()[]"},
@@ -481,7 +481,7 @@ TEXT = {
     r"_\{([0-9]+),([0-9]+)\}": "down",
     r"Σ_\{([^{}]+)\}(?= )": "sum",
     r"[0-9]+(?!\w)": "number",
-    r"(?:arc)?(?:sin|cos|tan)(?=\()|exp(?=\()": "named",
+    r"(?:(?:arc)?(?:sin|cos|tan)|(?:sin|cos|tan)h|exp|ln)(?=\()": "named",
     r"√(?=\()": "named",
     r"E(?=\[)": "upright",
     r"[-+=<≤×⋅,/()\[\]{}‖]": "sign",

@@ -11,6 +11,7 @@ from typing import Any
 
 from flint import arb
 
+from boresight.derive.ledger import numbers
 from boresight.derive.ledger.numbers import Matrix, cos, norm, sin, sqrt, tan, zeros
 from boresight.evidence.formula_tokens import RefusedError, Row, Spelling
 
@@ -437,7 +438,8 @@ def _is_zero(value: Any) -> bool:
 
 
 FUNCTIONS: dict[str, Callable] = {
-    "sin": sin, "cos": cos, "tan": tan, "√": root,
+    "sin": sin, "cos": cos, "tan": tan, "√": root, "ln": numbers.log, "arcsin": numbers.asin, "arccos": numbers.acos,
+    "arctan": numbers.atan, "sinh": numbers.sinh, "cosh": numbers.cosh, "tanh": numbers.tanh,
     "exp": lambda value: value.exp() if isinstance(value, Matrix) else arb(value).exp(),
 }  # fmt: skip
 

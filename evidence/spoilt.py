@@ -38,6 +38,7 @@ from boresight.evidence.read_back import Broken, Formula, Values, equal, plus, t
 from boresight.evidence.sources import Derivations
 
 DIGITS = 30
+DRAWS = 40  # of the letters, until every side has a value: not all may stand below a root or in a logarithm
 WRITERS: dict[str, Callable[..., str]] = {"latex": latex_relation, "mathml": mathml_relation, "text": text_relation}
 INNER = {"Σ", "norm", "entry", "row", "E", *OPERATORS}  # functions that have a sign of their own
 SHAPES: tuple[tuple[int, ...], ...] = ((3, 3), (3,), (4, 4), (4,), (15, 15), (15,), ())
@@ -71,14 +72,22 @@ class Shown:
     def judged(self) -> tuple[list, list, Values]:
         """The values of the sides, those of the matrices in them, and the free values at which they were computed."""
         shapes: dict[str, tuple[int, ...]] = {q.symbol.name: q.shape for q in self.quantities if not q.function}
+        results = {name: () if commutes else (3, 3) for name, commutes in self.heads.items()}
+        results |= {
+            q.symbol.name: q.shape for q in self.quantities if q.function and q.shape and q.symbol.name in results
+        }
         unknown = [name for name in self.symbols if name not in shapes]
         choices = [SHAPES[:: -1 if self.symbols[name].is_commutative else 1] for name in unknown]
         failed: Exception = ValueError()
         with digits(DIGITS):
             for found in product(*choices):
-                values = free({**shapes, **dict(zip(unknown, found, strict=True))}, self.heads, list(self.symbols))
+                known = {**shapes, **dict(zip(unknown, found, strict=True))}
                 try:
-                    sides = [judged_value(side, values) for side in self.relation.sides]
+                    for draw in range(DRAWS):
+                        values = free(known, results, list(self.symbols), "'" * draw)
+                        sides = [judged_value(side, values) for side in self.relation.sides]
+                        if all(map(has_value, sides)):
+                            break
                 except (ValueError, TypeError) as error:
                     failed = error
                     continue
@@ -127,13 +136,27 @@ def alike(a: Any, b: Any) -> bool:
     return shapes[0] == shapes[1] or 0 in (a, b)
 
 
-def free(shapes: Mapping[str, tuple[int, ...]], heads: Mapping[str, bool], present: Iterable[str]) -> Values:
-    """Every letter drawn by itself; a function is a random linear one of its arguments."""
-    letters = {name: drawn(name, shape) for name, shape in shapes.items()}
+def has_value(value: Any) -> bool:
+    if isinstance(value, Broken):
+        return all(map(has_value, value.parts))
+    return all(arb(entry).is_finite() for entry in (value if isinstance(value, Matrix) else [value]))
+
+
+def free(
+    shapes: Mapping[str, tuple[int, ...]],
+    results: Mapping[str, tuple[int, ...]],
+    present: Iterable[str],
+    draw: str = "",
+) -> Values:
+    """Every letter drawn by itself; a function is a random linear one of its arguments, with a value of its shape.
+
+    draw: another gives other letters.
+    """
+    letters = {name: drawn(name + draw, shape) for name, shape in shapes.items()}
     samples = tuple({**letters, **{name: drawn(f"{name} at {i}", shapes[name]) for name in present}} for i in range(3))
     scattered = {name: (drawn(f"{name} 1", shapes[name]), drawn(f"{name} 2", shapes[name])) for name in present}
-    results = {name: (6,) if name == "samples" else () if commutes else (3, 3) for name, commutes in heads.items()}
-    return Values(letters, {name: linear(name, shape) for name, shape in results.items()}, samples, scattered)
+    functions = {name: linear(name, (6,) if name == "samples" else shape) for name, shape in results.items()}
+    return Values(letters, functions, samples, scattered)
 
 
 @cache

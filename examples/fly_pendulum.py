@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from boresight.codegen.generate import generate
+from boresight.runtime.array import wrapped
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.library import load
-from boresight.runtime.rotation import wrapped
 from boresight.runtime.units import DEG
 from boresight.studies.consistency import Consistency
 

@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from boresight.codegen.generate import generate
+from boresight.runtime.array import wrapped
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.library import load
-from boresight.runtime.rotation import wrapped
 from boresight.runtime.units import DEG
 from boresight.studies.consistency import Consistency
 
@@ -21,14 +21,14 @@ RUNS, SECONDS = 50, 120
 DT = 0.5  # s, from echo to echo
 FINE = 20  # steps of the simulation to one of the filter
 
-NOISE = {"agility": np.full(2, 0.5), "turn_noise": 1e-3}  # m/s/sqrt(s), rad/s/sqrt(s)
+NOISE = {"agility": np.full(2, 0.5), "turn_noise": 3e-4}  # m/s/sqrt(s), rad/s/sqrt(s)
 ECHO = np.array([10.0, 0.004])  # m, rad: one sigma
 CLUTTER = 0.05  # of the echoes are of something else
 GATE = 5.0  # sigma, beyond which an innovation is rejected
 
-# South-east of the radar and flying west: the bearing soon passes 180 deg.
-BEGIN = np.array([-3000.0, 1500.0, 20.0, -150.0, 0.02])
-START = np.array([50.0, 50.0, 5.0, 5.0, 0.01])  # one sigma
+# South-east of the radar, flying west and turning south: the bearing passes 180 deg after 10 s and after 95 s.
+BEGIN = np.array([-5000.0, 1500.0, 20.0, -150.0, -0.03])
+START = np.array([50.0, 50.0, 5.0, 5.0, 0.005])  # one sigma
 
 SHOWN = {
     "north, m": 1.0,
@@ -70,7 +70,7 @@ def fly(library, runs=RUNS, seed=0):
         z = np.stack([np.hypot(north, east), np.arctan2(east, north)], axis=-1)
         z += ECHO * rng.standard_normal((runs, 2))
         clutter = rng.random(runs) < CLUTTER
-        z[clutter] = np.stack([rng.uniform(500, 10000, runs), rng.uniform(-np.pi, np.pi, runs)], axis=-1)[clutter]
+        z[clutter] = np.stack([rng.uniform(500, 50000, runs), rng.uniform(-np.pi, np.pi, runs)], axis=-1)[clutter]
         z[:, 1] = wrapped(z[:, 1])
 
         found = loop.update("echo", R=ECHO**2, z=z, gate=GATE)

@@ -1,4 +1,4 @@
-"""A radar that tracks a target on a winding path: range and bearing, of which the bearing wraps at 180 degrees.
+"""A radar that tracks a target on a winding path: range and bearing, which wraps at 180 degrees.
 
 boresight generate radar.py:RADAR
 boresight verify radar.py:RADAR
@@ -10,7 +10,8 @@ from sympy import Matrix, atan2, sqrt
 from boresight.derive.model import Measurement, Model, Struct, variable
 
 # The target, seen from the radar: a total state, flown by f.
-place = variable("place", "north east", "m, m", "place of the target", -1e5, 1e5)
+# It stays south of the radar, where the bearing wraps; at the radar itself a bearing has no value.
+place = variable("place", "north east", "m, m", "place of the target", (-1e5, -1e5), (-10.0, 1e5))
 velocity = variable("velocity", "v_north v_east", "m/s, m/s", "velocity of the target", -1000.0, 1000.0)
 turn = variable("turn", "turn", "rad/s", "rate of turn, clockwise", -1.0, 1.0)
 

@@ -10,10 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from boresight import BoresightError
+from boresight import BoresightError, did_you_mean
 from boresight.runtime.arguments import check_inputs, check_start
-from boresight.runtime.array import Array
-from boresight.runtime.rotation import wrapped
+from boresight.runtime.array import Array, wrapped
 
 STILL = 0.01  # sigmas by which an estimate may move and need not be linearised again
 
@@ -141,13 +140,14 @@ class Filter:
 
     def _brought(self, measurement: str, inputs: dict[str, Any]) -> Array | None:
         """z (..., m) out of the inputs, or None where the model has a function for it."""
-        known = getattr(self.model, "measurements", None)
-        if known is not None and measurement not in known:
-            raise BoresightError(f"{self.model.name} has no measurement {measurement!r}; it has {', '.join(known)}")
         if hasattr(self.model, f"{measurement}_z"):
             if "z" in inputs:
                 raise BoresightError(f"{measurement} makes its z of its inputs; leave z out")
             return None
+        known = getattr(self.model, "measurements", None)
+        if known is not None and measurement not in known:
+            listed = f"it has {', '.join(known)}{did_you_mean(measurement, known)}"
+            raise BoresightError(f"{self.model.name} has no measurement {measurement!r}; {listed}")
         if "z" not in inputs:
             raise BoresightError(f"{measurement} needs z, the measured value; pass it as a keyword")
         z: Array = np.atleast_1d(np.asarray(inputs.pop("z"), dtype=float))
@@ -161,6 +161,8 @@ class Filter:
     def _noise(self, measurement: str, given: Any, shape: tuple[int, ...], rows: Array) -> tuple[Array, Array | None]:
         """Variances of independent rows (..., m), and L^-1 (..., m, m) which makes them so, or None.  shape: of z."""
         m, runs = shape[-1], np.broadcast_shapes(shape[:-1], self.x.shape[:-1])
+        if rows.ndim and rows.shape[-1] not in (1, m):
+            raise BoresightError(f"{measurement}: rows has shape {rows.shape}; its last axis must be {m} long")
         R: Array = np.atleast_1d(np.asarray(given, dtype=float))
         correlated = self._described(measurement, "correlated")
         full = R.shape[-2:] == (m, m) and (correlated or (m > 1 and R.shape[:-1] != runs[1 - R.ndim :]))

@@ -12,15 +12,6 @@ from scipy.spatial.transform import Rotation
 from boresight.runtime.array import Array
 
 
-def wrapped(angle: Any) -> Array:
-    """The angle less whole turns, in [-pi, pi): what lies there already keeps its bits, as `bs_wrap` of the C does."""
-    a = np.asarray(angle, float)
-    turned = a - 2 * np.pi * np.floor((a + np.pi) / (2 * np.pi))
-    # rounding may end at pi itself, or beyond -pi
-    turned = np.where((turned >= np.pi) | (turned < -np.pi), -np.pi, turned)
-    return np.where((a >= -np.pi) & (a < np.pi), a, turned)
-
-
 def matrix_from_euler(euler: Any) -> Array:
     """(..., 3) -> C_b2n (..., 3, 3)."""
     return _matrix(_from_euler(euler), np.shape(euler)[:-1])

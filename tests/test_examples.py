@@ -49,7 +49,7 @@ def consistent(judged):
     return True
 
 
-@pytest.mark.parametrize("name", ["gnss_ins"])
+@pytest.mark.parametrize("name", ["gnss_ins", "radar"])
 def test_errors_and_innovations_are_as_large_as_the_filter_says(flown, name):
     assert consistent(flown(name)[2])
 
@@ -62,3 +62,14 @@ def test_a_delay_that_the_filter_does_not_know_is_seen_in_its_innovations(flown,
     monkeypatch.setattr(script.CompiledFilter, "update", lambda *a, lag, **k: update(*a, lag=0.0, **k))
     late = script.fly(library)
     assert right.nis("velocity")[0] < 1.1 < 1.3 < late.nis("velocity")[0]
+
+
+def test_the_radar_rejects_what_is_no_echo_of_its_target_and_tracks_it_past_180_degrees(flown):
+    script, _, judged = flown("radar")
+    _, _, rows = map(np.array, zip(*judged._innovations["echo"], strict=True))
+    assert abs(np.mean(rows / 2) - (1 - script.CLUTTER)) < 0.01
+    east = script.BEGIN[1]
+    crossed = script.moved(np.tile(script.BEGIN, (20, 1)), np.random.default_rng(0))
+    for _ in range(round(15 / script.DT)):
+        crossed = script.moved(crossed, np.random.default_rng(0))
+    assert east > 0 > crossed[:, 1].max() and crossed[:, 0].max() < 0  # south of the radar, from east to west

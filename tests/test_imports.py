@@ -52,11 +52,11 @@ def test_no_module_is_found_by_a_string():
         assert not re.search(r"\bimport_module\(|\b__import__\(", path.read_text()), path
 
 
-def test_codegen_takes_from_runtime_only_the_library_the_manifest_and_the_filter():
+def test_codegen_takes_from_runtime_only_the_library_the_compiler_the_manifest_and_the_filter():
     for path in files("codegen"):
         for name in imported(path):
             if name.startswith("boresight.runtime."):
-                assert name.split(".")[2] in ("library", "manifest", "filter"), f"{path} imports {name}"
+                assert name.split(".")[2] in ("library", "compiler", "manifest", "filter"), f"{path} imports {name}"
 
 
 @pytest.mark.parametrize(

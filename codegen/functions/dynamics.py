@@ -144,7 +144,7 @@ def error_state(maker: UnitMaker) -> list[Unit]:
         ),
         maker.unit(
             "Phi",
-            f"transition matrix over dt, {series(order)}",
+            f"transition matrix over dt, {series(order)}, with F as it is at the start",
             [(Phi, described("Phi", "mixed", "transition matrix"))],
             Phi_exact,
             source,
@@ -158,7 +158,7 @@ def error_state(maker: UnitMaker) -> list[Unit]:
         ),
         maker.unit(
             "Q",
-            "covariance that the noise adds over dt",
+            f"covariance that the noise adds over dt, to dt^{order + 1}, with F as it is at the start",
             [(symmetric(Q), described("Q", "mixed", "covariance of the noise"))],
             Q_exact,
             source,
@@ -169,6 +169,11 @@ def error_state(maker: UnitMaker) -> list[Unit]:
 def series(order: int) -> str:
     """Phi of an error state as text."""
     return " + ".join(["I", "F dt", "(F dt)^2 / 2", "(F dt)^3 / 6"][: order + 1])
+
+
+def left_out(order: int) -> str:
+    """What is left out of Phi begins with this, where F stands; and where it moves."""
+    return f"(F dt)^{order + 1} / {factorial(order + 1)}, and dt^2 / 2 times the rate of F"
 
 
 def step(maker: UnitMaker) -> Callable[[Values], Any]:

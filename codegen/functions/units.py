@@ -197,6 +197,7 @@ class UnitMaker:
     def measurement(self, m: Measurement) -> list[Unit]:
         made = []
         rows = f"row{'s' if len(m.rows) > 1 else ''} {', '.join(m.rows)}"
+        error = self.model.kind == "error-state"
 
         part = 0 < len(m.angles) < len(m.rows)
         names = [row + " (wrapped to [-pi, pi])" * (part and i in m.angles) for i, row in enumerate(m.rows)]
@@ -206,7 +207,7 @@ class UnitMaker:
 
         for label, matrix, meaning in (
             ("z", m.z, "z = H x + noise" if m.H is not None else "z = h(x) + noise"),
-            ("h", m.h, "h(x), the z of an error state x without noise"),
+            ("h", m.h, f"h(x), the z of {'an error' if error else 'a'} state x without noise"),
         ):
             if matrix is not None and not (label == "h" and m.H is not None):
                 printed = wrapped(matrix)

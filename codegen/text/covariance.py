@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from boresight.codegen.functions.dynamics import series
+from boresight.codegen.functions.dynamics import left_out, series
 from boresight.codegen.functions.units import Unit
 from boresight.derive.model import Model
 
@@ -37,9 +37,27 @@ def phi_places(n: int, F: Places, order: int) -> Places:
     return tuple(sorted(places))
 
 
+def discretize_cost(n: int, F: Places, Qc: Places, order: int, row: int) -> int:
+    """Additions and multiplications of `discretize`."""
+    of_F, of_Qc = ([sum(i == k for i, _ in places) for k in range(n)] for places in (F, Qc))
+    cost = len(F) + len(Qc) + n  # times dt; 1 on the diagonal
+    for _, k in F:
+        cost += 1
+        if order > 1:
+            cost += 1 + 2 * of_F[k] + 2 * of_Qc[k]
+        if order > 2:
+            cost += sum(2 + 2 * of_F[column] for i, column in F if i == k)
+    level = 2 * len(Qc) + 2 * len(F) * row  # F X, with what is added to X
+    cost += level + (2 * n * n if order == 2 else 0)
+    cost += level + 3 * n * n if order == 3 else 0
+    return cost + n * (n + 1) // 2 + sum(j <= i for i, j in Qc)
+
+
 def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     """Sizes and index tables of the covariance functions."""
     n = model.n
+    F: Places = ()
+    Qc: Places = ()
     if model.kind == "error-state":
         F, Qc = nonzeros(made, "F"), nonzeros(made, "Qc")
         Phi = phi_places(n, F, model.order)
@@ -59,6 +77,8 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         **given,
         "order": model.order,
         "series": series(model.order),
+        "left_out": left_out(model.order),
+        "cost": discretize_cost(n, F, Qc, model.order, row) if model.kind == "error-state" else None,
         "powers": " + ".join(["I", "F", "F F", "F F F"][: model.order + 1]),
         "highest": ("second", "third", "fourth")[model.order - 1],
         "spread": (

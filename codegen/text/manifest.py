@@ -2,7 +2,9 @@
 
 from typing import Any
 
+from boresight.codegen.functions.dynamics import left_out
 from boresight.codegen.functions.units import Unit, state_variable
+from boresight.codegen.text.covariance import covariance_view
 from boresight.codegen.text.filter import filter_view, has_filter
 from boresight.derive.model import Model, Variable
 
@@ -22,6 +24,14 @@ def filter_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]])
             for m in f["measurements"]
         },
     }
+
+
+def order_of(model: Model, made: list[Unit]) -> dict[str, Any] | None:
+    """Of an error state: the power of F dt to which Phi is taken, what is left out, and what `discretize` costs."""
+    if model.kind != "error-state":
+        return None
+    cost = covariance_view(model, made)["cost"] if has_filter(model) else None
+    return {"Phi": model.order, "Q": model.order + 1, "left_out": left_out(model.order), "operations": cost}
 
 
 def described(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, Any]:
@@ -56,6 +66,7 @@ def described(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
         "model": model.name,
         "title": model.title,
         "kind": model.kind,
+        "order": order_of(model, made),
         "frame": model.frame,
         "c_prefix": model.c_prefix,
         "states": [s.name for s in model.x],

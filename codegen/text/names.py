@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 from boresight import BoresightError
+from boresight.codegen.functions.dynamics import LARGEST
 from boresight.codegen.functions.samples import BEYOND
 from boresight.codegen.functions.tape import Tape
 from boresight.codegen.functions.units import Result, Unit
@@ -54,7 +55,7 @@ def nz_name(result: Result) -> str:
 
 def span(low: tuple[float, ...], high: tuple[float, ...]) -> str:
     def one(a: float, b: float) -> str:
-        return f"{a:.6g} to {b:.6g}"
+        return "finite" if (a, b) == (-LARGEST, LARGEST) else f"{a:.6g} to {b:.6g}"
 
     if len(set(low)) == 1 and len(set(high)) == 1:
         return one(low[0], high[0])

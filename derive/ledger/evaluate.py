@@ -9,7 +9,28 @@ from math import prod
 from typing import Any
 
 from flint import arb, fmpq
-from sympy import Add, Function, MatAdd, MatMul, Mul, Pow, StrictLessThan, Symbol, atan2, cos, sin, tan
+from sympy import (
+    Add,
+    Function,
+    MatAdd,
+    MatMul,
+    Mul,
+    Pow,
+    StrictLessThan,
+    Symbol,
+    acos,
+    asin,
+    atan,
+    atan2,
+    cos,
+    cosh,
+    exp,
+    log,
+    sin,
+    sinh,
+    tan,
+    tanh,
+)
 from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
@@ -24,10 +45,8 @@ DIGITS = 60  # of which cancellation leaves the 28 that are asked for, and the b
 Value = Any  # a fraction, a ball or a Matrix
 
 _ELEMENTARY: dict[type[Function], Callable] = {
-    sin: numbers.sin,
-    cos: numbers.cos,
-    tan: numbers.tan,
     atan2: numbers.atan2,
+    **{one: getattr(numbers, one.__name__) for one in (sin, cos, tan, asin, acos, atan, exp, log, sinh, cosh, tanh)},
 }
 
 

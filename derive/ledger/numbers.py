@@ -130,6 +130,30 @@ def atan(x: Any) -> arb:
     return arb(x).atan()
 
 
+def acos(x: Any) -> arb:
+    return arb(x).acos()
+
+
+def exp(x: Any) -> arb:
+    return arb(x).exp()
+
+
+def log(x: Any) -> arb:
+    return arb(x).log()
+
+
+def sinh(x: Any) -> arb:
+    return arb(x).sinh()
+
+
+def cosh(x: Any) -> arb:
+    return arb(x).cosh()
+
+
+def tanh(x: Any) -> arb:
+    return arb(x).tanh()
+
+
 def atan2(y: Any, x: Any) -> arb:
     return arb.atan2(arb(y), arb(x))
 

@@ -21,6 +21,7 @@ Piece = tuple[str, int]
 
 ELEMENTARY = {
     "sin": "sin", "cos": "cos", "tan": "tan", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "exp": "exp",
+    "log": "ln", "sinh": "sinh", "cosh": "cosh", "tanh": "tanh",
 }  # fmt: skip
 
 

@@ -57,7 +57,7 @@ class _Latex(Writer):
     def applied(self, name, argument, exponent):
         power = f"^{{{exponent}}}" if exponent else ""
         text, level = argument
-        bare = level == ATOM and name != "exp" and not text.startswith((r"\left", r"\begin"))
+        bare = level == ATOM and name != "exp" and not text.isdigit() and not text.startswith((r"\left", r"\begin"))
         return rf"\{ELEMENTARY[name]}{power}" + (" " + text if bare else self.bracketed(text)), PREFIX
 
     def grid(self, rows):

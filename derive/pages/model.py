@@ -11,7 +11,24 @@ from functools import cache
 from itertools import count
 from typing import Any
 
-from sympy import Add, ImmutableMatrix, Integer, Matrix, Mul, Piecewise, Pow, Rational, S, Symbol, cse, eye
+from sympy import (
+    Add,
+    DiracDelta,
+    Heaviside,
+    ImmutableMatrix,
+    Integer,
+    Matrix,
+    Mul,
+    Piecewise,
+    Pow,
+    Rational,
+    S,
+    Symbol,
+    cse,
+    exp,
+    eye,
+    log,
+)
 from sympy import Function as Letter
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
@@ -32,10 +49,11 @@ from boresight.derive.pages.named import (
     operations,
     rebuilt,
 )
-from boresight.derive.pages.page import Block, Form, Formulas, Page, Prose, Section, Table
+from boresight.derive.pages.page import Block, Form, Formulas, Page, Pair, Prose, Section, Table
 
 LONG = 150  # operations: what is longer is broken into parts that have letters
 WIDE = 52  # characters: a matrix that is wider is given entry by entry
+LETTERED = ("atan2", "Abs", "sign", "Max", "Min")  # functions that stand under their name
 JACOBIAN = 60  # operations: a longer h or f is not differentiated for the reader
 
 z_, h_, f_, F_, G_, H_, Q_, Q_c, S_, Phi = (
@@ -69,7 +87,11 @@ class Description:
 
     def stated(self) -> Iterator[tuple[str, Matrix]]:
         model = self.model
-        if model.n:
+        if model.next is not None:
+            yield "next", model.next
+            yield from self._differentiated("Phi", model.next)
+            yield "Q", model.Q
+        elif model.n:
             if model.F is not None:
                 yield "F", model.F
             else:
@@ -93,11 +115,13 @@ class Description:
     def _differentiated(self, key: str, column: Matrix) -> Iterator[tuple[str, Matrix]]:
         self.jacobians.add(key)
         if operations(column) < JACOBIAN:
-            yield key, column.jacobian(self.model.x)
+            slopes = column.jacobian(self.model.x)
+            # of a jump no slope is shown; below it is 0, above it is 1
+            yield key, slopes.replace(DiracDelta, lambda *_: 0).replace(Heaviside, lambda a, _: Letter("step")(a))
 
     # ---- blocks of a matrix ------------------------------------------------------------------------------------
 
-    def matrix(self, key: str, letter: Symbol, rows: Sequence["Part"], columns: Sequence["Part"]) -> list[Formulas]:
+    def matrix(self, key: str, letter: Symbol, rows: Sequence["Part"], columns: Sequence["Part"]) -> list[Block]:
         """The blocks that are not zero, those that are a matrix with a name first as such; then what they need."""
         M = self.naming.groups[key]
         relations: list[tuple[Any, Any]] = []
@@ -110,7 +134,10 @@ class Description:
                     relations += self._block(letter, row, column, block)
                 left += column.size
             top += row.size
-        return self.formulas(relations)
+        blocks: list[Block] = [*self.formulas(relations)]
+        if any(isinstance(node, AppliedUndef) and node.func.__name__ == "step" for node in nodes([M])):
+            blocks.append(Prose("step(a) is 1 where a is above zero, 0 below, and 1/2 at zero."))
+        return blocks
 
     def _block(self, letter: Symbol, row: "Part", column: "Part", block: Matrix) -> Iterator[tuple[Any, Any]]:
         tree = self.written(block)
@@ -287,9 +314,11 @@ def ordered(expression: Any) -> Any:
         arguments.sort(key=_place)
         return as_written(Mul, arguments)
     if expression.is_Pow:
-        return Pow(*arguments, evaluate=False)
+        if expression.exp.is_Rational:
+            return Pow(*arguments, evaluate=False)
+        return exp(ordered(expression.exp * log(expression.base)), evaluate=False)  # as C has it
     name = type(expression).__name__
-    return Letter(name.lower())(*arguments) if name in ("atan2", "Abs") else expression.func(*arguments, evaluate=False)
+    return Letter(name.lower())(*arguments) if name in LETTERED else expression.func(*arguments, evaluate=False)
 
 
 @cache
@@ -301,7 +330,7 @@ def written(expression: Any) -> str:
 
 
 def _place(factor: Any) -> tuple[int, str]:
-    base, exponent = factor.as_base_exp()
+    base, exponent = (factor, S.One) if isinstance(factor, exp) else factor.as_base_exp()
     kind = 0 if factor.is_Number else 1 if base.is_Symbol else 2 if base.is_Function else 3
     return kind + 4 * bool(exponent.is_number and exponent < 0), written(factor)
 
@@ -337,10 +366,10 @@ def model_page(model: Model, manifest: Mapping[str, Any] | None = None) -> Page:
         *(_function(shown, f, units) for f in model.functions),
     ]
     used = {s for section in sections for form in forms(section) for s in letters_of(form.relation)}
-    sections += _names(shown, used)
+    sections += names_of(shown, used)
     sections += [Section("C functions", tuple(_functions(model, units)), "c-functions"), *_equations(model)]
     lead = (f"{model.title[0].upper()}{model.title[1:]}.", f"Frame: {model.frame}.", *model.card)
-    return _lettered(shown, Page(model.name, tuple(sections), lead))
+    return lettered(shown, Page(model.name, tuple(sections), lead))
 
 
 def formulas(model: Model) -> list[Form]:
@@ -354,6 +383,8 @@ def forms(section: Section) -> Iterator[Form]:
     for block in section.blocks:
         if isinstance(block, Formulas):
             yield from block.forms
+        elif isinstance(block, Pair):
+            yield from (*block.left.forms, *block.right.forms)
         elif isinstance(block, Table):
             yield from (form for row in block.rows for cell in row if not isinstance(cell, str) for form in cell)
 
@@ -413,7 +444,7 @@ def _inputs(model: Model) -> Iterator[Block]:
         yield _variables(model, struct.fields)
 
 
-def _names(shown: Description, used: set[Symbol]) -> list[Section]:
+def names_of(shown: Description, used: set[Symbol]) -> list[Section]:
     """The names that stand in the formulas, and the constants; what defines them is followed."""
     named: list[tuple[Named, list[Relation]]] = []
     constants: list[tuple[Named, list[Relation]]] = []
@@ -454,9 +485,11 @@ def _defined(one: Named) -> Iterator[Relation]:
 
 def _dynamics(shown: Description, units: Mapping[str, Any]) -> list[Section]:
     model = shown.model
+    if model.next is not None:
+        return [_discrete(shown, units)]
     states = [Part(Symbol(v.name), [shown.called[s] for s in v.symbols]) for v in model.states]
     noises = _noises(shown)
-    blocks: list[Block] = [Prose("x' = F x + G w, with the states x and white noise w.")]
+    blocks: list[Block] = [Prose("x' = F x + G w, with the errors x and white noise w.")]
     if model.f is not None:
         blocks = [Prose("x' = f(x) + G w, with the states x and white noise w; F is the Jacobian of f by x.")]
         blocks += shown.formulas(shown.column("f", f_, [s.name for s in model.x]))
@@ -477,24 +510,102 @@ def _dynamics(shown: Description, units: Mapping[str, Any]) -> list[Section]:
         ),
         "G",
     )
-    dt = shown.called[model.dt]
+    return [F, G, _flown(shown, units) if model.f is not None else _series(shown, units)]
+
+
+def _series(shown: Description, units: Mapping[str, Any]) -> Section:
+    """Phi and Q of an error state."""
+    model, dt = shown.model, shown.called[shown.model.dt]
     half, sixth = Rational(1, 2), Rational(1, 6)
-    by_F, both = product(F_, Q_c), product(F_, Q_c, transpose(F_))
-    Q = total(
+    FF = product(F_, F_, Q_c)
+    terms_of_Phi = [identity(model.n), product(dt, F_), product(half, dt**2, F_, F_), product(sixth, dt**3, F_, F_, F_)]
+    by_F = product(F_, Q_c)
+    once = total(by_F, turned(by_F))
+    twice = total(FF, product(Integer(2), F_, Q_c, transpose(F_)), turned(FF))
+    FFF, mixed = product(F_, FF), product(F_, F_, Q_c, transpose(F_))
+    thrice = total(FFF, product(Integer(3), mixed), product(Integer(3), turned(mixed)), turned(FFF))
+    terms_of_Q = [
         product(Q_c, dt),
-        product(half, dt**2, total(by_F, turned(by_F))),
-        product(sixth, dt**3, total(product(F_, by_F), product(Integer(2), both), turned(product(F_, by_F)))),
-    )
-    discrete = Section(
+        product(half, dt**2, once),
+        product(sixth, dt**3, twice),
+        product(Rational(1, 24), dt**4, thrice),
+    ]
+    powers = ("first", "second", "third", "fourth")
+    words = f"to the {powers[model.order - 1]} power of the step, and what the noise adds to the {powers[model.order]}"
+    return Section(
         f"Over a step {dt}",
         (
-            Prose("The transition matrix to the second power of the step, and what the noise adds to the third."),
-            Formulas((form(Phi, total(identity(model.n), product(dt, F_), product(half, dt**2, F_, F_))), form(Q_, Q))),
+            Prose(f"The transition matrix {words}; F and Q_c are those of its start."),
+            Formulas(
+                (form(Phi, total(*terms_of_Phi[: model.order + 1])), form(Q_, total(*terms_of_Q[: model.order + 1])))
+            ),
             *_in_c(model, units, "Phi", "Q"),
         ),
         "step",
     )
-    return [F, G, discrete]
+
+
+def _flown(shown: Description, units: Mapping[str, Any]) -> Section:
+    """The step of a total state: Runge and Kutta's, its derivative, and the noise by the two nodes of Radau."""
+    model, dt = shown.model, shown.called[shown.model.dt]
+    x, x_next, x_m, B = (Symbol(name, commutative=False) for name in ("x", "x_next", "x_m", "B"))
+    k = [Symbol(f"k_{i}", commutative=False) for i in range(1, 5)]
+    for letter in (x, x_next, x_m, *k):
+        shown.shaped(letter, (model.n, 1))
+    shown.shaped(B, (model.n, model.n))
+    f, F, spread = (Letter(name) for name in ("f", "F", "Q_c"))
+    I, half, third, sixth, quarter = identity(model.n), Rational(1, 2), Rational(1, 3), Rational(1, 6), Rational(1, 4)
+
+    def moved(start: Any, share: Any, by: Any) -> Any:
+        return total(start, product(share, dt, by))
+
+    ends = product(sixth, dt, total(k[0], product(Integer(2), k[1]), product(Integer(2), k[2]), k[3]))
+    steps = (
+        form(k[0], f(x)),
+        form(k[1], f(moved(x, half, k[0]))),
+        form(k[2], f(moved(x, half, k[1]))),
+        form(k[3], f(total(x, product(dt, k[2])))),
+        form(x_next, total(x, ends)),
+    )
+    onward = product(Rational(2, 3), dt, F(moved(x_m, third, f(x_m))), total(I, product(third, dt, F(x_m))))
+    noise = (
+        form(x_m, moved(x, third, f(moved(x, sixth, k[0])))),
+        form(B, total(I, onward)),
+        form(
+            Q_,
+            total(
+                product(quarter, dt, spread(x_next)),
+                product(Rational(3, 4), dt, B, spread(x_m), transpose(B)),
+            ),
+        ),
+    )
+    return Section(
+        f"Over a step {dt}",
+        (
+            Prose("The state is flown by f itself, the inputs held: a step of the fourth-order Runge-Kutta method."),
+            Formulas(steps),
+            Prose("Phi is the derivative of x_next by x. What the noise adds is taken at the two nodes of Radau, at a "
+                  "third of the step and at its end, so that Q errs by the fourth power of the step."),
+            Formulas(noise),
+            *_in_c(model, units, "next", "Phi", "Q"),
+        ),
+        "step",
+    )  # fmt: skip
+
+
+def _discrete(shown: Description, units: Mapping[str, Any]) -> Section:
+    """The step of a model in discrete time."""
+    model = shown.model
+    states = [Part(Symbol(v.name), [shown.called[s] for s in v.symbols]) for v in model.states]
+    blocks: list[Block] = [Prose("x_next = next(x) + noise of covariance Q, with the states x, from step to step.")]
+    blocks += shown.formulas(shown.column("next", Symbol("x_next", commutative=False), [s.name for s in model.x]))
+    if "Phi" in shown.naming.groups:
+        blocks += shown.matrix("Phi", Phi, states, states)
+        blocks.append(Prose("Every other entry of Phi is zero."))
+    blocks.append(Prose("Phi is the derivative of x_next by x."))
+    blocks += shown.matrix("Q", Q_, states, states)
+    blocks += [Prose("Every other entry of Q is zero."), *_in_c(model, units, "next", "Phi", "Q")]
+    return Section("From step to step", (*blocks, *_stands_on(model.equations)), "step")
 
 
 def _noises(shown: Description) -> list[Part]:
@@ -592,9 +703,12 @@ def _cycle(model: Model) -> Iterator[Block]:
         yield Prose(
             "The caller brings the inputs at this step; no function of the model carries them.", f"{next(number)}."
         )
-    yield Prose(
-        f"Predict with F, G and the step: P becomes Phi P Phi^T + Q (in C {p}_filter_propagate).", f"{next(number)}."
-    )
+    predicted = "x becomes next(x) and P becomes Phi P Phi^T + Q, with Phi and Q of the x before"
+    if model.kind == "error-state":
+        predicted = "x becomes Phi x and P becomes Phi P Phi^T + Q"
+    wraps = ", ".join(s.name for v in model.states if v.wraps for s in v.symbols)
+    wrapped = f" Then {wraps} is put in [-pi, pi), as after every update." if wraps else ""
+    yield Prose(f"Predict: {predicted} (in C {p}_filter_propagate).{wrapped}", f"{next(number)}.")
     if not model.measurements:
         yield Prose(
             "The model has no measurement: it is the dynamics of a filter that one composes.", f"{next(number)}."
@@ -608,8 +722,10 @@ def _cycle(model: Model) -> Iterator[Block]:
     )  # fmt: skip
     if fed := moves("feedback"):
         yield Prose(f"{p}_feedback takes x out of {fed}, and x becomes zero ({p}_filter_correct).", f"{next(number)}.")
-    else:
+    elif model.kind == "error-state":
         yield Prose("x is kept: the model has no feedback.", f"{next(number)}.")
+    else:
+        yield Prose("x is the state itself, and stays.", f"{next(number)}.")
 
 
 def _functions(model: Model, units: Mapping[str, Any]) -> Iterator[Block]:
@@ -641,7 +757,7 @@ def _equations(model: Model) -> Iterator[Section]:
 # ---------------------------------------------------------------- letters
 
 
-def _lettered(shown: Description, page: Page) -> Page:
+def lettered(shown: Description, page: Page) -> Page:
     """Every formula of the page with the LaTeX of its letters."""
     named = {
         quantity.symbol.name + "(" * quantity.function: quantity
@@ -657,6 +773,8 @@ def _lettered(shown: Description, page: Page) -> Page:
     def block(one: Block) -> Block:
         if isinstance(one, Formulas):
             return replace(one, forms=tuple(map(formed, one.forms)))
+        if isinstance(one, Pair):
+            return Pair(*(replace(side, forms=tuple(map(formed, side.forms))) for side in (one.left, one.right)))
         if isinstance(one, Table):
             rows = tuple(tuple(c if isinstance(c, str) else tuple(map(formed, c)) for c in row) for row in one.rows)
             return replace(one, rows=rows)
@@ -671,9 +789,13 @@ def _quantities(relation: Relation, shapes: Mapping[str, tuple[int, ...]]) -> It
         for node in nodes([[side]]):
             if node.is_Symbol:
                 yield Quantity(node, letter_latex(node.name), "", "", shapes.get(node.name, ()))
-            elif isinstance(node, AppliedUndef) and node.func.__name__ in ("atan2", "abs", "below"):
+            elif isinstance(node, AppliedUndef) and node.func.__name__ in ("below", "step", *map(str.lower, LETTERED)):
                 name = node.func.__name__
                 yield Quantity(Symbol(name), rf"\mathrm{{{name}}}", "", "", function=True)
+            elif isinstance(node, AppliedUndef) and node.func.__name__ in ("f", "F", "Q_c"):
+                name = node.func.__name__
+                shape = shapes["x" if name == "f" else name]
+                yield Quantity(Symbol(name), letter_latex(name), "", "", shape, function=True)
 
 
 GREEK = """alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi

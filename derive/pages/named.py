@@ -157,7 +157,7 @@ class Rewriter:
             letter, index = self.others[expression]
             self.found.add(index)
             return letter
-        if expression.is_Mul or expression.is_Pow:
+        if expression.is_Mul or (expression.is_Pow and expression.exp.is_Rational):
             number, factors = _factors(expression)
             changed = {}
             for base, exponent in factors.items():
@@ -595,7 +595,7 @@ def _numbers(made: Naming) -> None:
 
     made.groups = {key: matrix.applyfunc(visit) for key, matrix in made.groups.items()}
     made.named = [
-        replace(one, shown=one.shown if one.constant else visited(one.shown, visit), value=one.value)
+        replace(one, shown=one.shown if one.constant else visited(one.shown, visit), value=visited(one.value, visit))
         for one in made.named
     ] + list(own.values())
 

@@ -1,31 +1,30 @@
 """A sonde that falls on a parachute below a kite: a model with every function that a kernel may use."""
 
-from sympy import Abs, Matrix, Max, Min, Rational, acos, asin, atan, cosh, exp, log, sign, sinh, tanh
+from sympy import Abs, Matrix, Max, Min, acos, asin, atan, cosh, exp, log, sign, sinh, tanh
 
 from boresight.derive.model import Function, Measurement, Model, Output, Struct, constant, variable
 
-height = variable("height", "h", "m", "height above the sea", -400.0, 9000.0)
+height = variable("height", "y", "m", "height above the sea", -400.0, 9000.0)
 fall = variable("fall", "v", "m/s", "speed downward", -60.0, 60.0)
 heat = variable("heat", "b", "K", "error of the thermometer", -30.0, 30.0)
 air = variable("air", "beta tau", "1/m, s", "drag at the ground, correlation time", (1e-3, 1.0), (1e-2, 100.0))
 dt = variable("dt", "dt", "s", "length of the step", 1e-3, 1.0)
 gust = variable("gust", "gust drift", "m/s/sqrt(s), K/sqrt(s)", "root densities", 0.1, 1.0)
 
-h, v, b = height.scalar, fall.scalar, heat.scalar
+y, v, b = height.scalar, fall.scalar, heat.scalar
 beta, tau = air.symbols
-gravity = constant("g", "9.81", "m/s^2", "gravity")
-thin = constant("h_air", 8500, "m", "height in which the air thins to 1/e")
-warm = constant("T_0", "288.15", "K", "temperature at the sea")
-lapse = constant("lapse", "0.0065", "K/m", "fall of the temperature")
-pressure = constant("p_0", 101325, "Pa", "pressure at the sea")
-pull = constant("a_brake", "0.3", "m/s^2", "deceleration of the brake")
-slow, soft = constant("v_1", 2, "m/s", "where the brake works"), constant("v_2", 5, "m/s", "over which it sets in")
-most = constant("v_3", 40, "m/s", "where the drag grows no more")
-metre, kelvin, second = (constant(f"one_{u}", 1, u, "unit") for u in ("m", "K", "s"))
-density = exp(-h / thin)
-warmth = (warm - lapse * h) / warm
-brake = pull * sign(v - slow) * tanh((v - slow) / soft)
-own_h, own_v, own_b, own_tau = h / metre, v * second / metre, b / kelvin, tau / second
+gravity = constant("g_0", "9.81", "m/s^2", "gravity")
+thick = constant("thick", "8500", "m", "height in which the density falls to 1/e")
+ground = constant("T_0", "288.15", "K", "temperature at the sea")
+lapse = constant("lapse", "0.0065", "K/m", "by how much it falls with height")
+power = constant("power", "5.2559", "1", "of the temperature, that the pressure goes with")
+sea = constant("p_0", "101325", "Pa", "pressure at the sea")
+slow, fast, fastest = (constant(f"v_{i}", value, "m/s", "a speed") for i, value in enumerate(("2", "5", "100")))
+grip = constant("grip", "0.3", "m/s^2", "of the brake")
+warm, top = constant("b_1", "10", "K", "a temperature"), constant("h_1", "20000", "m", "a height")
+second = constant("t_1", "1", "s", "a second")
+
+brake = grip * sign(v - slow) * tanh((v - slow) / fast)
 
 SONDE = Model(
     name="sonde",
@@ -34,12 +33,12 @@ SONDE = Model(
     frame="none",
     states=(height, fall, heat),
     structs=(Struct("plant", "the sonde", (air,)), Struct("step", "one step", (dt, gust))),
-    f=Matrix([-v, gravity - beta * density * v * Min(Abs(v), most) - brake, -b / tau]),
+    f=Matrix([-v, gravity - beta * exp(-y / thick) * v * Min(Abs(v), fastest / 2) - brake, -b / tau]),
     G=Matrix([[0, 0], [1, 0], [0, 1]]),
     noise=gust.vector,
     dt=dt.scalar,
     measurements=(
-        Measurement("baro", ("p",), "Pa", "pressure", h=Matrix([pressure * warmth ** Rational("5.2559")])),
+        Measurement("baro", ("p",), "Pa", "pressure", h=Matrix([sea * ((ground - lapse * y) / ground) ** power])),
         Measurement(
             "kite",
             ("sag", "pull", "lean", "turn", "bend", "flow"),
@@ -47,12 +46,12 @@ SONDE = Model(
             "the cable and the vanes",
             h=Matrix(
                 [
-                    cosh(own_h / 20000),
-                    sinh(own_b / 10),
-                    asin(own_v / 100),
-                    acos(own_h / 10000),
-                    atan(own_v * own_b / 99),
-                    Max(own_v, 0, own_b),
+                    cosh(y / top),
+                    sinh(b / warm),
+                    asin(v / fastest),
+                    acos(2 * y / top),
+                    atan(v * b / fastest / warm),
+                    Max(v / fastest, 0, b / warm),
                 ]
             ),
         ),
@@ -66,7 +65,7 @@ SONDE = Model(
                 Output("gained", Matrix([1 - exp(-2 * dt.scalar / tau)]), "1", "the variance that it gains"),
                 Output(
                     "decades",
-                    Matrix([log(own_tau, 10), own_tau ** (beta * metre), 2**-own_tau]),
+                    Matrix([log(tau / second, 10), (tau / second) ** (beta * thick / 100), 2 ** (-tau / second)]),
                     "1",
                     "of the correlation time",
                 ),

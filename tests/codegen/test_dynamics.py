@@ -1,10 +1,11 @@
 """What carries a state and its covariance over a step, against the equations that it is a step of."""
 
+import json
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from building import STRICT, self_test
+from building import STRICT, run, self_test
 from conftest import ROOT
 from flint import arb
 from scipy.integrate import solve_ivp
@@ -15,10 +16,10 @@ from boresight.codegen.functions.samples import sample
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import generate, load_model
 from boresight.derive.model import Measurement, Model, Struct, variable
+from boresight.runtime.array import wrapped
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
-from boresight.runtime.rotation import wrapped
 
 PENDULUM = load_model(f"{ROOT / 'examples' / 'pendulum.py'}:PENDULUM")
 AT = {"x": [2.0, 0.5], "rod": [1.0, 0.1], "torque": [0.1]}
@@ -161,18 +162,39 @@ def test_phi_and_q_of_an_error_state_are_exact_to_their_order_of_a_standing_F(or
 
 
 @pytest.mark.parametrize("order", [1, 2, 3])
-def test_the_loops_in_c_carry_what_the_printed_phi_and_q_say(order, tmp_path):
-    (tmp_path / "mass.py").write_text(
+def test_of_an_f_that_moves_every_order_leaves_out_half_its_rate_times_the_square_of_the_step(order):
+    model, h, rate = replace(MASS, order=order), 2.0**-10, np.array([[0, 0, 0], [3.0, 0, 0], [0, 0, 0]])
+    F = printed(model, "F", **IN)
+    y = solve_ivp(
+        lambda t, y: ((F + rate * t) @ y.reshape(3, 3)).ravel(),
+        (0, h),
+        np.eye(3).ravel(),
+        "DOP853",
+        rtol=1e-12,
+        atol=1e-15,
+    ).y[:, -1]
+    left = (y.reshape(3, 3) - printed(model, "Phi", dt=h, **IN)) / (h * h / 2)
+    assert left == pytest.approx(rate + (F @ F if order == 1 else 0), abs=20 * h)
+
+
+def generated(model, order, folder):
+    """The folder of a model of this module, its Phi taken to another order."""
+    folder.mkdir()
+    (folder / "mine.py").write_text(
         f"from dataclasses import replace\nimport sys\nsys.path.insert(0, {str(ROOT / 'tests' / 'codegen')!r})\n"
-        f"from test_dynamics import MASS\nMODEL = replace(MASS, order={order})\n"
+        f"import test_dynamics\nMODEL = replace(test_dynamics.{model}, order={order})\n"
     )
-    folder = tmp_path / "out"
-    generate(f"{tmp_path / 'mass.py'}:MODEL", folder)
-    for precision in ((), ("-DBORESIGHT_FLOAT",)):
-        (tmp_path / f"built{len(precision)}").mkdir()
-        done = self_test(folder, tmp_path / f"built{len(precision)}", *STRICT, *precision)
-        assert (done.returncode, done.stdout) == (0, "7 passed, 0 failed\n"), done.stdout + done.stderr
-    library = load(folder)
+    generate(f"{folder / 'mine.py'}:MODEL", folder / "out")
+    return folder / "out"
+
+
+@pytest.fixture(scope="module", params=[1, 3])  # the built-in models are of order 2
+def ordered(request, compiled_once, tmp_path_factory):
+    return request.param, generated("MASS", request.param, tmp_path_factory.mktemp("ordered") / "mass")
+
+
+def test_the_loops_in_c_carry_what_the_printed_phi_and_q_say(ordered):
+    library = load(ordered[1])
     loops = [kind(library, {}, np.diag([0.1, 0.2, 0.3])) for kind in (Filter, CompiledFilter)]
     for loop in loops:
         loop.x = np.array([1.0, 2.0, 3.0])
@@ -180,8 +202,64 @@ def test_the_loops_in_c_carry_what_the_printed_phi_and_q_say(order, tmp_path):
             loop.predict(spring=IN["spring"], push=IN["push"], dt=0.5)
     assert pytest.approx(loops[0].P, rel=1e-13) == loops[1].P
     assert loops[1].x == pytest.approx(loops[0].x, rel=1e-13)
-    header = (folder / "include" / "mass_covariance.h").read_text()
+
+
+def test_the_self_test_knows_the_order(ordered, tmp_path):
+    done = self_test(ordered[1], tmp_path, *STRICT, *(["-DBORESIGHT_FLOAT"] if ordered[0] == 3 else []))
+    assert (done.returncode, done.stdout) == (0, "7 passed, 0 failed\n"), done.stdout + done.stderr
+
+
+COUNTED = """
+#define BORESIGHT_H
+#include <math.h>
+#include <stddef.h>
+static long operations;
+struct bs_real {
+    double v;
+    bs_real(double value = 0.0) : v(value) {}
+    explicit operator bool() const { return v != 0.0; }
+};
+static bs_real operator+(bs_real a, bs_real b) { ++operations; return a.v + b.v; }
+static bs_real operator-(bs_real a, bs_real b) { ++operations; return a.v - b.v; }
+static bs_real operator-(bs_real a) { return -a.v; }
+static bs_real operator*(bs_real a, bs_real b) { ++operations; return a.v * b.v; }
+static bs_real operator/(bs_real a, bs_real b) { ++operations; return a.v / b.v; }
+static bs_real &operator+=(bs_real &a, bs_real b) { ++operations; a.v += b.v; return a; }
+static bs_real &operator-=(bs_real &a, bs_real b) { ++operations; a.v -= b.v; return a; }
+static bs_real &operator*=(bs_real &a, bs_real b) { ++operations; a.v *= b.v; return a; }
+static bool operator>(bs_real a, bs_real b) { return a.v > b.v; }
+static bool operator<(bs_real a, bs_real b) { return a.v < b.v; }
+static bool operator>=(bs_real a, bs_real b) { return a.v >= b.v; }
+static bool operator<=(bs_real a, bs_real b) { return a.v <= b.v; }
+#define BS_REAL(x) bs_real(x)
+#define BS_SQRT(a) bs_real(sqrt((a).v))
+#define BS_FABS(a) bs_real(fabs((a).v))
+enum bs_status { BS_OK, BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_READY, BS_NOT_POSITIVE };
+"""
+
+
+def test_header_and_manifest_say_what_an_order_leaves_out_and_costs(ordered, tmp_path):
+    """The operations are counted by numbers that count, in the C itself."""
+    order, folder = ordered
+    said = json.loads((folder / "manifest.json").read_text())["order"]
+    header = " ".join((folder / "include" / "mass_covariance.h").read_text().replace("\n *", " ").split())
+    assert (said["Phi"], said["Q"]) == (order, order + 1)
     assert ["Phi = I + F dt, and", "+ (F dt)^2 / 2, and", "+ (F dt)^3 / 6, and"][order - 1] in header
+    assert f"begins with {said['left_out']}. It costs {said['operations']} additions and mult" in header
+    assert said["left_out"].startswith(["(F dt)^2 / 2,", "(F dt)^3 / 6,", "(F dt)^4 / 24,"][order - 1])
+    (tmp_path / "count.cpp").write_text(f"""{COUNTED}
+#include <stdio.h>
+#include "{folder / "src" / "ms_covariance.c"}"
+int main()
+{{
+    static bs_real F[MS_N_F], Qc[MS_N_QC], Phi[MS_N_PHI], Q[MS_N_PACKED], work[MS_N_WORK];
+    ms_discretize(F, Qc, 1.0, Phi, Q, work);
+    printf("%ld", operations);
+}}
+""")
+    done = run("c++", "-w", "-I", folder / "include", tmp_path / "count.cpp", "-o", tmp_path / "count")
+    assert done.returncode == 0, done.stderr
+    assert run(tmp_path / "count").stdout == str(said["operations"])
 
 
 # ---- discrete time
@@ -200,11 +278,7 @@ TURN = Model(
 
 
 def test_a_model_in_discrete_time_is_flown_as_it_is_given(tmp_path):
-    (tmp_path / "turn.py").write_text(
-        f"import sys\nsys.path.insert(0, {str(ROOT / 'tests' / 'codegen')!r})\nfrom test_dynamics import TURN\n"
-    )
-    folder = tmp_path / "out"
-    generate(f"{tmp_path / 'turn.py'}:TURN", folder)
+    folder = generated("TURN", 2, tmp_path / "turn")
     for precision in ((), ("-DBORESIGHT_FLOAT",)):
         (tmp_path / f"built{len(precision)}").mkdir()
         done = self_test(folder, tmp_path / f"built{len(precision)}", *STRICT, *precision)

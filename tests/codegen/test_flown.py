@@ -2,11 +2,16 @@
 a sign that no short step shows is named."""
 
 import re
+from dataclasses import replace
 from functools import cache
 
 import pytest
+from conftest import ROOT
+from sympy import Matrix
+from test_dynamics import TURN
 
 from boresight.codegen.flown import check_flown
+from boresight.codegen.functions.dynamics import dynamics
 from boresight.codegen.functions.reference import precise
 from boresight.codegen.functions.units import UnitMaker
 from boresight.codegen.generate import load_model
@@ -25,7 +30,7 @@ def model(name):
 
 @cache
 def references(name):
-    return {unit.name: unit.reference for unit in UnitMaker(model(name)).dynamics()}
+    return {unit.name: unit.reference for unit in dynamics(UnitMaker(model(name)))}
 
 
 def checked(made, reference):
@@ -123,3 +128,77 @@ def test_the_other_sign_of_coning_or_sculling_is_found(what, monkeypatch):
     check = checked(load_model("strapdown"), {})["step", UNEVEN]
     assert check.ok is False
     assert re.match(row + r"\w: what is left falls with dt\^3.00, not dt\^4", check.entry), check.entry
+
+
+# ---------------------------------------------------------------- total states
+
+
+PENDULUM = f"{ROOT / 'examples' / 'pendulum.py'}:PENDULUM"
+FLOW, DIFFERENCES = "the flow of f", "differences of next"
+
+
+def test_a_step_of_a_total_state_is_the_flow_of_f_to_its_order():
+    checks = checked(model(PENDULUM), references(PENDULUM))
+    assert [check for check in checks.values() if not check.ok] == []
+    assert checks["next", FLOW].order == pytest.approx(5, abs=1e-3)
+    assert checks["next", FLOW].coefficient > 0.01
+    assert checks["Q", LYAPUNOV].order == pytest.approx(4, abs=1e-3)
+    assert checks["Phi", DIFFERENCES].difference < 1e-30
+
+
+def of_another_f(row, factor):
+    """next of the pendulum whose f has another row."""
+    f = Matrix(model(PENDULUM).f)
+    f[row] = f[row].xreplace({symbol: factor * symbol for symbol in f[row].free_symbols if symbol.name == "damping"})
+    return dynamics(UnitMaker(replace(model(PENDULUM), f=f)))[1].reference
+
+
+def runge_kutta(*shares):
+    """next by four stages, each a share of dt from the start along the one before it."""
+    f = UnitMaker(model(PENDULUM)).numeric(model(PENDULUM).f)
+
+    def after(values):
+        with precise():
+            h, x, rates = values["dt"][0], values["x"], []
+            for share in (0, *shares):
+                at = [a + h * share * k for a, k in zip(x, rates[-1], strict=True)] if rates else x
+                rates.append([v for _, v in sorted(f({**values, "x": at})[0].items())])
+            steps = zip(x, *rates, strict=True)
+            return [{(i, 0): a + h * (k1 + 2 * k2 + 2 * k3 + k4) / 6 for i, (a, k1, k2, k3, k4) in enumerate(steps)}]
+
+    return after
+
+
+def changed(unit, change):
+    return lambda values: [change(references(PENDULUM)[unit](values)[0])]
+
+
+WRONG_STEPS = {
+    "a sign in the f of next": ("next", lambda: of_another_f(1, -1), FLOW, r"omega is \S+ too large .*dt\^1.00, not"),
+    "k3 over the whole step": ("next", lambda: runge_kutta(0.5, 1, 1), FLOW, r"too large over 0.00781 s; .*dt\^2.00"),
+    "Phi transposed": ("Phi", lambda: changed("Phi", transposed), DIFFERENCES, r"by \w+: \S+ stated, \S+ exact"),
+    "Q of the angle": (
+        "Q", lambda: changed("Q", lambda entries: entries | {(0, 0): entries[0, 0] * 2}), LYAPUNOV,
+        r"theta by theta: .*dt\^3.00, not dt\^4"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", WRONG_STEPS)
+def test_a_step_that_is_not_the_flow_is_named(what):
+    unit, wrong, against, entry = WRONG_STEPS[what]
+    check = checked(model(PENDULUM), references(PENDULUM) | {unit: wrong()})[unit, against]
+    assert check.ok is False
+    assert re.search(entry, check.entry), check.entry
+
+
+def test_the_four_stages_of_the_test_are_those_of_next():
+    right = checked(model(PENDULUM), references(PENDULUM) | {"next": runge_kutta(0.5, 0.5, 1)})
+    assert right["next", FLOW] == checked(model(PENDULUM), references(PENDULUM))["next", FLOW]
+
+
+def test_a_step_that_the_model_gives_is_not_checked_but_its_derivative_is():
+    checks = checked(TURN, {unit.name: unit.reference for unit in dynamics(UnitMaker(TURN))})
+    assert {key: check.ok for key, check in checks.items()} == {
+        ("next", ""): None, ("Phi", DIFFERENCES): True, ("Q", ""): None,
+    }  # fmt: skip
+    assert checks["next", ""].why == "it is what the model gives"

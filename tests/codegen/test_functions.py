@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy as sp
-from sonde import SONDE, b, h, v
+from sonde import SONDE, b, v, y
 
 from boresight import BoresightError
 from boresight.codegen.functions import tape
@@ -64,9 +64,10 @@ def test_the_model_uses_every_function(made):
 
 
 def test_both_prints_agree_in_bits_and_lie_within_the_bound_of_fifty_digits(folder):
-    checks = [check for check in verify(SOURCE, folder, 40) if isinstance(check, UnitCheck)]
-    assert len(checks) >= 9 and all(check.ok for check in checks), checks
-    assert all(check.looseness < 100 for check in checks if check.largest_error > 0)
+    checks = verify(SOURCE, folder, 40)
+    assert not [check for check in checks if check.ok is False]
+    of_units = [check for check in checks if isinstance(check, UnitCheck)]
+    assert len(of_units) >= 9 and all(check.looseness < 100 for check in of_units if check.largest_error > 0)
 
 
 def test_the_kernel_calls_one_macro_a_function(folder):
@@ -82,7 +83,7 @@ def test_a_batch_gives_the_bits_of_single_calls(folder):
     many = library.kite_h(x=x)
     assert all(library.kite_h(x=x[k]).tobytes() == many[k].tobytes() for k in range(50))
     assert library.kite_h(**{"x": A_POINT["x"]}) == pytest.approx(
-        [np.cosh(0.2), np.sinh(-0.3), np.arcsin(0.07), np.arccos(0.4), np.arctan(-21 / 99), 7.0], rel=1e-15
+        [np.cosh(0.2), np.sinh(-0.3), np.arcsin(0.07), np.arccos(0.4), np.arctan(-0.021), 0.07], rel=1e-15
     )
 
 
@@ -133,16 +134,16 @@ def measuring(entry):
     ("entry", "why"),
     [
         (sp.log(v), r"measurement one: h\[r0\] has no value .*: at v = -?\d\S* it takes log of v; v is -60 to 60 in"),
-        (sp.Max(sp.log(h + 300), -9), r"at h = -?\d\S* it takes log of 300 . h"),
-        (sp.Piecewise((h, sp.log(v) > 1), (b, True)), "takes log of v"),
+        (sp.Max(sp.log(y + 300), -9), r"at y = -?\d\S* it takes log of 300 . y"),
+        (sp.Piecewise((y, sp.log(v) > 1), (b, True)), "takes log of v"),
         (sp.asin(v / 50), "takes asin of 0.02.v"),
-        (sp.acos(h / 8000 - 1), "takes acos of "),
-        ((h + 350) ** sp.Rational(1, 3), "takes log of 350 . h"),
+        (sp.acos(y / 8000 - 1), "takes acos of "),
+        ((y + 350) ** sp.Rational(1, 3), "takes log of 350 . y"),
         (v**b, "takes log of v"),
-        (sp.exp(h), "takes exp of h"),
+        (sp.exp(y), "takes exp of y"),
         (sp.cosh(v * b), r"at b = \S* v = \S* it takes cosh of b.v"),
         (1 / (v - 7), "at v = 7 it divides by v - 7"),
-        (sp.sqrt(h), "takes sqrt of h"),
+        (sp.sqrt(y), "takes sqrt of y"),
         # asin itself is defined at the end of its box, its slope is not
         (sp.asin(v / 60), r"H\[r0, v\] has no value .*: at v = -?60 it divides by"),
     ],
@@ -158,11 +159,11 @@ def test_a_function_that_is_not_defined_throughout_its_box_is_refused_in_one_lin
 def test_nothing_is_written_of_what_is_refused(tmp_path):
     source = tmp_path / "wrong.py"
     source.write_text(
-        "from dataclasses import replace\nfrom sonde import SONDE, own_v\nfrom sympy import Matrix, log\n"
+        "from dataclasses import replace\nfrom sonde import SONDE, fastest, v\nfrom sympy import Matrix, log\n"
         "m = SONDE.measurements[0]\n"
-        "WRONG = replace(SONDE, measurements=(replace(m, unit='1', h=Matrix([log(own_v)])),))\n"
+        "WRONG = replace(SONDE, measurements=(replace(m, unit='1', h=Matrix([log(v / fastest)])),))\n"
     )
-    with pytest.raises(BoresightError, match=r"wrong.py:5: measurement baro: h\[p\].*log of v"):
+    with pytest.raises(BoresightError, match=r"wrong.py:5: measurement baro: h\[p\].*log of 0.01.v"):
         generate(f"{source}:WRONG", tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
@@ -173,7 +174,7 @@ def test_nothing_is_written_of_what_is_refused(tmp_path):
         sp.Piecewise((sp.log(v), v > 1), (v, True)),
         sp.log(sp.Max(v, 1)),
         sp.asin(sp.Min(sp.Max(v, -50), 50) / 51),
-        1 / (1 + sp.exp(-h)),  # overflows, and its inverse is zero
+        1 / (1 + sp.exp(-y)),  # overflows, and its inverse is zero
     ],
     ids=str,
 )

@@ -146,7 +146,7 @@ def test_an_error_that_both_F_and_strapdown_share_is_found_by_newtons_law():
 
 
 def test_where_a_model_has_no_mechanics_nothing_is_called_right():
-    bare = replace(model("velocity-dcm"), functions=(), measurements=(), mechanics=None)
+    bare = replace(model("phi-error"), functions=(), mechanics=None)
     checks = checked(bare)
     assert {unit: check.ok for unit, check in checks.items()} == {"F": None, "G": None, "feedback": None}
     assert checks["F"].why == "the model has no strapdown and feedback"

@@ -4,13 +4,16 @@ import random
 import re
 from dataclasses import replace
 from fractions import Fraction
+from functools import reduce
 
 import numpy as np
 import pytest
 from conftest import PENDULUM, ROOT
 from flint import arb, fmpq
+from sympy import diag, eye, zeros
 
 from boresight.codegen.functions.reference import evaluator
+from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
 from boresight.derive.ledger import numbers
 from boresight.derive.ledger.equation import Relation
@@ -23,11 +26,17 @@ from boresight.derive.pages.named import component_letters
 from boresight.derive.pages.render import write
 from boresight.evidence.spoilt import WRITERS, Shown, rendered
 
+SWING = f"{ROOT / 'examples' / 'pendulum.py'}:PENDULUM"
 TANK = f"{ROOT / 'examples' / 'own_model.py'}:TANK"
-MODELS = ("euler-matching", "phi-error", "velocity-attitude", TANK, PENDULUM)
+SONDE = f"{ROOT / 'tests' / 'codegen' / 'sonde.py'}:SONDE"
+MODELS = (SONDE, "euler-matching", "phi-error", "velocity-attitude", TANK, PENDULUM)
 FUNCTIONS = {
     "atan2": numbers.atan2,
     "abs": abs,
+    "sign": lambda a: a.sgn(),
+    "step": lambda a: (1 + a.sgn()) / 2,
+    "max": lambda *some: reduce(arb.max, map(arb, some)),
+    "min": lambda *some: reduce(arb.min, map(arb, some)),
     "below": lambda a, b, then, otherwise: then if a < b else otherwise,
 }
 
@@ -211,7 +220,7 @@ def test_a_sign_that_is_flipped_in_one_block_is_seen(made, block):
 
 
 @pytest.mark.parametrize("form", WRITERS)
-@pytest.mark.parametrize("target", ["euler-matching", "phi-error", TANK])
+@pytest.mark.parametrize("target", ["euler-matching", "phi-error", TANK, SWING, SONDE])
 def test_every_formula_of_a_page_is_shown_as_it_is(made, target, form):
     _, page = made(target)
     shown = {one.relation: Shown(str(one.relation.sides[0]), one.relation, one.quantities)
@@ -262,3 +271,72 @@ def test_the_steps_of_the_noise_are_those_of_the_c(made, library):
         unit = library.manifest["units"][name]
         given = {field: inputs[field] if len(inputs[field][0]) > 1 else inputs[field][0] for field in unit["fields"]}
         assert getattr(library, name)(**given)[0] == pytest.approx(np.array(value), rel=1e-12, abs=1e-18)
+
+
+def matrix(shape, entries):
+    made = numbers.zeros(*shape)
+    for place, value in entries.items():
+        made[place] = value
+    return made
+
+
+def carried(model, at):
+    """What the letters of a step stand for: values at the point, and functions of the state."""
+
+    def along(expression, by=()):
+        shape = (model.n, len(by) or expression.cols)
+        return lambda x: matrix(shape, own(model, expression, at | {s: x[i, 0] for i, s in enumerate(model.x)}, by))
+
+    x = Matrix([at[s] for s in model.x])
+    spread = along(model.G * diag(*(s**2 for s in model.noise)) * model.G.T)
+    if model.f is None:
+        return {"F": along(model.F)(x), "Q_c": spread(x)}
+    return {"x": x, "f": along(model.f), "F": along(model.f, tuple(model.x)), "Q_c": spread}
+
+
+@pytest.mark.parametrize(
+    ("target", "order", "names"),
+    [
+        ("euler-matching", 1, ("Phi", "Q")),
+        ("euler-matching", 3, ("Phi", "Q")),
+        (TANK, 2, ("x_next", "Q")),
+        (SWING, 2, ("x_next", "Q")),
+    ],
+)
+def test_the_step_that_is_shown_is_the_one_that_is_printed(target, order, names):
+    """Every formula of the step evaluated from the page, against the references of the C."""
+    model = replace(load_model(target), order=order)
+    page, at = model_page(model), point(model, 3)
+    at |= {s: arb(float(value) / 16) for s, value in at.items() if s == model.dt}
+    section = {one.anchor: one for one in page.sections}["step"]
+    fields = {v.name: [float(at[s].mid()) for s in v.symbols] for v in model.inputs}
+    fields["x"] = [float(at[s].mid()) for s in model.x]
+    references = {unit.name: unit.reference for unit in units(model)}
+    with numbers.digits(60):
+        called = component_letters(model)
+        given = {called[s].name: value for s, value in at.items()} | carried(model, at)
+        values = Read(given, relations([section]))
+        for name in names:
+            (printed,) = references[name.removeprefix("x_")](fields)
+            for (i, j), value in printed.items():
+                assert abs(values[name][i, j] - value) < 1e-25 + 1e-25 * abs(value)
+
+
+def test_a_total_state_is_flown_by_next_and_a_model_in_discrete_time_shows_it(made):
+    model, page = made(SWING)
+    text = write(page, "text")
+    assert "Predict: x becomes next(x)" in " ".join(text.split()) and "theta is put in [-pi, pi)" in " ".join(
+        text.split()
+    )
+    given = {"f": None, "G": zeros(0, 0), "noise": zeros(0, 1)}
+    page = model_page(replace(model, **given, next=model.x + model.dt * model.f, Q=eye(2) * model.noise[0] ** 2))
+    at, (section,) = point(model, 4), [one for one in page.sections if one.anchor == "step"]
+    with numbers.digits(60):
+        values = read(model, page, section, at)
+        places = blocks_of(model)
+        shown = {name: assembled(name, values, places, places, section) for name in ("Phi", "Q")}
+        next_ = own(model, model.x + model.dt * model.f, at)
+        assert differences(vector("x_next", values, ["theta", "omega"], section), next_) == []
+        Phi = own(model, model.x + model.dt * model.f, at, tuple(model.x))
+        assert differences(shown["Phi"], Phi) == []
+        assert differences(shown["Q"], own(model, eye(2) * model.noise[0] ** 2, at)) == []

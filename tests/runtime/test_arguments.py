@@ -63,3 +63,21 @@ def test_a_start_of_a_wrong_size_or_name_is_refused_at_once(flown, nav, P, said)
 def test_what_nav_lacks_is_named_where_it_is_needed(flown):
     with pytest.raises(BoresightError, match="needs plant; pass it as a keyword"):
         flown({}).predict(**STEP)
+
+
+@pytest.mark.parametrize(
+    ("measurement", "R", "more", "said"),
+    [
+        ("tipp", [1e-4], {}, r"no measurement 'tipp'; it has tip \(did you mean 'tip'\?\)"),
+        ("tip", [1e-4, 1e-4], {}, r"R has shape \(2,\); it must be \(..., 1\)"),
+        ("tip", [1e-4], {"z": [0.1, 0.2]}, r"z has shape \(2,\); its last axis must be 1 long"),
+        ("tip", [1e-4], {"rows": [True, True]}, r"rows has shape \(2,\); its last axis must be 1 long"),
+        ("tip", [-1e-4], {}, "every variance in R must be finite and above zero"),
+        ("tip", [1e-4], {"gait": 3.0}, r"no input 'gait'"),
+    ],
+)
+def test_a_measurement_of_a_wrong_name_or_size_is_named(flown, measurement, R, more, said):
+    one = flown()
+    with pytest.raises(BoresightError, match=said):
+        one.update(measurement, R, **{"z": [0.1]} | more)
+    np.testing.assert_array_equal(one.P, I)

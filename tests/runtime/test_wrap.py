@@ -8,7 +8,7 @@ import pytest
 from building import STRICT, run
 
 from boresight.codegen.text.files import rendered
-from boresight.runtime.rotation import wrapped
+from boresight.runtime.array import wrapped
 
 BELOW = np.nextafter(np.pi, 0)
 INSIDE = np.array([-np.pi, -BELOW, -3.0, -1e-300, -0.0, 0.0, 5e-324, 1.0, BELOW])
