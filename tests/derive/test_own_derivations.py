@@ -126,7 +126,7 @@ def test_an_edit_of_the_functions_is_refused_with_its_entry():
 
 def test_the_generators_phi_and_q_are_those_of_the_rows():
     made = phi_error_ned()
-    units = {unit.name: unit.reference for unit in UnitMaker(made).dynamics()}
+    units = {unit.name: unit.reference for unit in dynamics(UnitMaker(made))}
     inputs = {v.name: [0.3 + 0.1 * k for k in range(v.size)] for v in made.inputs}
 
     def matrix(name):
