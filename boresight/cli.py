@@ -60,6 +60,10 @@ def print_json(document: Any) -> None:
     print(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
 
 
+def counted(number: int, noun: str) -> str:
+    return f"{number} {noun}{'s' * (number != 1)}"
+
+
 def one_of(name: str, known: list[str], what: str) -> str:
     if name not in known:
         raise BoresightError(f"no {what} {name!r}; there are {', '.join(known)}")
@@ -279,12 +283,18 @@ def generate(
             else:
                 verb = "would change" if check else "written"
                 lines += [f"  {change}" for change in report.changes]
-                lines.append(f"{label}: {len(report.changes)} functions differ, {len(report.written)} files {verb}")
+                differ = f"{counted(len(report.changes), 'function')} differ{'s' * (len(report.changes) == 1)}"
+                lines.append(f"{label}: {differ}, {counted(len(report.written), 'file')} {verb}")
                 if check:
                     lines += [f"  {path}" for path in report.written]
                     status = max(status, 1)
+            if report.strange:
+                named = ", ".join(report.strange[:3]) + ", ..." * (len(report.strange) > 3)
+                lines.append(f"{label}: not generated, remove or move it: {named}")
     if unchanged:
-        lines.append(f"{label}: nothing changed" if len(targets) == 1 else f"nothing changed in {unchanged} models")
+        lines.append(
+            f"{label}: nothing changed" if len(targets) == 1 else f"nothing changed in {counted(unchanged, 'model')}"
+        )
     print("\n".join(lines))
     raise typer.Exit(status)
 
@@ -359,6 +369,24 @@ def diff(
 
 
 @app.command()
+def watch(
+    target: Annotated[
+        str,
+        typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
+    ],
+) -> None:
+    """Look at a model after each save.
+
+    Prints what differs from the last good state and whether exact mechanics agrees, then generates.  An error in the
+    file is one line.  Ctrl-C ends it.
+    """
+    from boresight import terminal
+    from boresight.codegen.watch import watch as look
+
+    look(target, lambda text: print(terminal.marked(text), flush=True))
+
+
+@app.command()
 def verify(
     targets: Targets = None,
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
@@ -375,7 +403,7 @@ def verify(
     targets = targets or g.model_names()
     if folder is not None and len(targets) > 1:
         raise BoresightError("--generated names one folder; give one model with it")
-    folders = {target: folder or (g.default_folder(target) if ":" in target else None) for target in targets}
+    folders = {target: g.generated_folder(target, folder) if ":" in target else folder for target in targets}
     with terminal.progress() as progress:
         checks = v.verify_all(list(folders.items()), progress=progress)
     if as_json:
@@ -408,7 +436,9 @@ def export(
     from boresight.codegen.export import export as export_model
 
     written = export_model(target, out, precision, folder)
-    print(f"{len(written)} files in {out}; try 'make -C {out} test example'")
+    if written.warning:
+        print(f"boresight: {written.warning}", file=sys.stderr)
+    print(f"{counted(len(written.files), 'file')} in {out}; try 'make -C {out} test example'")
 
 
 # What a study takes beside --seed, -o and --json; behind "--explore", what its exploration takes.

@@ -93,7 +93,7 @@ def difference(target: str, against: str = "HEAD") -> Difference:
     Raises BoresightError where there is nothing to compare with.
     """
     model = load_model(target)
-    text, name = older(default_folder(target), against)
+    text, name = older(default_folder(target, model), against)
     found = compared(model.name, name, read_equations(text, name), now(model))
     return found if not found.entries else replace(found, cost=cost(found.old, found.new))
 

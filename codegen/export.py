@@ -3,6 +3,7 @@
 import re
 import shutil
 import tempfile
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.codegen.functions.samples import generator
-from boresight.codegen.generate import generate
+from boresight.codegen.generate import generate, generated_folder
 from boresight.codegen.text.files import rendered
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import Library, load
@@ -19,11 +20,21 @@ from boresight.runtime.manifest import folder_of, read_manifest
 PRECISIONS = ("double", "float")
 SECONDS = 60  # of the example
 GENTLE, WIDE = 1e-4, 1e-3  # of half a box: how far the example's inputs stray from its middle; one sigma at its start
+PLACE = re.compile(r"(?<![a-z])(lat|lon|latitude|longitude)(?![a-z])")
+EARTH_RADIUS = 6378137.0  # m, the equator's
 NEAR = {"double": 1e-9, "float": 1e-2}  # of a sigma: how far the example may end from the Python loop
 
 
-def export(target: str, out: Path, precision: str, folder: Path | None = None) -> list[Path]:
-    """Write the folder `out`, which must not exist or be empty; the files written.
+@dataclass(frozen=True)
+class Exported:
+    """The files that were written, and what the precision costs, if it does."""
+
+    files: list[Path]
+    warning: str
+
+
+def export(target: str, out: Path, precision: str, folder: Path | None = None) -> Exported:
+    """Write the folder `out`, which must not exist or be empty.
 
     target, folder: as for `generate`, whose output must be what the model says now.
     """
@@ -31,8 +42,9 @@ def export(target: str, out: Path, precision: str, folder: Path | None = None) -
         raise BoresightError(f"there is no precision {precision!r}; choose {' or '.join(PRECISIONS)}")
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise BoresightError(f"{out} is not empty; choose another folder with -o, or remove it first")
-    if folder is None and ":" not in target:
-        folder = folder_of(target)  # from wherever the command is run
+    if ":" in target:
+        folder = generated_folder(target, folder)
+    folder = folder or folder_of(target)  # from wherever the command is run
     report = generate(target, folder, check=True)
     if report.written:
         raise BoresightError(f"{report.folder} is not what {target} says now; run 'boresight generate {target}' first")
@@ -50,7 +62,8 @@ def export(target: str, out: Path, precision: str, folder: Path | None = None) -
     made: tuple[str, ...] = ("Makefile", "CMakeLists.txt", "README.md")
     made += ("example/main.c", "example/minute.h") if view["minute"] else ()
     texts = rendered(tuple(f"export/{path}" for path in made), {}, e=view)
-    return write(out, files | {path.removeprefix("export/"): text for path, text in texts.items()})
+    made_files = write(out, files | {path.removeprefix("export/"): text for path, text in texts.items()})
+    return Exported(made_files, view["cost"])
 
 
 def in_float(header: str) -> str:
@@ -77,6 +90,28 @@ def write(out: Path, files: dict[str, str]) -> list[Path]:
 
 
 # ---------------------------------------------------------------- what the templates ask for
+
+
+def cost_of_float(manifest: dict[str, Any]) -> str:
+    """How far apart two neighbours of a carried latitude or longitude are in float, where its box ends; or nothing.
+
+    What is carried is the structs that the filter corrects and, of a total state, the state.
+    """
+    carried = [field for struct in manifest["filter"]["carried"] for field in manifest["structs"][struct]]
+    carried += manifest["blocks"] if manifest["kind"] == "total-state" else []
+    steps = []
+    for field in carried:
+        units = field["unit"].split(", ") if "," in field["unit"] else [field["unit"]] * field["size"]
+        for name, unit, low, high in zip(field["components"], units, field["low"], field["high"], strict=True):
+            if unit == "rad" and PLACE.search(f"{name} {field['meaning']}".lower()):
+                spacing = float(np.spacing(np.float32(max(abs(low), abs(high)))))
+                steps.append(f"{name} by {spacing * EARTH_RADIUS:.2g} m")
+    if not steps:
+        return ""
+    return (
+        f"in float the position moves in steps, {' and '.join(steps)} where the box ends; smaller motions in one step "
+        "of time are lost: carry the position in double and correct it by x"
+    )
 
 
 def export_view(manifest: dict[str, Any], library: Library, files: dict[str, str], precision: str) -> dict[str, Any]:
@@ -118,6 +153,7 @@ def export_view(manifest: dict[str, Any], library: Library, files: dict[str, str
         "why_not": why_not,
         "seconds": SECONDS,
         "near": NEAR[precision],
+        "cost": cost_of_float(manifest) if precision == "float" else "",
     }
 
 
@@ -185,7 +221,7 @@ def minute(manifest: dict[str, Any], library: Library, precision: str) -> dict[s
         "R": R,
         "x": loop.x,
         "sigma": np.sqrt(np.diag(loop.P)),
-        "literal": lambda values: literal(values, text),
+        "literal": lambda values, braced=True: literal(values, text, braced),
     }
 
 
@@ -193,7 +229,7 @@ def only(given: dict[str, Any], fields: list[str]) -> dict[str, Any]:
     return {name: given[name] for name in fields if name in given}
 
 
-def literal(values: Any, real: Any) -> str:
-    """Numbers as C, as short as `real` allows: a scalar, or a braced list."""
+def literal(values: Any, real: Any, braced: bool = True) -> str:
+    """Numbers as C, as short as `real` allows: a scalar, or a list, braced or not."""
     listed = [f"BS_REAL({np.format_float_scientific(real(v), trim='0')})" for v in np.atleast_1d(values)]
-    return listed[0] if len(listed) == 1 else "{ " + ", ".join(listed) + " }"
+    return "{ " + ", ".join(listed) + " }" if braced and len(listed) > 1 else ", ".join(listed)

@@ -8,6 +8,8 @@ import importlib.metadata
 import json
 import os
 import tempfile
+from collections.abc import Collection
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -50,6 +52,7 @@ class Report:
     written: tuple[str, ...]  # files that were, or would be, written or removed
     up_to_date: bool  # known from the manifest alone
     comparable: bool = True  # with check: the versions of SymPy and CasADi are those of the committed files
+    strange: tuple[str, ...] = ()  # files in the folder that are not generated
 
 
 def model_names() -> list[str]:
@@ -76,9 +79,9 @@ def versions() -> dict[str, str]:
     return {name: importlib.metadata.version(name) for name in VERSIONED}
 
 
-def default_folder(target: str) -> Path:
+def default_folder(target: str, model: Any = None) -> Path:
     """generated/ of the checkout for a built-in model, from any folder; ./generated/ for a user's own."""
-    name = load_model(target).name if ":" in target else target
+    name = (model or load_model(target)).name if ":" in target else target
     home = PACKAGE if is_checkout() and ":" not in target and Path.cwd() != PACKAGE else Path()
     return home / "generated" / name.replace("-", "_")
 
@@ -166,6 +169,24 @@ def edited(folder: Path, manifest: dict[str, Any]) -> list[str]:
     ]
 
 
+def strange_files(folder: Path, files: Collection[str]) -> tuple[str, ...]:
+    """What lies in a generated folder beside these files; of the folder that one works in, in its subfolders."""
+    places = {Path(path).parts[0] for path in files if "/" in path} if folder.resolve() == Path.cwd() else {""}
+    found = (path for place in places for path in (folder / place).rglob("*") if path.is_file())
+    return tuple(sorted(name for path in found if (name := path.relative_to(folder).as_posix()) not in files))
+
+
+def generated_folder(target: str, folder: Path | None = None) -> Path:
+    """The folder that a model of one's own was generated in: the one given, or that of its name."""
+    folder = folder or default_folder(target)
+    if not (folder / "manifest.json").is_file():
+        raise BoresightError(
+            f"{folder} holds no generated model; run 'boresight generate {target}', or name the folder it was "
+            "generated in with --generated"
+        )
+    return folder
+
+
 def old_manifest(folder: Path) -> dict[str, Any]:
     try:
         manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
@@ -181,9 +202,16 @@ def old_manifest(folder: Path) -> dict[str, Any]:
 # ---------------------------------------------------------------- generate
 
 
-def generate(target: str, folder: Path | None = None, check: bool = False) -> Report:
+def generate(
+    target: str,
+    folder: Path | None = None,
+    check: bool = False,
+    model: Any = None,
+    writing: AbstractContextManager[Any] = nullcontext(),  # noqa: B008
+) -> Report:
     """Make the folder of one model agree with its source; with `check`, only say what would change.
 
+    model: what `target` names, if it is loaded already.  writing: held while files are put in their places.
     Raises BoresightError on a model that does not fit together, a generated file edited by hand, a folder that cannot
     be written to.  Nothing is left half written.
     """
@@ -200,13 +228,14 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
     stamp = {"made_from": made_from(source_of(target) if ":" not in target else None), "versions": versions()}
     complete = before and all((folder / path).is_file() for path in before["files"])
     if not check and ":" not in target and complete and all(before.get(key) == value for key, value in stamp.items()):
-        return Report(before["model"], folder, (), (), up_to_date=True)
+        strange = strange_files(folder, {*before["files"], "manifest.json"})
+        return Report(before["model"], folder, (), (), up_to_date=True, strange=strange)
     if check and before and before.get("versions") != versions():
         return Report(before["model"], folder, (), (), up_to_date=False, comparable=False)
     if check and not before:
-        raise BoresightError(f"{folder} holds no generated model; run 'boresight generate {target}'")
+        generated_folder(target, folder)
 
-    document, files = make(target, folder, not check and same_generator(before, stamp))
+    document, files = make(target, folder, not check and same_generator(before, stamp), model)
     refuse_taken(document["c_prefix"], document["model"], folder)
     hashes = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
     document |= {"files": hashes, **stamp}
@@ -221,8 +250,10 @@ def generate(target: str, folder: Path | None = None, check: bool = False) -> Re
     stale = [path for path in before.get("files", {}) if path not in files and (folder / path).is_file()]
     differing = [path for path, text in files.items() if not same(folder / path, text)]
     if not check:
-        write(folder, {path: files[path] for path in differing}, stale)
-    return Report(document["model"], folder, changes, tuple(sorted(differing + stale)), up_to_date=False)
+        with writing:
+            write(folder, {path: files[path] for path in differing}, stale)
+    strange = strange_files(folder, {*files, *stale}) if before else ()
+    return Report(document["model"], folder, changes, tuple(sorted(differing + stale)), False, strange=strange)
 
 
 def refuse_taken(prefix: str, name: str, folder: Path) -> None:
@@ -255,7 +286,7 @@ def same_generator(before: dict[str, Any], stamp: dict[str, Any]) -> bool:
     )
 
 
-def make(target: str, folder: Path, keep: bool) -> tuple[dict[str, Any], dict[str, str]]:
+def make(target: str, folder: Path, keep: bool, model: Any = None) -> tuple[dict[str, Any], dict[str, str]]:
     """What the manifest says of the target, and all other files.
 
     keep: golden vectors, which cost most of the time, are taken from the folder where the C that they test is the same.
@@ -266,7 +297,7 @@ def make(target: str, folder: Path, keep: bool) -> tuple[dict[str, Any], dict[st
         unmoved = keep and all(same(folder / path, text) for path, text in tested.items())
         return (folder / test).read_text(encoding="utf-8") if unmoved and (folder / test).is_file() else None
 
-    return detector_files() if target in COMPONENTS else folder_files(load_model(target), kept)
+    return detector_files() if target in COMPONENTS else folder_files(model or load_model(target), kept)
 
 
 def write(folder: Path, files: dict[str, str], stale: list[str]) -> None:

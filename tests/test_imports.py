@@ -93,6 +93,7 @@ def test_nobody_imports_the_folders_by_their_plain_names():
         ("import boresight.runtime.recording", {"sympy", "casadi", "pandas", "pydantic", "matplotlib"}),
         ("import boresight.studies.euler_table", {"sympy", "casadi", "matplotlib", "scipy.stats"}),
         ("import boresight.codegen.generate", {"sympy", "casadi", "numpy"}),
+        ("import boresight.codegen.watch", {"sympy", "boresight.derive.model", "boresight.codegen.text.equations"}),
     ],
 )
 def test_start_up_stays_light(statement, kept_out):

@@ -58,6 +58,13 @@ def described(name: str, unit: str, meaning: str, **rest: Any) -> Result:
     return Result(name, (0, 0), (), unit, meaning, **rest)
 
 
+def one_zero(matrix: Any) -> Any:
+    """A zero matrix whose first entry is written: C has no empty array.  As F of a random walk."""
+    written = ca.SX(*matrix.shape)
+    written[0, 0] = ca.SX(0.0)
+    return written
+
+
 def state_variable(model: Model) -> Variable:
     """The whole state as one input, named x."""
     parts = model.states
@@ -132,6 +139,7 @@ class UnitMaker:
     ) -> Unit:
         """results: each SX matrix with its description, whose shape and non-zeros are filled in here."""
         outputs = identified(list(self.vectors.values()), [value for value, _ in results], self.points)
+        outputs = [out if out.nnz() else one_zero(out) for out in outputs]
         read = {s.name() for s in ca.symvar(ca.vertcat(*(ca.vec(ca.densify(out)) for out in outputs)))}
         args = tuple(v for v in self.variables if read & {self.vectors[v.name][i].name() for i in range(v.size)})
         # Row-major: CasADi keeps the non-zeros column by column, C readers expect them row by row.

@@ -373,9 +373,10 @@ def model_page(model: Model, manifest: Mapping[str, Any] | None = None) -> Page:
 
 
 def formulas(model: Model) -> list[Form]:
-    """Those of F, or of a model without states those of its functions."""
+    """Those of F, in discrete time those of the step, or of a model without states those of its functions."""
     sections = model_page(model).sections
-    chosen = [s for s in sections if s.anchor == "F"] or [s for s in sections if s.anchor.startswith("function-")]
+    first = "F" if model.next is None else "step"
+    chosen = [s for s in sections if s.anchor == first] or [s for s in sections if s.anchor.startswith("function-")]
     return [form for section in chosen for form in forms(section)]
 
 

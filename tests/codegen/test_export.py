@@ -1,12 +1,15 @@
 """The exported folder as a flight-software engineer takes it: built and run with the system's compiler alone."""
 
+import re
 import subprocess
 
+import numpy as np
 import pytest
 from conftest import PENDULUM, ROOT
 
-from boresight import BoresightError
+from boresight import BoresightError, cli
 from boresight.codegen.export import export
+from boresight.codegen.generate import generate
 
 FLAGS = "-O1 -Wconversion -Wdouble-promotion -Wshadow -Wmissing-prototypes -Werror"
 
@@ -86,3 +89,88 @@ def test_what_has_no_filter_is_refused_by_name(tmp_path):
     with pytest.raises(BoresightError, match="no filter"):
         export("strapdown", tmp_path / "out", "double")
     assert (ROOT / "generated" / "strapdown").is_dir()
+
+
+SHIP = """
+from sympy import Matrix
+
+from boresight.derive.model import Measurement, Model, Struct, variable
+
+place = variable("place", "lat lon", "rad", "latitude and longitude of the ship", (-1.4, -3.2), (1.4, 3.2))
+rates = variable("rates", "north east", "rad/s", "angular rates of the ship", -1e-4, 1e-4)
+dt = variable("dt", "dt", "s", "length of the step", 1e-3, 10.0)
+gusts = variable("gusts", "gusts", "rad/sqrt(s)", "root density of the drift", 0.0, 1e-6)
+
+SHIP = Model(
+    name="ship", c_prefix="sh", title="a ship, 2 states", frame="none", states=(place,),
+    structs=(Struct("step", "one step", (rates, dt, gusts)),), f=rates.vector, G=Matrix([1, 1]), noise=gusts.vector,
+    dt=dt.scalar, measurements=(Measurement("fix", ("lat", "lon"), "rad", "a fix", h=place.vector),),
+)
+"""
+
+
+def test_a_float_export_tells_what_a_position_in_radians_costs(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "ship.py").write_text(SHIP)
+
+    def run(*words):
+        with pytest.raises(SystemExit) as ended:
+            cli.main([str(word) for word in words])
+        return ended.value.code or 0, *capsys.readouterr()
+
+    status, _, error = run("export", "ship.py:SHIP", "-o", "none")
+    assert status == 1 and "run 'boresight generate ship.py:SHIP'" in error and "--generated" in error
+    assert run("generate", "ship.py:SHIP", "-o", "there")[0] == 0
+    assert run("export", "ship.py:SHIP", "-o", "double", "--generated", "there")[2] == ""
+    status, out, error = run("export", "ship.py:SHIP", "-o", "float", "--precision", "float", "--generated", "there")
+    assert status == 0 and len(error.splitlines()) == 1 and "files in float" in out
+    readme = (tmp_path / "float" / "README.md").read_text()
+    assert "Precision" not in (tmp_path / "double" / "README.md").read_text()
+    for text in (error, readme):
+        for name, end in (("lat", 1.4), ("lon", 3.2)):
+            (metres,) = re.findall(rf"\b{name} by ([\d.]+)\s+m\b", text)
+            above = np.float32(end)
+            below = np.nextafter(above, np.float32(0))
+            assert float(metres) == pytest.approx((float(above) - float(below)) * 6378137, rel=0.05)
+
+
+def test_files_that_are_not_generated_are_named_and_stay(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "ship.py").write_text(SHIP)
+    for k in range(2):
+        with pytest.raises(SystemExit):
+            cli.main(["generate", "ship.py:SHIP"])
+        out = capsys.readouterr().out
+        assert ("src/mine.c" in out and "not generated" in out) == bool(k)
+        mine = tmp_path / "generated" / "ship" / "src" / "mine.c"
+        mine.write_text("int mine;\n")
+    with pytest.raises(SystemExit):
+        cli.main(["generate", "ship.py:SHIP"])
+    assert "nothing changed" in capsys.readouterr().out and mine.is_file()
+
+
+WALK = """
+from sympy import Matrix
+
+from boresight.derive.model import Measurement, Model, Struct, variable
+
+level = variable("level", "level", "m", "a level that wanders", -5.0, 5.0)
+dt = variable("dt", "dt", "s", "length of the step", 1e-3, 10.0)
+drift = variable("drift", "drift", "m/sqrt(s)", "root density of the drift", 0.0, 0.1)
+
+WALK = Model(
+    name="walk", c_prefix="wk", title="a random walk, 1 state", frame="none", states=(level,),
+    structs=(Struct("step", "one step", (dt, drift)),), f=Matrix([0]), G=Matrix([1]), noise=drift.vector,
+    dt=dt.scalar, measurements=(Measurement("reading", ("level",), "m", "the level", h=level.vector),),
+)
+"""
+
+
+def test_one_state_without_dynamics_is_exported(tmp_path):
+    (tmp_path / "walk.py").write_text(WALK)
+    target = f"{tmp_path / 'walk.py'}:WALK"
+    generate(target, tmp_path / "there")
+    export(target, tmp_path / "out", "double", tmp_path / "there")
+    done = make(tmp_path / "out", "test", "example")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert ", 0 failed" in done.stdout and "60 s flown" in done.stdout

@@ -329,7 +329,9 @@ def test_a_total_state_is_flown_by_next_and_a_model_in_discrete_time_shows_it(ma
         text.split()
     )
     given = {"f": None, "G": zeros(0, 0), "noise": zeros(0, 1)}
-    page = model_page(replace(model, **given, next=model.x + model.dt * model.f, Q=eye(2) * model.noise[0] ** 2))
+    turned = replace(model, **given, next=model.x + model.dt * model.f, Q=eye(2) * model.noise[0] ** 2)
+    assert "x_" in turned._repr_latex_()
+    page = model_page(turned)
     at, (section,) = point(model, 4), [one for one in page.sections if one.anchor == "step"]
     with numbers.digits(60):
         values = read(model, page, section, at)

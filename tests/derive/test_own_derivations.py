@@ -8,6 +8,7 @@ import pytest
 from sympy import Matrix, Poly, Rational, cos, diff, expand, numer, reduced, sin, sqrt, symbols, tan, together
 
 from boresight import BoresightError
+from boresight.codegen.functions.dynamics import dynamics
 from boresight.codegen.functions.reference import precise
 from boresight.codegen.functions.units import UnitMaker
 from boresight.derive.ledger import ellipsoid
