@@ -16,7 +16,7 @@ from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import evaluate, tape
 from boresight.codegen.generate import Change, default_folder, load_model
 from boresight.codegen.revision import committed
-from boresight.codegen.text.equations import FILE, Words, equations_text, labels_of, places, read_equations
+from boresight.codegen.text.equations import FILE, Words, equations_text, labels_of, places, read_equations, unchecked
 from boresight.codegen.text.equations import matrices as expressions
 from boresight.codegen.text.files import folder_files
 from boresight.derive.constant import behind
@@ -317,8 +317,10 @@ def together(old: Model, new: Model) -> tuple[Variable, ...]:
         left = [i for i, s in enumerate(v.symbols) if s not in known]
         if left:
             symbols, low, high = (tuple(value[i] for i in left) for value in (v.symbols, v.low, v.high))
+            name = v.name + "_before" * (v.name in {other.name for other in listed})
+            own = {"name": name, "symbols": symbols, "low": low, "high": high}
             whole = len(left) == v.size
-            listed.append(replace(v, symbols=symbols, low=low, high=high, norm=v.norm if whole else None))
+            listed.append(unchecked(Variable, **{**vars(v), **own, "norm": v.norm if whole else None}))
     return tuple(listed)
 
 
