@@ -21,7 +21,7 @@ from boresight.codegen.text.equations import matrices as expressions
 from boresight.codegen.text.files import folder_files
 from boresight.derive.constant import behind
 from boresight.derive.model import Model, Variable, constants_in, substituted, symbols_in
-from boresight.derive.pages.model import JACOBIAN
+from boresight.derive.pages.model import JACOBIAN, slopes
 from boresight.derive.pages.named import operations
 from boresight.runtime.compiler import compile_sources, compiler, run
 
@@ -150,7 +150,7 @@ def matrices(model: Model) -> dict[str, Matrix]:
 
     def jacobian(column: Any) -> Any:
         short = column is not None and operations(column) < JACOBIAN
-        return column.jacobian(model.x) if short else None
+        return slopes(column, model.x) if short else None
 
     put("F", model.F if model.F is not None else jacobian(model.f))
     for name in ("f", "next", "G", "noise", "Q"):
