@@ -18,7 +18,7 @@ from boresight.evidence.sources import Folder, Source
 from boresight.runtime.library import Unit as CompiledUnit
 
 RUNS, CORNERS, CHUNK = 100_000, 2_000, 4_000
-LIBM_ULPS = 1.0  # what sinf, cosf and atan2f of this machine's library may err by
+LIBM_ULPS = 1.0  # what the functions of this machine's library may err by; hyperbolic ones twice that
 
 
 def rounding(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:

@@ -165,7 +165,9 @@ def text_size(path: Path) -> int:
         return sum(s["sh_size"] for s in ELFFile(file).iter_sections() if re.match(r"\.(text|rodata)", s.name))
 
 
-DOUBLE = re.compile(r"^__aeabi_(d(?!iv)|cd|f2d|i2d|ui2d|l2d|ul2d)|df[0-9]$|df$")
+DOUBLE = re.compile(
+    r"^__aeabi_(d(?!iv)|cd|f2d|i2d|ui2d|l2d|ul2d)|df[0-9]$|(?<!_invali)df$"
+)  # __math_invalidf is of float
 
 
 def doubles(made: Build) -> dict[str, list[str]]:

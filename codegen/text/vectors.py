@@ -12,7 +12,7 @@ from boresight.codegen.functions.units import Unit
 from boresight.codegen.text.names import rows_of, three_digits
 from boresight.derive.model import Model
 
-LIBM_ULPS = 4  # what the self-test grants the sine, cosine and arctangent of a target's library
+LIBM_ULPS = 4  # what the self-test grants the functions of a target's library; hyperbolic ones twice that
 CORNERS, PLAIN, SMALL = 8, 40, 24  # points that the vectors are chosen from
 DIFFERENTIATED = 1e-45  # what is left of 80 digits where the reference was differentiated numerically and is zero
 

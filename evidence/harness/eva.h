@@ -1,4 +1,5 @@
-/* eva.h - what the analysis may know of sine, cosine and arctangent.  Included before a unit, whose calls come here.
+/* eva.h - what the analysis may know of the functions that it has no value of.  Included before a
+ * unit, whose calls come here.
  * The bounds hold for a library that errs by a few units in the last place: cos(1.484) is 0.08668. */
 #ifndef EVIDENCE_EVA_H
 #define EVIDENCE_EVA_H
@@ -24,11 +25,53 @@ bs_real eva_cos(bs_real x);
     ensures \is_finite(\result) && -3.1416 <= \result <= 3.1416; */
 bs_real eva_atan2(bs_real y, bs_real x);
 
+/*@ requires \is_finite(x) && -1.0 <= x <= 1.0;
+    assigns \result \from x;
+    ensures \is_finite(\result) && -1.5708 <= \result <= 1.5708; */
+bs_real eva_asin(bs_real x);
+
+/*@ requires \is_finite(x) && -1.0 <= x <= 1.0;
+    assigns \result \from x;
+    ensures \is_finite(\result) && 0.0 <= \result <= 3.1416; */
+bs_real eva_acos(bs_real x);
+
+/*@ requires \is_finite(x);
+    assigns \result \from x;
+    ensures \is_finite(\result) && -1.5708 <= \result <= 1.5708; */
+bs_real eva_atan(bs_real x);
+
+/*@ requires \is_finite(x) && -710.0 <= x <= 710.0;
+    assigns \result \from x;
+    ensures \is_finite(\result); */
+bs_real eva_sinh(bs_real x);
+
+/*@ requires \is_finite(x) && -710.0 <= x <= 710.0;
+    assigns \result \from x;
+    ensures \is_finite(\result) && 1.0 <= \result; */
+bs_real eva_cosh(bs_real x);
+
+/*@ requires \is_finite(x);
+    assigns \result \from x;
+    ensures \is_finite(\result) && -1.0 <= \result <= 1.0; */
+bs_real eva_tanh(bs_real x);
+
 #undef BS_SIN
 #undef BS_COS
 #undef BS_ATAN2
+#undef BS_ASIN
+#undef BS_ACOS
+#undef BS_ATAN
+#undef BS_SINH
+#undef BS_COSH
+#undef BS_TANH
 #define BS_SIN eva_sin
 #define BS_COS eva_cos
 #define BS_ATAN2 eva_atan2
+#define BS_ASIN eva_asin
+#define BS_ACOS eva_acos
+#define BS_ATAN eva_atan
+#define BS_SINH eva_sinh
+#define BS_COSH eva_cosh
+#define BS_TANH eva_tanh
 
 #endif

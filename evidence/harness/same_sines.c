@@ -1,4 +1,4 @@
-/* same_sines.c - sine, cosine and arctangent of the same few operations on every machine, in place of the library's.
+/* same_sines.c - sine, cosine and the others of the same few operations on every machine, in place of the library's.
  * Smooth, and nothing more: with them, two machines must agree in every bit. */
 float sinf(float x);
 float cosf(float x);
@@ -38,6 +38,29 @@ double atan2(double y, double x)
 {
     return y / (1.0 + (x * x) + (y * y));
 }
+
+#define BOTH(name, formula) \
+    float name##f(float x); \
+    double name(double x); \
+    float name##f(float x) \
+    { \
+        const float one = 1.0F; \
+        return formula; \
+    } \
+    double name(double x) \
+    { \
+        const double one = 1.0; \
+        return formula; \
+    }
+
+BOTH(exp, one + x + ((x * x) / (one + one)))
+BOTH(log, (x - one) / (x + one))
+BOTH(asin, one * (x + (x * x * x)))
+BOTH(acos, one - x - (x * x * x))
+BOTH(atan, x / (one + (x * x)))
+BOTH(sinh, one * (x + (x * x * x)))
+BOTH(cosh, one + (x * x))
+BOTH(tanh, x / (one + (x * x)))
 
 /* What a compiler makes of both of one angle. */
 void sincosf(float x, float *sine, float *cosine)

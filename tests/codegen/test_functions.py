@@ -1,22 +1,29 @@
 """A model with every function that a kernel may use: its C, its corners, its domains and its evidence."""
 
 import ctypes
+import re
 from dataclasses import replace
 
+import casadi as ca
 import numpy as np
 import pytest
 import sympy as sp
+from conftest import ROOT
 from sonde import SONDE, b, v, y
 
 from boresight import BoresightError
+from boresight.codegen.difference import compared
 from boresight.codegen.functions import tape
+from boresight.codegen.functions.convert import FUNCTIONS, to_casadi
 from boresight.codegen.functions.singular import refuse_singular
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import generate
+from boresight.codegen.text.equations import equations_text, read_equations
 from boresight.codegen.verify import UnitCheck, verify
 from boresight.derive.model import Measurement
 from boresight.evidence import rounding
 from boresight.evidence.calls import callable_units, shared_library
+from boresight.evidence.mutants import candidates
 from boresight.evidence.sources import Folder
 from boresight.evidence.targets import GCC, compile_units
 from boresight.evidence.trace import trace
@@ -61,6 +68,17 @@ def in_float(folder, tmp_path_factory):
 def test_the_model_uses_every_function(made):
     used = {step.op for unit in made.values() for step in unit.tape.steps}
     assert used >= tape.LIBRARY - {"sin", "cos"} | {"sign", "fmin", "fmax", "fabs"}
+
+
+def test_the_page_lists_what_a_kernel_may_use():
+    """Each name of docs/own-model.md is taken, and whatever the converter takes is named."""
+    page = (ROOT / "docs" / "own-model.md").read_text()
+    named = set(re.findall(r"`(\w+)`", page.partition("What a kernel may use:")[2].partition("refused by name")[0]))
+    x = sp.Symbol("x", positive=True)
+    arguments = {"atan2": (x, 2), "Max": (x, 2), "Min": (x, 2), "Piecewise": ((x, x > 2), (2, True))}
+    for name in named:
+        to_casadi([sp.Matrix([getattr(sp, name)(*arguments.get(name, (x / 3,)))])], {x: ca.SX.sym("x")})
+    assert named == {one.__name__ for one in FUNCTIONS} | {"sqrt", "tan", "Max", "Min", "Piecewise"}
 
 
 def test_both_prints_agree_in_bits_and_lie_within_the_bound_of_fifty_digits(folder):
@@ -125,6 +143,15 @@ def measuring(entry):
     """A model of the sonde's states whose one measurement is this."""
     one = Measurement("one", ("r0",), "1", "of the state", h=sp.Matrix([entry]))
     return replace(SONDE, measurements=(one,), functions=())
+
+
+def test_a_change_of_such_a_model_is_shown():
+    """Its equations are read back from their file, and a minimum that becomes a maximum is named with its slope."""
+    text = equations_text(SONDE)
+    assert read_equations(text, "sonde").f == SONDE.f
+    changed = replace(SONDE, f=SONDE.f.replace(sp.Min, sp.Max))
+    found = compared("sonde", "before", read_equations(text, "sonde"), changed)
+    assert {(entry.matrix, entry.place) for entry in found.entries} == {("f", "v"), ("F", "v by y"), ("F", "v by v")}
 
 
 # ---------------------------------------------------------------- domains
@@ -217,6 +244,10 @@ def test_what_no_search_finds_is_a_status_and_nothing_is_written(tmp_path):
 
 def test_the_evidence_is_made_of_these_functions_too(folder, made, in_float, tmp_path, monkeypatch):
     committed = Folder(folder)
+    H = next(unit for unit in committed.units if unit.name == "sn_kite_H")
+    assert {word for line in candidates(H) if " to " in (word := line.partition(": ")[2])} >= {
+        "sinh to cosh", "cosh to sinh", "* to /", "> to >="
+    }  # fmt: skip
     assert not [missing for of in trace(committed, tmp_path).values() for missing in of["missing"]]
     monkeypatch.setattr(rounding, "RUNS", 1000)
     compiled = callable_units(committed, shared_library(committed, "float", tmp_path, in_float), "float")
