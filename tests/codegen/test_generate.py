@@ -218,7 +218,7 @@ def test_a_wrong_target_is_named_with_the_right_ones(target, said, tmp_path):
 def test_a_user_file_that_fails_is_one_line(tmp_path):
     file = tmp_path / "broken.py"
     file.write_text("1 / 0\n")
-    with pytest.raises(BoresightError, match=r"broken\.py cannot be run: ZeroDivisionError"):
+    with pytest.raises(BoresightError, match=r"broken\.py:1: ZeroDivisionError"):
         load_model(f"{file}:MODEL")
 
 
