@@ -340,18 +340,18 @@ def diff(
     from boresight.derive.pages.render import write as written
 
     one_of(form, FORMATS[:3], "format")
-    targets = [target] if target else model_names()
-    with terminal.progress() as progress:
-        found = []
-        for done, name in enumerate(targets):
-            progress(done, len(targets), name)
-            found.append(d.difference(name, against))
     flown = None
     if studied is not None:
         from boresight.side_by_side import both_flown, report
 
         with terminal.working() as working:
             flown = both_flown(studied, against, working)
+    targets = [target] if target else model_names()
+    with terminal.progress() as progress:
+        found = []
+        for done, name in enumerate(targets):
+            progress(done, len(targets), name)
+            found.append(d.difference(name, against))
     if as_json:
         print_json({"models": [d.to_json(one) for one in found], "study": flown})
     else:

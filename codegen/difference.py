@@ -16,12 +16,12 @@ from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import evaluate, tape
 from boresight.codegen.generate import Change, default_folder, load_model
 from boresight.codegen.revision import committed
-from boresight.codegen.text.equations import FILE, Words, equations_text, labels_of, places, read_equations
+from boresight.codegen.text.equations import FILE, Words, equations_text, labels_of, places, read_equations, unchecked
 from boresight.codegen.text.equations import matrices as expressions
 from boresight.codegen.text.files import folder_files
 from boresight.derive.constant import behind
 from boresight.derive.model import Model, Variable, constants_in, substituted, symbols_in
-from boresight.derive.pages.model import JACOBIAN
+from boresight.derive.pages.model import JACOBIAN, slopes
 from boresight.derive.pages.named import operations
 from boresight.runtime.compiler import compile_sources, compiler, run
 
@@ -150,7 +150,7 @@ def matrices(model: Model) -> dict[str, Matrix]:
 
     def jacobian(column: Any) -> Any:
         short = column is not None and operations(column) < JACOBIAN
-        return column.jacobian(model.x) if short else None
+        return slopes(column, model.x) if short else None
 
     put("F", model.F if model.F is not None else jacobian(model.f))
     for name in ("f", "next", "G", "noise", "Q"):
@@ -317,8 +317,10 @@ def together(old: Model, new: Model) -> tuple[Variable, ...]:
         left = [i for i, s in enumerate(v.symbols) if s not in known]
         if left:
             symbols, low, high = (tuple(value[i] for i in left) for value in (v.symbols, v.low, v.high))
+            name = v.name + "_before" * (v.name in {other.name for other in listed})
+            own = {"name": name, "symbols": symbols, "low": low, "high": high}
             whole = len(left) == v.size
-            listed.append(replace(v, symbols=symbols, low=low, high=high, norm=v.norm if whole else None))
+            listed.append(unchecked(Variable, **{**vars(v), **own, "norm": v.norm if whole else None}))
     return tuple(listed)
 
 

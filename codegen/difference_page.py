@@ -7,6 +7,7 @@ from typing import Any
 from sympy import Matrix, Symbol
 
 from boresight.codegen.difference import POINTS, Cost, Difference, Entry, Statement, swapped, together
+from boresight.codegen.text.equations import unchecked
 from boresight.derive.ledger.differences import differences, marks
 from boresight.derive.model import Function, Model, Output, Struct, substituted, symbols_in
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section
@@ -58,7 +59,8 @@ def both(found: Difference, changed: list[Entry]) -> Model:
         Function(name, name, (Output("entries", column, "1", name),)) for name, column in columns if changed
     )
     struct = Struct("both", "what either reads", together(found.old, found.new))
-    return Model(found.model, "difference", found.model, found.new.frame, (), (struct,), functions=functions)
+    made: Model = unchecked(Model, name=found.model, states=(), structs=(struct,), measurements=(), functions=functions)
+    return made
 
 
 def alike(shown: Description) -> None:

@@ -32,6 +32,8 @@ class Unit:
     rad: Fraction | None = Fraction(0)
 
     def __mul__(self, other: "Unit") -> "Unit":
+        if self is ONE or other is ONE:
+            return other if self is ONE else self
         both = dict(self.powers)
         for base, power in other.powers:
             both[base] = both.get(base, Fraction(0)) + power

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import MISSING, Field, fields, is_dataclass
 from keyword import iskeyword
 from types import UnionType
-from typing import Any, Union, cast, get_args, get_origin, get_type_hints
+from typing import Any, Union, get_args, get_origin, get_type_hints
 
 import sympy as sp
 from sympy.matrices import MatrixBase
@@ -231,13 +231,8 @@ def decoded(kind: Any, value: Any, reader: "Reader", labels: Labels, name: str =
     """The value of this type.  What a model had to pass when it was written is not asked again."""
     if is_dataclass(kind):
         labels = {**labels, "r": value.get("rows", ())}
-        made: Any = object.__new__(cast(type, kind))
-        for field in fields(kind):
-            object.__setattr__(made, field.name, "" if field.default is MISSING else field.default)
-        for key, (_, hint) in stated(kind).items():
-            if key in value:
-                object.__setattr__(made, key, decoded(hint, value[key], reader, labels, key))
-        return made
+        hints = {key: hint for key, (_, hint) in stated(kind).items() if key in value}
+        return unchecked(kind, **{key: decoded(hint, value[key], reader, labels, key) for key, hint in hints.items()})
     if get_origin(kind) in (UnionType, Union):
         kinds = [one for one in get_args(kind) if isinstance(value, list) == (get_origin(one) is tuple)]
         return None if value is None else decoded(kinds[0], value, reader, labels, name)
@@ -248,6 +243,16 @@ def decoded(kind: Any, value: Any, reader: "Reader", labels: Labels, name: str =
     if isinstance(kind, type) and issubclass(kind, MatrixBase):
         return reader.matrix(value, places(name, value["shape"], labels))
     return reader.symbols[value] if kind is sp.Symbol else value
+
+
+def unchecked(kind: Any, **values: Any) -> Any:
+    """A dataclass whose values are not looked at."""
+    made = object.__new__(kind)
+    for field in fields(kind):
+        object.__setattr__(made, field.name, "" if field.default is MISSING else field.default)
+    for name, value in values.items():
+        object.__setattr__(made, name, value)
+    return made
 
 
 class Reader:

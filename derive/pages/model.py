@@ -28,6 +28,7 @@ from sympy import (
     exp,
     eye,
     log,
+    sign,
 )
 from sympy import Function as Letter
 from sympy.core.function import AppliedUndef
@@ -115,13 +116,11 @@ class Description:
     def _differentiated(self, key: str, column: Matrix) -> Iterator[tuple[str, Matrix]]:
         self.jacobians.add(key)
         if operations(column) < JACOBIAN:
-            slopes = column.jacobian(self.model.x)
-            # of a jump no slope is shown; below it is 0, above it is 1
-            yield key, slopes.replace(DiracDelta, lambda *_: 0).replace(Heaviside, lambda a, _: Letter("step")(a))
+            yield key, slopes(column, self.model.x)
 
     # ---- blocks of a matrix ------------------------------------------------------------------------------------
 
-    def matrix(self, key: str, letter: Symbol, rows: Sequence["Part"], columns: Sequence["Part"]) -> list[Block]:
+    def matrix(self, key: str, letter: Symbol, rows: Sequence["Part"], columns: Sequence["Part"]) -> list[Formulas]:
         """The blocks that are not zero, those that are a matrix with a name first as such; then what they need."""
         M = self.naming.groups[key]
         relations: list[tuple[Any, Any]] = []
@@ -134,10 +133,7 @@ class Description:
                     relations += self._block(letter, row, column, block)
                 left += column.size
             top += row.size
-        blocks: list[Block] = [*self.formulas(relations)]
-        if any(isinstance(node, AppliedUndef) and node.func.__name__ == "step" for node in nodes([M])):
-            blocks.append(Prose("step(a) is 1 where a is above zero, 0 below, and 1/2 at zero."))
-        return blocks
+        return self.formulas(relations)
 
     def _block(self, letter: Symbol, row: "Part", column: "Part", block: Matrix) -> Iterator[tuple[Any, Any]]:
         tree = self.written(block)
@@ -267,6 +263,12 @@ class Description:
                 letters[symbol] = Symbol(f"t_{next(self.counted)}")
                 definitions.append((letters[symbol], value))
         return definitions, [put(e) for e in reduced]
+
+
+def slopes(column: Matrix, by: Matrix) -> Matrix:
+    """The Jacobian of a column: at a corner the mean of both slopes, as in C, and of a jump none."""
+    found = column.jacobian(by).replace(DiracDelta, lambda *_: S.Zero)
+    return found.replace(Heaviside, lambda a, *_: (1 + sign(a)) / 2)
 
 
 class Part:
@@ -790,7 +792,7 @@ def _quantities(relation: Relation, shapes: Mapping[str, tuple[int, ...]]) -> It
         for node in nodes([[side]]):
             if node.is_Symbol:
                 yield Quantity(node, letter_latex(node.name), "", "", shapes.get(node.name, ()))
-            elif isinstance(node, AppliedUndef) and node.func.__name__ in ("below", "step", *map(str.lower, LETTERED)):
+            elif isinstance(node, AppliedUndef) and node.func.__name__ in ("below", *map(str.lower, LETTERED)):
                 name = node.func.__name__
                 yield Quantity(Symbol(name), rf"\mathrm{{{name}}}", "", "", function=True)
             elif isinstance(node, AppliedUndef) and node.func.__name__ in ("f", "F", "Q_c"):

@@ -18,7 +18,7 @@ from boresight.codegen.difference_page import differences_page
 from boresight.codegen.generate import load_model
 from boresight.codegen.text.equations import FILE, equations_text, read_equations
 from boresight.derive.mechanics import error_models
-from boresight.derive.model import variable
+from boresight.derive.model import constants_in, variable
 from boresight.derive.models import built_in
 from boresight.derive.pages.model import forms
 from boresight.derive.pages.named import component_letters
@@ -195,6 +195,23 @@ def test_rows_that_are_new_or_moved_are_no_other_difference():
     assert entries["encoder h", "angle"] == (theta, None) and entries["resolver h", "angle"] == (None, theta)
     text = write(differences_page([difference(old, renamed)]), "text")
     assert "resolver h: 1 of 1 entries" in text and "angle: new\n    h_angle = theta" in text
+
+
+def test_a_variable_may_lose_components_and_a_constant_become_an_input():
+    old = pendulum()
+    plant, step = old.structs
+    (rod,) = plant.fields
+    g = next(iter(constants_in(old.f)))
+    gravity = variable("gravity", "g", "m/s^2", "gravity", 9, 10)
+    shorter = replace(rod, symbols=rod.symbols[:1], unit="m", low=rod.low[:1], high=rod.high[:1])
+    f = Matrix([old.f[0], old.f[1].subs({g: gravity.scalar, rod.symbols[1]: 0})])
+    new = replace(old, f=f, structs=(replace(plant, fields=(shorter, gravity)), step))
+    for found in (difference(old, new), difference(new, old)):
+        text = write(differences_page([found]), "text")
+        assert "g_0⋅sin(theta)" in text and "constant g: " in text and "input gravity: " in text
+        assert "input rod, components: was length" in text
+        (entry,) = (e for e in found.entries if e.matrix == "f")
+        assert entry.largest >= 19.9, "the damping of a rate of 20"
 
 
 def test_a_constant_and_another_way_of_writing_are_told_apart(tmp_path):

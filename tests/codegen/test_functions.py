@@ -12,11 +12,13 @@ from conftest import ROOT
 from sonde import SONDE, b, v, y
 
 from boresight import BoresightError
+from boresight.codegen.difference import compared
 from boresight.codegen.functions import tape
 from boresight.codegen.functions.convert import FUNCTIONS, to_casadi
 from boresight.codegen.functions.singular import refuse_singular
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import generate
+from boresight.codegen.text.equations import equations_text, read_equations
 from boresight.codegen.verify import UnitCheck, verify
 from boresight.derive.model import Measurement
 from boresight.evidence import rounding
@@ -141,6 +143,15 @@ def measuring(entry):
     """A model of the sonde's states whose one measurement is this."""
     one = Measurement("one", ("r0",), "1", "of the state", h=sp.Matrix([entry]))
     return replace(SONDE, measurements=(one,), functions=())
+
+
+def test_a_change_of_such_a_model_is_shown():
+    """Its equations are read back from their file, and a minimum that becomes a maximum is named with its slope."""
+    text = equations_text(SONDE)
+    assert read_equations(text, "sonde").f == SONDE.f
+    changed = replace(SONDE, f=SONDE.f.replace(sp.Min, sp.Max))
+    found = compared("sonde", "before", read_equations(text, "sonde"), changed)
+    assert {(entry.matrix, entry.place) for entry in found.entries} == {("f", "v"), ("F", "v by y"), ("F", "v by v")}
 
 
 # ---------------------------------------------------------------- domains

@@ -34,7 +34,6 @@ FUNCTIONS = {
     "atan2": numbers.atan2,
     "abs": abs,
     "sign": lambda a: a.sgn(),
-    "step": lambda a: (1 + a.sgn()) / 2,
     "max": lambda *some: reduce(arb.max, map(arb, some)),
     "min": lambda *some: reduce(arb.min, map(arb, some)),
     "below": lambda a, b, then, otherwise: then if a < b else otherwise,

@@ -8,6 +8,7 @@ import pytest
 from sympy import Matrix, Poly, Rational, cos, diff, expand, numer, reduced, sin, sqrt, symbols, tan, together
 
 from boresight import BoresightError
+from boresight.codegen.functions.dynamics import dynamics
 from boresight.codegen.functions.reference import precise
 from boresight.codegen.functions.units import UnitMaker
 from boresight.derive.ledger import ellipsoid
@@ -18,6 +19,7 @@ from boresight.derive.ledger.judge import EXACT
 from boresight.derive.ledger.numbers import digits, exact, eye, largest, zeros
 from boresight.derive.mechanics import earth
 from boresight.derive.mechanics import error_models as em
+from boresight.derive.model import numeric
 from boresight.derive.models.phi_error import phi_error_ned
 from boresight.derive.papers import paper
 from boresight.derive.papers.mechanics import kinematics
@@ -88,10 +90,10 @@ def test_the_differentiated_rates_are_the_matrices_that_fly_entry_by_entry(model
         "psi": (kinematics.F_psi, lambda: em.psi_matrix(frame, p, v, f)),
         "map": (kinematics.T_psi, lambda: em.psi_from_phi(frame, p, v)),
     }[model]
-    difference = Matrix(mine(level)) - flown()
+    difference = Matrix(mine(level)) - numeric(flown())
     assert [place for place, entry in difference.todok().items() if not vanishes(entry)] == []
     # and it would be seen: 1e-9 of one entry
-    spoilt = next(e for e in flown() if e.has(LAT) and not e.is_number)
+    spoilt = next(e for e in numeric(flown()) if e.has(LAT) and not e.is_number)
     assert not vanishes(spoilt * Rational(1, 10**9))
 
 
@@ -125,7 +127,7 @@ def test_an_edit_of_the_functions_is_refused_with_its_entry():
 
 def test_the_generators_phi_and_q_are_those_of_the_rows():
     made = phi_error_ned()
-    units = {unit.name: unit.reference for unit in UnitMaker(made).dynamics()}
+    units = {unit.name: unit.reference for unit in dynamics(UnitMaker(made))}
     inputs = {v.name: [0.3 + 0.1 * k for k in range(v.size)] for v in made.inputs}
 
     def matrix(name):
