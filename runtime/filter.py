@@ -193,8 +193,11 @@ class Filter:
         """z and H (..., m, n) of rows that are linear in the state about `at`: an h is taken there; angles turn."""
         inside, angles = self.wrapped(at), self._angles(measurement)
         H = self.call(f"{measurement}_H", **{**inputs, "x": inside})
+        explicit = hasattr(self.model, f"{measurement}_h")
+        if not (explicit or angles.any()):
+            return z, H
         Hx = np.einsum("...ij,...j->...i", H, at)
-        if hasattr(self.model, f"{measurement}_h"):
+        if explicit:
             off = z - self.call(f"{measurement}_h", **{**inputs, "x": inside})
             return np.where(angles, wrapped(off), off) + Hx, H
         off = z - Hx
