@@ -495,11 +495,8 @@ def check_carried(model: Model) -> None:
     inputs = {item.name: item for item in model.inputs}
     for o in (o for f in model.functions for o in f.outputs):
         if {len(o.low), len(o.high)} not in ({0}, {len(o.value)}):
-            given = f"{len(o.low)} lower and {len(o.high)} upper bounds of {len(o.value)}"
-            fail(
-                o,
-                f"it has {len(o.value)} component{'s' * (len(o.value) > 1)}, but {given}; give one of each for all of them, or none",
-            )
+            given = f"{len(o.low)} lower and {len(o.high)} upper bounds for {len(o.value)}"
+            fail(o, f"its box has {given}; give one of each for each component, or none")
     for f in model.functions:
         for o in f.outputs if f.name in ("strapdown", "feedback") else ():
             if o.name not in inputs:

@@ -152,7 +152,7 @@ MISTAKES = [
         MODEL,
         "f[omega]",
         "theta = 0",
-        "divides by length*theta",
+        "divides by theta",
         "-3 to 3",
         ":6",
         "narrow",
