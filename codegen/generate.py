@@ -7,6 +7,7 @@ import hashlib
 import importlib.metadata
 import json
 import os
+import re
 import tempfile
 from collections.abc import Collection
 from contextlib import AbstractContextManager, nullcontext
@@ -297,7 +298,15 @@ def make(target: str, folder: Path, keep: bool, model: Any = None) -> tuple[dict
         unmoved = keep and all(same(folder / path, text) for path, text in tested.items())
         return (folder / test).read_text(encoding="utf-8") if unmoved and (folder / test).is_file() else None
 
-    return detector_files() if target in COMPONENTS else folder_files(model or load_model(target), kept)
+    if target in COMPONENTS:
+        return detector_files()
+    model = model or load_model(target)
+    try:
+        return folder_files(model, kept)
+    except BoresightError as error:
+        if re.match(r".+:\d+: ", str(error)):
+            raise
+        raise BoresightError(f"{model.where}: model {model.name}: {error}") from error
 
 
 def write(folder: Path, files: dict[str, str], stale: list[str]) -> None:

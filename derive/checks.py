@@ -7,12 +7,14 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from functools import cache
-from math import isfinite, pi
+from math import isfinite, pi, sqrt
 from numbers import Integral, Real
 from types import UnionType
 from typing import Any, NoReturn, Union, get_args, get_origin, get_type_hints
 
+import sympy
 from sympy import Expr, I, Matrix, MatrixBase, Symbol, nan, oo, zoo
+from sympy.core.function import AppliedUndef
 
 from boresight import BoresightError, did_you_mean
 from boresight.derive.model import Model, Variable, parts_of, symbols_in
@@ -32,6 +34,8 @@ TAKEN = f"""{KEYWORDS}
     x z R P status filter innovation rows gate iterations covariance next arg res iw w mem
 """
 UNDEFINED = {nan, zoo, oo, -oo, I}
+LARGEST = 1e18  # of a box
+UNEVALUATED = (sympy.Derivative, sympy.Integral, sympy.Sum, sympy.Product, sympy.Limit, AppliedUndef)
 OF_UNIT = ("_nz", "_kernel", "_checked", "_shared", "_batch", "_bound")  # what is made of a function's name
 OF_OUTPUT = ("_nz", "_nz_made", "_index", "_least", "_most")
 OF_FIELD = ("_low", "_high")
@@ -59,6 +63,7 @@ def check_part(part: Any) -> None:
             fail(part, wrong)
     if isinstance(part, Variable):
         check_box(part)
+        check_norm(part)
 
 
 @cache
@@ -137,6 +142,8 @@ def check_box(item: Variable) -> None:
     for symbol, low, high in zip(item.symbols, item.low, item.high, strict=True):
         if not (isfinite(low) and isfinite(high)):
             fail(item, f"the box of {symbol} is {low:.6g} to {high:.6g}; give finite bounds: tests draw points in it")
+        if max(abs(low), abs(high)) > LARGEST:
+            fail(item, f"the box of {symbol} is {low:.6g} to {high:.6g}; beyond {LARGEST:.0e} its square is no float")
         if not low < high:
             fail(
                 item,
@@ -146,6 +153,18 @@ def check_box(item: Variable) -> None:
 
 
 # ---------------------------------------------------------------- the whole model
+
+
+def check_norm(item: Variable) -> None:
+    if item.norm is None:
+        return
+    least, most = item.norm
+    far = sqrt(sum(max(abs(low), abs(high)) ** 2 for low, high in zip(item.low, item.high, strict=True)))
+    near = sqrt(sum(max(low, -high, 0.0) ** 2 for low, high in zip(item.low, item.high, strict=True)))
+    if not 0 <= least < most:
+        fail(item, f"norm is {item.norm}; give the least and the most, (0.99, 1.01) for a quaternion")
+    if least > far or most < near:
+        fail(item, f"norm is {item.norm}, but in its box norms are {near:.6g} to {far:.6g}; widen the box")
 
 
 def check_model(model: Model) -> None:
@@ -331,8 +350,13 @@ OF_STATE = {
 
 
 def check_constants(item: Expressions) -> None:
-    wrong = UNDEFINED & parts_of(item.matrix)
-    for part in sorted(wrong, key=str):
+    parts = parts_of(item.matrix)
+    for part in sorted((part for part in parts if isinstance(part, UNEVALUATED)), key=str):
+        fail(
+            item.part,
+            f"{entries_with(item, part)} holds {part}, which is not evaluated; write its expression, or .doit()",
+        )
+    for part in sorted(UNDEFINED & parts, key=str):
         fail(
             item.part,
             f"{entries_with(item, part)} holds {part}, which is no real number: look for a division by zero, the root "
@@ -386,6 +410,8 @@ def check_rows(model: Model) -> None:
         own = m.first_order is not None and m.first_order.of is None
         if not m.rows:
             fail(m, "it has no row; name one for each scalar that is measured")
+        if len({*m.rows}) < len(m.rows):
+            fail(m, f"two of its rows have one name: {listed(m.rows)}; a filter masks rows by their names")
         if (m.H is None) == (m.h is None) and not (own and m.H is not None):
             fail(m, "give either h or H, or both with a first_order of its own")
 
@@ -435,6 +461,8 @@ def check_step(model: Model) -> None:
     if owner is None:
         guess = did_you_mean(str(model.dt), [str(s) for v in model.inputs for s in v.symbols])
         fail(model, f"dt is {model.dt}, which is no input{guess}; add its variable to a Struct")
+    if owner.low[owner.symbols.index(model.dt)] < 0:
+        fail(owner, f"the box of {model.dt} reaches below zero; a step is forward in time")
 
 
 def check_idle(model: Model) -> None:
@@ -463,8 +491,12 @@ def check_idle(model: Model) -> None:
 
 
 def check_carried(model: Model) -> None:
-    """What strapdown and feedback return replaces the inputs of the same names."""
+    """An output's box has a bound for each component; strapdown and feedback return inputs by their names."""
     inputs = {item.name: item for item in model.inputs}
+    for o in (o for f in model.functions for o in f.outputs):
+        if {len(o.low), len(o.high)} not in ({0}, {len(o.value)}):
+            given = f"{len(o.low)} lower and {len(o.high)} upper bounds for {len(o.value)}"
+            fail(o, f"its box has {given}; give one of each for each component, or none")
     for f in model.functions:
         for o in f.outputs if f.name in ("strapdown", "feedback") else ():
             if o.name not in inputs:

@@ -13,7 +13,7 @@ from sympy import ImmutableMatrix, Matrix, Symbol
 from boresight import BoresightError
 from boresight.derive.constant import Constant
 from boresight.derive.constant import constant as constant
-from boresight.derive.where import where_written
+from boresight.derive.where import where_written, written_at
 
 NONE = ImmutableMatrix(0, 0, [])
 
@@ -55,8 +55,12 @@ class Variable:
     @property
     def scalar(self) -> Symbol:
         """The symbol of a variable with one component."""
-        (symbol,) = self.symbols
-        return symbol
+        if len(self.symbols) != 1:
+            raise BoresightError(
+                f"{written_at()}: variable {self.name} has the {len(self.symbols)} symbols "
+                f"{', '.join(map(str, self.symbols))}; take them from its .symbols"
+            )
+        return self.symbols[0]
 
     @property
     def size(self) -> int:
@@ -77,10 +81,17 @@ def variable(
     wide: bool = False,
 ) -> Variable:
     """A Variable from its components' names, as in `variable("mu", "mu_x mu_y mu_z", "rad", "...", -0.5, 0.5)`."""
+    if not isinstance(components, str):
+        raise BoresightError(f"{written_at()}: variable {name}: its components are one text, as 'x y z'")
     symbols = tuple(Symbol(component, real=True) for component in components.split())
 
     def bound(value: float | Iterable[float]) -> tuple[float, ...]:
-        return tuple(value) if isinstance(value, Iterable) else (float(value),) * len(symbols)
+        try:
+            return tuple(map(float, value)) if isinstance(value, Iterable) else (float(value),) * len(symbols)
+        except (TypeError, ValueError):
+            raise BoresightError(
+                f"{written_at()}: variable {name}: {value!r} is no bound of a box; give a number, or one per component"
+            ) from None
 
     return Variable(name, symbols, unit, meaning, bound(low), bound(high), frame, norm, wraps, wide)
 

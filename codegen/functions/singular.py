@@ -173,6 +173,9 @@ def between(looked: Looked, step: int, points: Points, a: int, b: int) -> Points
 def refuse(model: Model, looked: Looked, name: str, step: int, point: list[np.ndarray]) -> None:
     one = looked.tape.steps[step]
     operand = one.args[-1] if one.op in ("div", "inv") else one.args[0]
+    if one.op in ("div", "inv"):  # which of its factors is zero
+        values = computed(looked.tape, [part[None] for part in point])
+        operand = min(factors(looked.tape, operand), key=lambda factor: abs(values[factor][0]))
     by = shown(looked, operand)
     does = f"divides by {by}" if one.op in ("div", "inv") else f"takes {one.op} of {by}"
     sources = [s.source for i in needed(looked.tape, operand) if (s := looked.tape.steps[i]).op == "input"]

@@ -295,7 +295,7 @@ def carried(op: str, x: np.ndarray, v: np.ndarray, ex: np.ndarray) -> np.ndarray
     if op == "log":
         return np.where(x > ex, ex / (x - ex), np.inf)
     if op in ("asin", "acos"):
-        end = np.sqrt((1 - far) * (1 + far))
+        end = np.sqrt(np.maximum((1 - far) * (1 + far), 0))
         return np.where(ex > 0, np.where(far < 1, ex / end, np.inf), 0)
     if op == "atan":
         return ex / (1 + near * near)

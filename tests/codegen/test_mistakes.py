@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import pytest
+from conftest import ROOT
 
 from boresight import cli
 
@@ -151,7 +152,7 @@ MISTAKES = [
         MODEL,
         "f[omega]",
         "theta = 0",
-        "divides by length*theta",
+        "divides by theta",
         "-3 to 3",
         ":6",
         "narrow",
@@ -402,6 +403,24 @@ MISTAKES = [
     mistake(
         "function that C lacks", "* sin(theta) -", "* __import__('sympy').gamma(theta) -", MODEL, "f[omega]", "gamma"
     ),
+    mistake("components in a list", '"rate", "omega"', '"rate", ["omega"]', RATE, "one text"),
+    mistake("bounds as texts", "-20.0, 20.0", '"-20", "20"', RATE, "'-20'", "give a number"),
+    mistake("scalar of two", "= rod.symbols", "= rod.scalar", "length, damping", "2 symbols", ".symbols"),
+    mistake("bounds of an output", '"over the length")', '"over the length", low=(1.0,))', HEIGHT, "rise", "0 upper"),
+    mistake("norm upside down", "(10.0, 1.0))", "(10.0, 1.0), norm=(2.0, 1.0))", "rod =", "norm", "least and the most"),
+    mistake("norm outside", "(10.0, 1.0))", "(10.0, 1.0), norm=(20.0, 30.0))", "rod =", "norms are 0.1", "widen"),
+    mistake("step backwards", "1e-4, 0.2", "-1.0, 0.2", 'dt = variable("dt"', "below zero"),
+    mistake("rows of one name", '("reading",)', '("reading", "reading")', ENCODER, "one name"),
+    mistake(
+        "derivative left",
+        "* sin(theta) -",
+        "* __import__('sympy').Derivative(sin(theta), theta) -",
+        MODEL,
+        "f[omega] holds Derivative",
+        "not evaluated",
+    ),
+    mistake("box of no float", "-20.0, 20.0", "-1e300, 1e300", RATE, "-1e+300", "float"),
+    mistake("box without answers", "-20.0, 20.0", "1e-320, 2e-320", MODEL, "have an answer", "narrow"),
     mistake("no such NAME", "MODEL =", "MODEL =", "", "has no 'MODELL'", "did you mean 'MODEL'?", target=":MODELL"),
     mistake("not a Model", "MODEL =", "MODEL =", "", "is a Variable, not a Model", "MODEL", target=":angle"),
     mistake("no NAME", "MODEL =", "MODEL =", "", "its models are MODEL", target=""),
@@ -444,3 +463,11 @@ def test_the_file_without_a_mistake_is_generated(generate, tmp_path):
     status, _, error = generate(GOOD)
     assert (status, error) == (0, "")
     assert (tmp_path / "out" / "manifest.json").is_file()
+
+
+def test_the_messages_that_the_documentation_shows_are_those_that_are_given(generate):
+    shown = " ".join((ROOT / "docs" / "own-model.md").read_text().split())
+    for case in (one for one in MISTAKES if one.name in ("singular inside the box", "wrong keyword")):
+        ((old, new),) = case.edits.items()
+        _, _, error = generate(GOOD.replace(old, new))
+        assert error.strip().replace("swing.py", "pendulum.py") in shown, error

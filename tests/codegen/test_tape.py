@@ -8,7 +8,7 @@ import sympy as sp
 
 from boresight import BoresightError
 from boresight.codegen.functions.convert import to_casadi
-from boresight.codegen.functions.tape import evaluate, share_reciprocals, tape
+from boresight.codegen.functions.tape import COMPUTE, LIBRARY, carried, evaluate, share_reciprocals, tape
 
 x, y, z = symbols = sp.symbols("x y z", real=True)
 EXPRESSIONS = [
@@ -45,6 +45,26 @@ def test_conversion_keeps_the_value_and_the_bound_holds(expression):
         ])  # fmt: skip
     assert (errors <= bounds[0]).all()
     assert bounds[0].max() < 1e-12  # a bound that proves nothing would pass the line above
+
+
+@pytest.mark.parametrize("op", sorted(LIBRARY))
+def test_a_function_moves_by_what_is_said_at_most(op):
+    """Where its argument moves to either side; and the bound is not twice that where it moves by little."""
+    rng = np.random.default_rng(2)
+    x = rng.uniform(0.05, 0.95, 500) * (1 if op == "log" else rng.choice([-1, 1], 500))
+    exact = np.vectorize(lambda v: float(getattr(mp, op)(mp.mpf(v))))
+    for by in (1e-6, 0.04):
+        value = COMPUTE[op](x)
+        moved = np.maximum(*(abs(exact(x + sign * by) - value) for sign in (-1, 1)))
+        bound = carried(op, x, value, np.full(500, by))
+        assert (moved <= bound * (1 + 1e-9)).all()
+        assert by > 1e-3 or (bound <= 2 * moved + 2 * by * by).all()
+
+
+def test_an_argument_that_may_leave_the_domain_has_no_bound():
+    for op, x in (("log", 1e-9), ("asin", 1 - 1e-9), ("acos", 1e-9 - 1)):
+        at = np.array([x])
+        assert np.isinf(carried(op, at, COMPUTE[op](at), np.array([1e-8])))
 
 
 def test_a_shared_divisor_is_inverted_once():
