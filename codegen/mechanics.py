@@ -124,9 +124,14 @@ def fields(model: Model, values: Values) -> dict[str, list[Any]]:
     return {v.name: [values[s] for s in v.symbols] for v in model.inputs}
 
 
+def symbols(model: Model) -> list[sp.Symbol]:
+    """Those of the state; a matrix of them, as in model.x, takes SymPy longer than a strapdown step."""
+    return [symbol for block in model.states for symbol in block.symbols]
+
+
 def plus(values: Values, model: Model, x: Sequence[Any]) -> Values:
     """The values with x added to the state."""
-    return values | {s: values[s] + e for s, e in zip(model.x, x, strict=True)}
+    return values | {s: values[s] + e for s, e in zip(symbols(model), x, strict=True)}
 
 
 def box(model: Model) -> list[arb]:
@@ -255,7 +260,7 @@ class Exact:
 
     def corrected(self, hat: Values, x: Sequence[Any]) -> Values:
         """The estimates once x is taken out, in the axes against which the errors stand."""
-        return self.updated(hat, self.returned, self.feedback(hat | dict(zip(self.model.x, x, strict=True))))
+        return self.updated(hat, self.returned, self.feedback(hat | dict(zip(symbols(self.model), x, strict=True))))
 
     def true(self, hat: Values, x: Sequence[Any]) -> Values:
         """The same in the true axes."""

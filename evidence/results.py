@@ -5,26 +5,27 @@ import json
 from pathlib import Path
 from typing import Any
 
-from boresight.evidence.sources import Derivations, Folder
+from boresight.evidence.sources import Derivations, Examples, Folder
 
 PLACE = Path(__file__).resolve().parent / "results"
 
 
-def sources_hash(folder: Folder | Derivations) -> str:
-    """Of everything that a result depends on: of a folder its C, its headers, its tests; of a paper the derivations."""
+def sources_hash(folder: Folder | Derivations | Examples) -> str:
+    """Of everything that a result depends on: of a folder its C, its headers, its tests; of a paper the derivations, of
+    the examples all that makes and flies them."""
     key = hashlib.sha256()
     for path in folder.sources:
         key.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
     return key.hexdigest()
 
 
-def read(folder: Folder | Derivations) -> dict[str, Any]:
+def read(folder: Folder | Derivations | Examples) -> dict[str, Any]:
     """By kind of evidence: `sources` (the hash above), `tools`, and `units` by name.  Empty if nothing is committed."""
     path = PLACE / f"{folder.name}.json"
     return dict(json.loads(path.read_text())) if path.is_file() else {}
 
 
-def write(folder: Folder | Derivations, results: dict[str, Any]) -> None:
+def write(folder: Folder | Derivations | Examples, results: dict[str, Any]) -> None:
     PLACE.mkdir(exist_ok=True)
     text = json.dumps(results, indent=1, sort_keys=True) + "\n"
     (PLACE / f"{folder.name}.json").write_text(text)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from boresight.codegen.functions.tape import LIBRARY
+from boresight.codegen.stamp import GENERATOR, reached
 from boresight.derive.papers import DERIVATIONS, PAPERS
 from boresight.runtime.manifest import GENERATED, read_manifest
 
@@ -60,6 +61,24 @@ class Derivations:
         root = Path(__file__).resolve().parent
         judges = (root / f"{name}.py" for name in ("formula_tokens", "read_back", "spoilt", "steps"))
         return [*sorted((root.parent / "derive").rglob("*.py")), *judges]
+
+
+@dataclass(frozen=True)
+class Examples:
+    """The examples: models, and the scripts that fly them."""
+
+    name: str = "examples"
+
+    @property
+    def place(self) -> Path:
+        return Path(__file__).resolve().parent.parent / "examples"
+
+    @property
+    def sources(self) -> list[Path]:
+        """What their results depend on: they, all that generates and flies them, and what judges them."""
+        begin = {*self.place.glob("*.py"), Path(__file__).with_name("examples.py")}
+        begin |= {path for folder in GENERATOR for path in folder.rglob("*") if path.suffix in (".py", ".j2")}
+        return sorted(reached(begin))
 
 
 @dataclass(frozen=True)

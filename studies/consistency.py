@@ -79,10 +79,19 @@ class Consistency:
         low, high = self.nees_band
         return float(np.mean((low <= self.nees) & (self.nees <= high)))
 
+    @property
+    def measurements(self) -> tuple[str, ...]:
+        return tuple(self._innovations)
+
+    def nis_sum(self, measurement: str) -> tuple[float, int]:
+        """NIS of all runs and times together, and how many rows were used: its degrees of freedom."""
+        _, nis, rows = map(np.array, zip(*self._innovations[measurement], strict=True))
+        return float(nis.sum()), int(rows.sum())
+
     def nis(self, measurement: str) -> tuple[float, list[float]]:
         """NIS per row used, mean of all runs and times, and the band in which it lies 95 times of 100."""
-        _, nis, rows = map(np.array, zip(*self._innovations[measurement], strict=True))
-        return float(nis.sum() / rows.sum()), chi_square_band(1, int(rows.sum()))
+        total, rows = self.nis_sum(measurement)
+        return total / rows, chi_square_band(1, rows)
 
     def report(self) -> str:
         """One table in text."""

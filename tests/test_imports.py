@@ -87,12 +87,12 @@ def test_nobody_imports_the_folders_by_their_plain_names():
     ("statement", "kept_out"),
     [
         ("import boresight", {"numpy", "sympy", "casadi", "scipy"}),
-        ("import boresight.cli", {"numpy", "sympy", "casadi", "scipy", "matplotlib"}),
-        ("import boresight.derive.model", {"casadi", "numpy"}),
+        ("import boresight.cli", {"numpy", "pint", "sympy", "casadi", "scipy", "matplotlib"}),
+        ("import boresight.derive.model", {"casadi", "numpy", "pint"}),
         ("import boresight.runtime.library, boresight.runtime.filter", {"sympy", "casadi", "scipy", "matplotlib"}),
         ("import boresight.runtime.recording", {"sympy", "casadi", "pandas", "pydantic", "matplotlib"}),
         ("import boresight.studies.euler_table", {"sympy", "casadi", "matplotlib", "scipy.stats"}),
-        ("import boresight.codegen.generate", {"sympy", "casadi", "numpy"}),
+        ("import boresight.codegen.generate", {"sympy", "casadi", "numpy", "pint"}),
         ("import boresight.codegen.watch", {"sympy", "boresight.derive.model", "boresight.codegen.text.equations"}),
     ],
 )

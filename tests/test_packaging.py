@@ -93,10 +93,12 @@ def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(built, tmp_
         "import boresight, numpy as np; from boresight.runtime.library import load; "
         f"assert boresight.__file__.startswith({str(site)!r}); load('euler-matching').F(omega_in_n=np.zeros(3)); "
         "from boresight.codegen.generate import default_folder; "
-        "assert str(default_folder('euler-matching')) == 'generated/euler_matching'"
+        "assert str(default_folder('euler-matching')) == 'generated/euler_matching'; "
+        "from boresight.codegen.new import new; from pathlib import Path; new('mine', 'ins', Path())"
     )
     env = {**os.environ, "PYTHONPATH": str(site)}
     subprocess.run([sys.executable, "-c", code], cwd=tmp_path, env=env, check=True)
+    assert (tmp_path / "mine.py").is_file() and (tmp_path / "fly_mine.py").is_file()
 
 
 def test_the_base_flies_alone(built, bare):

@@ -64,7 +64,8 @@ def test_a_function_moves_by_what_is_said_at_most(op):
 def test_an_argument_that_may_leave_the_domain_has_no_bound():
     for op, x in (("log", 1e-9), ("asin", 1 - 1e-9), ("acos", 1e-9 - 1)):
         at = np.array([x])
-        assert np.isinf(carried(op, at, COMPUTE[op](at), np.array([1e-8])))
+        with np.errstate(divide="ignore"):
+            assert np.isinf(carried(op, at, COMPUTE[op](at), np.array([1e-8])))
 
 
 def test_a_shared_divisor_is_inverted_once():

@@ -5,7 +5,7 @@ from committed import NAMES, folder_of
 
 from boresight.evidence import results
 from boresight.evidence.kinds import KINDS, kinds_of
-from boresight.evidence.sources import derivations
+from boresight.evidence.sources import Examples, derivations
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -23,7 +23,7 @@ def test_results_of_a_paper_are_of_the_derivations_here(paper):
 
 
 def test_no_result_is_of_a_folder_or_a_paper_that_is_gone():
-    names = [*NAMES, *(paper.name for paper in derivations())]
+    names = [*NAMES, *(paper.name for paper in derivations()), Examples().name]
     assert {path.stem for path in results.PLACE.glob("*.json")} <= set(names)
 
 

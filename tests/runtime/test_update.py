@@ -176,14 +176,15 @@ def test_each_iteration_starts_from_the_first_state_and_covariance(kind, radar):
 
 
 @KINDS
-def test_the_gate_is_that_of_the_first_linearisation(kind, radar):
-    first, last = (begun(kind, radar, NEAR, WIDE).update("radar", NOISE, z=HERE, iterations=k) for k in (1, 20))
+@pytest.mark.parametrize("z", [HERE, seen(NEAR) + np.array([6.0, 0.3])])
+def test_the_gate_is_that_of_the_first_linearisation(kind, z, radar):
+    first, last = (begun(kind, radar, NEAR, WIDE).update("radar", NOISE, z=z, iterations=k) for k in (1, 20))
     sigmas = [abs(said.nu) / np.sqrt(said.S) for said in (first, last)]
     row = int(np.argmax(abs(sigmas[0] - sigmas[1])))
     gate = (sigmas[0][row] + sigmas[1][row]) / 2
     loop, masked = begun(kind, radar, NEAR, WIDE), begun(kind, radar, NEAR, WIDE)
-    said = loop.update("radar", NOISE, z=HERE, iterations=20, gate=gate)
-    masked.update("radar", NOISE, z=HERE, iterations=20, rows=said.used)
+    said = loop.update("radar", NOISE, z=z, iterations=20, gate=gate)
+    masked.update("radar", NOISE, z=z, iterations=20, rows=said.used)
     np.testing.assert_array_equal((loop.x, np.diag(loop.P)), (masked.x, np.diag(masked.P)))
     assert said.used.tolist() == (sigmas[0] <= gate).tolist()
     assert said.used.tolist() != (sigmas[1] <= gate).tolist()
