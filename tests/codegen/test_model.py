@@ -39,6 +39,15 @@ def angled(rows):
         (DISCRETE | {"Q": Matrix([[1, rate], [angle, 1]])}, "Q is not symmetric: rate at .0, 1. is angle at .1, 0."),
         (DISCRETE | {"Q": eye(3)}, r"Q has shape \(3, 3\), not \(2, 2\)"),
         ({"order": 3}, "order 3 is that of an error state's Phi and Q; a total state is flown by f"),
+        (
+            {"f": None, "F": eye(2), "loops": True},
+            "loops are for .*flown by f; an error state is carried by loops already",
+        ),
+        (DISCRETE | {"loops": True}, "loops are for the step of a total state that is flown by f: leave loops out"),
+        (
+            {"loops": True, "structs": (*PENDULUM.structs, Struct("rate", "a number of the loops", ()))},
+            "'rate' has a mean",
+        ),
         ({"f": None, "F": eye(2), "order": 4}, "order is 4; it is 1, 2 or 3"),
         ({"functions": (replace(PENDULUM.functions[0], name="feedback"),)}, "feedback belongs to an error state"),
         ({"functions": (replace(PENDULUM.functions[0], name="strapdown"),)}, "strapdown belongs to an error state"),
