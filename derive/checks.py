@@ -65,6 +65,11 @@ def check_part(part: Any) -> None:
     if isinstance(part, Variable):
         check_box(part)
         check_norm(part)
+    empty = next((name for name in ("fields", "outputs") if getattr(part, name, None) == ()), "")
+    if empty:
+        fail(part, f"{empty} is empty; give at least one, or leave the {kind(part)} out")
+    if isinstance(getattr(part, "value", None), MatrixBase) and 0 in part.value.shape:
+        fail(part, "value has no entry; give at least one, or leave the output out")
 
 
 @cache

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError, did_you_mean
-from boresight.runtime.arguments import check_inputs, check_start
+from boresight.runtime.arguments import check_inputs, check_start, check_taking
 from boresight.runtime.array import Array, wrapped
 
 STILL = 0.01  # sigmas by which an estimate may move and need not be linearised again
@@ -112,8 +112,7 @@ class Filter:
         Where one moves by more than a sigma and by more than before, or x leaves its box, the first result is taken.
         z: (..., m) the measured value, of a measurement that has no `NAME_z`.
         """
-        if iterations < 1:
-            raise BoresightError(f"{measurement}: iterations is {iterations}; it must be at least 1")
+        check_taking(measurement, rows, gate, iterations)
         z, rows = self._measured(measurement, inputs), np.asarray(rows, dtype=bool)
         D, L_inverse = self._noise(measurement, R, z.shape, rows)
 

@@ -74,7 +74,12 @@ def with_function(name, outputs):
     return {**ERROR_STATE, old: f'Function("{name}", "a test", ({outputs},))'}
 
 
+F_OUTPUT = '(Output("rise", Matrix([sin(theta)]), "1", "over the length"),)'
 MISTAKES = [
+    mistake("struct of nothing", '"one step", (dt, torque)', '"one step", ()', "structs=", "fields is empty", "leave"),
+    mistake("function of nothing", F_OUTPUT, "()", "functions=", "outputs is empty", "leave the function out"),
+    mistake("output of nothing", "Matrix([sin(theta)])", "Matrix([])", "functions=", "value has no entry"),
+    mistake("constant that is no number", '"9.81"', '"nan"', "g =", "the constant g is nan", "finite number"),
     mistake(
         "undefined Python name", "damping * omega]", "kappa * omega]", "f=Matrix", "NameError", "'kappa'", "define"
     ),

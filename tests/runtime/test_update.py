@@ -359,3 +359,15 @@ def test_a_z_of_the_model_is_not_brought(library):
 def test_the_self_test_holds_all_of_it_in_both_forms(options, radar_folder, tmp_path):
     done = self_test(radar_folder, tmp_path, *STRICT, *options, "-O0")
     assert done.returncode == 0, done.stdout
+
+
+@KINDS
+@pytest.mark.parametrize(
+    "given", [{"gate": g} for g in (0, -1.0, np.nan, np.inf, "5")] + [{"rows": ["range"]}, {"iterations": 1.5}], ids=str
+)
+def test_a_gate_of_no_size_rows_by_name_and_broken_iterations_are_refused(kind, given, radar):
+    loop = begun(kind, radar, NEAR, WIDE)
+    with pytest.raises(BoresightError, match=f"^radar: {next(iter(given))} is "):
+        loop.update("radar", NOISE, z=HERE, **given)
+    np.testing.assert_array_equal(loop.x, NEAR)
+    np.testing.assert_array_equal(loop.P, WIDE)
