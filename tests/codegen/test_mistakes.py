@@ -190,6 +190,9 @@ MISTAKES = [
         "narrow",
     ),
     mistake(
+        "noise of no root", "G=Matrix([0, 1])", "G=Matrix([0, sqrt(sin(theta))])", MODEL, "G[omega, jitter]", "sqrt of"
+    ),
+    mistake(
         "output singular", "Matrix([sin(theta)])", "Matrix([damping / omega])", HEIGHT, "rise[0]", "omega = 0", "narrow"
     ),
     # units: what pint reads, and what every term must have

@@ -310,6 +310,25 @@ def test_any_measurement_takes_a_full_R_in_python_and_each_run_its_own(radar):
     np.testing.assert_allclose(plain.x, diagonal.x, rtol=1e-14)
 
 
+@KINDS
+@pytest.mark.parametrize(
+    ("name", "R", "off", "iterations"),
+    [
+        ("smeared", FULL, [1e3, 0.0], 1),
+        ("smeared", FULL, [1e3, 0.0], 5),
+        ("fix", [[4.0, 3.0], [3.0, 4.0]], [1e3, 0], 1),
+    ],
+)
+def test_what_a_rejected_row_says_does_not_reach_the_others(kind, name, R, off, iterations, radar):
+    gated, masked = begun(kind, radar, FAR, SURE), begun(kind, radar, FAR, SURE)
+    z = np.array(FAR[:2]) if name == "fix" else HERE
+    found = gated.update(name, np.array(R), z=np.add(z, off), gate=5.0, iterations=iterations)
+    assert found.used.tolist() == [False, True]
+    masked.update(name, np.array(R), z=np.add(z, off), rows=[False, True], iterations=iterations)
+    np.testing.assert_array_equal(gated.x, masked.x)
+    np.testing.assert_array_equal(gated.P, masked.P)
+
+
 # ---- what is refused
 
 
