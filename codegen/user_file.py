@@ -31,7 +31,8 @@ def run(path: Path) -> ModuleType:
     except (Exception, SystemExit) as error:
         explain(error, path)
     finally:
-        sys.path.pop(0)
+        if str(path.parent) in sys.path:  # no longer the first, where the file has put others in front
+            sys.path.remove(str(path.parent))
     return module
 
 
