@@ -189,7 +189,8 @@ def described(model: Model) -> dict[str, dict[str, str]]:
     parts = {
         "model": {
             "title": model.title, "kind": model.kind, "frame": model.frame, "prefix in C": model.c_prefix,
-            "step": str(model.dt), "order": str(model.order), "equations": ", ".join(model.equations),
+            "step": str(model.dt), "order": str(model.order), "in C": "by loops" * model.loops,
+            "equations": ", ".join(model.equations),
             "conventions": " ".join(model.card),
         }
     }  # fmt: skip

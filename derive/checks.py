@@ -17,7 +17,7 @@ from sympy import Expr, I, Matrix, MatrixBase, Symbol, nan, oo, zoo
 from sympy.core.function import AppliedUndef
 
 from boresight import BoresightError, did_you_mean
-from boresight.derive.model import Model, Variable, parts_of, symbols_in
+from boresight.derive.model import Model, Struct, Variable, parts_of, symbols_in
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of models with states
@@ -33,6 +33,7 @@ TAKEN = f"""{KEYWORDS}
     sin cos atan2 sqrt fabs exp log asin acos atan sinh cosh tanh
     x z R P status filter innovation rows gate iterations covariance next arg res iw w mem
 """
+OF_LOOPS = "f at rate K sum h third share weight places stage"  # what they call numbers of their own
 UNDEFINED = {nan, zoo, oo, -oo, I}
 LARGEST = 1e18  # of a box
 UNEVALUATED = (sympy.Derivative, sympy.Integral, sympy.Sum, sympy.Product, sympy.Limit, AppliedUndef)
@@ -64,6 +65,11 @@ def check_part(part: Any) -> None:
     if isinstance(part, Variable):
         check_box(part)
         check_norm(part)
+    empty = next((name for name in ("fields", "outputs") if getattr(part, name, None) == ()), "")
+    if empty:
+        fail(part, f"{empty} is empty; give at least one, or leave the {kind(part)} out")
+    if isinstance(getattr(part, "value", None), MatrixBase) and 0 in part.value.shape:
+        fail(part, "value has no entry; give at least one, or leave the output out")
 
 
 @cache
@@ -199,7 +205,7 @@ def check_names(model: Model) -> None:
     # a state's index is a macro in upper case
     unique((item, "symbol", symbol.name.upper()) for item in model.states for symbol in item.symbols)
     by_unit = unique(
-        [(model, "function", name) for name in RESULTS if model.n]
+        [(model, "function", name) for name in (*RESULTS, *(["f"] if model.loops else [])) if model.n]
         + [(m, "measurement", m.name) for m in model.measurements]
         + [(m, "function", f"{m.name}_{part}") for m in model.measurements for part in "zhH"]
         + [(f, "function", f.name) for f in model.functions]
@@ -213,7 +219,8 @@ def check_names(model: Model) -> None:
         for name, part in table.items():
             if not NAME.match(name):
                 fail(part, f"{name!r} cannot be a name in C; write letters, digits and '_'")
-            if name in TAKEN.split() or re.fullmatch(r"t\d+|(bs|BS)_.*|filter_.*", name):
+            reserved = TAKEN.split() + (OF_LOOPS.split() if model.loops and isinstance(part, Struct) else [])
+            if name in reserved or re.fullmatch(r"t\d+|(bs|BS)_.*|filter_.*", name):
                 fail(part, f"the name {name!r} has a meaning in C or in the generated code; choose another")
     for item in variables:
         if not item.symbols:
@@ -367,6 +374,9 @@ def check_constants(item: Expressions) -> None:
 def check_given(model: Model) -> None:
     """What belongs together is there and nothing else: an error state has F, a total state f, or next with Q."""
     given = [name for name in ("F", "f", "next") if getattr(model, name) is not None]
+    if model.loops and model.f is None:
+        already = "; an error state is carried by loops already" if model.F is not None else ""
+        fail(model, f"loops are for the step of a total state that is flown by f{already}: leave loops out")
     if not model.n:
         if given or model.Q is not None or model.dt is not None or model.measurements:
             fail(

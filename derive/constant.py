@@ -89,9 +89,11 @@ def constant(name: str, value: Expr | str | float, unit: str, meaning: str) -> C
     except (TypeError, ValueError):  # no number at all
         number = nan
     if not (isinstance(number, Expr) and number.is_number and number.is_finite and number.is_real):
-        raise BoresightError(f"the constant {name} is {value}; give a finite number, or an expression of constants")
+        raise BoresightError(
+            f"{written_at()}: the constant {name} is {value}; give a finite number, or an expression of constants"
+        )
     if number.is_zero:
-        raise BoresightError(f"the constant {name} is zero; write 0, which has every unit")
+        raise BoresightError(f"{written_at()}: the constant {name} is zero; write 0, which has every unit")
     return Constant(name, number, unit, meaning, written_at())
 
 

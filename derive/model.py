@@ -237,6 +237,7 @@ class Model:
     G: (n, m).  noise: (m) noise densities, roots of power spectral densities.  Of a total state both may depend on it.
     dt: symbol of the step, which a model in discrete time need not have.  order: of an
     error state, the power of F dt to which Phi is taken; Q is taken to one more of dt.  structs: the inputs.
+    loops: of a state flown by f, the filter in C takes its step by loops over printed f, F and Qc, which is less code.
     equations: the source of F, as `song-lee-2001 (20)`.
     A model without states has functions alone, such as a strapdown integrator: no F, G, noise, dt or measurements.
     """
@@ -260,6 +261,7 @@ class Model:
     next: Matrix | None = None
     Q: Matrix | None = None
     order: int = 2
+    loops: bool = False
     where: str = where_written()
 
     def __post_init__(self) -> None:
@@ -368,6 +370,7 @@ class Model:
             card=self.card,
             mechanics=self.mechanics,
             order=self.order,
+            loops=self.loops,
         )
 
 

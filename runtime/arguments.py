@@ -39,6 +39,18 @@ def one_run(fields: Mapping[str, Any], nav: Mapping[str, Array]) -> bool:
     return all(np.ndim(value) == (fields[name]["size"] > 1) for name, value in nav.items() if name in fields)
 
 
+def check_taking(measurement: str, rows: Any, gate: Any, iterations: Any) -> None:
+    """Raise BoresightError on rows that are neither True nor False, a gate of no size, or iterations of no number."""
+    if np.asarray(rows).dtype.kind not in "biuf":
+        raise BoresightError(f"{measurement}: rows is {rows!r}; give True or False for each row")
+    if gate is not None and not (np.asarray(gate).dtype.kind in "iuf" and 0 < gate < np.inf):
+        raise BoresightError(
+            f"{measurement}: gate is {gate!r} sigmas; give a number above zero, or leave it out for no gate"
+        )
+    if not (isinstance(iterations, int | np.integer) and iterations >= 1):
+        raise BoresightError(f"{measurement}: iterations is {iterations!r}; it must be at least 1, and whole")
+
+
 def check_start(model: Any, nav: Mapping[str, Array], P: Array) -> None:
     """The same for what a filter begins with, and for the sizes of nav and P."""
     states = getattr(model, "states", None)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime.arguments import check_inputs
+from boresight.runtime.arguments import check_inputs, check_taking
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.library import Library
@@ -65,8 +65,7 @@ class CompiledFilter(Filter):
         **inputs: Any,
     ) -> Innovation:
         """Take one measurement, row after row: see `Filter.update`.  R is (..., m, m) of a correlated one alone."""
-        if iterations < 1:
-            raise BoresightError(f"{measurement}: iterations is {iterations}; it must be at least 1")
+        check_taking(measurement, rows, gate, iterations)
         z = self._brought(measurement, inputs)
         described = self.described["measurements"][measurement]
         m = described["m"]

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError, did_you_mean
-from boresight.runtime.arguments import check_inputs, check_start
+from boresight.runtime.arguments import check_inputs, check_start, check_taking
 from boresight.runtime.array import Array, wrapped
 
 STILL = 0.01  # sigmas by which an estimate may move and need not be linearised again
@@ -103,19 +103,22 @@ class Filter:
         """Take one measurement, row after row, in Joseph form.
 
         R: (..., m) variances of the rows, whose errors are independent; or (..., m, m) their covariance L D L', L lower
-        with ones on its diagonal: then the rows are those of L^-1 z, of variances D, and so are nu, S and the gate.
+        with ones on its diagonal: then the rows are those of L^-1 z, of variances D, and so are nu and S.
         (For m runs (m, m) are variances, and (1, m, m) is a covariance.)
         rows: (..., m) bool, False for a row that is absent, which has no part in L.
-        gate: a row whose |nu| exceeds this many sigmas, where it is linearised first, is left out.
+        gate: a row whose |nu| exceeds this many sigmas, where it is linearised first, is left out; of correlated rows
+        each is judged by itself, before R is factored without those that are left out.
         iterations: how often at most a nonlinear measurement is linearised, about the last estimate and always from the
         same x and P; 1 is the plain extended filter.  It ends where no state and no row moves by more than .01 sigma.
         Where one moves by more than a sigma and by more than before, or x leaves its box, the first result is taken.
         z: (..., m) the measured value, of a measurement that has no `NAME_z`.
         """
-        if iterations < 1:
-            raise BoresightError(f"{measurement}: iterations is {iterations}; it must be at least 1")
+        check_taking(measurement, rows, gate, iterations)
         z, rows = self._measured(measurement, inputs), np.asarray(rows, dtype=bool)
         D, L_inverse = self._noise(measurement, R, z.shape, rows)
+        if L_inverse is not None and gate is not None:  # what a rejected row says has no part in the others
+            rows, gate = self._within(gate, rows, R, *self._linear(measurement, z, self.x, inputs)), None
+            D, L_inverse = self._noise(measurement, R, z.shape, rows)
 
         def linear(at: Array) -> tuple[Array, Array]:
             """Rows z and H that are linear in the state about `at`."""
@@ -188,6 +191,12 @@ class Filter:
         if not (sigma**2 > np.finfo(float).eps * variances).all():
             raise BoresightError(f"{measurement}: R is not positive definite; a row of it follows from the others")
         return sigma**2, np.linalg.inv(root / sigma[..., None, :])
+
+    def _within(self, gate: float, rows: Array, R: Any, target: Array, H: Array) -> Array:
+        """(..., m) bool: the rows that are within the gate, each by the variance of its own innovation."""
+        nu = target - np.einsum("...ij,...j->...i", H, self.x)
+        S = np.einsum("...ij,...jk,...ik->...i", H, self.P, H) + np.diagonal(np.asarray(R, float), axis1=-2, axis2=-1)
+        return rows & (nu**2 <= gate**2 * S)
 
     def _linear(self, measurement: str, z: Array, at: Array, inputs: dict[str, Any]) -> tuple[Array, Array]:
         """z and H (..., m, n) of rows that are linear in the state about `at`: an h is taken there; angles turn."""

@@ -83,10 +83,9 @@ def error_state(maker: UnitMaker) -> list[Unit]:
     n, order, source = model.n, model.order, model.equations
     (F,) = maker.convert(model.F)
     F_exact = maker.numeric(model.F)
-    G, noise = maker.convert(model.G, model.noise)
-    root_exact, dt, dt_exact = root(maker), maker.symbols[model.dt], step(maker)
+    dt, dt_exact = maker.symbols[model.dt], step(maker)
     A = F * dt
-    spread = symmetric(G @ ca.diag(noise * noise) @ G.T)  # noise covariance per second
+    spread, spread_exact = density(maker)
     FS = F @ spread
     FFS = F @ FS
     twice = FFS + FFS.T + 2 * FS @ F.T  # L(L(spread)), where L(X) = F X + (F X)'
@@ -99,14 +98,6 @@ def error_state(maker: UnitMaker) -> list[Unit]:
     if order > 2:
         Phi += A @ A @ A / 6
         Q += (thrice + thrice.T) * (dt * dt * dt * dt / 24)
-
-    def spread_exact(values: Values) -> Rows:
-        rows = root_exact(values)
-        return times(rows, transposed(rows, model.noise.rows))
-
-    def density(values: Values) -> list[Entries]:
-        with precise():
-            return [weighted((1, spread_exact(values)))]
 
     def powers(values: Values) -> list[tuple[Any, Rows]]:
         """1, F, F F / 2, ...: what stands with the powers of dt in Phi."""
@@ -149,13 +140,7 @@ def error_state(maker: UnitMaker) -> list[Unit]:
             Phi_exact,
             source,
         ),
-        maker.unit(
-            "Qc",
-            "noise covariance per second, G W G'",
-            [(spread, described("Qc", "mixed", "density of the noise"))],
-            density,
-            source,
-        ),
+        noise_per_second(maker),
         maker.unit(
             "Q",
             f"covariance that the noise adds over dt, to dt^{order + 1}, with F as it is at the start",
@@ -194,6 +179,34 @@ def root(maker: UnitMaker) -> Callable[[Values], Rows]:
         return [{j: value * densities[j, 0] for j, value in row.items() if (j, 0) in densities} for row in rows]
 
     return evaluate
+
+
+def density(maker: UnitMaker) -> tuple[Any, Callable[[Values], Rows]]:
+    """The noise covariance per second, G W G'."""
+    G, noise = maker.convert(maker.model.G, maker.model.noise)
+    root_exact = root(maker)
+
+    def exact(values: Values) -> Rows:
+        rows = root_exact(values)
+        return times(rows, transposed(rows, maker.model.noise.rows))
+
+    return symmetric(G @ ca.diag(noise * noise) @ G.T), exact
+
+
+def noise_per_second(maker: UnitMaker) -> Unit:
+    spread, spread_exact = density(maker)
+
+    def exact(values: Values) -> list[Entries]:
+        with precise():
+            return [weighted((1, spread_exact(values)))]
+
+    return maker.unit(
+        "Qc",
+        "noise covariance per second, G W G'",
+        [(spread, described("Qc", "mixed", "density of the noise"))],
+        exact,
+        maker.model.equations,
+    )
 
 
 # ---------------------------------------------------------------- a total state
@@ -291,6 +304,16 @@ def total_state(maker: UnitMaker) -> Iterator[Unit]:
         F_exact,
         source,
     )
+    if model.loops:  # what the loops of the filter in C are over
+        per_second = ", ".join(f"({block.unit}) per s" for block in model.states)
+        yield maker.unit(
+            "f",
+            "rate of the state, x' = f(x) + G w",
+            [(f, described("f", per_second, "rate of the state"))],
+            f_exact,
+            source,
+        )
+        yield noise_per_second(maker)
     yield from carried(
         maker,
         (after, next_exact, "one step of the fourth-order Runge-Kutta method, inputs held"),

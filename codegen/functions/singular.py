@@ -6,6 +6,7 @@ negative at one point of the boxes and positive at another is zero between them.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import product
 from typing import Any
 
 import casadi as ca
@@ -49,15 +50,17 @@ def refuse_singular(model: Model, made: list[Unit]) -> None:
 
 
 def of_flow(model: Model) -> Iterator[Looked]:
-    """f or next of a total state, of which the units hold Jacobians and whole steps."""
-    for name in ("f", "next"):
-        flow = getattr(model, name)
-        if flow is not None:
+    """What the model states and no unit prints as it stands: f, next, G and noise."""
+    for name in ("f", "next", "G", "noise"):
+        matrix = getattr(model, name)
+        if matrix is not None and len(matrix):
             maker = UnitMaker(model)
-            (value,) = maker.convert(flow)
-            entries = ca.vertcat(*(value[i] for i in range(model.n)))
-            function = ca.Function(name, [maker.vectors[v.name] for v in maker.variables], [ca.densify(entries)])
-            yield Looked(model, tape(function), maker.variables, tuple(f"{name}[{s}]" for s in model.x))
+            (value,) = maker.convert(matrix)
+            function = ca.Function(name, [maker.vectors[v.name] for v in maker.variables], [ca.densify(value)])
+            rows = [str(part) for part in (model.noise if name == "noise" else model.x)]
+            across = [[f", {part}" for part in model.noise] if name == "G" else [""], rows]  # results are column-major
+            names = [f"{name}[{row}{column}]" for column, row in product(*across)]
+            yield Looked(model, tape(function), maker.variables, tuple(names))
 
 
 def of_unit(model: Model, unit: Unit) -> Looked:

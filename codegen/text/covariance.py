@@ -64,6 +64,7 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         given: dict[str, Any] = {"F": table(F, n), "Qc": table(Qc, n)}
     else:
         Phi, given = nonzeros(made, "Phi"), {"F": None, "Q": table(nonzeros(made, "Q"), n)}
+    sized = ("F", "Qc") if model.kind == "error-state" or model.loops else ()  # what the filter keeps
     block = -(-n // -(-n // BLOCK))  # as even as the number of states allows
     row = -(-n // block) * block
     leftmost = [min([j, *(column for i, column in Phi if i == j)]) for j in range(n)]
@@ -75,6 +76,7 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         # a nonlinear measurement keeps H there, dense where its R is, and its dense P
         "work": max(2 * row * row, n * n + max(n * len(m.rows) for m in model.measurements)),
         **given,
+        "sizes": {name: len(nonzeros(made, name)) for name in sized},
         "order": model.order,
         "series": series(model.order),
         "left_out": left_out(model.order),

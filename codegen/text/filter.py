@@ -5,12 +5,13 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.codegen.functions.dynamics import LARGEST
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.units import Unit, state_variable
 from boresight.codegen.text.covariance import Places, nonzeros, table
 from boresight.codegen.text.names import beyond, norms_beyond, number, rows_of, shared_tables
-from boresight.derive.model import Model
+from boresight.derive.model import Model, Variable
 
 FLOWN = 2  # points at which the self-test flies the filter
 LEAST_R, MOST_R = 1e-30, 1e30  # variances of measurements, within the range of a float
@@ -90,12 +91,19 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
             }
         )  # fmt: skip
 
-    def linear() -> tuple[dict[str, Any], dict[str, Any]]:
-        """How an error state and its covariance are carried over dt, and dt as C."""
+    def path(field: Variable) -> str:
+        struct = owner[field.name]
+        return f"filter->{struct}.{field.name}" if struct in carried else f"{struct}->{field.name}"
+
+    def length() -> tuple[Variable, int, str]:
+        """dt: the input, the component and how C reaches it."""
         dt = next(v for v in model.inputs if model.dt in v.symbols)
         place = dt.symbols.index(model.dt)
-        path = f"filter->{owner[dt.name]}.{dt.name}" if owner[dt.name] in carried else f"{owner[dt.name]}->{dt.name}"
-        value = path if dt.size == 1 else f"{path}[{place}]"
+        return dt, place, path(dt) if dt.size == 1 else f"{path(dt)}[{place}]"
+
+    def linear() -> tuple[dict[str, Any], dict[str, Any]]:
+        """How an error state and its covariance are carried over dt, and dt as C."""
+        dt, place, value = length()
         structs = given("F", "Qc")
         if owner[dt.name] not in (*carried, *structs):
             structs = [s.name for s in model.structs if s.name in (*structs, owner[dt.name])]
@@ -107,10 +115,36 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
 
     def total() -> dict[str, Any]:
         """The same of a total state."""
+        read = ("next", "Phi", "Q", *(("f", "F", "Qc") if model.loops else ()))
         return {
-            "structs": given("next", "Phi", "Q"), "fields": fields("next", "Phi", "Q"), "next": call("next", "next"),
+            "structs": given(*read), "fields": fields(*read), "next": call("next", "next"),
             "Phi": call("Phi", "filter->Phi"), "Phi_dense": call_dense("Phi"),
             "Q": call("Q", "filter->work"), "Q_dense": call_dense("Q"), **scattered(nonzeros(made, "Q")),
+        }  # fmt: skip
+
+    def looped(read: list[str]) -> dict[str, Any]:
+        """What a step by loops is made of: what is checked before it and after it, its kernels and their places."""
+        end = by_name["next"][0].results[0]
+        checked = [box("filter->x", state_variable(model))]
+        checked += [box(path(a), a) for a in model.inputs if a.name in read]
+        bounds = {
+            f"{a.name}_{end}": values
+            for a in (state_variable(model), *(a for a in model.inputs if a.name in read))
+            for end, values in (("low", a.low), ("high", a.high))
+        }
+        tables, names = shared_tables(bounds | {"next_low": end.low, "next_high": end.high})
+
+        def kernel(name: str, state: str, out: str) -> str:
+            unit, view = by_name[name]
+            inputs = [state if a.name == "x" else f"{'&' * (a.size == 1)}{path(a)}" for a in unit.args]
+            return f"{view['c_name']}_kernel({', '.join([*inputs, out])})"
+
+        return {
+            "files": [by_name[name][1]["file"] for name in ("F", "Qc", "f")], "kernel": kernel, "dt": length()[2],
+            "checked": checked, "tables": tables, "table": names, "most": number(LARGEST),
+            "places": ", ".join(str(i * model.n + j) for i, j in nonzeros(made, "Phi")),
+            "moved": ", ".join(str(i) for i, _ in nonzeros(made, "f")), "count": len(nonzeros(made, "f")),
+            **{name: table(nonzeros(made, name), model.n) for name in ("F", "Qc")},
         }  # fmt: skip
 
     propagate, dt = linear() if model.kind == "error-state" else (total(), None)
@@ -120,6 +154,7 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
     tables, names = shared_tables(bounds | ({"x_low": low, "x_high": high} if model.kind == "total-state" else {}))
     return {
         "total": model.kind == "total-state",
+        "loops": looped(propagate["fields"]) if model.loops else None,
         "wraps": [i for i, wraps in enumerate(v.wraps for v in model.states for _ in v.symbols) if wraps],
         "explicit": any(u["h"] for u in measurements),
         "angled": any(u["h"] and u["angles"] != "0U" for u in measurements),

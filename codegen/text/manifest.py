@@ -17,7 +17,8 @@ def filter_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]])
     return {
         "sources": [f"{model.c_prefix}_covariance", f"{model.c_prefix}_filter"],
         "carried": f["carried"],
-        "propagate": {key: f["propagate"][key] for key in ("structs", "fields")},
+        "propagate": {key: f["propagate"][key] for key in ("structs", "fields")}
+        | ({"loops": model.loops} if f["total"] else {}),
         "correct": f["correct"] and {key: f["correct"][key] for key in ("structs", "fields", "written")},
         "measurements": {
             m["name"]: {key: m[key] for key in ("m", "structs", "fields", "nonlinear")} | {"brings_z": m["z"] is None}

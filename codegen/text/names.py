@@ -17,8 +17,8 @@ def snake(name: str) -> str:
 
 
 def file_stem(model: Model, unit: str) -> str:
-    """H and h are two functions; their files must not be one where a file system ignores case."""
-    return f"{model.c_prefix}_{unit}x" if unit.endswith("_h") else f"{model.c_prefix}_{unit}"
+    """H and h, F and f are two functions; their files must not be one where a file system ignores case."""
+    return f"{model.c_prefix}_{unit}x" if unit == "f" or unit.endswith("_h") else f"{model.c_prefix}_{unit}"
 
 
 def number(value: float) -> str:

@@ -124,7 +124,7 @@ def elements(model: Model, unit: Unit, result: Result) -> list[str]:
     """Row and column of each non-zero, by name if they have one: a state, a row of the measurement, a component."""
     states = [symbol.name for symbol in model.x]
     of_units = {f"{m.name}_{suffix}": list(m.rows) for m in model.measurements for suffix in ("z", "h", "H")}
-    of_units |= dict.fromkeys(("F", "Phi", "Qc", "Q", "next"), states)
+    of_units |= dict.fromkeys(("F", "f", "Phi", "Qc", "Q", "next"), states)
     fields = {field.name: [symbol.name for symbol in field.symbols] for field in model.inputs}
     named = of_units.get(unit.name) or fields.get(result.name, [])
     rows, columns = result.shape

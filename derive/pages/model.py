@@ -591,6 +591,7 @@ def _flown(shown: Description, units: Mapping[str, Any]) -> Section:
                   "third of the step and at its end, so that Q errs by the fourth power of the step."),
             Formulas(noise),
             *_in_c(model, units, "next", "Phi", "Q"),
+            *[Prose("The filter in C computes all three by loops over f, F and Qc = G W G'.")] * model.loops,
         ),
         "step",
     )  # fmt: skip

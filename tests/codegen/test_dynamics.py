@@ -191,11 +191,11 @@ def test_of_an_f_that_moves_every_order_leaves_out_half_its_rate_times_the_squar
 def generated(model, order, folder):
     """The folder of a model of this module, its Phi taken to another order."""
     folder.mkdir()
-    (folder / "mine.py").write_text(
+    (folder / "stepwise.py").write_text(
         f"from dataclasses import replace\nimport sys\nsys.path.insert(0, {str(ROOT / 'tests' / 'codegen')!r})\n"
         f"import test_dynamics\nMODEL = replace(test_dynamics.{model}, order={order})\n"
     )
-    generate(f"{folder / 'mine.py'}:MODEL", folder / "out")
+    generate(f"{folder / 'stepwise.py'}:MODEL", folder / "out")
     return folder / "out"
 
 

@@ -76,7 +76,12 @@ def with_function(name, outputs):
     return {**ERROR_STATE, old: f'Function("{name}", "a test", ({outputs},))'}
 
 
+F_OUTPUT = '(Output("rise", Matrix([sin(theta)]), "1", "over the length"),)'
 MISTAKES = [
+    mistake("struct of nothing", '"one step", (dt, torque)', '"one step", ()', "structs=", "fields is empty", "leave"),
+    mistake("function of nothing", F_OUTPUT, "()", "functions=", "outputs is empty", "leave the function out"),
+    mistake("output of nothing", "Matrix([sin(theta)])", "Matrix([])", "functions=", "value has no entry"),
+    mistake("constant that is no number", '"9.81"', '"nan"', "g =", "the constant g is nan", "finite number"),
     mistake(
         "undefined Python name", "damping * omega]", "kappa * omega]", "f=Matrix", "NameError", "'kappa'", "define"
     ),
@@ -185,6 +190,9 @@ MISTAKES = [
         "divides by",
         "damping",
         "narrow",
+    ),
+    mistake(
+        "noise of no root", "G=Matrix([0, 1])", "G=Matrix([0, sqrt(sin(theta))])", MODEL, "G[omega, jitter]", "sqrt of"
     ),
     mistake(
         "output singular", "Matrix([sin(theta)])", "Matrix([damping / omega])", HEIGHT, "rise[0]", "omega = 0", "narrow"

@@ -39,6 +39,15 @@ def angled(rows):
         (DISCRETE | {"Q": Matrix([[1, rate], [angle, 1]])}, "Q is not symmetric: rate at .0, 1. is angle at .1, 0."),
         (DISCRETE | {"Q": eye(3)}, r"Q has shape \(3, 3\), not \(2, 2\)"),
         ({"order": 3}, "order 3 is that of an error state's Phi and Q; a total state is flown by f"),
+        (
+            {"f": None, "F": eye(2), "loops": True},
+            "loops are for .*flown by f; an error state is carried by loops already",
+        ),
+        (DISCRETE | {"loops": True}, "loops are for the step of a total state that is flown by f: leave loops out"),
+        (
+            {"loops": True, "structs": (*PENDULUM.structs, Struct("rate", "a number of the loops", (named("wind"),)))},
+            "'rate' has a mean",
+        ),
         ({"f": None, "F": eye(2), "order": 4}, "order is 4; it is 1, 2 or 3"),
         ({"functions": (replace(PENDULUM.functions[0], name="feedback"),)}, "feedback belongs to an error state"),
         ({"functions": (replace(PENDULUM.functions[0], name="strapdown"),)}, "strapdown belongs to an error state"),
@@ -50,7 +59,10 @@ def angled(rows):
         ({"c_prefix": "pd_"}, "c_prefix"),
         ({"dt": Symbol("tick")}, "dt is tick"),
         ({"structs": (Struct("step", "twice", (dt, dt)),)}, "used twice"),
-        ({"structs": (*PENDULUM.structs, Struct("energy", "named as a function", ()))}, "'energy' is used twice"),
+        (
+            {"structs": (*PENDULUM.structs, Struct("energy", "named as a function", (named("wind"),)))},
+            "'energy' is used twice",
+        ),
         ({"states": ()}, "without states"),
         ({"measurements": (Measurement("tip", ("a",), "m", "both", h=Matrix([1]), H=eye(2)),)}, "either h or H"),
         (
@@ -63,12 +75,21 @@ def angled(rows):
         ({"noise": Matrix([0])}, "noise 0 has no effect"),
         ({"G": zeros(2, 0), "noise": zeros(0, 1)}, "at least one noise"),
         ({"c_prefix": "bs"}, "c_prefix 'bs'"),
-        ({"structs": (*PENDULUM.structs, Struct("register", "a keyword", ()))}, "'register' has a meaning in C"),
-        ({"structs": (*PENDULUM.structs, Struct("filter", "a type of ours", ()))}, "'filter' has a meaning in C"),
+        (
+            {"structs": (*PENDULUM.structs, Struct("register", "a keyword", (named("wind"),)))},
+            "'register' has a meaning in C",
+        ),
+        (
+            {"structs": (*PENDULUM.structs, Struct("filter", "a type of ours", (named("wind"),)))},
+            "'filter' has a meaning in C",
+        ),
         ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("x"),)))}, "the name 'x' has a meaning in C"),
         ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("t12"),)))}, "the name 't12' has a meaning in C"),
         ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("sin"),)))}, "the name 'sin' has a meaning in C"),
-        ({"structs": (*PENDULUM.structs, Struct("tip_z", "named as a function", ()))}, "'tip_z' is used twice"),
+        (
+            {"structs": (*PENDULUM.structs, Struct("tip_z", "named as a function", (named("wind"),)))},
+            "'tip_z' is used twice",
+        ),
     ],
 )
 def test_what_does_not_fit_together_is_named(change, said):

@@ -58,5 +58,5 @@ def test_a_constant_comes_after_those_that_its_value_is_made_of():
 
 @pytest.mark.parametrize("value", [0, "0", float("nan"), float("inf"), "x", x, None, sp.I])
 def test_a_value_that_is_no_number_or_zero_is_refused(value):
-    with pytest.raises(BoresightError, match=r"^the constant c is "):
+    with pytest.raises(BoresightError, match=r"test_constant\.py:\d+: the constant c is "):
         constant("c", value, "1", "nothing")

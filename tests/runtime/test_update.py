@@ -311,6 +311,25 @@ def test_any_measurement_takes_a_full_R_in_python_and_each_run_its_own(radar):
     np.testing.assert_allclose(plain.x, diagonal.x, rtol=1e-14)
 
 
+@KINDS
+@pytest.mark.parametrize(
+    ("name", "R", "off", "iterations"),
+    [
+        ("smeared", FULL, [1e3, 0.0], 1),
+        ("smeared", FULL, [1e3, 0.0], 5),
+        ("fix", [[4.0, 3.0], [3.0, 4.0]], [1e3, 0], 1),
+    ],
+)
+def test_what_a_rejected_row_says_does_not_reach_the_others(kind, name, R, off, iterations, radar):
+    gated, masked = begun(kind, radar, FAR, SURE), begun(kind, radar, FAR, SURE)
+    z = np.array(FAR[:2]) if name == "fix" else HERE
+    found = gated.update(name, np.array(R), z=np.add(z, off), gate=5.0, iterations=iterations)
+    assert found.used.tolist() == [False, True]
+    masked.update(name, np.array(R), z=np.add(z, off), rows=[False, True], iterations=iterations)
+    np.testing.assert_array_equal(gated.x, masked.x)
+    np.testing.assert_array_equal(gated.P, masked.P)
+
+
 # ---- what is refused
 
 
@@ -360,3 +379,15 @@ def test_a_z_of_the_model_is_not_brought(library):
 def test_the_self_test_holds_all_of_it_in_both_forms(options, radar_folder, tmp_path):
     done = self_test(radar_folder, tmp_path, *STRICT, *options, "-O0")
     assert done.returncode == 0, done.stdout
+
+
+@KINDS
+@pytest.mark.parametrize(
+    "given", [{"gate": g} for g in (0, -1.0, np.nan, np.inf, "5")] + [{"rows": ["range"]}, {"iterations": 1.5}], ids=str
+)
+def test_a_gate_of_no_size_rows_by_name_and_broken_iterations_are_refused(kind, given, radar):
+    loop = begun(kind, radar, NEAR, WIDE)
+    with pytest.raises(BoresightError, match=f"^radar: {next(iter(given))} is "):
+        loop.update("radar", NOISE, z=HERE, **given)
+    np.testing.assert_array_equal(loop.x, NEAR)
+    np.testing.assert_array_equal(loop.P, WIDE)

@@ -99,7 +99,7 @@ bs_status ah_F(const ah_nav *nav, const ah_imu *imu, bs_real F[15 * AH_N_STATES]
 /* The same, the non-zeros alone, row after row. */
 bs_status ah_F_nz(const ah_nav *nav, const ah_imu *imu, bs_real F_nz[60]);
 
-/* Transition matrix over dt, I + F dt + (F dt)^2 / 2.
+/* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
  * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->position    longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                       (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
@@ -132,7 +132,7 @@ bs_status ah_Qc(const ah_nav *nav, const ah_noise *noise, bs_real Qc[15 * AH_N_S
 /* The same, the non-zeros alone, row after row. */
 bs_status ah_Qc_nz(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24]);
 
-/* Covariance that the noise adds over dt.
+/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
  * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->position            longitude, not wrapped, geodetic latitude, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,

@@ -15,6 +15,8 @@ enum {
     N = AH_N_STATES,
     NP = AH_N_PACKED,
     VECTORS = 8,
+    N_F = 60,
+    N_QC = 24,
     /* roundings one after another: rows of n terms, twice; and what the factors add, n columns of n
      * terms */
     OF_STATE = 38,
@@ -131,25 +133,25 @@ static const double updated_row[VECTORS][4] = {
     { -0x1.b4fe000000000p+5, 0x1.f5aaf00000000p+5, 0x1.d186000000000p+5, 0x1.6afd8f24cc464p+8 }
 };
 
-static const unsigned short F_row[AH_N_F] = { 0, 0, 0, 1, 1, 1, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4,
-                                              4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5,
-                                              6, 6, 6, 6, 6, 6, 6, 6, 7, 7, 7, 7, 7, 7, 7, 7, 8, 8,
-                                              8, 8, 8, 8, 8, 8 };
-static const unsigned short F_column[AH_N_F] = { 1, 2, 3, 1, 2, 4, 5, 1, 2, 3, 4, 5, 7, 8, 12, 13,
-                                                 14, 1, 2, 3, 4, 5, 6, 8, 12, 13, 14, 1, 2, 3, 4, 6,
-                                                 7, 12, 13, 14, 1, 2, 4, 7, 8, 9, 10, 11, 1, 2, 3,
-                                                 6, 8, 9, 10, 11, 1, 2, 3, 6, 7, 9, 10, 11 };
-static const unsigned short Qc_row[AH_N_QC] = { 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6, 7, 7, 7, 8, 8,
+static const unsigned short F_row[N_F] = { 0, 0, 0, 1, 1, 1, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4,
+                                           4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5, 6, 6,
+                                           6, 6, 6, 6, 6, 6, 7, 7, 7, 7, 7, 7, 7, 7, 8, 8, 8, 8, 8,
+                                           8, 8, 8 };
+static const unsigned short F_column[N_F] = { 1, 2, 3, 1, 2, 4, 5, 1, 2, 3, 4, 5, 7, 8, 12, 13, 14,
+                                              1, 2, 3, 4, 5, 6, 8, 12, 13, 14, 1, 2, 3, 4, 6, 7, 12,
+                                              13, 14, 1, 2, 4, 7, 8, 9, 10, 11, 1, 2, 3, 6, 8, 9,
+                                              10, 11, 1, 2, 3, 6, 7, 9, 10, 11 };
+static const unsigned short Qc_row[N_QC] = { 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6, 7, 7, 7, 8, 8, 8,
+                                             9, 10, 11, 12, 13, 14 };
+static const unsigned short Qc_column[N_QC] = { 3, 4, 5, 3, 4, 5, 3, 4, 5, 6, 7, 8, 6, 7, 8, 6, 7,
                                                 8, 9, 10, 11, 12, 13, 14 };
-static const unsigned short Qc_column[AH_N_QC] = { 3, 4, 5, 3, 4, 5, 3, 4, 5, 6, 7, 8, 6, 7, 8, 6,
-                                                   7, 8, 9, 10, 11, 12, 13, 14 };
 
 /* One case, and room to work in; too large for the stack of a small target. */
 static struct {
     uint32_t seed;
     int scale[N]; /* powers of two */
-    bs_real F[AH_N_F];
-    bs_real Qc[AH_N_QC];
+    bs_real F[N_F];
+    bs_real Qc[N_QC];
     bs_real P[N * N];
     bs_real x[N];
     bs_real h[N];
@@ -211,19 +213,19 @@ static void draw_case(int k)
             given.P[(i * N) + j] = scaled(sum, given.scale[i] + given.scale[j] - 8);
         }
     }
-    for (int l = 0; l < AH_N_F; ++l) {
+    for (int l = 0; l < N_F; ++l) {
         const int number = draw();
         const int value = ((number % 2) != 0) ? ((number / 2) + 64) : -((number / 2) + 64);
         given.F[l] = scaled((kind == 4) ? 0 : value, given.scale[F_row[l]] -
                             given.scale[F_column[l]] - 8);
     }
-    for (int l = 0; l < AH_N_QC; ++l) { /* above the diagonal, then the same below it; the diagonal
-                                         * exceeds their sum */
+    for (int l = 0; l < N_QC; ++l) { /* above the diagonal, then the same below it; the diagonal
+                                      * exceeds their sum */
         if (Qc_row[l] < Qc_column[l]) {
             const int value = draw() - 128;
             bound[Qc_row[l]] += (value < 0) ? -value : value;
             bound[Qc_column[l]] += (value < 0) ? -value : value;
-            for (int q = 0; q < AH_N_QC; ++q) {
+            for (int q = 0; q < N_QC; ++q) {
                 if ((q == l) || ((Qc_row[q] == Qc_column[l]) && (Qc_column[q] == Qc_row[l]))) {
                     given.Qc[q] = scaled(((kind == 5) || (kind == 6)) ? 0 : value,
                                          given.scale[Qc_row[q]] + given.scale[Qc_column[q]] - 8);
@@ -231,7 +233,7 @@ static void draw_case(int k)
             }
         }
     }
-    for (int l = 0; l < AH_N_QC; ++l) {
+    for (int l = 0; l < N_QC; ++l) {
         if (Qc_row[l] == Qc_column[l]) {
             const int value = bound[Qc_row[l]] + draw() + 1;
             given.Qc[l] = scaled(((kind == 5) || (kind == 6)) ? 0 : value,

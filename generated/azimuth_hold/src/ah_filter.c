@@ -57,7 +57,6 @@ static bs_status take(ah_filter *filter,
     }
     return status;
 }
-
 bs_status ah_filter_init(ah_filter *filter,
                          const ah_nav *nav,
                          const bs_real P[AH_N_STATES * AH_N_STATES])

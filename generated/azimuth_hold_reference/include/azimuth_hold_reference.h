@@ -102,7 +102,7 @@ bs_status ahr_F(const ahr_nav *nav, const ahr_imu *imu, bs_real F[16 * AHR_N_STA
 /* The same, the non-zeros alone, row after row. */
 bs_status ahr_F_nz(const ahr_nav *nav, const ahr_imu *imu, bs_real F_nz[60]);
 
-/* Transition matrix over dt, I + F dt + (F dt)^2 / 2.
+/* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
  * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->position    longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                       (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
@@ -135,7 +135,7 @@ bs_status ahr_Qc(const ahr_nav *nav, const ahr_noise *noise, bs_real Qc[16 * AHR
 /* The same, the non-zeros alone, row after row. */
 bs_status ahr_Qc_nz(const ahr_nav *nav, const ahr_noise *noise, bs_real Qc_nz[24]);
 
-/* Covariance that the noise adds over dt.
+/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
  * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->position            longitude, not wrapped, geodetic latitude, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,

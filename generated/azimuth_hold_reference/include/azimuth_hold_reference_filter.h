@@ -39,8 +39,7 @@ typedef struct {
     unsigned int used;        /* bit i: row i was taken, neither masked nor gated */
 } ahr_innovation;
 
-/* Begin from nav, reference and a covariance P, dense, row-major.
- * x is zero, and the caller's to set where it is no error but the state itself.
+/* Begin from nav, reference and a covariance P, dense, row-major; x is zero.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, or BS_NOT_POSITIVE: P is not
  * symmetric, or it is not positive semidefinite */
 bs_status ahr_filter_init(ahr_filter *filter,

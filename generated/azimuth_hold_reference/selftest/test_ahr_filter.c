@@ -45,7 +45,7 @@ static const double sigma[N] = { 1.7453292519943296e-06, 1.7453292519943296e-06,
                                  0.02, 0.0001, 0.0001, 0.0001, 3.490658503988659e-06,
                                  3.490658503988659e-06, 3.490658503988659e-06, 0.0002, 0.0002,
                                  0.0002, 0.0001 };
-/* of x: zero if it is an error */
+/* of x */
 static const double start[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
                                  0.0, 0.0, 0.0 };
 static const unsigned short F_places[AHR_N_F] = { 1, 2, 3, 17, 18, 20, 37, 49, 50, 51, 52, 53, 55,
@@ -121,13 +121,18 @@ static bs_status hand_propagate(ahr_filter *filter, const ahr_imu *imu, const ah
     return status;
 }
 
-static bs_status hand_rows(ahr_filter *filter, const bs_real *z, int m)
+static bs_status hand_rows(ahr_filter *filter,
+                           const bs_real *z,
+                           const bs_real *variance,
+                           int m,
+                           unsigned int taken,
+                           bs_real limit)
 {
     bs_status status = BS_OK;
     said_by_hand.used = 0U;
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
-        bs_row row = { &dense[i * N], every, N, z[i], R[i], gate, z[i], R[i],
-                       (int)((rows >> (unsigned int)i) & 1U) };
+        bs_row row = { &dense[i * N], every, N, z[i], variance[i], limit, z[i], variance[i],
+                       (int)((taken >> (unsigned int)i) & 1U) };
         status = UPDATE(filter->P, filter->x, &row);
         said_by_hand.nu[i] = row.nu;
         said_by_hand.S[i] = row.S;
@@ -139,25 +144,46 @@ static bs_status hand_rows(ahr_filter *filter, const bs_real *z, int m)
 static bs_status hand_measure_zupt(ahr_filter *filter)
 {
     bs_real *const z = residual;
+    bs_real target[3];
     bs_status status = ahr_zupt_z(&filter->nav, z);
     status = (status == BS_OK) ? ahr_zupt_H(dense) : status;
-    return (status == BS_OK) ? hand_rows(filter, z, 3) : status;
+    if (status == BS_OK) {
+        for (int i = 0; i < 3; ++i) {
+            target[i] = z[i];
+        }
+        status = hand_rows(filter, target, R, 3, rows, gate);
+    }
+    return status;
 }
 
 static bs_status hand_measure_zaru(ahr_filter *filter, const ahr_imu *imu)
 {
     bs_real *const z = residual;
+    bs_real target[3];
     bs_status status = ahr_zaru_z(&filter->nav, imu, z);
     status = (status == BS_OK) ? ahr_zaru_H(&filter->nav, dense) : status;
-    return (status == BS_OK) ? hand_rows(filter, z, 3) : status;
+    if (status == BS_OK) {
+        for (int i = 0; i < 3; ++i) {
+            target[i] = z[i];
+        }
+        status = hand_rows(filter, target, R, 3, rows, gate);
+    }
+    return status;
 }
 
 static bs_status hand_measure_azimuth(ahr_filter *filter)
 {
     bs_real *const z = residual;
+    bs_real target[1];
     bs_status status = ahr_azimuth_z(&filter->nav, &filter->reference, z);
     status = (status == BS_OK) ? ahr_azimuth_H(dense) : status;
-    return (status == BS_OK) ? hand_rows(filter, z, 1) : status;
+    if (status == BS_OK) {
+        for (int i = 0; i < 1; ++i) {
+            target[i] = z[i];
+        }
+        status = hand_rows(filter, target, R, 1, rows, gate);
+    }
+    return status;
 }
 
 /* ---- flown, each with what it is given here */
@@ -195,6 +221,13 @@ static bs_status measure_zaru(void)
 static bs_status measure_azimuth(void)
 {
     return ahr_filter_measure_azimuth(&flown, R, rows, gate, &said);
+}
+
+static void set_noise(bs_real scale)
+{
+    for (int i = 0; i < AHR_MAX_ROWS; ++i) {
+        R[i] = scale * (BS_REAL(1.0) + (bs_real)i);
+    }
 }
 
 static void set_point(int k)
@@ -254,8 +287,8 @@ static void set_point(int k)
             P0[(i * N) + j] = (bs_real)(sigma[i] * sigma[j] * ((i == j) ? 1.0 : 0.25));
         }
     }
+    set_noise(BS_REAL(1.0));
     for (int i = 0; i < AHR_MAX_ROWS; ++i) {
-        R[i] = BS_REAL(1.0) + (bs_real)i;
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
     }
     gate = BS_REAL(0.0);
@@ -341,12 +374,13 @@ static int fly(void)
     status = propagate();
     failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
-    for (int k = 0; k < 4; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass */
+    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise */
         failures += begin();
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
+        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_zupt();
         failures += same("zupt", status, hand_measure_zupt(&hand));
         failures += expect("zupt is refused", status == BS_OK) + same_said("zupt: innovation", 3);
@@ -354,12 +388,14 @@ static int fly(void)
     }
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
-    for (int k = 0; k < 4; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass */
+    set_noise(BS_REAL(1.0));
+    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise */
         failures += begin();
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
+        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_zaru();
         failures += same("zaru", status, hand_measure_zaru(&hand, &given_imu));
         failures += expect("zaru is refused", status == BS_OK) + same_said("zaru: innovation", 3);
@@ -367,12 +403,14 @@ static int fly(void)
     }
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
-    for (int k = 0; k < 4; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass */
+    set_noise(BS_REAL(1.0));
+    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise */
         failures += begin();
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
+        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_azimuth();
         failures += same("azimuth", status, hand_measure_azimuth(&hand));
         failures += expect("azimuth is refused", status == BS_OK) +
@@ -381,6 +419,7 @@ static int fly(void)
     }
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
+    set_noise(BS_REAL(1.0));
     return failures;
 }
 

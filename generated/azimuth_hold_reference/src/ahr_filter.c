@@ -57,7 +57,6 @@ static bs_status take(ahr_filter *filter,
     }
     return status;
 }
-
 bs_status ahr_filter_init(ahr_filter *filter,
                           const ahr_nav *nav,
                           const ahr_reference *reference,

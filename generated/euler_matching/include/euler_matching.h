@@ -73,7 +73,7 @@ bs_status em_F(const em_step *step, bs_real F[6 * EM_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status em_F_nz(const em_step *step, bs_real F_nz[6]);
 
-/* Transition matrix over dt, I + F dt + (F dt)^2 / 2.
+/* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
  * Equations: song-lee-2001 (20), song-lee-2001 (21).
  * in   step->omega_in_n  rate of the local level against inertial space (rad/s, NED); -0.01 to 0.01
  * in   step->dt          length of the step (s); 1e-06 to 10
@@ -94,7 +94,7 @@ bs_status em_Qc(const em_nav *nav, const em_noise *noise, bs_real Qc[6 * EM_N_ST
 /* The same, the non-zeros alone, row after row. */
 bs_status em_Qc_nz(const em_nav *nav, const em_noise *noise, bs_real Qc_nz[9]);
 
-/* Covariance that the noise adds over dt.
+/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
  * Equations: song-lee-2001 (20), song-lee-2001 (21).
  * in   nav->q_b2n_wxyz    attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
  * in   step->omega_in_n   rate of the local level against inertial space (rad/s, NED);

@@ -15,6 +15,8 @@ enum {
     N = EM_N_STATES,
     NP = EM_N_PACKED,
     VECTORS = 8,
+    N_F = 6,
+    N_QC = 9,
     /* roundings one after another: rows of n terms, twice; and what the factors add, n columns of n
      * terms */
     OF_STATE = 20,
@@ -131,17 +133,17 @@ static const double updated_row[VECTORS][4] = {
     { -0x1.3290000000000p+3, 0x1.1e50280000000p+1, 0x1.c570000000000p+3, 0x1.1e50280000000p+1 }
 };
 
-static const unsigned short F_row[EM_N_F] = { 0, 0, 1, 1, 2, 2 };
-static const unsigned short F_column[EM_N_F] = { 1, 2, 0, 2, 0, 1 };
-static const unsigned short Qc_row[EM_N_QC] = { 0, 0, 0, 1, 1, 1, 2, 2, 2 };
-static const unsigned short Qc_column[EM_N_QC] = { 0, 1, 2, 0, 1, 2, 0, 1, 2 };
+static const unsigned short F_row[N_F] = { 0, 0, 1, 1, 2, 2 };
+static const unsigned short F_column[N_F] = { 1, 2, 0, 2, 0, 1 };
+static const unsigned short Qc_row[N_QC] = { 0, 0, 0, 1, 1, 1, 2, 2, 2 };
+static const unsigned short Qc_column[N_QC] = { 0, 1, 2, 0, 1, 2, 0, 1, 2 };
 
 /* One case, and room to work in; too large for the stack of a small target. */
 static struct {
     uint32_t seed;
     int scale[N]; /* powers of two */
-    bs_real F[EM_N_F];
-    bs_real Qc[EM_N_QC];
+    bs_real F[N_F];
+    bs_real Qc[N_QC];
     bs_real P[N * N];
     bs_real x[N];
     bs_real h[N];
@@ -203,19 +205,19 @@ static void draw_case(int k)
             given.P[(i * N) + j] = scaled(sum, given.scale[i] + given.scale[j] - 8);
         }
     }
-    for (int l = 0; l < EM_N_F; ++l) {
+    for (int l = 0; l < N_F; ++l) {
         const int number = draw();
         const int value = ((number % 2) != 0) ? ((number / 2) + 64) : -((number / 2) + 64);
         given.F[l] = scaled((kind == 4) ? 0 : value, given.scale[F_row[l]] -
                             given.scale[F_column[l]] - 8);
     }
-    for (int l = 0; l < EM_N_QC; ++l) { /* above the diagonal, then the same below it; the diagonal
-                                         * exceeds their sum */
+    for (int l = 0; l < N_QC; ++l) { /* above the diagonal, then the same below it; the diagonal
+                                      * exceeds their sum */
         if (Qc_row[l] < Qc_column[l]) {
             const int value = draw() - 128;
             bound[Qc_row[l]] += (value < 0) ? -value : value;
             bound[Qc_column[l]] += (value < 0) ? -value : value;
-            for (int q = 0; q < EM_N_QC; ++q) {
+            for (int q = 0; q < N_QC; ++q) {
                 if ((q == l) || ((Qc_row[q] == Qc_column[l]) && (Qc_column[q] == Qc_row[l]))) {
                     given.Qc[q] = scaled(((kind == 5) || (kind == 6)) ? 0 : value,
                                          given.scale[Qc_row[q]] + given.scale[Qc_column[q]] - 8);
@@ -223,7 +225,7 @@ static void draw_case(int k)
             }
         }
     }
-    for (int l = 0; l < EM_N_QC; ++l) {
+    for (int l = 0; l < N_QC; ++l) {
         if (Qc_row[l] == Qc_column[l]) {
             const int value = bound[Qc_row[l]] + draw() + 1;
             given.Qc[l] = scaled(((kind == 5) || (kind == 6)) ? 0 : value,

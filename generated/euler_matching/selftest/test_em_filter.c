@@ -42,7 +42,7 @@ static const double in_place[POINTS][5] = {
     { -0x1.531068dc4a89ep+0, 0x1.b2c81df2d0b96p+13, 0x1.aed69704a5b2ap+9, -0x1.0df2066c5bf84p+9, -0x1.f2136ba7180ccp+8 }
 };
 static const double sigma[N] = { 0.0001, 0.0001, 0.0001, 0.0001, 0.0001, 0.0001 };
-static const double start[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; /* of x: zero if it is an error */
+static const double start[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; /* of x */
 static const unsigned short F_places[EM_N_F] = { 1, 2, 6, 8, 12, 13 };
 static const unsigned short Qc_places[EM_N_QC] = { 0, 1, 2, 6, 7, 8, 12, 13, 14 };
 static const unsigned short every[N] = { 0, 1, 2, 3, 4, 5 };
@@ -57,6 +57,9 @@ static bs_real P0[N * N];
 static bs_real dense[6 * N];
 static bs_real residual[EM_MAX_ROWS];
 static bs_real R[EM_MAX_ROWS];
+static em_filter first;
+static em_innovation first_said;
+static bs_real spread[N * N];
 static bs_real gate;
 static unsigned int rows;
 static int iterations;
@@ -109,13 +112,18 @@ static bs_status hand_propagate(em_filter *filter, const em_step *step, const em
     return status;
 }
 
-static bs_status hand_rows(em_filter *filter, const bs_real *z, int m)
+static bs_status hand_rows(em_filter *filter,
+                           const bs_real *z,
+                           const bs_real *variance,
+                           int m,
+                           unsigned int taken,
+                           bs_real limit)
 {
     bs_status status = BS_OK;
     said_by_hand.used = 0U;
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
-        bs_row row = { &dense[i * N], every, N, z[i], R[i], gate, z[i], R[i],
-                       (int)((rows >> (unsigned int)i) & 1U) };
+        bs_row row = { &dense[i * N], every, N, z[i], variance[i], limit, z[i], variance[i],
+                       (int)((taken >> (unsigned int)i) & 1U) };
         status = UPDATE(filter->P, filter->x, &row);
         said_by_hand.nu[i] = row.nu;
         said_by_hand.S[i] = row.S;
@@ -124,12 +132,51 @@ static bs_status hand_rows(em_filter *filter, const bs_real *z, int m)
     return status;
 }
 
+/* The square of how many sigmas a state or a row has moved from `from`, at most. */
+static bs_real hand_moved(const em_filter *filter,
+                          const bs_real *from,
+                          const bs_real *variance,
+                          int m)
+{
+    bs_real most = BS_REAL(0.0);
+    DENSE(filter->P, spread);
+    for (int i = 0; i < (N + m); ++i) {
+        bs_real by = BS_REAL(0.0);
+        bs_real of = (i < N) ? spread[i * (N + 1)] : variance[i - N];
+        for (int j = 0; j < N; ++j) {
+            by += ((i >= N) ? dense[((i - N) * N) + j] : (i == j) ? BS_REAL(1.0) : BS_REAL(0.0)) *
+                (filter->x[j] - from[j]);
+        }
+        if ((i >= N) && (((said_by_hand.used >> (unsigned int)(i - N)) & 1U) == 0U)) {
+            of = BS_REAL(0.0);
+        }
+        if ((of > BS_REAL(0.0)) && ((by * by) > (most * of))) {
+            most = (by * by) / of;
+        }
+    }
+    return most;
+}
+
 static bs_status hand_measure_euler(em_filter *filter, const em_angles *angles)
 {
     bs_real *const z = residual;
+    bs_real target[3];
     bs_status status = em_euler_z(&filter->nav, angles, z);
     status = (status == BS_OK) ? em_euler_H(angles, dense) : status;
-    return (status == BS_OK) ? hand_rows(filter, z, 3) : status;
+    if (status == BS_OK) {
+        for (int i = 0; i < 3; ++i) {
+            target[i] = z[i];
+            if (((7U >> (unsigned int)i) & 1U) != 0U) {
+                bs_real nu = z[i];
+                for (int j = 0; j < N; ++j) {
+                    nu -= dense[(i * N) + j] * filter->x[j];
+                }
+                target[i] -= nu - bs_wrap(nu);
+            }
+        }
+        status = hand_rows(filter, target, R, 3, rows, gate);
+    }
+    return status;
 }
 
 static bs_status hand_measure_euler_exact(em_filter *filter, const em_angles *angles)
@@ -137,22 +184,53 @@ static bs_status hand_measure_euler_exact(em_filter *filter, const em_angles *an
     bs_real *const z = residual;
     bs_real target[3];
     bs_status status = em_euler_exact_z(&filter->nav, angles, z);
+    bs_real from[N];
+    bs_real last = BS_REAL(0.0);
+    int diverges = 0;
     before = *filter;
-    for (int k = 0; (k < iterations) && (status == BS_OK); ++k) {
-        status = em_euler_exact_H(filter->x, &filter->nav, angles, dense);
+    memcpy(from, filter->x, sizeof(from));
+    for (int k = 0; k < iterations; ++k) {
+        bs_real step;
+        status = (status == BS_OK) ? em_euler_exact_H(filter->x, &filter->nav, angles, dense)
+            : status;
         status = (status == BS_OK) ? em_euler_exact_h(filter->x, &filter->nav, angles, target)
             : status;
-        for (int i = 0; i < 3; ++i) {
-            target[i] = z[i] - target[i];
-            for (int j = 0; j < N; ++j) {
-                target[i] += dense[(i * N) + j] * filter->x[j];
+        if (status == BS_OK) {
+            for (int i = 0; i < 3; ++i) {
+                target[i] = z[i] - target[i];
+                target[i] = (((7U >> (unsigned int)i) & 1U) != 0U) ? bs_wrap(target[i]) : target[i];
+                for (int j = 0; j < N; ++j) {
+                    target[i] += dense[(i * N) + j] * from[j];
+                }
             }
+            memcpy(filter->x, before.x, sizeof(before.x));
+            memcpy(filter->P, before.P, sizeof(before.P));
+            status = hand_rows(filter, target, R, 3, (k == 0) ? rows : first_said.used,
+                               (k == 0) ? gate : BS_REAL(0.0));
         }
-        memcpy(filter->x, before.x, sizeof(before.x));
-        memcpy(filter->P, before.P, sizeof(before.P));
-        status = (status == BS_OK) ? hand_rows(filter, target, 3) : status;
+        if ((status != BS_OK) && (k == 0)) {
+            return status;
+        }
+        step = hand_moved(filter, from, R, 3);
+        diverges = (k > 0) && ((status != BS_OK) || ((step > last) && (step > BS_REAL(1.0))));
+        if (diverges) {
+            break;
+        }
+        last = step;
+        memcpy(from, filter->x, sizeof(from));
+        if (k == 0) {
+            first = *filter;
+            first_said = said_by_hand;
+        }
+        if (step <= BS_REAL(1e-4)) {
+            break;
+        }
     }
-    return status;
+    if (diverges) {
+        *filter = first;
+        said_by_hand = first_said;
+    }
+    return BS_OK;
 }
 
 /* ---- flown, each with what it is given here */
@@ -185,6 +263,13 @@ static bs_status measure_euler(void)
 static bs_status measure_euler_exact(void)
 {
     return em_filter_measure_euler_exact(&flown, &given_angles, R, rows, gate, iterations, &said);
+}
+
+static void set_noise(bs_real scale)
+{
+    for (int i = 0; i < EM_MAX_ROWS; ++i) {
+        R[i] = scale * (BS_REAL(1.0) + (bs_real)i);
+    }
 }
 
 static void set_point(int k)
@@ -221,8 +306,8 @@ static void set_point(int k)
             P0[(i * N) + j] = (bs_real)(sigma[i] * sigma[j] * ((i == j) ? 1.0 : 0.25));
         }
     }
+    set_noise(BS_REAL(1.0));
     for (int i = 0; i < EM_MAX_ROWS; ++i) {
-        R[i] = BS_REAL(1.0) + (bs_real)i;
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
     }
     gate = BS_REAL(0.0);
@@ -300,12 +385,13 @@ static int fly(void)
     status = propagate();
     failures += same("propagate", status, hand_propagate(&hand, &given_step, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
-    for (int k = 0; k < 4; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass */
+    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise */
         failures += begin();
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
+        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_euler();
         failures += same("euler", status, hand_measure_euler(&hand, &given_angles));
         failures += expect("euler is refused", status == BS_OK) + same_said("euler: innovation", 3);
@@ -313,12 +399,15 @@ static int fly(void)
     }
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
-    for (int k = 0; k < 4; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass */
+    set_noise(BS_REAL(1.0));
+    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise */
         failures += begin();
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
+        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        iterations = (k == 4) ? 5 : 2;
         status = measure_euler_exact();
         failures += same("euler_exact", status, hand_measure_euler_exact(&hand, &given_angles));
         failures += expect("euler_exact is refused", status == BS_OK) +
@@ -327,6 +416,7 @@ static int fly(void)
     }
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
+    set_noise(BS_REAL(1.0));
     return failures;
 }
 
@@ -432,9 +522,7 @@ static int limits(void)
                                            BS_REAL(0.5), BS_REAL(0.5) };
         failures += begin();
         flown.x[i / 2] = ((i % 2) != 0) ? x_high[i / 2] : x_low[i / 2];
-        for (int k = 0; k < 3; ++k) {
-            R[k] = BS_REAL(1e-9);
-        }
+        set_noise(BS_REAL(1e-9));
         before = flown;
         failures += expect("measure_euler_exact: undone", (measure_euler_exact() == BS_OK) ||
                            same_state(&flown, &before));

@@ -64,7 +64,7 @@ bs_status phi_F(const phi_nav *nav, const phi_step *step, bs_real F[9 * PHI_N_ST
 /* The same, the non-zeros alone, row after row. */
 bs_status phi_F_nz(const phi_nav *nav, const phi_step *step, bs_real F_nz[42]);
 
-/* Transition matrix over dt, I + F dt + (F dt)^2 / 2.
+/* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
  * in   nav->position  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                     (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                     -500 to 30000
@@ -89,7 +89,7 @@ bs_status phi_Qc(const phi_nav *nav, const phi_noise *noise, bs_real Qc[9 * PHI_
 /* The same, the non-zeros alone, row after row. */
 bs_status phi_Qc_nz(const phi_nav *nav, const phi_noise *noise, bs_real Qc_nz[18]);
 
-/* Covariance that the noise adds over dt.
+/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
  * in   nav->position       longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                          (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                          -500 to 30000

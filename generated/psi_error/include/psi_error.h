@@ -65,7 +65,7 @@ bs_status psi_F(const psi_nav *nav, const psi_step *step, bs_real F[9 * PSI_N_ST
 /* The same, the non-zeros alone, row after row. */
 bs_status psi_F_nz(const psi_nav *nav, const psi_step *step, bs_real F_nz[33]);
 
-/* Transition matrix over dt, I + F dt + (F dt)^2 / 2.
+/* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
  * in   nav->position  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                     (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                     -500 to 30000
@@ -90,7 +90,7 @@ bs_status psi_Qc(const psi_nav *nav, const psi_noise *noise, bs_real Qc[9 * PSI_
 /* The same, the non-zeros alone, row after row. */
 bs_status psi_Qc_nz(const psi_nav *nav, const psi_noise *noise, bs_real Qc_nz[18]);
 
-/* Covariance that the noise adds over dt.
+/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
  * in   nav->position       longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                          (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                          -500 to 30000

@@ -19,7 +19,16 @@ typedef float bs_real;
 #define BS_SIN sinf
 #define BS_COS cosf
 #define BS_ATAN2 atan2f
+#define BS_EXP expf
+#define BS_LOG logf
+#define BS_ASIN asinf
+#define BS_ACOS acosf
+#define BS_ATAN atanf
+#define BS_SINH sinhf
+#define BS_COSH coshf
+#define BS_TANH tanhf
 #define BS_FABS fabsf
+#define BS_FLOOR floorf
 #else
 typedef double bs_real;
 #define BS_REAL(x) x
@@ -27,16 +36,30 @@ typedef double bs_real;
 #define BS_SIN sin
 #define BS_COS cos
 #define BS_ATAN2 atan2
+#define BS_EXP exp
+#define BS_LOG log
+#define BS_ASIN asin
+#define BS_ACOS acos
+#define BS_ATAN atan
+#define BS_SINH sinh
+#define BS_COSH cosh
+#define BS_TANH tanh
 #define BS_FABS fabs
+#define BS_FLOOR floor
 #endif
 
 #define BS_SELECT(condition, value) (((condition) > BS_REAL(0.0)) ? (value) : BS_REAL(0.0))
 #define BS_TRUTH(condition) ((condition) ? BS_REAL(1.0) : BS_REAL(0.0))
+/* By comparison, alike on every machine: of two zeros the second; what is no number stays none. */
+#define BS_FMAX(a, b) (((a) > (b)) ? (a) : (((a) <= (b)) ? (b) : ((a) + (b))))
+#define BS_FMIN(a, b) (((a) < (b)) ? (a) : (((a) >= (b)) ? (b) : ((a) + (b))))
+#define BS_SIGN(a) \
+    (((a) < BS_REAL(0.0)) ? BS_REAL(-1.0) : (((a) > BS_REAL(0.0)) ? BS_REAL(1.0) : (a)))
 
 typedef enum {
     BS_OK = 0,           /* the outputs are written */
     BS_NULL_POINTER = 1, /* an argument is a null pointer; nothing is written */
-    BS_NOT_FINITE = 2,   /* an input is NaN or infinite; nothing is written */
+    BS_NOT_FINITE = 2,   /* an input, or what it gives, is NaN or infinite; nothing is written */
     BS_OUT_OF_RANGE = 3, /* an input lies outside its box; nothing is written */
     BS_NOT_READY = 4,    /* too few samples so far; nothing is decided */
     BS_NOT_POSITIVE = 5  /* a matrix is no covariance, or a variance is not above zero */
@@ -60,6 +83,16 @@ static inline bs_status bs_check(const bs_real *value,
     return status;
 }
 
+/* Status of n values that may be anything but NaN or infinite. */
+static inline bs_status bs_check_finite(const bs_real *value, int n)
+{
+    bs_real sum = BS_REAL(0.0);
+    for (int i = 0; i < n; ++i) {
+        sum += value[i] - value[i];
+    }
+    return (sum <= BS_REAL(0.0)) ? BS_OK : BS_NOT_FINITE;
+}
+
 /* Status of the Euclidean norm of n finite values against a range of its square. */
 static inline bs_status bs_check_norm(const bs_real *value,
                                       bs_real low_squared,
@@ -71,6 +104,19 @@ static inline bs_status bs_check_norm(const bs_real *value,
         sum += value[i] * value[i];
     }
     return ((sum >= low_squared) && (sum <= high_squared)) ? BS_OK : BS_OUT_OF_RANGE;
+}
+
+/* The angle less whole turns, in [-pi, pi); what lies there already keeps its bits. */
+static inline bs_real bs_wrap(bs_real angle)
+{
+    const bs_real half_turn = BS_REAL(3.141592653589793);
+    const bs_real turn = BS_REAL(6.283185307179586);
+    if (!((angle >= -half_turn) && (angle < half_turn))) {
+        const bs_real turned = angle - (turn * BS_FLOOR((angle + half_turn) / turn));
+        /* as rounding may end */
+        return ((turned >= half_turn) || (turned < -half_turn)) ? -half_turn : turned;
+    }
+    return angle;
 }
 
 #endif

@@ -45,7 +45,7 @@ int selftest_compare(const char *what,
                      const double *tolerance,
                      const unsigned short *at,
                      int nnz,
-                     int angle)
+                     unsigned int angles)
 {
     const double turn = 6.283185307179586;
     int failures = 0;
@@ -54,6 +54,7 @@ int selftest_compare(const char *what,
         const int printed = (k < nnz) && (at[k] == i);
         double difference = (double)out[i] - (printed ? expected[k] : 0.0);
         const double allowed = printed ? tolerance[k] : 0.0;
+        const int angle = (i < 32) && (((angles >> (unsigned int)i) & 1U) != 0U);
         if (angle && (difference > 3.0)) {
             difference -= turn;
         }

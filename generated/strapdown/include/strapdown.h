@@ -69,7 +69,7 @@ bs_status sd_step(const sd_nav *nav,
  * in   nav->q_b2n_wxyz     attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
  * in   motion->f_b         specific force (m/s^2, body); -500 to 500
  * in   motion->omega_ib_b  angular rate against inertial space (rad/s, body); -20 to 20
- * out  position_rate       lon, lat, height, WGS-84 (rad/s, m/s); 3
+ * out  position_rate       lon, lat, height, WGS-84 (rad/s, rad/s, m/s); 3
  * out  v_n_rate            acceleration, ENU (m/s^2); 3
  * out  q_b2n_rate          rate of the quaternion, body to ENU (1/s); 4
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */

@@ -10,7 +10,7 @@ void selftest_paint(bs_real *out, int n);
 int selftest_painted(const char *what, const bs_real *out, int n);
 
 /* How many of the n dense outputs differ: the nnz at `at` by more than their tolerance, the others
- * from zero. */
+ * from zero.  angles: bit i: output i is an angle. */
 int selftest_compare(const char *what,
                      int vector,
                      const bs_real *out,
@@ -19,7 +19,7 @@ int selftest_compare(const char *what,
                      const double *tolerance,
                      const unsigned short *at,
                      int nnz,
-                     int angle);
+                     unsigned int angles);
 
 int test_sd_step(void);
 int test_sd_rates(void);

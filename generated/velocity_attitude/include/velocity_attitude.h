@@ -124,7 +124,7 @@ bs_status va_F(const va_nav *nav, const va_imu *imu, bs_real F[16 * VA_N_STATES]
 /* The same, the non-zeros alone, row after row. */
 bs_status va_F_nz(const va_nav *nav, const va_imu *imu, bs_real F_nz[41]);
 
-/* Transition matrix over dt, I + F dt + (F dt)^2 / 2.
+/* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
  * in   nav->position    geodetic latitude, longitude, not wrapped, height above the ellipsoid
  *                       (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
  *                       -500 to 30000
@@ -158,7 +158,7 @@ bs_status va_Qc(const va_nav *nav, const va_noise *noise, bs_real Qc[16 * VA_N_S
 /* The same, the non-zeros alone, row after row. */
 bs_status va_Qc_nz(const va_nav *nav, const va_noise *noise, bs_real Qc_nz[28]);
 
-/* Covariance that the noise adds over dt.
+/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
  * in   nav->position            geodetic latitude, longitude, not wrapped, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                               -6.28319 to 6.28319, -500 to 30000

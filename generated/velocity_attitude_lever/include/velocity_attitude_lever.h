@@ -128,7 +128,7 @@ bs_status val_F(const val_nav *nav, const val_imu *imu, bs_real F[19 * VAL_N_STA
 /* The same, the non-zeros alone, row after row. */
 bs_status val_F_nz(const val_nav *nav, const val_imu *imu, bs_real F_nz[41]);
 
-/* Transition matrix over dt, I + F dt + (F dt)^2 / 2.
+/* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
  * in   nav->position    geodetic latitude, longitude, not wrapped, height above the ellipsoid
  *                       (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
  *                       -500 to 30000
@@ -162,7 +162,7 @@ bs_status val_Qc(const val_nav *nav, const val_noise *noise, bs_real Qc[19 * VAL
 /* The same, the non-zeros alone, row after row. */
 bs_status val_Qc_nz(const val_nav *nav, const val_noise *noise, bs_real Qc_nz[28]);
 
-/* Covariance that the noise adds over dt.
+/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
  * in   nav->position            geodetic latitude, longitude, not wrapped, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                               -6.28319 to 6.28319, -500 to 30000

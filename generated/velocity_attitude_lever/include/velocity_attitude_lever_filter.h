@@ -3,7 +3,8 @@
  * C99, no allocation, no global state, no I/O; re-entrant: all memory is in the caller's
  * val_filter.
  * A measurement is z = H x + noise, or h(x) + noise, of the error x = computed - true.
- * Its innovation is nu = z - H x, or z - h(x), and S is the variance of nu.
+ * Its innovation is nu = z - H x, or z - h(x), and S is the variance of nu.  Of a row that is an
+ * angle, nu lies in [-pi, pi).
  * In double the covariance is flown in symmetric Joseph form, in single precision (BORESIGHT_FLOAT)
  * as UD factors.
  * Every function returns a bs_status; with any but BS_OK the filter is as it was, save for its
@@ -32,15 +33,15 @@ typedef struct {
     bs_real work[VAL_N_WORK];
 } val_filter;
 
-/* The innovation of one measurement, row after row, each given the rows before it. */
+/* The innovation of one measurement, row after row, each given the rows before it; of the last
+ * linearisation. */
 typedef struct {
     bs_real nu[VAL_MAX_ROWS]; /* z - H x, or z - h(x) */
     bs_real S[VAL_MAX_ROWS];  /* the variance of nu */
     unsigned int used;        /* bit i: row i was taken, neither masked nor gated */
 } val_innovation;
 
-/* Begin from nav, mounting and a covariance P, dense, row-major.
- * x is zero, and the caller's to set where it is no error but the state itself.
+/* Begin from nav, mounting and a covariance P, dense, row-major; x is zero.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, or BS_NOT_POSITIVE: P is not
  * symmetric, or it is not positive semidefinite */
 bs_status val_filter_init(val_filter *filter,
@@ -80,8 +81,12 @@ bs_status val_filter_measure_dcm(val_filter *filter,
  * computed to the measured one; rows n, e, d (rad).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   rows        bit i: take row i; BS_ALL_ROWS
- * in   gate        a row whose |nu| exceeds this many sigmas is left out; 0 for no gate
- * in   iterations  how often it is linearised; 1 is the extended Kalman filter
+ * in   gate        a row whose |nu| exceeds this many sigmas at the first linearisation is left
+ *                  out; 0 for no gate
+ * in   iterations  how often it is linearised at most, from the same x and P; 1 is the extended
+ *                  Kalman filter.  It ends where no state and no row moves by more than .01 sigma.
+ *                  Where one moves by more than a sigma and by more than before, or x leaves its
+ *                  box, the first result is taken
  * out  innovation  nu, S and used of each row
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
  * a row is no number or S is not above 0, rows before it are taken, and the filter should begin

@@ -48,7 +48,7 @@ static const double in_master[POINTS][14] = {
 static const double sigma[N] = { 0.0001, 0.0001, 0.0001, 0.02, 0.02, 0.02, 3.490658503988659e-06,
                                  3.490658503988659e-06, 3.490658503988659e-06, 0.0002, 0.0002,
                                  0.0002, 0.0001, 0.0001, 0.0001, 0.0002, 0.02, 0.02, 0.02 };
-/* of x: zero if it is an error */
+/* of x */
 static const double start[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
                                  0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 static const unsigned short F_places[VAL_N_F] = { 1, 2, 4, 6, 7, 8, 19, 21, 22, 25, 26, 27, 38, 39,
@@ -71,6 +71,9 @@ static bs_real P0[N * N];
 static bs_real dense[19 * N];
 static bs_real residual[VAL_MAX_ROWS];
 static bs_real R[VAL_MAX_ROWS];
+static val_filter first;
+static val_innovation first_said;
+static bs_real spread[N * N];
 static bs_real gate;
 static unsigned int rows;
 static int iterations;
@@ -125,13 +128,18 @@ static bs_status hand_propagate(val_filter *filter, const val_imu *imu, const va
     return status;
 }
 
-static bs_status hand_rows(val_filter *filter, const bs_real *z, int m)
+static bs_status hand_rows(val_filter *filter,
+                           const bs_real *z,
+                           const bs_real *variance,
+                           int m,
+                           unsigned int taken,
+                           bs_real limit)
 {
     bs_status status = BS_OK;
     said_by_hand.used = 0U;
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
-        bs_row row = { &dense[i * N], every, N, z[i], R[i], gate, z[i], R[i],
-                       (int)((rows >> (unsigned int)i) & 1U) };
+        bs_row row = { &dense[i * N], every, N, z[i], variance[i], limit, z[i], variance[i],
+                       (int)((taken >> (unsigned int)i) & 1U) };
         status = UPDATE(filter->P, filter->x, &row);
         said_by_hand.nu[i] = row.nu;
         said_by_hand.S[i] = row.S;
@@ -140,12 +148,44 @@ static bs_status hand_rows(val_filter *filter, const bs_real *z, int m)
     return status;
 }
 
+/* The square of how many sigmas a state or a row has moved from `from`, at most. */
+static bs_real hand_moved(const val_filter *filter,
+                          const bs_real *from,
+                          const bs_real *variance,
+                          int m)
+{
+    bs_real most = BS_REAL(0.0);
+    DENSE(filter->P, spread);
+    for (int i = 0; i < (N + m); ++i) {
+        bs_real by = BS_REAL(0.0);
+        bs_real of = (i < N) ? spread[i * (N + 1)] : variance[i - N];
+        for (int j = 0; j < N; ++j) {
+            by += ((i >= N) ? dense[((i - N) * N) + j] : (i == j) ? BS_REAL(1.0) : BS_REAL(0.0)) *
+                (filter->x[j] - from[j]);
+        }
+        if ((i >= N) && (((said_by_hand.used >> (unsigned int)(i - N)) & 1U) == 0U)) {
+            of = BS_REAL(0.0);
+        }
+        if ((of > BS_REAL(0.0)) && ((by * by) > (most * of))) {
+            most = (by * by) / of;
+        }
+    }
+    return most;
+}
+
 static bs_status hand_measure_dcm(val_filter *filter, const val_imu *imu, const val_master *master)
 {
     bs_real *const z = residual;
+    bs_real target[3];
     bs_status status = val_dcm_z(&filter->nav, imu, master, z);
     status = (status == BS_OK) ? val_dcm_H(&filter->nav, imu, dense) : status;
-    return (status == BS_OK) ? hand_rows(filter, z, 3) : status;
+    if (status == BS_OK) {
+        for (int i = 0; i < 3; ++i) {
+            target[i] = z[i];
+        }
+        status = hand_rows(filter, target, R, 3, rows, gate);
+    }
+    return status;
 }
 
 static bs_status hand_measure_quaternion(val_filter *filter,
@@ -155,22 +195,52 @@ static bs_status hand_measure_quaternion(val_filter *filter,
     bs_real *const z = residual;
     bs_real target[3];
     bs_status status = val_quaternion_z(&filter->nav, imu, master, z);
+    bs_real from[N];
+    bs_real last = BS_REAL(0.0);
+    int diverges = 0;
     before = *filter;
-    for (int k = 0; (k < iterations) && (status == BS_OK); ++k) {
-        status = val_quaternion_H(filter->x, &filter->nav, imu, master, dense);
+    memcpy(from, filter->x, sizeof(from));
+    for (int k = 0; k < iterations; ++k) {
+        bs_real step;
+        status = (status == BS_OK) ? val_quaternion_H(filter->x, &filter->nav, imu, master, dense)
+            : status;
         status = (status == BS_OK) ? val_quaternion_h(filter->x, &filter->nav, imu, master, target)
             : status;
-        for (int i = 0; i < 3; ++i) {
-            target[i] = z[i] - target[i];
-            for (int j = 0; j < N; ++j) {
-                target[i] += dense[(i * N) + j] * filter->x[j];
+        if (status == BS_OK) {
+            for (int i = 0; i < 3; ++i) {
+                target[i] = z[i] - target[i];
+                for (int j = 0; j < N; ++j) {
+                    target[i] += dense[(i * N) + j] * from[j];
+                }
             }
+            memcpy(filter->x, before.x, sizeof(before.x));
+            memcpy(filter->P, before.P, sizeof(before.P));
+            status = hand_rows(filter, target, R, 3, (k == 0) ? rows : first_said.used,
+                               (k == 0) ? gate : BS_REAL(0.0));
         }
-        memcpy(filter->x, before.x, sizeof(before.x));
-        memcpy(filter->P, before.P, sizeof(before.P));
-        status = (status == BS_OK) ? hand_rows(filter, target, 3) : status;
+        if ((status != BS_OK) && (k == 0)) {
+            return status;
+        }
+        step = hand_moved(filter, from, R, 3);
+        diverges = (k > 0) && ((status != BS_OK) || ((step > last) && (step > BS_REAL(1.0))));
+        if (diverges) {
+            break;
+        }
+        last = step;
+        memcpy(from, filter->x, sizeof(from));
+        if (k == 0) {
+            first = *filter;
+            first_said = said_by_hand;
+        }
+        if (step <= BS_REAL(1e-4)) {
+            break;
+        }
     }
-    return status;
+    if (diverges) {
+        *filter = first;
+        said_by_hand = first_said;
+    }
+    return BS_OK;
 }
 
 static bs_status hand_measure_euler(val_filter *filter,
@@ -178,9 +248,23 @@ static bs_status hand_measure_euler(val_filter *filter,
                                     const val_master *master)
 {
     bs_real *const z = residual;
+    bs_real target[3];
     bs_status status = val_euler_z(&filter->nav, imu, master, z);
     status = (status == BS_OK) ? val_euler_H(&filter->nav, imu, master, dense) : status;
-    return (status == BS_OK) ? hand_rows(filter, z, 3) : status;
+    if (status == BS_OK) {
+        for (int i = 0; i < 3; ++i) {
+            target[i] = z[i];
+            if (((7U >> (unsigned int)i) & 1U) != 0U) {
+                bs_real nu = z[i];
+                for (int j = 0; j < N; ++j) {
+                    nu -= dense[(i * N) + j] * filter->x[j];
+                }
+                target[i] -= nu - bs_wrap(nu);
+            }
+        }
+        status = hand_rows(filter, target, R, 3, rows, gate);
+    }
+    return status;
 }
 
 static bs_status hand_measure_velocity(val_filter *filter,
@@ -188,10 +272,17 @@ static bs_status hand_measure_velocity(val_filter *filter,
                                        const val_master *master)
 {
     bs_real *const z = residual;
+    bs_real target[3];
     bs_status status = val_velocity_z(&filter->nav, imu, &filter->mounting, master, z);
     status = (status == BS_OK) ? val_velocity_H(&filter->nav, imu, &filter->mounting, master, dense)
         : status;
-    return (status == BS_OK) ? hand_rows(filter, z, 3) : status;
+    if (status == BS_OK) {
+        for (int i = 0; i < 3; ++i) {
+            target[i] = z[i];
+        }
+        status = hand_rows(filter, target, R, 3, rows, gate);
+    }
+    return status;
 }
 
 /* ---- flown, each with what it is given here */
@@ -235,6 +326,13 @@ static bs_status measure_euler(void)
 static bs_status measure_velocity(void)
 {
     return val_filter_measure_velocity(&flown, &given_imu, &given_master, R, rows, gate, &said);
+}
+
+static void set_noise(bs_real scale)
+{
+    for (int i = 0; i < VAL_MAX_ROWS; ++i) {
+        R[i] = scale * (BS_REAL(1.0) + (bs_real)i);
+    }
 }
 
 static void set_point(int k)
@@ -314,8 +412,8 @@ static void set_point(int k)
             P0[(i * N) + j] = (bs_real)(sigma[i] * sigma[j] * ((i == j) ? 1.0 : 0.25));
         }
     }
+    set_noise(BS_REAL(1.0));
     for (int i = 0; i < VAL_MAX_ROWS; ++i) {
-        R[i] = BS_REAL(1.0) + (bs_real)i;
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
     }
     gate = BS_REAL(0.0);
@@ -402,12 +500,13 @@ static int fly(void)
     status = propagate();
     failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
-    for (int k = 0; k < 4; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass */
+    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise */
         failures += begin();
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
+        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_dcm();
         failures += same("dcm", status, hand_measure_dcm(&hand, &given_imu, &given_master));
         failures += expect("dcm is refused", status == BS_OK) + same_said("dcm: innovation", 3);
@@ -415,12 +514,15 @@ static int fly(void)
     }
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
-    for (int k = 0; k < 4; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass */
+    set_noise(BS_REAL(1.0));
+    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise */
         failures += begin();
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
+        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        iterations = (k == 4) ? 5 : 2;
         status = measure_quaternion();
         failures += same("quaternion", status,
                          hand_measure_quaternion(&hand, &given_imu, &given_master));
@@ -430,12 +532,14 @@ static int fly(void)
     }
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
-    for (int k = 0; k < 4; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass */
+    set_noise(BS_REAL(1.0));
+    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise */
         failures += begin();
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
+        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_euler();
         failures += same("euler", status, hand_measure_euler(&hand, &given_imu, &given_master));
         failures += expect("euler is refused", status == BS_OK) + same_said("euler: innovation", 3);
@@ -443,12 +547,14 @@ static int fly(void)
     }
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
-    for (int k = 0; k < 4; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass */
+    set_noise(BS_REAL(1.0));
+    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise */
         failures += begin();
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
+        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_velocity();
         failures += same("velocity", status,
                          hand_measure_velocity(&hand, &given_imu, &given_master));
@@ -458,6 +564,7 @@ static int fly(void)
     }
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
+    set_noise(BS_REAL(1.0));
     return failures;
 }
 
@@ -635,9 +742,7 @@ static int limits(void)
                                            BS_REAL(100.0), BS_REAL(100.0) };
         failures += begin();
         flown.x[i / 2] = ((i % 2) != 0) ? x_high[i / 2] : x_low[i / 2];
-        for (int k = 0; k < 3; ++k) {
-            R[k] = BS_REAL(1e-9);
-        }
+        set_noise(BS_REAL(1e-9));
         before = flown;
         failures += expect("measure_quaternion: undone", (measure_quaternion() == BS_OK) ||
                            same_state(&flown, &before));

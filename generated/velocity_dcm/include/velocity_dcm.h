@@ -91,7 +91,7 @@ bs_status vd_F(const vd_nav *nav, const vd_imu *imu, bs_real F[10 * VD_N_STATES]
 /* The same, the non-zeros alone, row after row. */
 bs_status vd_F_nz(const vd_nav *nav, const vd_imu *imu, bs_real F_nz[18]);
 
-/* Transition matrix over dt, I + F dt + (F dt)^2 / 2.
+/* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
  * Equations: kim-2018 (2), kim-2018 (3).
  * in   nav->position    longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                       (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
@@ -119,7 +119,7 @@ bs_status vd_Qc(const vd_nav *nav, const vd_noise *noise, bs_real Qc[10 * VD_N_S
 /* The same, the non-zeros alone, row after row. */
 bs_status vd_Qc_nz(const vd_nav *nav, const vd_noise *noise, bs_real Qc_nz[18]);
 
-/* Covariance that the noise adds over dt.
+/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
  * Equations: kim-2018 (2), kim-2018 (3).
  * in   nav->position       longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                          (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,

@@ -15,6 +15,8 @@ enum {
     N = VD_N_STATES,
     NP = VD_N_PACKED,
     VECTORS = 8,
+    N_F = 18,
+    N_QC = 18,
     /* roundings one after another: rows of n terms, twice; and what the factors add, n columns of n
      * terms */
     OF_STATE = 28,
@@ -131,21 +133,19 @@ static const double updated_row[VECTORS][4] = {
     { -0x1.9180000000000p+0, 0x1.7d64cc0000000p+3, 0x1.a410000000000p+3, 0x1.62a321c6bccfbp+4 }
 };
 
-static const unsigned short F_row[VD_N_F] = { 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 4, 4, 5,
-                                              5 };
-static const unsigned short F_column[VD_N_F] = { 1, 2, 4, 5, 0, 2, 3, 5, 0, 1, 3, 4, 4, 5, 3, 5, 3,
-                                                 4 };
-static const unsigned short Qc_row[VD_N_QC] = { 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5,
+static const unsigned short F_row[N_F] = { 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 4, 4, 5, 5 };
+static const unsigned short F_column[N_F] = { 1, 2, 4, 5, 0, 2, 3, 5, 0, 1, 3, 4, 4, 5, 3, 5, 3,
+                                              4 };
+static const unsigned short Qc_row[N_QC] = { 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5 };
+static const unsigned short Qc_column[N_QC] = { 0, 1, 2, 0, 1, 2, 0, 1, 2, 3, 4, 5, 3, 4, 5, 3, 4,
                                                 5 };
-static const unsigned short Qc_column[VD_N_QC] = { 0, 1, 2, 0, 1, 2, 0, 1, 2, 3, 4, 5, 3, 4, 5, 3,
-                                                   4, 5 };
 
 /* One case, and room to work in; too large for the stack of a small target. */
 static struct {
     uint32_t seed;
     int scale[N]; /* powers of two */
-    bs_real F[VD_N_F];
-    bs_real Qc[VD_N_QC];
+    bs_real F[N_F];
+    bs_real Qc[N_QC];
     bs_real P[N * N];
     bs_real x[N];
     bs_real h[N];
@@ -207,19 +207,19 @@ static void draw_case(int k)
             given.P[(i * N) + j] = scaled(sum, given.scale[i] + given.scale[j] - 8);
         }
     }
-    for (int l = 0; l < VD_N_F; ++l) {
+    for (int l = 0; l < N_F; ++l) {
         const int number = draw();
         const int value = ((number % 2) != 0) ? ((number / 2) + 64) : -((number / 2) + 64);
         given.F[l] = scaled((kind == 4) ? 0 : value, given.scale[F_row[l]] -
                             given.scale[F_column[l]] - 8);
     }
-    for (int l = 0; l < VD_N_QC; ++l) { /* above the diagonal, then the same below it; the diagonal
-                                         * exceeds their sum */
+    for (int l = 0; l < N_QC; ++l) { /* above the diagonal, then the same below it; the diagonal
+                                      * exceeds their sum */
         if (Qc_row[l] < Qc_column[l]) {
             const int value = draw() - 128;
             bound[Qc_row[l]] += (value < 0) ? -value : value;
             bound[Qc_column[l]] += (value < 0) ? -value : value;
-            for (int q = 0; q < VD_N_QC; ++q) {
+            for (int q = 0; q < N_QC; ++q) {
                 if ((q == l) || ((Qc_row[q] == Qc_column[l]) && (Qc_column[q] == Qc_row[l]))) {
                     given.Qc[q] = scaled(((kind == 5) || (kind == 6)) ? 0 : value,
                                          given.scale[Qc_row[q]] + given.scale[Qc_column[q]] - 8);
@@ -227,7 +227,7 @@ static void draw_case(int k)
             }
         }
     }
-    for (int l = 0; l < VD_N_QC; ++l) {
+    for (int l = 0; l < N_QC; ++l) {
         if (Qc_row[l] == Qc_column[l]) {
             const int value = bound[Qc_row[l]] + draw() + 1;
             given.Qc[l] = scaled(((kind == 5) || (kind == 6)) ? 0 : value,

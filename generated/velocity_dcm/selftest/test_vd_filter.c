@@ -43,8 +43,7 @@ static const double in_master[POINTS][13] = {
 };
 static const double sigma[N] = { 0.02, 0.02, 0.02, 0.0001, 0.0001, 0.0001, 0.0001, 0.0001, 0.0001,
                                  0.0002 };
-/* of x: zero if it is an error */
-static const double start[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+static const double start[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; /* of x */
 static const unsigned short F_places[VD_N_F] = { 1, 2, 4, 5, 10, 12, 13, 15, 20, 21, 23, 24, 34, 35,
                                                  43, 45, 53, 54 };
 static const unsigned short Qc_places[VD_N_QC] = { 0, 1, 2, 10, 11, 12, 20, 21, 22, 33, 34, 35, 43,
@@ -61,6 +60,9 @@ static bs_real P0[N * N];
 static bs_real dense[10 * N];
 static bs_real residual[VD_MAX_ROWS];
 static bs_real R[VD_MAX_ROWS];
+static vd_filter first;
+static vd_innovation first_said;
+static bs_real spread[N * N];
 static bs_real gate;
 static unsigned int rows;
 static int iterations;
@@ -113,13 +115,18 @@ static bs_status hand_propagate(vd_filter *filter, const vd_imu *imu, const vd_n
     return status;
 }
 
-static bs_status hand_rows(vd_filter *filter, const bs_real *z, int m)
+static bs_status hand_rows(vd_filter *filter,
+                           const bs_real *z,
+                           const bs_real *variance,
+                           int m,
+                           unsigned int taken,
+                           bs_real limit)
 {
     bs_status status = BS_OK;
     said_by_hand.used = 0U;
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
-        bs_row row = { &dense[i * N], every, N, z[i], R[i], gate, z[i], R[i],
-                       (int)((rows >> (unsigned int)i) & 1U) };
+        bs_row row = { &dense[i * N], every, N, z[i], variance[i], limit, z[i], variance[i],
+                       (int)((taken >> (unsigned int)i) & 1U) };
         status = UPDATE(filter->P, filter->x, &row);
         said_by_hand.nu[i] = row.nu;
         said_by_hand.S[i] = row.S;
@@ -128,20 +135,59 @@ static bs_status hand_rows(vd_filter *filter, const bs_real *z, int m)
     return status;
 }
 
+/* The square of how many sigmas a state or a row has moved from `from`, at most. */
+static bs_real hand_moved(const vd_filter *filter,
+                          const bs_real *from,
+                          const bs_real *variance,
+                          int m)
+{
+    bs_real most = BS_REAL(0.0);
+    DENSE(filter->P, spread);
+    for (int i = 0; i < (N + m); ++i) {
+        bs_real by = BS_REAL(0.0);
+        bs_real of = (i < N) ? spread[i * (N + 1)] : variance[i - N];
+        for (int j = 0; j < N; ++j) {
+            by += ((i >= N) ? dense[((i - N) * N) + j] : (i == j) ? BS_REAL(1.0) : BS_REAL(0.0)) *
+                (filter->x[j] - from[j]);
+        }
+        if ((i >= N) && (((said_by_hand.used >> (unsigned int)(i - N)) & 1U) == 0U)) {
+            of = BS_REAL(0.0);
+        }
+        if ((of > BS_REAL(0.0)) && ((by * by) > (most * of))) {
+            most = (by * by) / of;
+        }
+    }
+    return most;
+}
+
 static bs_status hand_measure_velocity(vd_filter *filter, const vd_master *master)
 {
     bs_real *const z = residual;
+    bs_real target[3];
     bs_status status = vd_velocity_z(&filter->nav, master, z);
     status = (status == BS_OK) ? vd_velocity_H(master, dense) : status;
-    return (status == BS_OK) ? hand_rows(filter, z, 3) : status;
+    if (status == BS_OK) {
+        for (int i = 0; i < 3; ++i) {
+            target[i] = z[i];
+        }
+        status = hand_rows(filter, target, R, 3, rows, gate);
+    }
+    return status;
 }
 
 static bs_status hand_measure_dcm(vd_filter *filter, const vd_master *master)
 {
     bs_real *const z = residual;
+    bs_real target[3];
     bs_status status = vd_dcm_z(&filter->nav, master, z);
     status = (status == BS_OK) ? vd_dcm_H(master, dense) : status;
-    return (status == BS_OK) ? hand_rows(filter, z, 3) : status;
+    if (status == BS_OK) {
+        for (int i = 0; i < 3; ++i) {
+            target[i] = z[i];
+        }
+        status = hand_rows(filter, target, R, 3, rows, gate);
+    }
+    return status;
 }
 
 static bs_status hand_measure_dcm_exact(vd_filter *filter, const vd_master *master)
@@ -149,22 +195,52 @@ static bs_status hand_measure_dcm_exact(vd_filter *filter, const vd_master *mast
     bs_real *const z = residual;
     bs_real target[3];
     bs_status status = vd_dcm_exact_z(&filter->nav, master, z);
+    bs_real from[N];
+    bs_real last = BS_REAL(0.0);
+    int diverges = 0;
     before = *filter;
-    for (int k = 0; (k < iterations) && (status == BS_OK); ++k) {
-        status = vd_dcm_exact_H(filter->x, &filter->nav, master, dense);
+    memcpy(from, filter->x, sizeof(from));
+    for (int k = 0; k < iterations; ++k) {
+        bs_real step;
+        status = (status == BS_OK) ? vd_dcm_exact_H(filter->x, &filter->nav, master, dense)
+            : status;
         status = (status == BS_OK) ? vd_dcm_exact_h(filter->x, &filter->nav, master, target)
             : status;
-        for (int i = 0; i < 3; ++i) {
-            target[i] = z[i] - target[i];
-            for (int j = 0; j < N; ++j) {
-                target[i] += dense[(i * N) + j] * filter->x[j];
+        if (status == BS_OK) {
+            for (int i = 0; i < 3; ++i) {
+                target[i] = z[i] - target[i];
+                for (int j = 0; j < N; ++j) {
+                    target[i] += dense[(i * N) + j] * from[j];
+                }
             }
+            memcpy(filter->x, before.x, sizeof(before.x));
+            memcpy(filter->P, before.P, sizeof(before.P));
+            status = hand_rows(filter, target, R, 3, (k == 0) ? rows : first_said.used,
+                               (k == 0) ? gate : BS_REAL(0.0));
         }
-        memcpy(filter->x, before.x, sizeof(before.x));
-        memcpy(filter->P, before.P, sizeof(before.P));
-        status = (status == BS_OK) ? hand_rows(filter, target, 3) : status;
+        if ((status != BS_OK) && (k == 0)) {
+            return status;
+        }
+        step = hand_moved(filter, from, R, 3);
+        diverges = (k > 0) && ((status != BS_OK) || ((step > last) && (step > BS_REAL(1.0))));
+        if (diverges) {
+            break;
+        }
+        last = step;
+        memcpy(from, filter->x, sizeof(from));
+        if (k == 0) {
+            first = *filter;
+            first_said = said_by_hand;
+        }
+        if (step <= BS_REAL(1e-4)) {
+            break;
+        }
     }
-    return status;
+    if (diverges) {
+        *filter = first;
+        said_by_hand = first_said;
+    }
+    return BS_OK;
 }
 
 /* ---- flown, each with what it is given here */
@@ -202,6 +278,13 @@ static bs_status measure_dcm(void)
 static bs_status measure_dcm_exact(void)
 {
     return vd_filter_measure_dcm_exact(&flown, &given_master, R, rows, gate, iterations, &said);
+}
+
+static void set_noise(bs_real scale)
+{
+    for (int i = 0; i < VD_MAX_ROWS; ++i) {
+        R[i] = scale * (BS_REAL(1.0) + (bs_real)i);
+    }
 }
 
 static void set_point(int k)
@@ -258,8 +341,8 @@ static void set_point(int k)
             P0[(i * N) + j] = (bs_real)(sigma[i] * sigma[j] * ((i == j) ? 1.0 : 0.25));
         }
     }
+    set_noise(BS_REAL(1.0));
     for (int i = 0; i < VD_MAX_ROWS; ++i) {
-        R[i] = BS_REAL(1.0) + (bs_real)i;
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
     }
     gate = BS_REAL(0.0);
@@ -339,12 +422,13 @@ static int fly(void)
     status = propagate();
     failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
-    for (int k = 0; k < 4; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass */
+    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise */
         failures += begin();
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
+        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_velocity();
         failures += same("velocity", status, hand_measure_velocity(&hand, &given_master));
         failures += expect("velocity is refused", status == BS_OK) +
@@ -353,12 +437,14 @@ static int fly(void)
     }
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
-    for (int k = 0; k < 4; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass */
+    set_noise(BS_REAL(1.0));
+    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise */
         failures += begin();
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
+        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_dcm();
         failures += same("dcm", status, hand_measure_dcm(&hand, &given_master));
         failures += expect("dcm is refused", status == BS_OK) + same_said("dcm: innovation", 3);
@@ -366,12 +452,15 @@ static int fly(void)
     }
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
-    for (int k = 0; k < 4; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass */
+    set_noise(BS_REAL(1.0));
+    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise */
         failures += begin();
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
+        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        iterations = (k == 4) ? 5 : 2;
         status = measure_dcm_exact();
         failures += same("dcm_exact", status, hand_measure_dcm_exact(&hand, &given_master));
         failures += expect("dcm_exact is refused", status == BS_OK) +
@@ -380,6 +469,7 @@ static int fly(void)
     }
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
+    set_noise(BS_REAL(1.0));
     return failures;
 }
 
@@ -510,9 +600,7 @@ static int limits(void)
                                            BS_REAL(0.5), BS_REAL(0.5), BS_REAL(1.0) };
         failures += begin();
         flown.x[i / 2] = ((i % 2) != 0) ? x_high[i / 2] : x_low[i / 2];
-        for (int k = 0; k < 3; ++k) {
-            R[k] = BS_REAL(1e-9);
-        }
+        set_noise(BS_REAL(1e-9));
         before = flown;
         failures += expect("measure_dcm_exact: undone", (measure_dcm_exact() == BS_OK) ||
                            same_state(&flown, &before));
