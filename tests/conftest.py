@@ -31,7 +31,7 @@ def compiled_once(run_folder):
 
 @pytest.fixture(scope="module")
 def quickly():
-    """The C is compiled without optimisation, which takes half of the time and gives the same bits: for short flights."""
+    """For short flights: C without optimisation, which is compiled in half of the time and gives the same bits."""
     from boresight.runtime import compiler
 
     with pytest.MonkeyPatch.context() as patch:
