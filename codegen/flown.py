@@ -97,9 +97,9 @@ def falls(
                 continue
             verdict.difference = max(verdict.difference, off)
             found = log2(off / half) if half else inf
-            if verdict.order is None or found < verdict.order:
+            if verdict.order is None or not found >= verdict.order:  # nor may it be no number
                 verdict.order = found
-                if found < power - SLACK:
+                if not found >= power - SLACK:
                     where = f"{row} by {columns[j]}" if columns else row
                     verdict.entry = f"{where}: what is left falls with dt^{found:.2f}, not dt^{power}"
 
