@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+from fcntl import LOCK_EX, flock
 from pathlib import Path
 
 import numpy as np
@@ -14,15 +15,28 @@ PENDULUM = f"{ROOT / 'tests' / 'pendulum.py'}:PENDULUM"
 
 
 @pytest.fixture(scope="session")
-def compiled_once(tmp_path_factory):
-    """A cache of compiled libraries for the whole run, beside the user's own; workers side by side share it."""
-    before, base = os.environ.get("BORESIGHT_CACHE"), tmp_path_factory.getbasetemp()
-    os.environ["BORESIGHT_CACHE"] = str((base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "cache")
-    yield
-    if before is None:
-        del os.environ["BORESIGHT_CACHE"]
-    else:
-        os.environ["BORESIGHT_CACHE"] = before
+def run_folder(tmp_path_factory):
+    """A folder for the whole run, which workers side by side share."""
+    base = tmp_path_factory.getbasetemp()
+    return base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+
+
+@pytest.fixture(scope="session")
+def compiled_once(run_folder):
+    """A cache of compiled libraries for the whole run, beside the user's own."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("BORESIGHT_CACHE", str(run_folder / "cache"))
+        yield
+
+
+@pytest.fixture(scope="module")
+def quickly():
+    """For short flights: C without optimisation, which is compiled in half of the time and gives the same bits."""
+    from boresight.runtime import compiler
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(compiler, "FLAGS", tuple(flag.replace("-O2", "-O0") for flag in compiler.FLAGS))
+        yield
 
 
 @pytest.fixture(autouse=True)
@@ -38,21 +52,31 @@ def library(compiled_once):
 
 
 @pytest.fixture(scope="session")
-def pendulum_folder(compiled_once, tmp_path_factory):
+def folder_of(compiled_once, run_folder):
+    """The folder of a model, FILE.py:NAME: it is generated once in a run, by whichever worker is first."""
     from boresight.codegen.generate import generate
 
-    folder = tmp_path_factory.mktemp("generated") / "pendulum"
-    generate(PENDULUM, folder)
+    def folder(target):
+        path, name = target.rsplit(":", 1)
+        made = run_folder / "generated" / f"{Path(path).parent.name}_{Path(path).stem}_{name}"
+        made.parent.mkdir(exist_ok=True)
+        with made.with_suffix(".lock").open("w") as lock:
+            flock(lock, LOCK_EX)
+            if not made.is_dir():
+                generate(target, made)
+        return made
+
     return folder
 
 
 @pytest.fixture(scope="session")
-def radar_folder(compiled_once, tmp_path_factory):
-    from boresight.codegen.generate import generate
+def pendulum_folder(folder_of):
+    return folder_of(PENDULUM)
 
-    folder = tmp_path_factory.mktemp("generated") / "radar"
-    generate(f"{ROOT / 'tests' / 'radar.py'}:RADAR", folder)
-    return folder
+
+@pytest.fixture(scope="session")
+def radar_folder(folder_of):
+    return folder_of(f"{ROOT / 'tests' / 'radar.py'}:RADAR")
 
 
 @pytest.fixture

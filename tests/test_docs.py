@@ -20,6 +20,7 @@ from conftest import ROOT
 
 from boresight import cli
 
+pytestmark = pytest.mark.usefixtures("quickly")
 PAGES = [ROOT / "docs" / "tutorial.md", *sorted((ROOT / "docs" / "how-to").glob("*.md"))]
 ON_A_TARGET = ("arm-none-eabi-gcc", "qemu-system-arm")
 BLOCK = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)

@@ -36,22 +36,24 @@ def difference(old, new):
     return compared(new.name, "HEAD", read(old), read(new))
 
 
-@pytest.fixture
-def coriolis(monkeypatch):
-    """The phi model, and the same once the 2 of Coriolis is dropped from the source of its F."""
+@pytest.fixture(scope="module")
+def coriolis():
+    """The phi model, the same once the 2 of Coriolis is dropped from the source of its F, and their difference."""
     text = (ROOT / "derive" / "mechanics" / "error_models.py").read_text()
     right, wrong = "-skew(2 * omega_ie + omega_en) + skew(v_n)", "-skew(omega_ie + omega_en) + skew(v_n)"
     assert text.count(right) == 1
     changed = ModuleType("changed")
     exec(compile(text.replace(right, wrong), "error_models.py", "exec"), changed.__dict__)
     before = built_in("phi-error")
-    monkeypatch.setattr(error_models, "phi_matrix", changed.phi_matrix)
-    return before, built_in("phi-error")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(error_models, "phi_matrix", changed.phi_matrix)
+        after = built_in("phi-error")
+    return before, after, difference(before, after)
 
 
 def test_the_two_of_coriolis_is_seen_in_its_four_entries_alone(coriolis):
     """In ENU omega_ie is (0, cos, sin) of the latitude times the Earth's rate: each falls by it once."""
-    found = difference(*coriolis)
+    *_, found = coriolis
     rate = 7.292115e-5
     expected = {"dv_e by dv_n": sin, "dv_n by dv_e": sin, "dv_e by dv_u": cos, "dv_u by dv_e": cos}
     assert {(e.matrix, e.place) for e in found.entries} == {("F", place) for place in expected}
@@ -95,7 +97,8 @@ def values_of(model, seed=0.37):
 
 def test_what_is_printed_are_the_entries_of_both_models(coriolis):
     mpmath.mp.dps = 30
-    text = write(differences_page([difference(*coriolis)]), "text")
+    *models, found = coriolis
+    text = write(differences_page([found]), "text")
     shown = re.findall(
         r"^(\w+) by (\w+): by (\S+) at .*(?:\n  .*)*"
         r"\nbefore\n    F_\{(\w+),(\w+)\} = (.*(?:\n    .*)*)\nafter\n    F_\{\4,\5\} = (.*(?:\n    .*)*)",
@@ -106,7 +109,7 @@ def test_what_is_printed_are_the_entries_of_both_models(coriolis):
     assert "F: 4 of 81 entries" in text
     for row, column, size, _, _, *sides in shown:
         values = []
-        for model, side in zip(coriolis, sides, strict=True):
+        for model, side in zip(models, sides, strict=True):
             at = values_of(model)
             called = component_letters(model)
             letters = letters_of(text, {called[s].name: value for s, value in at.items()})
@@ -119,7 +122,8 @@ def test_what_is_printed_are_the_entries_of_both_models(coriolis):
 
 @pytest.mark.parametrize("form", list(WRITERS))
 def test_every_formula_of_a_difference_is_shown_as_it_is(coriolis, form):
-    page = differences_page([difference(*coriolis)])
+    *_, found = coriolis
+    page = differences_page([found])
     shown = [form for section in page.sections for form in forms(section) if len(form.relation.sides) > 1]
     assert len(shown) >= 8
     for one in shown:

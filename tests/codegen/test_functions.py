@@ -27,28 +27,18 @@ from boresight.evidence.mutants import candidates
 from boresight.evidence.sources import Folder
 from boresight.evidence.targets import GCC, compile_units
 from boresight.evidence.trace import trace
-from boresight.runtime import compiler
 from boresight.runtime.compiler import run
 from boresight.runtime.library import load
 from boresight.runtime.status import Status
 
+pytestmark = pytest.mark.usefixtures("quickly")
 SOURCE = f"{__file__.replace('test_functions', 'sonde')}:SONDE"
 A_POINT = {"x": [4000.0, 7.0, -3.0], "air": [3e-3, 12.0], "dt": 0.5, "gust": [0.3, 0.4]}
 
 
-@pytest.fixture(scope="module", autouse=True)
-def quickly():
-    """The C is compiled without optimisation, which takes a third of the time and gives the same bits."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(compiler, "FLAGS", tuple(flag.replace("-O2", "-O0") for flag in compiler.FLAGS))
-        yield
-
-
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    out = tmp_path_factory.mktemp("generated") / "sonde"
-    generate(SOURCE, out)
-    return out
+def folder(folder_of):
+    return folder_of(SOURCE)
 
 
 @pytest.fixture(scope="module")

@@ -1,11 +1,13 @@
 """Mistakes in a user's model file, each through the command line: one line with the place, the thing and the remedy."""
 
 from dataclasses import dataclass
+from functools import cache
 
 import pytest
 from conftest import ROOT
 
 from boresight import cli
+from boresight.codegen import stamp
 
 GOOD = """
 from sympy import Matrix, Piecewise, Symbol, exp, nan, oo, pi, sin, sqrt
@@ -433,6 +435,14 @@ MISTAKES = [
     mistake("not a Model", "MODEL =", "MODEL =", "", "is a Variable, not a Model", "MODEL", target=":angle"),
     mistake("no NAME", "MODEL =", "MODEL =", "", "its models are MODEL", target=""),
 ]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def sources_stay():
+    """Where a module of Boresight lies is looked up once, and not for each of a hundred files."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(stamp, "located", cache(stamp.located))
+        yield
 
 
 @pytest.fixture

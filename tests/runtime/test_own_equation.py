@@ -13,7 +13,6 @@ from scipy.integrate import solve_ivp
 
 from boresight.codegen.export import export
 from boresight.codegen.functions.samples import generator, sample
-from boresight.codegen.generate import generate
 from boresight.derive.model import Model
 from boresight.evidence.machine import Machine
 from boresight.evidence.targets import M4F, OPTIMISED, WARNINGS, Build
@@ -22,6 +21,7 @@ from boresight.runtime.compiler import PRECISIONS, run
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 
+pytestmark = pytest.mark.usefixtures("quickly")
 UNICORN = M4F.missing or ("" if importlib.util.find_spec("unicorn") else "the package unicorn is not installed")
 FLIGHTS, STEPS = 4, 16  # flights, and steps of the coarsest
 ROUNDING = 1e-12  # of the box of a state: below it SciPy and rounding decide
@@ -106,22 +106,9 @@ def flown(kind, library, target, steps):
     return np.where(turns, np.remainder(off + np.pi, 2 * np.pi) - np.pi, off) / size(model)
 
 
-@pytest.fixture(scope="module")
-def folder(compiled_once, tmp_path_factory):
-    made = {}
-
-    def of(target):
-        if target not in made:
-            made[target] = tmp_path_factory.mktemp("flown") / "model"
-            generate(target, made[target])
-        return made[target]
-
-    return of
-
-
 @pytest.mark.parametrize("target", EXAMPLES, ids=[model.name for model in EXAMPLES.values()])
-def test_every_total_state_is_flown_by_its_own_equation_to_the_fourth_order(target, folder):
-    flight, casadi = (load(folder(target), backend) for backend in ("flight", "casadi"))
+def test_every_total_state_is_flown_by_its_own_equation_to_the_fourth_order(target, folder_of):
+    flight, casadi = (load(folder_of(target), backend) for backend in ("flight", "casadi"))
     coarse, fine = (np.abs(flown(CompiledFilter, flight, target, n)).max() for n in (8 * STEPS, 16 * STEPS))
     assert fine < 1e-6
     assert fine < ROUNDING or np.log2(coarse / fine) > 3.75
@@ -167,8 +154,8 @@ int fall(void)
 
 @pytest.mark.skipif(bool(UNICORN), reason=UNICORN or "-")
 @pytest.mark.parametrize("precision", ["double", "float"])
-def test_the_exported_pendulum_falls_on_an_emulated_cortex_m4f(precision, folder, tmp_path):
-    export(PENDULUM, tmp_path / "out", precision, folder(PENDULUM))
+def test_the_exported_pendulum_falls_on_an_emulated_cortex_m4f(precision, folder_of, tmp_path):
+    export(PENDULUM, tmp_path / "out", precision, folder_of(PENDULUM))
     (tmp_path / "fall.c").write_text(FALL)
     image, include = tmp_path / "fall.elf", tmp_path / "out" / "include"
     sources = [tmp_path / "fall.c", *sorted((tmp_path / "out" / "src").glob("*.c"))]

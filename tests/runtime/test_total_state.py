@@ -10,11 +10,11 @@ from scipy.integrate import solve_ivp
 
 from boresight import BoresightError
 from boresight.codegen.export import export
-from boresight.codegen.generate import generate
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 
+pytestmark = pytest.mark.usefixtures("quickly")
 FLOWN = [(Filter, "flight"), (Filter, "casadi"), (CompiledFilter, "flight")]
 PENDULUM = f"{ROOT / 'examples' / 'pendulum.py'}:PENDULUM"
 TANK = f"{ROOT / 'examples' / 'own_model.py'}:TANK"
@@ -31,11 +31,8 @@ def example(target):
 
 
 @pytest.fixture(scope="module")
-def folder(compiled_once, tmp_path_factory):
-    made = tmp_path_factory.mktemp("total")
-    for target in (PENDULUM, TANK):
-        generate(target, made / target.rsplit(":", 1)[1])
-    return made
+def folder(folder_of):
+    return {"PENDULUM": folder_of(PENDULUM), "TANK": folder_of(TANK)}
 
 
 def integrated(f, x, seconds):
@@ -56,7 +53,7 @@ def steps(loop, count, **inputs):
 
 @pytest.mark.parametrize(("kind", "backend"), FLOWN)
 def test_a_pendulum_that_is_let_go_falls(kind, backend, folder):
-    loop = kind(load(folder / "PENDULUM", backend), {}, np.zeros((2, 2)), x=[2.0, 0.0])
+    loop = kind(load(folder["PENDULUM"], backend), {}, np.zeros((2, 2)), x=[2.0, 0.0])
     angle = steps(loop, 40, dt=0.01, **SWING)[:, 0]
     assert angle[[19, 39]] == pytest.approx([1.820, 1.270], abs=1e-3)
     assert loop.x == pytest.approx(integrated(swinging, [2.0, 0.0], 0.4), abs=3e-8)
@@ -64,7 +61,7 @@ def test_a_pendulum_that_is_let_go_falls(kind, backend, folder):
 
 @pytest.mark.parametrize(("kind", "backend"), FLOWN)
 def test_a_tank_runs_out_as_Torricelli_says(kind, backend, folder):
-    loop = kind(load(folder / "TANK", backend), {}, np.zeros((2, 2)), x=[4.0, 0.1])
+    loop = kind(load(folder["TANK"], backend), {}, np.zeros((2, 2)), x=[4.0, 0.1])
     steps(loop, 60, dt=0.5, **LEAK)
     root = np.sqrt(4.0) - 0.01 * np.sqrt(9.81 / 2) * 30  # of the depth, which falls evenly
     assert loop.x == pytest.approx([root**2, 0.1], abs=1e-9)
@@ -73,7 +70,7 @@ def test_a_tank_runs_out_as_Torricelli_says(kind, backend, folder):
 
 @pytest.mark.parametrize(("kind", "backend"), FLOWN)
 def test_many_runs_give_the_bits_of_each_alone(kind, backend, folder):
-    library, rng = load(folder / "PENDULUM", backend), np.random.default_rng(5)
+    library, rng = load(folder["PENDULUM"], backend), np.random.default_rng(5)
     x, P = rng.uniform(-3, 3, (40, 2)), np.diag([1e-2, 1e-3])
     together = kind(library, {}, P, x=x)
     steps(together, 20, dt=0.05, **SWING)
@@ -85,7 +82,7 @@ def test_many_runs_give_the_bits_of_each_alone(kind, backend, folder):
 
 
 def test_the_compiled_filter_is_the_python_loop_to_rounding_and_casadi_gives_its_bits(folder):
-    loops = [kind(load(folder / "PENDULUM", name), {}, np.diag([1e-2, 1e-3]), x=[2.0, 1.0]) for kind, name in FLOWN]
+    loops = [kind(load(folder["PENDULUM"], name), {}, np.diag([1e-2, 1e-3]), x=[2.0, 1.0]) for kind, name in FLOWN]
     flown = [steps(loop, 100, dt=0.02, **SWING) for loop in loops]
     assert flown[0].tobytes() == flown[1].tobytes() == flown[2].tobytes()
     assert loops[0].P.tobytes() == loops[1].P.tobytes()
@@ -94,7 +91,7 @@ def test_the_compiled_filter_is_the_python_loop_to_rounding_and_casadi_gives_its
 
 @pytest.mark.parametrize(("kind", "backend"), FLOWN)
 def test_an_angle_that_swings_over_the_top_wraps(kind, backend, folder):
-    loop = kind(load(folder / "PENDULUM", backend), {}, np.zeros((2, 2)), x=[3.1, 8.0])
+    loop = kind(load(folder["PENDULUM"], backend), {}, np.zeros((2, 2)), x=[3.1, 8.0])
     seen = steps(loop, 50, dt=0.01, **SWING)
     free = [integrated(swinging, [3.1, 8.0], 0.01 * k) for k in (1, 25, 50)]
     for (angle, rate), (unwound, exact) in zip(seen[[0, 24, 49]], free, strict=True):
@@ -105,7 +102,7 @@ def test_an_angle_that_swings_over_the_top_wraps(kind, backend, folder):
 
 @pytest.mark.parametrize(("kind", "backend"), FLOWN)
 def test_a_state_that_leaves_its_box_changes_nothing(kind, backend, folder):
-    loop = kind(load(folder / "TANK", backend), {}, np.eye(2) * 1e-4, x=[0.012, 0.0])
+    loop = kind(load(folder["TANK"], backend), {}, np.eye(2) * 1e-4, x=[0.012, 0.0])
     with pytest.raises(BoresightError, match="leaves its box or is no number"):
         loop.predict(dt=1.0, **LEAK)
     with pytest.raises(BoresightError, match="leaves its box or is no number"):
@@ -114,7 +111,7 @@ def test_a_state_that_leaves_its_box_changes_nothing(kind, backend, folder):
 
 
 def test_a_total_state_begins_where_it_is_told_to(folder):
-    library = load(folder / "PENDULUM")
+    library = load(folder["PENDULUM"])
     for kind in (Filter, CompiledFilter):
         with pytest.raises(BoresightError, match="pendulum has a total state; give x"):
             kind(library, {}, np.eye(2))
@@ -125,7 +122,7 @@ def test_a_total_state_begins_where_it_is_told_to(folder):
 
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_the_exported_pendulum_falls_too(precision, folder, tmp_path):
-    export(PENDULUM, tmp_path / "out", precision, folder / "PENDULUM")
+    export(PENDULUM, tmp_path / "out", precision, folder["PENDULUM"])
     (tmp_path / "fall.c").write_text("""
 #include <stdio.h>
 #include "pendulum_filter.h"
@@ -146,15 +143,15 @@ int main(void)
     return (int)status;
 }
 """)
-    if precision == "float":
-        command = ["make", "-C", str(tmp_path / "out"), "CFLAGS=-O0", "test", "example"]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stdout + done.stderr
-        assert "60 s flown; state and sigmas within" in done.stdout
-    sources = [str(path) for path in (tmp_path / "out" / "src").glob("*.c")]
-    flags = ["-std=c99", "-Wall", "-Werror", "-ffp-contract=off", f"-I{tmp_path / 'out' / 'include'}"]
+    out, made = tmp_path / "out", "example" if precision == "float" else "all"
+    command = ["make", "-C", out, "CFLAGS=-O0 -Werror", made]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert ("60 s flown; state and sigmas within" in done.stdout) is (made == "example")
     program = str(tmp_path / "fall")
-    subprocess.run(["cc", *flags, str(tmp_path / "fall.c"), *sources, "-lm", "-o", program], check=True)
+    flags = ["-std=c99", "-Wall", "-Werror", "-ffp-contract=off", f"-I{out / 'include'}"]
+    sources = [tmp_path / "fall.c", out / "build" / "libpendulum.a"]
+    subprocess.run(["cc", *flags, *sources, "-lm", "-o", program], check=True)
     angles = [float(word) for word in subprocess.run([program], capture_output=True, check=True).stdout.split()]
     wanted = [integrated(swinging, [2.0, 0.0], seconds)[0] for seconds in (0.2, 0.4)]
     assert wanted == pytest.approx([1.820, 1.270], abs=1e-3)

@@ -18,6 +18,7 @@ from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 
+pytestmark = pytest.mark.usefixtures("quickly")
 ROOT = Path(__file__).parent.parent.parent
 KINDS = pytest.mark.parametrize("kind", [Filter, CompiledFilter], ids=["python", "c"])
 FAR = np.array([20.0, -3000.0, 0.0, 0.0, 0.0])
