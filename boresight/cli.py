@@ -23,6 +23,12 @@ def model_names() -> list[str]:
     return built_in()
 
 
+def new_kinds() -> list[str]:
+    from boresight.codegen.new import KINDS
+
+    return list(KINDS)
+
+
 def paper_names() -> list[str]:
     from boresight.derive.papers import PAPERS
 
@@ -41,7 +47,6 @@ def completed(*sources: Callable[[], list[str]]) -> Callable[[str], list[str]]:
 
 
 FORMATS = ["text", "latex", "html", "pdf"]
-NEW = ["total-state", "error-state", "ins"]
 STUDIES = ["azimuth-hold", "euler-table", "float-covariance", "sea-state"]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document and nothing else.")]
 Out = Annotated[Path | None, typer.Option("-o", "--out", help="Folder for results.")]
@@ -86,7 +91,7 @@ def new(
         typer.Option(
             help="total-state, flown by f: a pendulum; error-state, with feedback: height and speed aided by a "
             "barometer; ins: GNSS/INS with lever arm and delay, 15 states.",
-            autocompletion=completed(lambda: NEW),
+            autocompletion=completed(new_kinds),
         ),
     ] = "total-state",
     out: Annotated[Path, typer.Option("-o", "--out", help="Folder to write to.")] = Path(),

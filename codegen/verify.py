@@ -10,7 +10,7 @@ flown over steps of time in codegen/flown.py.
 import multiprocessing
 import os
 import signal
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import asdict, dataclass
 from math import inf
@@ -209,13 +209,17 @@ class Underway:
             raise BoresightError(f"{self.model.name}: a process of verify ended before its points were checked")
 
 
+def called(library: Library, unit: Unit, values: Mapping[str, np.ndarray]) -> Any:
+    """What the unit gives at many points; values: (points, size) of each argument.  A field of one number, which x is
+    not, goes without its last axis."""
+    fields = {a.name: values[a.name] if a.size > 1 or a.name == "x" else values[a.name][:, 0] for a in unit.args}
+    return getattr(library, unit.name)(**fields)
+
+
 def prepare(model: Model, unit: Unit, flight: Library, casadi: Library, points: int) -> Case:
     inputs = answered(unit, CORNERS, points + CORNERS, generator("verify", model.name, unit.name))
-    fields = {
-        a.name: values if a.size > 1 or a.name == "x" else values[:, 0]
-        for a, values in zip(unit.args, inputs, strict=True)
-    }
-    ours, theirs = (as_dict(unit, getattr(library, unit.name)(**fields)) for library in (flight, casadi))
+    values = {a.name: part for a, part in zip(unit.args, inputs, strict=True)}
+    ours, theirs = (as_dict(unit, called(library, unit, values)) for library in (flight, casadi))
     same = all(ours[r.name].tobytes() == theirs[r.name].tobytes() for r in unit.results)
     count = len(inputs[0]) if inputs else 1
     got = [
@@ -310,8 +314,7 @@ def check_first_order(model: Model, m: Measurement, made: list[Unit], library: L
         return out
 
     def compiled(u: Unit) -> np.ndarray:
-        fields = {a.name: values[a.name] if a.size > 1 or a.name == "x" else values[a.name][:, 0] for a in u.args}
-        return np.asarray(getattr(library, u.name)(**fields))
+        return np.asarray(called(library, u, values))
 
     def difference(scale: float) -> tuple[float, float]:
         """Largest, and largest as a part of the matrix."""

@@ -51,10 +51,10 @@ def refuse_singular(model: Model, made: list[Unit]) -> None:
 
 def of_flow(model: Model) -> Iterator[Looked]:
     """What the model states and no unit prints as it stands: f, next, G and noise."""
+    maker = UnitMaker(model)
     for name in ("f", "next", "G", "noise"):
         matrix = getattr(model, name)
         if matrix is not None and len(matrix):
-            maker = UnitMaker(model)
             (value,) = maker.convert(matrix)
             function = ca.Function(name, [maker.vectors[v.name] for v in maker.variables], [ca.densify(value)])
             rows = [str(part) for part in (model.noise if name == "noise" else model.x)]
