@@ -622,7 +622,7 @@ def print_template(wanted: bool) -> None:
     if wanted:
         from boresight.runtime import recording
 
-        sys.stdout.write((Path(recording.__file__).parent / "recordings" / "template.toml").read_text())
+        sys.stdout.write((Path(recording.__file__).parent / "built_in" / "template.toml").read_text())
         raise typer.Exit
 
 
@@ -678,8 +678,9 @@ def replay(
     from boresight.runtime.library import load
     from boresight.runtime.recording import read
     from boresight.runtime.units import quantity
-    from boresight.studies import replay as matched
-    from boresight.studies import transfer_replay, zero_velocity
+    from boresight.studies.replays import euler_matching as matched
+    from boresight.studies.replays import velocity_attitude as transfer_replay
+    from boresight.studies.replays import zero_velocity
 
     if check:
         raise typer.Exit(matched.main(recording, only_check=True, as_json=as_json))

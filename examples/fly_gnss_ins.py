@@ -10,9 +10,10 @@ from pathlib import Path
 import numpy as np
 
 from boresight.codegen.generate import generate
-from boresight.runtime import inertial, rotation
+from boresight.runtime import rotation
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.library import load
+from boresight.runtime.simulation import inertial
 from boresight.runtime.units import DEG
 from boresight.studies.consistency import Consistency
 

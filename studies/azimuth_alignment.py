@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import inertial, rotation, simulation
+from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
+from boresight.runtime.simulation import inertial, sensors
 from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, MILLI_G
 from boresight.studies import handover
 
@@ -173,7 +174,7 @@ class Drawn:
 
 def draw(scenario: Scenario, seed: int, runs: int, first_run: int = 0) -> Drawn:
     """Keyed by [seed, run], whatever runs are flown beside it; the white noise follows from the same streams."""
-    streams = tuple(simulation.generator(seed, run) for run in range(first_run, first_run + runs))
+    streams = tuple(sensors.generator(seed, run) for run in range(first_run, first_run + runs))
     n = np.array([stream.standard_normal(37) for stream in streams])
 
     def gain(scale_ppm: float, misalignment_urad: float, numbers: Array) -> Array:

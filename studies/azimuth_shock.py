@@ -20,9 +20,10 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import detector, inertial, rotation
+from boresight.runtime import detector, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
+from boresight.runtime.simulation import inertial
 from boresight.runtime.status import Status
 from boresight.runtime.units import ARCMIN, DEG, MILLI_G
 from boresight.studies.azimuth_alignment import (

@@ -11,8 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from boresight.runtime import rotation, simulation
+from boresight.runtime import rotation
 from boresight.runtime.array import Array
+from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
 from boresight.studies.euler_table import (
     CHOSEN,
@@ -77,7 +78,7 @@ def counted(model: Any, scenario: Scenario, seconds: float, runs: int, seed: int
 
 def drawn_motion(number: int) -> dict[str, Any]:
     """The motion of drawn set `number`: three periods from 4 to 12 s, three phases from the whole circle."""
-    draw = simulation.generator(2001, number)
+    draw = sensors.generator(2001, number)
     period, phase = draw.uniform(4.0, 12.0, 3), draw.uniform(-180.0, 180.0, 3)
     return {"motion_period_s": tuple(period.tolist()), "motion_phase_deg": tuple(phase.tolist())}
 
@@ -126,7 +127,7 @@ def second_order(model: Any, scenario: Scenario, misalignment_deg: float) -> dic
     substitution of the missing master's angles adds to them.
     """
     euler_m = motion(scenario, 60.0, scenario.update_s)[:, None, :, None]  # (T, 1, 7, 1, 3)
-    mu = simulation.standard_normals(0, np.arange(20), 3) * misalignment_deg * DEG
+    mu = sensors.standard_normals(0, np.arange(20), 3) * misalignment_deg * DEG
     euler_b = model.euler_angles(q_b2n_wxyz=rotation.turned(rotation.quaternion_from_euler(euler_m), mu))
     rows = CHOSEN[:, None, None, :]
     known = model.euler_z(euler_b=euler_b, euler_m=euler_m, mu=mu)

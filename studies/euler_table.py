@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import rotation, simulation
+from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
+from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
 from boresight.studies.observability import Moment, Replaced, along, with_fields
 
@@ -140,7 +141,7 @@ def switched(model: Any, scenario: Scenario, switches: Sequence[str]) -> tuple[A
 
 def motion(scenario: Scenario, seconds: float, step_s: float) -> Array:
     """The master's true Euler angles, (T+1, 7 motions, 3) rad."""
-    sinusoids = simulation.Sinusoids(
+    sinusoids = sensors.Sinusoids(
         amplitude=CHOSEN * np.array(scenario.motion_amplitude_deg) * DEG,
         period=np.array(scenario.motion_period_s),
         phase=np.array(scenario.motion_phase_deg) * DEG,
@@ -150,7 +151,7 @@ def motion(scenario: Scenario, seconds: float, step_s: float) -> Array:
 
 
 def earth_rate(scenario: Scenario) -> Array:
-    return simulation.earth_rate_n(scenario.latitude_deg * DEG) * scenario.earth_rate
+    return sensors.earth_rate_n(scenario.latitude_deg * DEG) * scenario.earth_rate
 
 
 def gyro_noise(scenario: Scenario) -> Array:
@@ -243,7 +244,7 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
     updates = len(increments) // every
 
     key = 49 * np.arange(first_run, first_run + runs) + np.arange(49).reshape(7, 7, 1)
-    draws = simulation.standard_normals(seed, key, 6 + 3 * (updates + 1))
+    draws = sensors.standard_normals(seed, key, 6 + 3 * (updates + 1))
     unit = draws[..., :3] if scenario.misalignment == "normal" else np.where(draws[..., :3] < 0, -1.0, 1.0)
     mu = unit * scenario.misalignment_deg * DEG
     drift = draws[..., 3:6] * scenario.gyro_bias_deg_h * DEG / 3600 * scenario.strapdown_s
@@ -278,7 +279,7 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
     keep(0)
     for k in range(1, updates + 1):
         turns = increments[(k - 1) * every : k * every, None, :, None]
-        for dtheta in simulation.mounted(turns, mu) + drift:
+        for dtheta in sensors.mounted(turns, mu) + drift:
             loop.strapdown(dtheta_ib_b=dtheta, omega_in_n=omega_in_n, dt=scenario.strapdown_s)
         loop.predict(omega_in_n=omega_in_n, gyro_noise=gyro_noise(scenario), dt=scenario.update_s)
         euler_b = loop.call("euler_angles")

@@ -20,10 +20,10 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.compiler import PRECISIONS, open_library, shared_library
-from boresight.runtime.inertial import increments
 from boresight.runtime.library import load
 from boresight.runtime.manifest import folder_of, read_manifest
-from boresight.runtime.simulation import generator
+from boresight.runtime.simulation.inertial import increments
+from boresight.runtime.simulation.sensors import generator
 from boresight.runtime.units import DEG, DEG_H, FOOT, MILLI_G, STANDARD_GRAVITY
 from boresight.studies.figures import BLUE, GREY, ORANGE, figure
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight.runtime import hull
+from boresight.runtime.simulation import hull
 from boresight.runtime.units import DEG
 from boresight.studies.sea_flight import FILTERS, Scenario, fly
 

@@ -6,8 +6,8 @@ from typing import Any, Literal
 
 import numpy as np
 
-from boresight.runtime import hull
 from boresight.runtime.library import load
+from boresight.runtime.simulation import hull
 from boresight.runtime.units import DEG, MIL
 from boresight.studies import sea_delay
 from boresight.studies.sea_flight import FILTERS, HEIGHT_M, Scenario, draw, fly, motion_of

@@ -9,8 +9,8 @@ from typing import Any, Literal
 
 import numpy as np
 
-from boresight.runtime import hull, sea
 from boresight.runtime.array import Array
+from boresight.runtime.simulation import hull, sea
 from boresight.runtime.units import DEG, MIL
 from boresight.studies.sea_flight import FILTERS, GRADES, HEIGHT_M, Scenario, fly
 

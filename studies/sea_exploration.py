@@ -17,9 +17,10 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import hull, inertial, rotation, simulation, transfer
+from boresight.runtime import rotation, transfer
 from boresight.runtime.array import Array
 from boresight.runtime.library import load
+from boresight.runtime.simulation import hull, inertial, sensors
 from boresight.runtime.transfer import Message, Transfer
 from boresight.runtime.units import DEG, MIL, MILLI_G, STANDARD_GRAVITY
 from boresight.studies.consistency import chi_square_band
@@ -126,7 +127,7 @@ def motions(time: Array, seed: int) -> dict[str, hull.Pose]:
         "one turn of 90 deg, 5 m/s": underway(time, ramp(5.0, 20.0, 90 * DEG), cruise),
         "surge 0 to 5 m/s in 10 s": underway(time, speed=ramp(5.0, 10.0, 5.0)),
     }
-    streams = [simulation.generator(seed, run) for run in range(SEAS)]
+    streams = [sensors.generator(seed, run) for run in range(SEAS)]
     for kind, letter in (("slope", "b"), ("sea", "c")):
         poses = hull.ride(motion_of(kind, DECLARED, streams), time)
         out |= {f"({letter}) sea state {grade}": at_grade(poses, i) for i, grade in enumerate(GRADES)}
@@ -203,7 +204,7 @@ def covariances(model: Any, master: hull.Pose, scenario: Scenario) -> Array:
         return np.einsum("...ij,...j->...i", C_n2b, vector_n)
 
     f_b = to_b(slave.a_n - np.array([0.0, 0.0, STANDARD_GRAVITY]))
-    omega_ib_b = slave.omega_nb_b + to_b(simulation.earth_rate_n(s.latitude_deg * DEG))
+    omega_ib_b = slave.omega_nb_b + to_b(sensors.earth_rate_n(s.latitude_deg * DEG))
     position = np.array([s.latitude_deg * DEG, 0.0, 0.0])
     given = constants(s)
     ends = slice(2 * per_update, None, 2 * per_update)
@@ -462,7 +463,7 @@ def matchings(model: Any, *, runs: int, seed: int) -> list[dict[str, Any]]:
     """Each way in each place: what `summary` says, or why it is refused.  The mounting is wrong by N(0, 2 deg)."""
     out = []
     pitch, mount = (np.array(part)[:, None] for part in zip(*PLACES.values(), strict=True))
-    wrong = simulation.standard_normals(seed + 1, np.arange(runs), 3) * np.array([0.5, 0.5, 2.0]) * DEG
+    wrong = sensors.standard_normals(seed + 1, np.arange(runs), 3) * np.array([0.5, 0.5, 2.0]) * DEG
     C_believed = rotation.matrix_from_quaternion(turned_about_down((mount - 2.0) * DEG))
     # C_hat = exp(-[dmu x]) C
     mounting = rotation.quaternion_from_matrix(rotation.matrix_from_vector(wrong) @ C_believed)
@@ -496,7 +497,7 @@ def starts(model: Any, *, runs: int, seed: int, grade: int = 5) -> dict[str, Any
     of which is taken, offsets all over the circle; the same, and from when on the likeliest was within CONVERGED_MIL.
     """
     model = kept_inside(model)
-    streams = [simulation.generator(seed, run) for run in range(runs)]
+    streams = [sensors.generator(seed, run) for run in range(runs)]
     six = motion_of("sea", QUICK, streams)
     i = GRADES.index(grade)
     motion = replace(six, freedoms=replace(six.freedoms, omega=six.freedoms.omega[i : i + 1],

@@ -14,8 +14,9 @@ from typing import Any, Literal
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import hull, inertial, rotation, sea, simulation, transfer
+from boresight.runtime import rotation, transfer
 from boresight.runtime.array import Array
+from boresight.runtime.simulation import hull, inertial, sea, sensors
 from boresight.runtime.transfer import Message, Rules, Transfer
 from boresight.runtime.units import DEG, HOUR, MILLI_G
 
@@ -129,7 +130,7 @@ class Drawn:
 def draw(scenario: Scenario, seed: int, runs: int, first_run: int = 0) -> Drawn:
     """Keyed by [seed, run], whatever runs are flown beside it; the same in every sea state and motion."""
     s = scenario
-    streams = tuple(simulation.generator(seed, run) for run in range(first_run, first_run + runs))
+    streams = tuple(sensors.generator(seed, run) for run in range(first_run, first_run + runs))
     part = np.array([stream.random() for stream in streams])
     n = np.array([stream.standard_normal(12) for stream in streams])
     askew = np.zeros((runs, 3, 3))

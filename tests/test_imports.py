@@ -46,6 +46,12 @@ def test_a_layer_imports_only_along_the_arrows(layer):
             assert parts[0] not in FORBIDDEN.get(layer, ()), f"{path} imports {name}"
 
 
+def test_nothing_that_flies_imports_what_is_simulated():
+    for path in files("runtime"):
+        if "simulation" not in path.parts:
+            assert not any("simulation" in name.split(".") for name in imported(path)), path
+
+
 def test_no_module_is_found_by_a_string():
     """A reader, and what looks for who uses a name, follows imports; a user's own file is run by its path."""
     for path in (path for layer in LAYERS for path in files(layer)):

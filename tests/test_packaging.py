@@ -75,7 +75,8 @@ def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(built, tmp_
         "generated/euler_matching/src/em_euler_H_kernel.h", "codegen/templates/src/UNIT.c.j2", "derive/model.py",
         "codegen/templates/src/stationary_detector.c.j2", "derive/pages/templates/page.html.j2",
         "generated/stationary_detector/src/stationary_detector.c",
-        "runtime/recordings/fog_mems_transfer.toml", "runtime/recordings/template.toml", "studies/euler_table.py",
+        "runtime/recording/built_in/fog_mems_transfer.toml", "runtime/recording/built_in/template.toml",
+        "studies/euler_table.py",
         "examples/pendulum.py", "examples/fly_gnss_ins.py", "cli.py", "py.typed",
     )  # fmt: skip
     with zipfile.ZipFile(wheel) as archive:

@@ -14,8 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from boresight.runtime import hull, inertial, rotation, sea, simulation
+from boresight.runtime import rotation
 from boresight.runtime.library import load
+from boresight.runtime.simulation import hull, inertial, sea, sensors
 from boresight.runtime.units import DEG, HOUR, STANDARD_GRAVITY
 
 MASTER_S = 0.0999  # its clock is 0.1 % fast, so that messages and ticks slide past each other
@@ -58,7 +59,7 @@ def record(seed: int = 1, seconds: float = 60.0, tau: float = 0.0337) -> tuple[S
     s = Setup()
     ticks = round(seconds / s.dt)
     time = np.arange(ticks + 1) * s.dt
-    rng = simulation.generator(seed, 0)
+    rng = sensors.generator(seed, 0)
     omega, elevation = sea.components(2.5)
     phases = hull.phases([rng], omega.shape[-1])[0]
     ship: dict[str, Any] = {"towards": 165 * DEG, "heading": 30 * DEG, "speed": 5.0}

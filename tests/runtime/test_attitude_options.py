@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from numpy_euler_matching import exp, matrix, quaternion
 
-from boresight.runtime import hull, inertial, rotation, simulation, transfer
+from boresight.runtime import rotation, transfer
 from boresight.runtime.library import load
+from boresight.runtime.simulation import hull, inertial, sensors
 from boresight.runtime.transfer import Message, Rules, Transfer
 from boresight.studies.sea_exploration import pitched
 
@@ -202,7 +203,7 @@ def closed_loop(library, motion, extra, *, lever, seconds, update_hz, bending=No
     rate = 50
     dt, every = 1 / rate, rate // update_hz
     time = np.arange(seconds * rate + 1) * dt
-    streams = [simulation.generator(seed, run) for run in range(RUNS)]
+    streams = [sensors.generator(seed, run) for run in range(RUNS)]
     n = np.array([stream.standard_normal(9) for stream in streams])
     bias_g, bias_a, wrong = 20 * DEG / 3600 * n[:, :3], 0.02 * n[:, 3:6], n[:, 6:] * np.array([0.5, 0.5, 2.0]) * DEG
     delay, R = 0.005, np.repeat([0.01, 0.003 * DEG], 3) ** 2
@@ -303,7 +304,7 @@ def test_scale_factors_of_a_part_in_a_hundred_are_found_in_violent_motion(scale)
 
 def test_bending_of_a_milliradian_is_followed_ten_times_a_second(flexure):
     sigma_bend, correlation = 1e-3, 1.0
-    streams = [simulation.generator(9, run) for run in range(RUNS)]
+    streams = [sensors.generator(9, run) for run in range(RUNS)]
     bending = hull.bending(np.full(3, sigma_bend), correlation, hull.phases(streams, 3 * 40))
     seconds = 20
     at_end = [part[0] for part in bending.thrice(np.array([float(seconds)]))[:2]]

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from boresight import BoresightError
-from boresight.runtime import transfer
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
+from boresight.runtime.transfer import filter
 from boresight.studies import azimuth_alignment, azimuth_hold, euler_table, sea_flight
 
 U = np.finfo(float).eps / 2
@@ -108,7 +108,7 @@ def test_the_sea_of_kang_is_flown_to_rounding(way, monkeypatch):
     def fly():
         return sea_flight.fly(model, "sea", scenario, runs=1, seed=1, way=way)
 
-    assert held_together(transfer, fly, ("error", "P", "nis"), monkeypatch) == {}
+    assert held_together(filter, fly, ("error", "P", "nis"), monkeypatch) == {}
 
 
 NOISE = {

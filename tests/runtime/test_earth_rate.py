@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from boresight.runtime.simulation import earth_rate_n
+from boresight.runtime.simulation.sensors import earth_rate_n
 
 
 def test_at_rest_the_level_turns_with_the_earth(library):

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from boresight.runtime import hull, rotation, sea, simulation
+from boresight.runtime import rotation
+from boresight.runtime.simulation import hull, sea, sensors
 
 DEG = np.pi / 180
 STEP = 1e-4
@@ -12,7 +13,7 @@ COURSE = dict(towards=np.array([0.3, 2.1, 4.0]), heading=np.array([0.0, 0.7, 5.0
 
 def rough_sea(runs=3, **course):
     omega, elevation = sea.components(4.0, count=50)
-    streams = [simulation.generator(1, run) for run in range(runs)]
+    streams = [sensors.generator(1, run) for run in range(runs)]
     return hull.in_sea(hull.Hull(), omega, elevation, hull.phases(streams, 50), **(course or COURSE))
 
 
@@ -149,7 +150,7 @@ def test_motion_by_slope_follows_the_slope():
 def test_bending_is_a_second_order_markov_process():
     sigma, correlation = np.array([1.0, 2.0, 0.5]) * 1e-3, 0.8
     runs = 400
-    streams = [simulation.generator(3, run) for run in range(runs)]
+    streams = [sensors.generator(3, run) for run in range(runs)]
     flexure = hull.bending(sigma, correlation, hull.phases(streams, 3 * 60))
     lag = np.array([0.0, 0.4, 0.8, 1.6])
     theta = flexure.at(5.0 + lag)

@@ -6,9 +6,9 @@ from analytic import NED2ENU, flight, integrals
 from scipy.spatial.transform import Rotation
 
 from boresight import BoresightError
-from boresight.runtime.inertial import increments, integrate
 from boresight.runtime.library import load
 from boresight.runtime.rotation import attitude_error, quaternion_from_euler
+from boresight.runtime.simulation.inertial import increments, integrate
 
 SECONDS = 60
 METRES = np.array([6.4e6, 6.4e6, 1.0])  # a longitude counts as at the equator: the strict side

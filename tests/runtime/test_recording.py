@@ -13,8 +13,18 @@ from scipy.io import savemat
 from scipy.spatial.transform import Rotation
 
 from boresight import BoresightError
-from boresight.runtime import description, rotation
-from boresight.runtime.recording import Inertial, Master, Recording, best_delay, check, gravity_in_ned, read, shifted
+from boresight.runtime import rotation
+from boresight.runtime.recording import (
+    Inertial,
+    Master,
+    Recording,
+    best_delay,
+    check,
+    description,
+    gravity_in_ned,
+    read,
+    shifted,
+)
 
 DEG = np.pi / 180
 TOML = """
@@ -352,6 +362,6 @@ def test_a_recording_made_by_hand_checks_its_shapes():
 
 
 def test_the_example_is_a_description():
-    said = description.load(ROOT / "runtime" / "recordings" / "template.toml")
+    said = description.load(ROOT / "runtime" / "recording" / "built_in" / "template.toml")
     assert said.master is not None
     assert said.master.attitude.order == "yaw pitch roll"

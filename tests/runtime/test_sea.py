@@ -5,7 +5,7 @@ import pytest
 from scipy.integrate import quad
 
 from boresight import BoresightError
-from boresight.runtime import sea, simulation
+from boresight.runtime.simulation import sea, sensors
 
 OMEGA = np.linspace(1e-3, 30.0, 300001)
 
@@ -36,7 +36,7 @@ def test_zero_crossing_period_is_that_of_pierson_and_moskowitz():
 
     # and as it is counted: upward crossings in three hours of sea, whose number scatters by 2 %
     time = np.arange(0, 3 * 3600, 0.1)
-    phase = 2 * np.pi * simulation.generator(0, 0).random(omega.size)
+    phase = 2 * np.pi * sensors.generator(0, 0).random(omega.size)
     elevation = np.concatenate([np.cos(part[:, None] * omega + phase) @ amplitude for part in np.array_split(time, 60)])
     crossings = np.sum((elevation[:-1] < 0) & (elevation[1:] >= 0))
     assert time[-1] / crossings == pytest.approx(period, rel=0.05)

@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 
-from boresight.runtime import rotation, simulation
+from boresight.runtime import rotation
+from boresight.runtime.simulation import sensors
 from tests import numpy_euler_matching as witness
 
 DEG = np.pi / 180
-OMEGA = simulation.earth_rate_n(36 * DEG)
-MOTION = simulation.Sinusoids(
+OMEGA = sensors.earth_rate_n(36 * DEG)
+MOTION = sensors.Sinusoids(
     amplitude=np.array([[20.0, 10.0, 30.0], [0.0, 0.0, 0.0]]) * DEG,
     period=np.array([5.0, 7.0, 11.0]),
     phase=np.array([0.3, -1.0, 2.0]),
@@ -17,7 +18,7 @@ MOTION = simulation.Sinusoids(
 
 
 def test_sinusoids_pass_their_mean_with_the_stated_rate_and_repeat_after_a_period():
-    motion = simulation.Sinusoids(np.array([2.0, 3.0, 4.0]), np.array([4.0, 5.0, 8.0]), np.zeros(3), np.ones(3))
+    motion = sensors.Sinusoids(np.array([2.0, 3.0, 4.0]), np.array([4.0, 5.0, 8.0]), np.zeros(3), np.ones(3))
     assert np.allclose(motion.euler([0.0]), 1.0)
     assert np.allclose((motion.euler([1e-6]) - 1) / 1e-6, 2 * np.pi * np.array([2 / 4, 3 / 5, 4 / 8]))
     assert motion.euler([1.0])[0, 0] == pytest.approx(3.0)  # a quarter of roll's period
@@ -47,7 +48,7 @@ def test_a_slave_flies_to_the_attitude_of_its_mounting():
     q_m = rotation.quaternion_from_euler(MOTION.euler(np.arange(51) * dt))
     q_b = rotation.turned(q_m, mu)
     flown = q_b[0]
-    for increment in simulation.mounted(rotation.body_increments(q_m, OMEGA, dt), mu):
+    for increment in sensors.mounted(rotation.body_increments(q_m, OMEGA, dt), mu):
         flown = witness.strapdown(flown, increment, OMEGA, np.array(dt))
     assert np.abs(rotation.attitude_error(flown, q_b[-1])).max() < 1e-12
 
@@ -63,15 +64,15 @@ def test_attitude_error_is_the_turn_that_removes_the_error():
 
 
 def test_a_runs_numbers_do_not_depend_on_the_runs_beside_it_nor_on_the_duration():
-    whole = simulation.standard_normals(7, np.arange(12).reshape(3, 4), 50)
-    chunks = [simulation.standard_normals(7, np.arange(a, b), 50) for a, b in ((0, 5), (5, 12))]
+    whole = sensors.standard_normals(7, np.arange(12).reshape(3, 4), 50)
+    chunks = [sensors.standard_normals(7, np.arange(a, b), 50) for a, b in ((0, 5), (5, 12))]
     assert np.array_equal(whole.reshape(12, 50), np.concatenate(chunks))
-    assert np.array_equal(whole[..., :20], simulation.standard_normals(7, np.arange(12).reshape(3, 4), 20))
-    assert not np.any(whole == simulation.standard_normals(8, np.arange(12).reshape(3, 4), 50))
+    assert np.array_equal(whole[..., :20], sensors.standard_normals(7, np.arange(12).reshape(3, 4), 20))
+    assert not np.any(whole == sensors.standard_normals(8, np.arange(12).reshape(3, 4), 50))
 
 
 def test_the_numbers_are_standard_normal():
-    numbers = simulation.standard_normals(0, np.arange(400), 100)
+    numbers = sensors.standard_normals(0, np.arange(400), 100)
     n = numbers.size
     assert abs(numbers.mean()) < 4 / np.sqrt(n)
     assert abs(numbers.var() - 1) < 4 * np.sqrt(2 / n)

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from boresight import BoresightError
-from boresight.runtime import hull, inertial, rotation
+from boresight.runtime import rotation
 from boresight.runtime.library import load
-from boresight.runtime.simulation import generator
+from boresight.runtime.simulation import hull, inertial
+from boresight.runtime.simulation.sensors import generator
 from boresight.runtime.transfer import Message, Rules, Transfer, Verdict, first
 
 DEG, MIL = np.pi / 180, 2 * np.pi / 6400
@@ -562,7 +563,7 @@ def test_a_lever_arm_of_the_wrong_sign_shows_in_the_nis_and_is_told(short):
         nis[sign] = np.nanmean(flight.every_nis)
         told = [text for text in said(flight) if "compare the lever arm and its sign" in text]
         assert bool(told) == (sign != 1.0)
-        assert len(told) == 0 or flight.loop._lever_told.all()
+        assert len(told) == 0 or flight.loop.watch.lever_told.all()
     assert nis[1.0] == pytest.approx(6, abs=0.3)
     assert nis[0.0] > 50
     assert nis[-1.0] > 2 * nis[0.0]

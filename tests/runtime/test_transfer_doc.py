@@ -9,7 +9,7 @@ from conftest import ROOT
 from boresight.runtime import rotation
 from boresight.runtime.recording import read
 from boresight.runtime.transfer import Verdict
-from boresight.studies.replay import simulate
+from boresight.studies.replays.euler_matching import simulate
 
 PAGE = (ROOT / "docs" / "transfer-alignment.md").read_text()
 

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from boresight import BoresightError
-from boresight.runtime import rotation, simulation
+from boresight.runtime import rotation
 from boresight.runtime.library import load
+from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
 from boresight.studies import euler_exploration as exploration
 from boresight.studies import euler_table as study
@@ -51,7 +52,7 @@ def test_P0_is_the_covariance_of_the_simulated_start(model):
     scenario = replace(scenario, filter_offset_arcmin=scenario.angle_noise_arcmin, heading_deg=70.0)
     euler = study.motion(scenario, 0.0, 1.0)[0, 6]
     P0 = study.initial_covariance(model, scenario, euler)
-    draws = simulation.standard_normals(3, np.arange(4000), 6)
+    draws = sensors.standard_normals(3, np.arange(4000), 6)
     mu, noise = draws[:, :3] * scenario.misalignment_deg * DEG, draws[:, 3:] * ARCMIN
     q_hat = rotation.quaternion_from_euler(euler + noise)
     q_b = rotation.turned(rotation.quaternion_from_euler(euler), mu)

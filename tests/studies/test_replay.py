@@ -12,7 +12,7 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.recording import best_delay, read
 from boresight.runtime.units import ARCMIN
-from boresight.studies import replay
+from boresight.studies.replays import euler_matching as replay
 
 FOG_MEMS = "fog_mems_transfer.npz"
 

@@ -5,8 +5,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from boresight.runtime import hull, rotation, simulation
+from boresight.runtime import rotation
 from boresight.runtime.library import load
+from boresight.runtime.simulation import hull, sensors
 from boresight.runtime.units import MIL
 from boresight.studies import sea_exploration as study
 from boresight.studies.observability import Moment, along, shown_after
@@ -119,7 +120,7 @@ def test_a_manoeuvre_shows_the_heading_by_the_change_of_velocity_alone(wide):
 def test_closed_loops_have_the_errors_that_the_covariance_along_the_truth_foretells(model, wide):
     """Roll shows the heading, heave does not; both by the errors of forty runs."""
     runs, scenario = 40, study.QUICK
-    wrong = simulation.standard_normals(1, np.arange(runs), 1)[:, 0] * 2 * DEG
+    wrong = sensors.standard_normals(1, np.arange(runs), 1)[:, 0] * 2 * DEG
     mounting = study.turned_about_down(wrong)[None]
     level = np.array([1.0, 0, 0, 0])
     for name, size in (("roll", 3.0), ("heave", 1.0)):

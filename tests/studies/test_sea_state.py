@@ -8,8 +8,9 @@ import pytest
 
 from boresight import BoresightError
 from boresight.derive.papers import paper
-from boresight.runtime import hull, inertial, rotation, simulation
+from boresight.runtime import rotation
 from boresight.runtime.library import load
+from boresight.runtime.simulation import hull, inertial, sensors
 from boresight.runtime.units import DEG, MIL
 from boresight.studies import sea_bench, sea_claims, sea_delay, sea_figures, sea_flight, sea_state
 from boresight.studies.sea_flight import FILTERS, Scenario, draw, fly, motion_of, truth
@@ -129,7 +130,7 @@ def test_the_study_s_closed_form_is_the_derived_one():
     letters = {symbol.name: symbol for symbol in form.free_symbols}
     assert heading.name == "δψ" and set(letters) == set("τΩRPε")
     derived = lambdify([letters[name] for name in "τΩRPε"], form)
-    rng = simulation.generator(0, 0)
+    rng = sensors.generator(0, 0)
     for _ in range(20):
         tau, f, roll, ratio, phase = rng.uniform([1e-3, 0.05, 0.01, 0.1, -3], [0.02, 0.5, 0.2, 3, 3])
         wanted = derived(tau, 2 * np.pi * f, roll, ratio * roll, phase)

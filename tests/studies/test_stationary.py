@@ -10,7 +10,7 @@ from real_recordings import real_recording
 from boresight import BoresightError
 from boresight.runtime import detector as d
 from boresight.runtime.recording import Inertial, Recording, read
-from boresight.studies import stationary
+from boresight.studies.replays import stationary
 
 DT, SW, SA = 0.01, 8e-4, 4e-3
 BIAS = np.array([1.6e-3, -1.3e-3, 1e-4])

@@ -8,12 +8,13 @@ import pytest
 from real_recordings import real_recording
 
 from boresight import BoresightError
-from boresight.runtime import hull, inertial, rotation
+from boresight.runtime import rotation
 from boresight.runtime.library import load
 from boresight.runtime.recording import Inertial, Master, Recording, read
+from boresight.runtime.simulation import hull, inertial
 from boresight.runtime.units import STANDARD_GRAVITY as G
 from boresight.runtime.units import quantity
-from boresight.studies import transfer_replay as tr
+from boresight.studies.replays import velocity_attitude as tr
 
 DEG = np.pi / 180
 DELAY = 0.03

@@ -7,7 +7,7 @@ from real_recordings import real_recording
 from boresight import BoresightError
 from boresight.runtime.library import load
 from boresight.runtime.recording import Inertial, Recording, read
-from boresight.studies import zero_velocity
+from boresight.studies.replays import zero_velocity
 
 SIGMA_GYRO, SIGMA_ACCEL = 1e-3, 4e-3
 

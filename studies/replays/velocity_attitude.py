@@ -17,9 +17,10 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.recording import Recording, thinned
-from boresight.runtime.transfer import PHI, Message, Rules, Transfer, first
+from boresight.runtime.transfer import Message, Rules, Transfer, first
+from boresight.runtime.transfer.start import PHI
 from boresight.runtime.units import MILLI_G, UNITS
-from boresight.studies.innovations import consistency, minus_log_likelihood, most_likely
+from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
 
 ROWS = ("velocity north", "velocity east", "velocity down", "attitude north", "attitude east", "attitude down")
 MATCHING = ("velocity", "dcm")

@@ -11,12 +11,13 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import inertial, rotation
+from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.detector import gaps
 from boresight.runtime.filter import Filter
 from boresight.runtime.recording import Recording, read
-from boresight.studies import stationary
+from boresight.runtime.simulation import inertial
+from boresight.studies.replays import stationary
 
 TO_RFU = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]])  # front-right-down to right-front-up
 EARTH_RADIUS_M = 6.371e6  # for a track of some metres in the figure; the filter's own Earth is the ellipsoid

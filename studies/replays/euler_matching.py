@@ -12,12 +12,13 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import frames, rotation, simulation
+from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.recording import Recording, best_delay, check, read, shifted, thinned
+from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG, DEG_H
-from boresight.studies.innovations import consistency, minus_log_likelihood, most_likely
+from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
 
 DEG_SQRT_H = DEG / 60  # rad/sqrt(s) of 1 deg/sqrt(h)
 AXES = ("roll", "pitch", "yaw")
@@ -475,7 +476,7 @@ def simulate(path: str | Path, seed: int, *, duration: float = 60.0, delay: floa
         return np.stack([roll, pitch, np.radians(-1 + 1.5 * np.sin(0.17 * t + 2))], axis=-1)
 
     radius = 6371e3  # enough for a transport rate that is the same on both sides of the simulation
-    omega = simulation.earth_rate_n(lat) + np.array([v_n[1], -v_n[0], 0]) / radius
+    omega = sensors.earth_rate_n(lat) + np.array([v_n[1], -v_n[0], 0]) / radius
     t = np.arange(steps + 1) * dt
     C_m = rotation.matrix_from_euler(euler_at(t))
     C_b = C_m @ rotation.matrix_from_vector(mu)

@@ -15,8 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from boresight.runtime import rotation, sea
+from boresight.runtime import rotation
 from boresight.runtime.array import Array
+from boresight.runtime.simulation import sea
 
 FREEDOMS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 

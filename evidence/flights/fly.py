@@ -1,0 +1,148 @@
+"""A transfer alignment flown on a motion of `motion`, and how far it is wrong beside what it claims."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from scipy.stats import chi2
+
+from boresight.evidence.flights.motion import Motion, matrix, quaternion, turn, turn_between
+from boresight.runtime import transfer
+from boresight.runtime.array import Array
+from boresight.runtime.library import load
+from boresight.runtime.units import DEG, HOUR, STANDARD_GRAVITY
+
+
+@dataclass(frozen=True)
+class Unit:
+    """One sigma of what a slave and a master are like."""
+
+    gyro_bias: float = 10 * DEG / HOUR  # rad/s
+    accel_bias: float = 1e-3 * STANDARD_GRAVITY  # m/s^2
+    gyro_noise: float = 3e-5  # rad/sqrt(s)
+    accel_noise: float = 1e-3  # m/s/sqrt(s)
+    mounting: tuple[float, float, float] = (0.6 * DEG, 0.6 * DEG, 2 * DEG)
+    velocity: float = 0.02  # m/s
+    attitude: float = 0.3e-3  # rad
+
+
+@dataclass
+class Flown:
+    """Of K messages handed over to so many runs."""
+
+    loop: transfer.Transfer
+    time: Array  # (K,) s
+    errors: Array  # (K, runs, 16) estimated - true, after each message
+    P: Array  # (K, runs, 16, 16)
+    nis: Array  # (K, runs) of the messages taken, else nan
+    verdict: Array  # (K, runs)
+
+    @property
+    def nees(self) -> Array:
+        """(K, runs)"""
+        return np.einsum("kri,kri->kr", self.errors, np.linalg.solve(self.P, self.errors[..., None])[..., 0])
+
+    def nees_of(self, states: list[int]) -> Array:
+        """(K, runs) of these states alone."""
+        e, P = self.errors[..., states], self.P[..., states, :][..., states]
+        return np.einsum("kri,kri->kr", e, np.linalg.solve(P, e[..., None])[..., 0])
+
+
+def band(mean_of: int, dof: int, level: float = 0.999) -> Array:
+    """The interval in which the mean of so many independent chi-squares lies with this probability."""
+    rest = (1 - level) / 2
+    limits: Array = chi2.ppf([rest, 1 - rest], dof * mean_of) / mean_of
+    return limits
+
+
+def fly(
+    motion: Motion,
+    *,
+    runs: int = 30,
+    seed: int = 1,
+    unit: Unit | None = None,
+    model: Any = "velocity-attitude",
+    imu_hz: float = 50,
+    master_hz: float = 5,
+    seconds: float = 40.0,
+    tau: Any = 0.035,
+    tau_believed: float = 0.0,
+    tau_sigma: float = 0.05,
+    lost: float = 0.1,
+    jitter: float = 0.003,
+    hand_over: float = 0.02,
+    lever_b: Any = (1.2, -2.4, 1.8),
+    C_b2m: Any = None,
+    R: Any = None,
+    sensed: Callable[..., Any] | None = None,
+    said: Callable[..., Any] | None = None,
+    start: Callable[..., Any] | None = None,
+    constants: dict[str, Any] | None = None,
+    **settings: Any,
+) -> Flown:
+    """Fly the transfer alignment on a motion: a Flown.
+
+    tau: s, true, () or (runs,).  lost: part of the messages.  jitter: s, of their times, which the stamps tell.
+    hand_over: s after which a message is handed over beyond the master's own delay.
+    sensed(time, dtheta, dv) changes what the slave delivers in an interval (runs, 3); said(time, message) what the
+    master does, or drops it by None; start(message, **what `first` takes) makes nav and P in place of `first`.
+    settings: of `Transfer`.
+    """
+    unit = unit or Unit()
+    rng = np.random.default_rng([seed, runs])
+    loaded = load(model) if isinstance(model, str) else model
+    C_b2m = matrix(np.array([0.4, -0.3, 2.0]) * DEG) if C_b2m is None else np.asarray(C_b2m)
+    lever_b, tau = np.asarray(lever_b, float), np.broadcast_to(np.asarray(tau, float), (runs,))
+    R = np.repeat([unit.velocity, unit.attitude], 3) ** 2 if R is None else np.asarray(R, float)
+    dt, steps = 1 / imu_hz, round(seconds * imu_hz)
+    edges = np.arange(-1, steps + 1) * dt
+    dtheta, dv = motion.increments(edges)
+    bias_g, bias_a = unit.gyro_bias * rng.standard_normal((runs, 3)), unit.accel_bias * rng.standard_normal((runs, 3))
+    known = {"lever_b": lever_b, "gyro_noise": np.full(3, unit.gyro_noise), "accel_noise": np.full(3, unit.accel_noise),
+             "gyro_bias_noise": np.full(3, 1e-9), "accel_bias_noise": np.full(3, 1e-9), "mu_noise": np.full(3, 1e-9),
+             "tau_noise": 1e-9} | (constants or {})  # fmt: skip
+
+    def message(stamp: Array) -> transfer.Message:
+        """What the master says that is stamped so (runs,): it saw `stamp - tau`."""
+        v, C = motion.master(stamp - tau, lever_b, C_b2m)
+        v = v + unit.velocity * rng.standard_normal((runs, 3))
+        C = turn(unit.attitude * rng.standard_normal((runs, 3))) @ C
+        return transfer.Message(stamp, R, v_m_n=v, q_m2n_wxyz=quaternion(C), position=motion.position(stamp - tau),
+                                rows=np.repeat(rng.random((runs, 1)) >= lost, 6, 1))  # fmt: skip
+
+    sigma = np.asarray(unit.mounting)
+    opening = replace(message(np.zeros(runs)), rows=True)
+    nav, P = (start or transfer.first)(
+        opening, q_b2m_wxyz=quaternion(turn(sigma * rng.standard_normal((runs, 3))) @ C_b2m), tau=tau_believed,
+        mounting_sigma=sigma, velocity_sigma=np.full(3, 0.3), gyro_bias_sigma=np.full(3, unit.gyro_bias),
+        accel_bias_sigma=np.full(3, unit.accel_bias), tau_sigma=tau_sigma,
+    )  # fmt: skip
+    loop = transfer.Transfer(loaded, nav, P, known, **settings)
+    gap = 1 / master_hz
+    out: dict[str, list[Any]] = {"time": [], "errors": [], "P": [], "nis": [], "verdict": []}
+    due = 1
+    for k in range(steps):
+        time = (k + 1) * dt
+        d = dtheta[k + 1] + bias_g * dt + unit.gyro_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
+        f = dv[k + 1] + bias_a * dt + unit.accel_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
+        if sensed is not None:
+            d, f = sensed(time, d, f)
+        loop.slave(time, d, f, dt)
+        while due * gap + hand_over <= time + 1e-9:
+            given = message(due * gap + jitter * rng.uniform(-1, 1, runs))
+            due += 1
+            given = given if said is None else said(time, given)
+            if given is None:
+                continue
+            result = loop.master(given)
+            nav, now = loop.nav, np.array(time)
+            errors = [turn_between(nav["q_b2n_wxyz"], motion.C_b2n(now)), nav["v_n"] - motion.velocity(now)[0],
+                      nav["gyro_bias"] - bias_g, nav["accel_bias"] - bias_a, turn_between(nav["q_b2m_wxyz"], C_b2m),
+                      (nav["tau"] - tau)[:, None]]  # fmt: skip
+            out["time"].append(time)
+            out["errors"].append(np.concatenate(errors, axis=-1))
+            out["P"].append(loop.P[..., :16, :16].copy())
+            out["nis"].append(np.where(result.taken, result.nis, np.nan))
+            out["verdict"].append(result.verdict)
+    return Flown(loop, **{name: np.array(value) for name, value in out.items()})

@@ -1,0 +1,274 @@
+"""What is wrong or suspicious in a recording."""
+
+from typing import Literal
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.runtime import frames, rotation
+from boresight.runtime.array import Array
+from boresight.runtime.recording.types import Finding, Inertial, Master, Recording
+from boresight.runtime.units import DEG, HOUR
+from boresight.runtime.units import STANDARD_GRAVITY as G
+
+
+def check(recording: Recording) -> list[Finding]:
+    """What is wrong or suspicious in a recording, worst first; always some notes (rates, norms, biases at rest).
+
+    Nothing here changes or repairs the data.  An empty list of "error" findings means that a replay may begin.
+    """
+    out = _check_time("imu", recording.imu.time, gap_level="error")
+    out += _check_finite("imu", gyro=recording.imu.gyro, accel=recording.imu.accel)
+    master = recording.master
+    if master:
+        out += _check_time("master", master.time, gap_level="warning")
+        out += _check_finite("master", attitude=master.euler, velocity=master.v_n, position=master.position)
+    for name, value in recording.reference.items():
+        out += _check_finite("reference", **{name: value[None]})
+    # What follows computes with the numbers, so it needs sorted times and finite values; gaps it can live with.
+    parts = [recording.imu.time, recording.imu.gyro, recording.imu.accel]
+    parts += [part for part in vars(master).values() if part is not None] if master else []
+    times = [recording.imu.time] + ([master.time] if master else [])
+    if all(np.isfinite(part).all() for part in parts) and all((np.diff(time) > 0).all() for time in times):
+        out += _check_imu(recording.imu)
+        if master:
+            out += _check_master(master)
+            out += _check_pair(recording.imu, master)
+    return sorted(out, key=lambda finding: ("error", "warning", "note").index(finding.level))
+
+
+def _listed(times: Array) -> str:
+    shown = ", ".join(f"{t:.4f}" for t in times[:3])
+    return f"{shown} s" + (f" and {len(times) - 3} more" if len(times) > 3 else "")
+
+
+def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"]) -> list[Finding]:
+    where = f"{where}.time"
+    if not np.isfinite(time).all():
+        rows = np.flatnonzero(~np.isfinite(time))
+        text = f"{len(rows)} tags are missing or not finite, first in row {rows[0]}; remove those rows"
+        return [Finding("error", where, text)]
+    step = np.diff(time)
+    out = []
+    for bad, what in ((step < 0, "go backwards after"), (step == 0, "are repeated at")):
+        if bad.any():
+            text = f"{bad.sum()} tags {what} {_listed(time[:-1][bad])}; sort the rows and keep one for each instant"
+            out.append(Finding("error", where, text))
+    dt = float(np.median(step))
+    if dt <= 0:
+        return out
+    gap = step > 1.5 * dt
+    if gap.any():
+        advice = "; cut the recording there" if gap_level == "error" else ""
+        text = f"{gap.sum()} gaps after {_listed(time[:-1][gap])}, the longest {step.max():.4f} s{advice}"
+        out.append(Finding(gap_level, where, text))
+    jitter = float(np.std(step[(step > 0) & ~gap]))
+    text = f"{1 / dt:.6g} Hz, {time[0]:.3f} s to {time[-1]:.3f} s, jitter {jitter * 1e3:.3f} ms"
+    out.append(Finding("note", where, text))
+    if not 0.1 <= 1 / dt <= 20000:
+        out.append(Finding("error", where, f"a rate of {1 / dt:.4g} Hz: is the unit of time right?"))
+    return out
+
+
+def _check_finite(where: str, **parts: Array | None) -> list[Finding]:
+    out = []
+    for name, part in parts.items():
+        if part is not None and not np.isfinite(part).all():
+            rows = np.flatnonzero(~np.isfinite(part).all(axis=1))
+            text = f"{len(rows)} rows are not finite, first row {rows[0]}; remove or fill them"
+            out.append(Finding("error", f"{where}.{name}", text))
+    return out
+
+
+def _windows(values: Array, length: int) -> Array:
+    """(K, length, 3): VALUES cut into whole windows, or one window of all."""
+    length = min(length, len(values))
+    count = len(values) // length
+    return values[: count * length].reshape(count, length, -1)
+
+
+def _check_imu(imu: Inertial) -> list[Finding]:
+    gyro, f = imu.rates()
+    out = []
+    second = max(1, round(1 / imu.dt))
+    norm = float(np.linalg.norm(np.median(_windows(f, second).mean(axis=1), axis=0)))
+    rate_hz = 1 / imu.dt
+    if not 0.8 * G < norm < 1.2 * G:
+        guesses = {
+            "g declared as m/s^2": norm * G,
+            "m/s^2 declared as g": norm / G,
+            "rates declared as increments": norm / rate_hz,
+            "increments declared as rates": norm * rate_hz,
+        }
+        fits = [guess for guess, value in guesses.items() if 0.9 * G < value < 1.1 * G]
+        text = f"the mean specific force is {norm:.4g} m/s^2, not about {G:.2f}"
+        out.append(Finding("error", "imu.accel", f"{text}: {fits[0] if fits else 'check its unit and kind'}"))
+    down = float(np.mean(f[:, 2]))
+    if 0.8 * G < norm < 1.2 * G and down > 0.5 * G:
+        text = f"the mean specific force along body down is {down:+.3f} m/s^2; at rest it is -{G:.2f}"
+        out.append(Finding("error", "imu.accel", text + ": check imu.body or the sign"))
+    fastest = float(np.abs(gyro).max())
+    typical = float(np.median(np.linalg.norm(gyro, axis=1)))
+    if fastest > 70 or typical > 5:
+        text = f"turns at {typical:.3g} rad/s (median), {fastest:.3g} (largest)"
+        out.append(Finding("error", "imu.gyro", text + ": degrees declared as radians, or rates as increments?"))
+    mean_f = ", ".join(f"{x:+.3f}" for x in f.mean(axis=0))
+    out.append(Finding("note", "imu.accel", f"mean specific force [{mean_f}] m/s^2 (front, right, down)"))
+    turn = ", ".join(f"{x:.3f}" for x in np.degrees(np.sqrt(np.mean(gyro**2, axis=0))))
+    out.append(Finding("note", "imu.gyro", f"rms rate [{turn}] deg/s (front, right, down)"))
+    return out + _check_rest(gyro, f, second)
+
+
+REST_GYRO = 0.5 * DEG  # rad/s, standard deviation in one second below which an IMU may be at rest
+
+
+REST_ACCEL = 0.15  # m/s^2, the same
+
+
+def _check_rest(gyro: Array, f: Array, second: int) -> list[Finding]:
+    windows_gyro, windows_f = _windows(gyro, second), _windows(f, second)
+    rest = (windows_gyro.std(axis=1) < REST_GYRO).all(axis=1) & (windows_f.std(axis=1) < REST_ACCEL).all(axis=1)
+    if not rest.any():
+        return [Finding("note", "imu", "never at rest: no norm of gravity and no static gyro bias to be had")]
+    bias = windows_gyro[rest].mean(axis=(0, 1))
+    norm = float(np.linalg.norm(windows_f[rest].mean(axis=1), axis=-1).mean())
+    shown = ", ".join(f"{x:+.1f}" for x in np.degrees(bias) * HOUR)
+    text = f"quiet for {rest.sum()} s: specific force {norm:.4f} m/s^2, mean rate [{shown}] deg/h"
+    out = [Finding("note", "imu", text + " (static bias and Earth rate)")]
+    if np.abs(bias).max() > 1 * DEG:
+        text = "more than 1 deg/s while quiet: a large bias, a steady turn, or a wrong unit"
+        out.append(Finding("warning", "imu.gyro", text))
+    return out
+
+
+def _check_master(master: Master) -> list[Finding]:
+    out = []
+    largest = np.abs(master.euler[:, :2]).max(axis=0)
+    if largest[0] > 2 * np.pi or largest[1] > np.pi / 2 + 1e-6:
+        text = f"roll to {largest[0]:.3g} and pitch to {largest[1]:.3g} rad"
+        out.append(Finding("error", "master.attitude", text + ": degrees declared as radians, or another order?"))
+    elif largest[1] > 80 * DEG:
+        text = f"pitch to {np.degrees(largest[1]):.1f} deg: Euler angles are singular at 90, filters refuse 80; cut it"
+        out.append(Finding("error", "master.attitude", text))
+    turn = np.degrees(np.linalg.norm(rotation.vector_from_matrix(attitude_steps(master.euler)), axis=1))
+    jump = turn > 30
+    if jump.any():
+        text = f"{jump.sum()} steps of more than 30 deg after {_listed(master.time[:-1][jump])}"
+        out.append(Finding("warning", "master.attitude", text + ": too slow a rate, or a wrong unit?"))
+    spans = ", ".join(
+        f"{name} {lo:.2f} to {hi:.2f}"
+        for name, lo, hi in zip(
+            frames.ANGLES, *np.degrees([master.euler.min(axis=0), master.euler.max(axis=0)]), strict=True
+        )
+    )
+    out.append(Finding("note", "master.attitude", f"{spans} deg"))
+    if master.v_n is not None:
+        speed = np.linalg.norm(master.v_n, axis=1)
+        out.append(Finding("note", "master.velocity", f"speed {speed.min():.2f} to {speed.max():.2f} m/s"))
+    if master.position is not None:
+        latitude = np.abs(master.position[:, 0]).max()
+        if latitude > np.pi / 2:
+            text = f"latitude to {latitude:.4g} rad: degrees declared as radians, or another order of columns?"
+            out.append(Finding("error", "master.position", text))
+        elif master.v_n is not None:
+            out += _check_velocity(master)
+    return out
+
+
+def _check_velocity(master: Master) -> list[Finding]:
+    """Displacement from position against the integral of velocity: tells a swapped or badly scaled axis."""
+    assert master.v_n is not None and master.position is not None
+    lat, lon, height = master.position.T
+    radius = 6371e3 + height[0]
+    moved = np.array([lat[-1] - lat[0], (lon[-1] - lon[0]) * np.cos(lat[0]), 0]) * radius
+    moved[2] = height[0] - height[-1]
+    summed = np.sum((master.v_n[1:] + master.v_n[:-1]) / 2 * np.diff(master.time)[:, None], axis=0)
+    path = float(np.linalg.norm(moved))
+    if path < 20:
+        return []
+    # A sphere in place of the ellipsoid is wrong by half a percent; 10 % is a wrong unit or a swapped axis.
+    if float(np.linalg.norm(moved - summed)) > 0.1 * path:
+        shown = ["[{:.0f}, {:.0f}, {:.0f}]".format(*v) for v in (moved, summed)]
+        text = f"position moved {shown[0]} m (north, east, down), velocity sums to {shown[1]}"
+        return [Finding("error", "master.velocity", text + ": check navigation, the order of columns and the units")]
+    return []
+
+
+def attitude_steps(euler: Array) -> Array:
+    """(M-1, 3, 3) the turn from each attitude to the next, in the body axes of the first."""
+    C = rotation.matrix_from_euler(euler)
+    return np.swapaxes(C[:-1], -1, -2) @ C[1:]
+
+
+def attitude_increments(imu: Inertial, master: Master) -> tuple[Array, Array, Array]:
+    """The slave's turns and the master's over the same intervals, for as long as both run.
+
+    Returns dt (K,) s, slave (K, 3) rad (gyro, so relative to inertial space) and master (K, 3) rad (relative to the
+    Earth; 15 deg/h do not matter here), rotation vectors in FRD.  Intervals that the slave does not cover are left out.
+    """
+    dts, slave, keep = [], [], []
+    for k, (t0, t1) in enumerate(zip(master.time[:-1], master.time[1:], strict=True)):
+        try:
+            _, dtheta = imu.between(t0, t1)
+        except BoresightError:
+            continue
+        C = np.eye(3)
+        for piece in rotation.matrix_from_vector(dtheta):
+            C = C @ piece
+        dts.append(t1 - t0)
+        slave.append(rotation.vector_from_matrix(C))
+        keep.append(k)
+    turns = rotation.vector_from_matrix(attitude_steps(master.euler))
+    return np.array(dts), np.array(slave).reshape(-1, 3), turns[keep]
+
+
+def _check_pair(imu: Inertial, master: Master) -> list[Finding]:
+    """The slave's turns against the master's, axis by axis: the test that sees every wrong sign, unit and axis."""
+    start, end = imu.intervals()
+    common = min(end[-1], master.time[-1]) - max(start[0], master.time[0])
+    if common <= 0:
+        spans = f"{master.time[0]:.3f} to {master.time[-1]:.3f} s, imu {start[0]:.3f} to {end[-1]:.3f} s"
+        return [Finding("error", "master.time", f"master {spans}: no overlap; bring both to one clock")]
+    out = [] if master.v_n is None else _check_gravity(imu, master)
+    _, slave, turn = attitude_increments(imu, master)
+    if len(turn) < 10:
+        return out
+    slave, turn = slave - slave.mean(axis=0), turn - turn.mean(axis=0)
+    for axis, name in enumerate(("front", "right", "down")):
+        power = float(turn[:, axis] @ turn[:, axis])
+        # 0.02 deg between samples: less motion than this is noise, and its slope says nothing.
+        if power < len(turn) * (0.02 * DEG) ** 2:
+            continue
+        slope = float(slave[:, axis] @ turn[:, axis]) / power
+        correlation = slope * np.sqrt(power / max(float(slave[:, axis] @ slave[:, axis]), 1e-300))
+        text = f"turns about {name}: slave over master {slope:.4g}, correlation {correlation:.4f}"
+        wrong = not 0.8 < slope < 1.25 or correlation < 0.8
+        hint = "; check unit, kind, body axes and the sign of yaw" if wrong else ""
+        out.append(Finding("error" if wrong else "note", "imu.gyro", text + hint))
+    return out
+
+
+def gravity_in_ned(imu: Inertial, master: Master) -> Array:
+    """(3,) m/s^2: the slave's specific force in the master's NED, averaged, less the master's mean acceleration.
+
+    It is [0, 0, -g] but for accelerometer bias, Coriolis acceleration and misalignment, whatever the vehicle does.
+    """
+    assert master.v_n is not None
+    start, end, _, dvel = imu.increments
+    inside = (start >= master.time[0]) & (end <= master.time[-1])
+    middle = ((start + end) / 2)[inside]
+    C = rotation.matrix_from_euler(
+        np.stack([np.interp(middle, master.time, a) for a in np.unwrap(master.euler, axis=0).T], axis=-1)
+    )
+    span = (end - start)[inside].sum()
+    v = [np.array([np.interp(t, master.time, c) for c in master.v_n.T]) for t in (start[inside][0], end[inside][-1])]
+    force: Array = np.einsum("kij,kj->i", C, dvel[inside]) / span - (v[1] - v[0]) / (end[inside][-1] - start[inside][0])
+    return force
+
+
+def _check_gravity(imu: Inertial, master: Master) -> list[Finding]:
+    force = gravity_in_ned(imu, master)
+    wrong = np.linalg.norm(force - [0, 0, -G]) > 0.05 * G
+    text = "specific force less acceleration [{:+.3f}, {:+.3f}, {:+.3f}] m/s^2 (north, east, down)".format(*force)
+    hint = f", not about [0, 0, -{G:.2f}]: check axes, signs and units of accel, attitude and velocity" if wrong else ""
+    return [Finding("error" if wrong else "note", "imu.accel", text + hint)]

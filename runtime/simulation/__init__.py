@@ -1,0 +1,1 @@
+"""Truth and sensors that are simulated.  Nothing that flies imports from here."""

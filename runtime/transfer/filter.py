@@ -1,0 +1,342 @@
+"""Transfer alignment in flight: a slave's increments in, a master's late and irregular messages in, corrections out."""
+
+from collections.abc import Mapping
+from typing import Any, Literal
+
+import numpy as np
+from scipy.special import chdtri
+
+from boresight import BoresightError
+from boresight.runtime import rotation
+from boresight.runtime.array import Array
+from boresight.runtime.filter import Filter, Innovation
+from boresight.runtime.transfer.history import History
+from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
+from boresight.runtime.transfer.rules import Rules, Watch
+from boresight.runtime.transfer.start import PHI
+
+DV, TAU = slice(3, 6), 15  # of the error state
+LARGEST = 0.45  # rad in one correction; the model's own range ends at 0.5
+
+
+class Transfer:
+    """The filter with its past.  `slave` takes increments, `master` takes messages.
+
+    model: `load("velocity-attitude")` or a composition.  nav, P: as of `Filter`, at `time`; `first` makes them.
+    constants: what else the model's functions ask for: lever_b and the root densities of the noises.
+    matching: the velocity's and the attitude's measurement.
+    way: "buffer" holds a message against the slave as it was then, lag = 0.  "extrapolate" is Kang's: the slave as it
+    is now, moved back along its rate of change by lag = tau_hat + what the message's own time says.
+    every: so many intervals of the slave for one step of the covariance, which besides comes up to date for a message.
+    """
+
+    def __init__(
+        self,
+        model: Any,
+        nav: Mapping[str, Any],
+        P: Any,
+        constants: Mapping[str, Any],
+        *,
+        time: float = 0.0,
+        matching: tuple[str, str] = ("velocity", "dcm"),
+        way: Literal["buffer", "extrapolate"] = "buffer",
+        every: int = 1,
+        rules: Rules | None = None,
+    ):
+        if way not in ("buffer", "extrapolate"):
+            raise BoresightError(f"transfer: no way {way!r}; there are buffer and extrapolate")
+        self.rules, self.way, self.matching = rules or Rules(), way, matching
+        self.every = every
+        self.runs = np.shape(P)[:-2]
+        whole = {name: np.asarray(value, float) for name, value in nav.items()}
+        self.filter = Filter(
+            model,
+            {n: np.broadcast_to(v, (*self.runs, *v.shape[-1:])) if n != "tau" else np.broadcast_to(v, self.runs)
+             for n, v in whole.items()},
+            P,
+        )  # fmt: skip
+        self.constants = dict(constants)
+        self.time = float(time)
+        count = int(np.prod(self.runs, dtype=int))
+        self.history = History(self.rules.buffer_s, count)
+        self._angle, self._push = np.zeros((*self.runs, 3)), np.zeros((*self.runs, 3))
+        self._keep()
+        self._before: tuple[Array, Array] | None = None
+        self._predicted = self.time  # of the covariance
+        self._steps = 0
+        self.watch = Watch(self.rules, self.runs, self.time)
+
+    @property
+    def notes(self) -> list[Note]:
+        """One line for each change of verdict."""
+        return self.watch.notes
+
+    @property
+    def nav(self) -> dict[str, Array]:
+        """The slave as it is now."""
+        return self.filter.nav
+
+    @property
+    def P(self) -> Array:
+        """(..., n, n) as of the last message, or of the last step of the covariance."""
+        return self.filter.P
+
+    # ---- the slave
+
+    def slave(self, time: float, dtheta_ib_b: Any, dv_b: Any, dt: float) -> None:
+        """One interval of dt seconds that ends at `time`: increments (..., 3) rad and (..., 3) m/s, biases in them.
+
+        Raises BoresightError where the interval does not begin where the last one ended.
+        """
+        if abs(time - dt - self.time) > 0.5 * dt:
+            raise BoresightError(
+                f"transfer: the slave's data goes from {self.time:.4f} s to {time - dt:.4f} s without what lies "
+                "between; begin again behind the gap, with `first`"
+            )
+        dtheta, dv = (np.broadcast_to(np.asarray(part, float), (*self.runs, 3)) for part in (dtheta_ib_b, dv_b))
+        before = self._before or (dtheta, dv)
+        self.filter.strapdown(dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=before[0], dv_before=before[1], dt=dt)
+        self._before = (dtheta, dv)
+        self.time = self.watch.time = float(time)
+        self._angle, self._push = self._angle + dtheta, self._push + dv
+        self._keep()
+        if self.rules.full_scale is not None:
+            self._saturation(dtheta, dv, dt)
+        self._steps += 1
+        if self._steps >= self.every:
+            self._covariance()
+
+    def _keep(self) -> None:
+        nav = self.filter.nav
+        self.history.append(self.time, v_n=nav["v_n"], q_b2n_wxyz=nav["q_b2n_wxyz"], angle=self._angle, push=self._push)
+
+    def _mean(self, name: str, begin: Array, end: Array) -> Array:
+        """(..., *runs, 3) mean of the rate behind `angle` or `push` between two times (..., R); biases in it."""
+        seconds = (end - begin)[..., None]
+        value = (self.history.at(name, end) - self.history.at(name, begin)) / seconds
+        return value.reshape((*value.shape[:-2], *self.runs, 3))
+
+    def _over(self, seconds: Array) -> dict[str, Array]:
+        """Mean f_b and omega_ib_b (biases removed) of the last `seconds` (R,), and the attitude in their middle."""
+        now = np.full(self.history.runs, self.time)
+        nav = self.filter.nav
+        return {
+            "f_b": self._mean("push", now - seconds, now) - nav["accel_bias"],
+            "omega_ib_b": self._mean("angle", now - seconds, now) - nav["gyro_bias"],
+            "q_b2n_wxyz": self.history.at("q_b2n_wxyz", now - seconds / 2).reshape((*self.runs, 4)),
+        }
+
+    def _covariance(self) -> None:
+        """Carry P up to now."""
+        dt = self.time - self._predicted
+        self._steps = 0
+        if dt <= 0:
+            return
+        self.filter.predict(**self._over(np.full(self.history.runs, dt)), dt=dt, **self.constants)
+        self._predicted = self.time
+        self.watch.silence()
+
+    def _saturation(self, dtheta: Array, dv: Array, dt: float) -> None:
+        variance = self.watch.saturation(dtheta, dv, dt)
+        if variance is None:
+            return
+        C = rotation.matrix_from_quaternion(self.filter.nav["q_b2n_wxyz"])
+        for block, axes in ((PHI, slice(0, 3)), (DV, slice(3, 6))):
+            self.filter.P[..., block, block] += (C * variance[..., None, axes]) @ np.swapaxes(C, -1, -2)
+
+    # ---- the master
+
+    def master(self, message: Message) -> Result:
+        """Hold a message against the slave and correct the slave by it, its past included."""
+        self._covariance()
+        loop, rules, runs = self.filter, self.rules, self.runs
+        stamp = np.broadcast_to(np.asarray(message.time, float), runs)
+        came = np.broadcast_to(np.asarray(message.rows), (*runs, 6)).any(-1)
+        said, rows = self._usable(message)
+
+        # A message that lies ahead is the clocks' fault; an estimate of the delay that says so is the filter's to mend.
+        lag = self.time - stamp + loop.nav["tau"]
+        lag = np.where(stamp <= self.time + rules.ahead_s, np.maximum(lag, -rules.ahead_s), lag)
+        oldest = self.time - self.history.time[0]
+        verdict = np.full(runs, int(Verdict.TAKEN))
+        for code, where in (
+            (Verdict.OUT_OF_ORDER, stamp <= self.watch.stamp),
+            (Verdict.TOO_OLD, lag > oldest),
+            (Verdict.AHEAD, ~(lag >= -rules.ahead_s)),
+            # what the slave missed since cannot be told from what it missed before, nor its rates be trusted
+            (Verdict.SATURATED, self.watch.saturated_at.max(-1) > self.time - lag - 3 * rules.half_span_s),
+            (Verdict.INVALID, ~rows.any(-1) | ~np.isfinite(stamp)),
+            (Verdict.ABSENT, ~came),
+        ):
+            verdict[where] = code
+        if len(self.history) < 2:
+            verdict[came] = Verdict.TOO_OLD
+            return self.watch.result(verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, stamp, oldest)
+        believed, lag = lag, np.where(verdict == Verdict.TAKEN, lag, 0.0)
+
+        inputs, rate_factor = self._match(lag)
+        expected = loop.call("expected", **inputs)
+        said = self._filled(said, rows, expected)
+        verdict[self.watch.repeats(said, rows & (verdict == Verdict.TAKEN)[..., None], expected, message)] = (
+            Verdict.REPEATED
+        )
+        rows = rows & (verdict == Verdict.TAKEN)[..., None]
+        inputs |= said
+        R = np.broadcast_to(np.asarray(message.R, float), (*runs, 6)).copy()
+        # the gyros' own noise comes with the rate into the lever arm's velocity
+        lever = inputs["lever_b"] if "lever_b" in inputs else loop.nav["lever_b"]
+        noise = np.max(np.asarray(self.constants["gyro_noise"]), axis=-1)
+        R[..., :3] += (np.sum(np.square(lever), axis=-1) * noise**2 * rate_factor)[..., None]
+
+        # The residual speaks of the error at the message's time: the covariance goes there and comes back.
+        # Neglected is the process noise of the lag, which stands in P already.
+        F = loop.call("F", **{**inputs, **self._over(np.maximum(lag, 2 * rules.half_span_s).reshape(-1))})
+        A = F * lag[..., None, None]
+        half = A @ A / 2
+        eye = np.eye(A.shape[-1])
+        there, back = eye - A + half, eye + A + half
+        P_now = loop.P
+        P = there @ P_now @ np.swapaxes(there, -1, -2)
+        innovations = self._update(P, R, rows, inputs)
+        used = rows.sum(-1)
+        # The gate presumes residuals that are linear in the errors: until angles and delay are known it is open.
+        sigma = np.sqrt(np.einsum("...ii->...i", P_now))
+        coarse = (sigma[..., self._angles()].max(-1) > rules.coarse_rad) | (sigma[..., TAU] > rules.coarse_s)
+        fine = self.watch.fine(coarse, used > 0)
+        if self.matching[0] in innovations:
+            self.watch.lever(innovations[self.matching[0]], rows[..., :3] & fine[..., None], inputs)
+        nis = np.sum([part.nis for part in innovations.values()], axis=0)
+        gated = (nis > chdtri(np.maximum(used, 1), rules.gate)) & fine
+        self.watch.gated = np.where(gated, self.watch.gated + 1, np.where(used > 0, 0, self.watch.gated))
+        reopen = gated & (self.watch.gated >= rules.reopen_after)
+        if reopen.any():
+            P = P + self._opening(reopen, rows, inputs)
+            self._update(P, R, rows, inputs)
+            self.watch.gated = np.where(reopen, 0, self.watch.gated)
+        verdict[gated] = Verdict.GATED
+        verdict[reopen] = Verdict.REOPENED
+        taken = verdict <= Verdict.REOPENED
+
+        # A correction beyond the model's range is made in part, and the covariance stays as wide as it was.
+        turn = np.abs(loop.x[..., self._angles()]).max(-1)
+        part = np.where(taken, np.minimum(1.0, LARGEST / np.maximum(turn, 1e-300)), 0.0)
+        x = part[..., None] * loop.x
+        carried = back @ loop.P @ np.swapaxes(back, -1, -2)
+        opened = back @ P @ np.swapaxes(back, -1, -2)
+        whole = (part == 1.0)[..., None, None]
+        loop.P = np.where(whole, carried, np.where(reopen[..., None, None], opened, P_now))
+        loop.P = (loop.P + np.swapaxes(loop.P, -1, -2)) / 2
+        loop.x = np.einsum("...ij,...j->...i", back, x)
+        self._correct_past(F)
+        loop.feedback()
+        if message.position is not None:
+            position = np.asarray(message.position, float)
+            usable = taken & np.isfinite(position).all(-1)
+            loop.nav["position"] = np.where(usable[..., None], position, loop.nav["position"])
+        return self.watch.result(verdict, innovations, nis, used, believed, stamp, oldest)
+
+    def _update(self, P: Array, R: Array, rows: Array, inputs: dict[str, Any]) -> dict[str, Innovation]:
+        """Attitude first: the residual of a large turn depends on x, and that of the velocity does not."""
+        self.filter.x, self.filter.P = np.zeros(P.shape[:-1]), P
+        out = {}
+        for name, part, field in (
+            (self.matching[1], slice(3, 6), self._attitude_field()),
+            (self.matching[0], slice(0, 3), "v_m_n"),
+        ):
+            if field in inputs:
+                out[name] = self.filter.update(name, R[..., part], rows=rows[..., part], **inputs)
+        return out
+
+    def _attitude_field(self) -> str:
+        return "euler_m" if self.matching[1].startswith("euler") else "q_m2n_wxyz"
+
+    def _angles(self) -> list[int]:
+        """Where in the error state angles stand that the model bounds."""
+        names = getattr(self.filter.model, "states", ())
+        return [i for i, name in enumerate(names) if name.startswith(("phi", "dmu"))] or [0, 1, 2]
+
+    def _usable(self, message: Message) -> tuple[dict[str, Array], Array]:
+        """What a message says, and which of its rows can be used: given, finite and within the model's range."""
+        rows = np.broadcast_to(np.asarray(message.rows, bool), (*self.runs, 6)).copy()
+        said = {}
+        attitude = self._attitude_field()
+        for name, part in (("v_m_n", slice(0, 3)), (attitude, slice(3, 6))):
+            value = getattr(message, name)
+            if value is None:
+                rows[..., part] = False
+                continue
+            value = np.asarray(value, float)
+            said[name] = np.broadcast_to(value, (*self.runs, value.shape[-1]))
+            if name == "q_m2n_wxyz":
+                rows[..., part] &= (np.abs(np.linalg.norm(value, axis=-1) - 1) < 1e-3)[..., None]
+            else:
+                rows[..., part] &= np.abs(value) < (1000.0 if name == "v_m_n" else 2 * np.pi)
+        if not said:
+            raise BoresightError(
+                f"transfer: the message holds neither v_m_n nor {attitude}, which {self.matching[1]} needs"
+            )
+        return said, rows
+
+    def _filled(self, said: dict[str, Array], rows: Array, expected: dict[str, Array]) -> dict[str, Array]:
+        """Where rows are missing, the expected values: masked, but within the model's range."""
+        out = {}
+        for name, value in said.items():
+            if name == "q_m2n_wxyz":
+                out[name] = np.where(rows[..., 3:].any(-1, keepdims=True), value, expected[name])
+            elif name == "euler_m":
+                euler = rotation.euler_from_matrix(rotation.matrix_from_quaternion(expected["q_m2n_wxyz"]))
+                out[name] = np.where(rows[..., 3:], value, euler)
+            else:
+                out[name] = np.where(rows[..., :3], value, expected[name])
+        return out
+
+    def _match(self, lag: Array) -> tuple[dict[str, Any], Array]:
+        """The slave at the message's time, or now, with its rates; and the rates' variance over the gyros' density.
+
+        A rate is the mean over a span about its time.  Where the span would reach beyond now it ends there, and the
+        rate is extended along its change over the two last spans.
+        """
+        h = self.rules.half_span_s
+        now = np.full(self.history.runs, self.time)
+        then = now - lag.reshape(-1)
+        at = then if self.way == "buffer" else now
+
+        def rate(times: Array) -> Array:
+            centre = np.minimum(times, now - h)
+            beyond = ((times - centre) / (2 * h)).reshape((*times.shape[:-1], *self.runs, 1))
+            last, earlier = (self._mean("angle", c - h, c + h) for c in (centre, centre - 2 * h))
+            return last + beyond * (last - earlier) - self.filter.nav["gyro_bias"]
+
+        centre = np.minimum(at, now - h)
+        times = np.stack([at, centre + h, centre - h, centre - 3 * h])
+        state = {name: self.history.at(name, times) for name in ("v_n", "q_b2n_wxyz")}
+        state = {name: value.reshape((4, *self.runs, value.shape[-1])) for name, value in state.items()}
+        state["omega_ib_b"] = rate(times)
+        _, v1, v2, v3 = self.filter.call("expected", **self.constants, **state)["v_m_n"]
+        beyond = ((at - centre) / (2 * h)).reshape(self.runs)
+        a_n = (v1 - v2) / (2 * h) + beyond[..., None] * (v1 - 2 * v2 + v3) / (2 * h)
+        inputs: dict[str, Any] = {name: value[0] for name, value in state.items()}
+        inputs |= {"a_n": a_n, "lag": np.zeros(self.runs) if self.way == "buffer" else lag, **self.constants}
+        return inputs, ((1 + beyond) ** 2 + beyond**2) / (2 * h)
+
+    def _opening(self, reopen: Array, rows: Array, inputs: dict[str, Any]) -> Array:
+        """(..., n, n) to add to P: velocity and attitude may be off by what the residuals are."""
+        out = np.zeros((*self.runs, *self.filter.P.shape[-2:]))
+        for name, part, block in zip(self.matching, (slice(0, 3), slice(3, 6)), (DV, PHI), strict=True):
+            if (self._attitude_field() if part.start else "v_m_n") not in inputs:
+                continue
+            z = np.where(rows[..., part], self.filter.call(f"{name}_z", **inputs), 0.0)
+            largest = np.where(reopen, np.square(z).max(-1), 0.0)
+            out[..., block, block] = largest[..., None, None] * np.eye(3)
+        return out
+
+    def _correct_past(self, F: Array) -> None:
+        """Take out of the kept samples what the feedback takes out of now: the error was x - F x age, age ago."""
+        loop, history = self.filter, self.history
+        age = (self.time - history.time).reshape((-1, *(1 for _ in self.runs), 1))
+        x = loop.x - age * np.einsum("...ij,...j->...i", F, loop.x)
+        shape = (len(history), *self.runs)
+        past = {name: history.recent(name).reshape((*shape, -1)) for name in ("v_n", "q_b2n_wxyz")}
+        corrected = loop.call("feedback", x=x, **past)
+        for name in past:
+            history.recent(name)[:] = corrected[name].reshape((len(history), history.runs, -1))

@@ -1,0 +1,62 @@
+"""The slave's last samples, at any time between them."""
+
+import numpy as np
+
+from boresight.runtime.array import Array
+
+SIZES = {"v_n": 3, "q_b2n_wxyz": 4, "angle": 3, "push": 3}  # angle, push: sums of the increments as delivered
+
+
+class History:
+    """The slave's last samples: (K, R, size) each, R runs, oldest first."""
+
+    def __init__(self, seconds: float, runs: int):
+        self.seconds, self.runs = seconds, runs
+        self.start = self.end = 0
+        self.times = np.empty(64)
+        self.values = {name: np.empty((64, runs, size)) for name, size in SIZES.items()}
+
+    def _allocate(self, rows: int) -> None:
+        """Room for so many samples, those kept at its beginning."""
+        count, times = len(self), np.empty(rows)
+        values = {name: np.empty((rows, self.runs, size)) for name, size in SIZES.items()}
+        times[:count] = self.time
+        for name, array in values.items():
+            array[:count] = self.recent(name)
+        self.times, self.values, self.start, self.end = times, values, 0, count
+
+    def append(self, time: float, **values: Array) -> None:
+        """A sample; drops what is older than `seconds`, but for one sample, so that all of `seconds` is covered."""
+        if self.end == len(self.times):  # twice the room that is used, so that this is rare
+            self._allocate(max(64, 2 * (self.end - self.start) + 2))
+        self.times[self.end] = time
+        for name, value in values.items():
+            self.values[name][self.end] = value.reshape(-1, SIZES[name])
+        self.end += 1
+        while self.end - self.start > 2 and self.times[self.start + 1] < time - self.seconds:
+            self.start += 1
+
+    def __len__(self) -> int:
+        return self.end - self.start
+
+    def recent(self, name: str) -> Array:
+        """(K, R, size), a view."""
+        return self.values[name][self.start : self.end]
+
+    @property
+    def time(self) -> Array:
+        """(K,) s, a view."""
+        return self.times[self.start : self.end]
+
+    def at(self, name: str, times: Array) -> Array:
+        """(..., R, size) at times (..., R), on the chord between two samples, extended beyond the first and last."""
+        i = np.clip(np.searchsorted(self.time, times, "right") - 1, 0, len(self) - 2) + self.start
+        part = ((times - self.times[i]) / (self.times[i + 1] - self.times[i]))[..., None]
+        run = np.arange(self.runs)
+        low, high = self.values[name][i, run], self.values[name][i + 1, run]
+        if name == "q_b2n_wxyz":
+            high = np.where(np.sum(low * high, axis=-1, keepdims=True) < 0, -high, high)
+        value = low + part * (high - low)
+        if name == "q_b2n_wxyz":  # 1 rad/s for 10 ms: the chord leaves the arc by 1e-8 rad
+            value /= np.linalg.norm(value, axis=-1, keepdims=True)
+        return value

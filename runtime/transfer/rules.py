@@ -1,0 +1,173 @@
+"""What is done with input that is not as it should be, and the lines that say so."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.runtime import rotation
+from boresight.runtime.array import Array
+from boresight.runtime.filter import Innovation
+from boresight.runtime.transfer.lever import LeverSeen
+from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
+
+
+@dataclass(frozen=True)
+class Rules:
+    """What the filter does with input that is not as it should be."""
+
+    buffer_s: float = 0.5  # how much of the slave's past is kept
+    ahead_s: float = 0.02  # how far beyond the newest sample a message may lie; the slave is extrapolated
+    half_span_s: float = 0.02  # rates are means, and rates of change differences, over twice this
+    gate: float = 1e-6  # a message is refused if its NIS would be exceeded by chance this often
+    coarse_rad: float = 0.1  # at first the gate is open while the sigma of an angle is above this,
+    coarse_s: float = 0.05  # or that of the delay above this,
+    settle_s: float = 5.0  # and so long after that
+    reopen_after: int = 5  # messages gated in a row
+    silent_s: float = 1.0  # without a message taken, after which a note says so
+    full_scale: tuple[float, float] | None = None  # of the slave: rad/s, m/s^2
+    overshoot: float = 0.5  # one sigma of what a saturated axis misses, as a part of full scale
+    quiet_s: float = 5.0  # the same verdict on the same run is told again only after this
+
+    def __post_init__(self) -> None:
+        for name in ("buffer_s", "half_span_s", "gate", "silent_s"):
+            if not getattr(self, name) > 0:
+                raise BoresightError(f"transfer: {name} is {getattr(self, name)}; it must be above zero")
+        if self.reopen_after < 1:
+            raise BoresightError(f"transfer: reopen_after is {self.reopen_after}; it must be at least 1")
+
+
+class Watch:
+    """What the rules remember, run by run, and the lines that they have written."""
+
+    def __init__(self, rules: Rules, runs: tuple[int, ...], time: float):
+        self.rules, self.runs, self.time = rules, runs, time
+        self.notes: list[Note] = []
+        self.saturated_s = np.zeros((*runs, 6))  # without a break
+        self.at_full = np.zeros((*runs, 2), bool)  # told, and its end not yet
+        self.saturated_at = np.full((*runs, 6), -np.inf)
+        self.stamp = np.full(runs, -np.inf)  # of the last message looked at
+        self.taken_at = np.full(runs, time)
+        self.silent = np.zeros(runs, bool)
+        self.gated = np.zeros(runs, int)  # in a row
+        self.fine_at = np.full(runs, -np.inf)  # from when on the gate works
+        self.acquired = np.zeros(runs, bool)
+        self.refused = np.zeros(runs, int)  # in a row, for whatever reason
+        self.told_at = np.full((len(Verdict), *runs), -np.inf)
+        self.open = np.zeros(runs, bool)  # a refusal was told, its end not yet
+        self.seen = LeverSeen.nothing(runs)
+        self.lever_told = np.zeros(runs, bool)
+        self.last: dict[str, Array] = {}  # what the last message said, and what was expected of it
+
+    def saturation(self, dtheta: Array, dv: Array, dt: float) -> Array | None:
+        """(..., 6) rad^2 and (m/s)^2 that P gains where an axis is at full scale: of one sign while it lasts."""
+        gyro, accel = self.rules.full_scale or (np.inf, np.inf)
+        full = np.repeat([gyro, accel], 3)
+        seen = np.abs(np.concatenate([dtheta, dv], axis=-1)) >= full * dt * (1 - 1e-9)
+        before = self.saturated_s
+        since = self.time - self.saturated_at
+        for i, what in enumerate(("gyro", "accelerometer")):
+            # an axis in noise crosses its full scale many times: told once, and its end after a while within
+            axes = slice(3 * i, 3 * i + 3)
+            now, told = seen[..., axes].any(-1), self.at_full[..., i]
+            within = told & (since[..., axes].min(-1) > self.rules.silent_s) & ~now
+            self.note(now & ~told, f"the slave's {what} is at full scale; its noise is opened")
+            self.note(within, f"the slave's {what} has been within its range again for {self.rules.silent_s:g} s")
+            self.at_full[..., i] = (told | now) & ~within
+        if not (seen.any() or before.any()):
+            return None
+        self.saturated_at = np.where(seen, self.time, self.saturated_at)
+        self.saturated_s = np.where(seen, before + dt, 0.0)
+        missed = self.rules.overshoot * np.where(seen, full, 0.0)  # full scale may be infinite: of a sensor without one
+        variance: Array = missed**2 * (self.saturated_s**2 - np.where(seen, before, 0.0) ** 2)
+        return variance
+
+    def silence(self) -> None:
+        """Write down that no message was taken for a while."""
+        silent = self.time - self.taken_at > self.rules.silent_s
+        self.note(
+            silent & ~self.silent,
+            f"no message of the master was taken for {self.rules.silent_s:g} s; the slave goes on alone",
+        )
+        self.silent = silent
+
+    def fine(self, coarse: Array, some: Array) -> Array:
+        """(...,) bool: whether the gate works.  coarse: angles or delay are not known yet; some: a row was used."""
+        self.fine_at = np.where(coarse & ~self.acquired & some, self.time + self.rules.settle_s, self.fine_at)
+        fine: Array = self.time >= self.fine_at
+        self.acquired |= fine & some  # what is opened later is opened on purpose
+        return fine
+
+    def lever(self, innovation: Innovation, rows: Array, inputs: dict[str, Any]) -> None:
+        C = rotation.matrix_from_quaternion(inputs["q_b2n_wxyz"])
+        self.seen = self.seen.with_message(innovation.nu, innovation.S, rows, C, inputs["omega_ib_b"])
+        suspect = self.seen.suspect
+        self.note(suspect & ~self.lever_told, "the velocity residuals are too large and move with the turning of the "
+                   "hull: compare the lever arm and its sign (from master to slave, in the slave's axes)")  # fmt: skip
+        self.lever_told |= suspect
+
+    def repeats(self, said: dict[str, Array], rows: Array, expected: dict[str, Array], message: Message) -> Array:
+        """(...,) bool: the same numbers as in the last message, while what was expected has moved by 3 sigma."""
+        seen = rows.any(-1)
+        new = said | {f"expected {name}": expected[name] for name in ("v_m_n", "q_m2n_wxyz")}
+        last = self.last if self.last.keys() == new.keys() else {n: np.full_like(v, np.nan) for n, v in new.items()}
+        same = seen & np.all([(value == last[name]).all(-1) for name, value in said.items()], axis=0)
+        # what was expected when these numbers came first is kept, so that a slow motion shows too
+        fresh = (seen & ~same)[..., None]
+        self.last = {name: np.where(fresh, value, last[name]) for name, value in new.items()}
+        if not same.any():
+            return same
+        sigma = np.sqrt(np.broadcast_to(np.asarray(message.R, float), (*self.runs, 6)))
+        turn = np.zeros_like(expected["v_m_n"])
+        turn[same] = rotation.attitude_error(last["expected q_m2n_wxyz"][same], expected["q_m2n_wxyz"][same])
+        change = np.concatenate([expected["v_m_n"] - last["expected v_m_n"], turn], axis=-1)
+        return same & (rows & (np.abs(change) > 3 * sigma)).any(-1)
+
+    def result(self, verdict: Array, innovations: dict[str, Innovation], nis: Array, used: Array, lag: Array,
+               stamp: Array, known_s: float) -> Result:  # fmt: skip
+        """What a message did, written down.  known_s: how far back the slave's past is known."""
+        taken, came = verdict <= Verdict.REOPENED, verdict != Verdict.ABSENT
+        saying = {
+            Verdict.REOPENED: f"{self.rules.reopen_after} messages in a row did not fit; the master has jumped, or the "
+            "slave: velocity and attitude are opened and follow it",
+            Verdict.GATED: "message refused: it does not fit (NIS {nis:.0f} with {used} rows)",
+            Verdict.INVALID: "message refused: it holds no finite value within the model's range",
+            Verdict.OUT_OF_ORDER: "message refused: its time, {stamp:.3f} s, is not later than the last one's",
+            Verdict.AHEAD: "message refused: it lies {ahead:.3f} s ahead of the slave; compare the clocks",
+            Verdict.TOO_OLD: f"message refused: it is {{lag:.3f}} s old and the past is known for {known_s:.3f} s"
+            + ("; raise buffer_s" if known_s >= self.rules.buffer_s else ", so far"),
+            Verdict.SATURATED: "message refused: the slave was at full scale when it was measured, or since",
+            Verdict.REPEATED: "message refused: the master repeats its last one while the slave moves",
+        }  # fmt: skip
+        for code, text in saying.items():
+            where = (verdict == code) & (self.time - self.told_at[code] >= self.rules.quiet_s)
+            if where.any():
+                first = np.unravel_index(np.argmax(where), where.shape)
+                self.note(where, text.format(nis=float(nis[first]), used=int(used[first]), lag=float(lag[first]),
+                                              ahead=-float(lag[first]), stamp=float(stamp[first])))  # fmt: skip
+                self.told_at[code] = np.where(where, self.time, self.told_at[code])
+                self.open |= where & (verdict > Verdict.REOPENED)
+        returned = taken & self.silent
+        if returned.any():
+            longest = float(np.max(np.where(returned, self.time - self.taken_at, 0.0)))
+            self.note(returned, f"the master is back after {longest:.1f} s")
+        again = taken & self.open & ~returned
+        if again.any():
+            most = int(np.max(np.where(again, self.refused, 0)))
+            self.note(again, f"messages are taken again, after {most} refused")
+        self.open &= ~taken
+        self.refused = np.where(taken, 0, self.refused + came)
+        looked_at = came & (verdict != Verdict.AHEAD) & (verdict != Verdict.INVALID)
+        self.stamp = np.where(looked_at, np.fmax(stamp, self.stamp), self.stamp)
+        self.taken_at = np.where(taken, self.time, self.taken_at)
+        self.silent = self.silent & ~taken
+        return Result(verdict, innovations, np.asarray(nis), used, lag)
+
+    def note(self, where: Array, text: str) -> None:
+        which = np.flatnonzero(where)
+        if len(which):
+            if self.runs:
+                listed = ", ".join(str(run) for run in which[:5]) + (", ..." if len(which) > 5 else "")
+                text += f" (run {listed})" if len(which) == 1 else f" (runs {listed}: {len(which)})"
+            self.notes.append(Note(self.time, which, text))

@@ -1,0 +1,1 @@
+"""A filter flown on a recording: a module for each."""
