@@ -1,4 +1,4 @@
-"""The transfer alignment in every condition that it was tried in, by an independent simulator: the committed results."""
+"""The transfer alignment in every condition that it was tried in: the committed results are what was asked."""
 
 import pytest
 
