@@ -10,12 +10,12 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation
+from boresight.runtime.transfer.delay import DV, TAU, rate_variances, uninformed
 from boresight.runtime.transfer.history import History
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
 from boresight.runtime.transfer.rules import Rules, Watch
 from boresight.runtime.transfer.start import PHI
 
-DV, TAU = slice(3, 6), 15  # of the error state
 LARGEST = 0.45  # rad in one correction; the model's own range ends at 0.5
 
 
@@ -197,7 +197,8 @@ class Transfer:
         there, back = eye - A + half, eye + A + half
         P_now = loop.P
         P = there @ P_now @ np.swapaxes(there, -1, -2)
-        innovations = self._update(P, R, rows, inputs)
+        variances = rate_variances(loop, self.history, rules, self.time, P, F, inputs, rate_factor)
+        innovations = self._update(P, R, rows, inputs, variances)
         used = rows.sum(-1)
         # The gate presumes residuals that are linear in the errors: until angles and delay are known it is open.
         sigma = np.sqrt(np.einsum("...ii->...i", P_now))
@@ -211,7 +212,7 @@ class Transfer:
         reopen = gated & (self.watch.gated >= rules.reopen_after)
         if reopen.any():
             P = P + self._opening(reopen, rows, inputs)
-            self._update(P, R, rows, inputs)
+            self._update(P, R, rows, inputs, variances)
             self.watch.gated = np.where(reopen, 0, self.watch.gated)
         verdict[gated] = Verdict.GATED
         verdict[reopen] = Verdict.REOPENED
@@ -235,8 +236,13 @@ class Transfer:
             loop.nav["position"] = np.where(usable[..., None], position, loop.nav["position"])
         return self.watch.result(verdict, innovations, nis, used, believed, stamp, oldest)
 
-    def _update(self, P: Array, R: Array, rows: Array, inputs: dict[str, Any]) -> dict[str, Innovation]:
-        """Attitude first: the residual of a large turn depends on x, and that of the velocity does not."""
+    def _update(
+        self, P: Array, R: Array, rows: Array, inputs: dict[str, Any], variances: dict[str, Array]
+    ) -> dict[str, Innovation]:
+        """Attitude first: the residual of a large turn depends on x, and that of the velocity does not.
+
+        variances: of the rates in the delay's column, which decide whether a measurement informs the delay.
+        """
         self.filter.x, self.filter.P = np.zeros(P.shape[:-1]), P
         out = {}
         for name, part, field in (
@@ -244,7 +250,10 @@ class Transfer:
             (self.matching[0], slice(0, 3), "v_m_n"),
         ):
             if field in inputs:
-                out[name] = self.filter.update(name, R[..., part], rows=rows[..., part], **inputs)
+                given = {"R": R[..., part], "rows": rows[..., part]}
+                kept = uninformed(self.filter, name, **given, inputs=inputs, variances=variances,
+                                  sigmas=self.rules.delay_sigmas)  # fmt: skip
+                out[name] = self.filter.update(name, **given, considered=kept, **inputs)
         return out
 
     def _attitude_field(self) -> str:
