@@ -11,7 +11,6 @@ from boresight.runtime.transfer.history import PHI
 from boresight.runtime.transfer.messages import Message
 
 
-
 def first(
     message: Message,
     *,
