@@ -6,10 +6,10 @@ import numpy as np
 
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
-from boresight.runtime.transfer.history import History
+from boresight.runtime.transfer.history import DV, TAU, History
 from boresight.runtime.transfer.rules import Rules
 
-DV, GYRO_BIAS, TAU = slice(3, 6), slice(6, 9), 15  # of the error state
+GYRO_BIAS = slice(6, 9)  # of the error state
 STRETCH_S = 0.5  # of the slave's past, in which the noise of its rates is seen
 
 
