@@ -72,6 +72,7 @@ def fly(
     lost: float = 0.1,
     jitter: float = 0.003,
     hand_over: float = 0.02,
+    clock: Callable[[float], float] = lambda time: 0.0,
     lever_b: Any = (1.2, -2.4, 1.8),
     C_b2m: Any = None,
     R: Any = None,
@@ -85,6 +86,7 @@ def fly(
 
     tau: s, true, () or (runs,), or that as a function of time.  lost: part of the messages.
     jitter: s, of their times, which the stamps tell.
+    clock: s by which the stamps are ahead, as a function of time: as much is the delay against them longer.
     hand_over: s after which a message is handed over beyond the master's own delay.
     sensed(time, dtheta, dv) changes what the slave delivers in an interval (runs, 3), or loses it by None.
     said(time, message) changes what the master says, or loses it by None.  start(message, **what `first` takes) makes
@@ -138,6 +140,7 @@ def fly(
         while due * gap + hand_over <= time + 1e-9:
             given = message(due * gap + jitter * rng.uniform(-1, 1, runs), delay(due * gap))
             due += 1
+            given = replace(given, time=given.time + clock(time))
             given = given if said is None else said(time, given)
             if given is None:
                 continue
@@ -145,7 +148,7 @@ def fly(
             nav, now = loop.nav, np.array(time)
             errors = [turn_between(nav["q_b2n_wxyz"], motion.C_b2n(now)), nav["v_n"] - motion.velocity(now)[0],
                       nav["gyro_bias"] - bias_g, nav["accel_bias"] - bias_a, turn_between(nav["q_b2m_wxyz"], C_b2m),
-                      (nav["tau"] - delay(time))[:, None]]  # fmt: skip
+                      (nav["tau"] - loop.stamps.clock - delay(time) - clock(time))[:, None]]  # fmt: skip
             out["time"].append(time)
             out["errors"].append(np.concatenate(errors, axis=-1))
             out["P"].append(loop.P[..., :16, :16].copy())

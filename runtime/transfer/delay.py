@@ -1,15 +1,20 @@
-"""The master's delay: which messages inform it."""
+"""The master's delay: which messages inform it, and whether it or the master's clock has changed."""
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from scipy.special import chdtri
 
-from boresight.runtime.array import Array
+from boresight.runtime.array import Array, wrapped
 from boresight.runtime.filter import Filter
-from boresight.runtime.transfer.history import DV, TAU, History
+from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
 from boresight.runtime.transfer.rules import Rules
 
 GYRO_BIAS = slice(6, 9)  # of the error state
+LONGEST = 0.95  # s, a delay; the model's own range ends at 1
+CLEAR = 1e-3  # the part of the weight that another explanation may have
 STRETCH_S = 0.5  # of the slave's past, in which the noise of its rates is seen
 
 
@@ -74,3 +79,198 @@ def uninformed(
     out = np.zeros((*now.shape[:-1], loop.P.shape[-1]), bool)
     out[..., TAU] = np.sum(weight * now**2, axis=-1) <= sigmas**2 * np.sum(weight * variance, axis=-1)
     return out
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """Why messages in a row do not fit, run by run."""
+
+    decided: Array  # (...,) bool
+    delay: Array  # (...,) weight of all delays, from 0 to 1
+    fits: Array  # (...,) bool: the best explanation is as good as chance makes it
+    tau: Array  # (...,) s, the delay: mean over all explanations, by weight
+    x: Array  # (..., n) mean error of the slave now, and of the delay estimated so far
+    P: Array  # (..., n, n)
+    offset: Array  # (..., n) error, were it an offset
+
+
+class Suspects:
+    """Explanations of messages that do not fit, each a filter that takes them all, side by side.
+
+    One for each delay on a grid over the kept past, and three for an offset: of velocity, of attitude, of both.  An
+    offset may be the master's or the slave's.  Each has the innovations' chi-square, and is charged what so many free
+    parameters gain by chance as rarely as the gate opens by chance.
+    """
+
+    OFFSETS = ((DV,), (PHI,), (DV, PHI))
+    FREE = {DV.start: 100.0, PHI.start: 1.0}  # m/s, rad: sigma of an offset
+
+    def __init__(self, runs: tuple[int, ...], n: int):
+        self.runs, self.n = runs, n
+        self.count = np.zeros(runs, int)  # of messages in a row
+        self.at = np.zeros(runs)  # s, of the last
+        self.rows = np.zeros(runs, int)
+        self.tau = np.zeros((0, *runs))  # (E, ...) s: the delays on the grid, then for each offset the one estimated
+        self.x, self.P, self.chi2 = np.zeros(0), np.zeros(0), np.zeros(0)
+
+    def _begin(
+        self, first: Array, P_now: Array, tau_hat: Array, age: Array, oldest: float, step: float, now: float
+    ) -> None:
+        """New explanations for the runs (...,) in `first`."""
+        lags = np.arange(0.0, oldest, step).reshape((-1, *(1 for _ in self.runs)))
+        grid = len(lags)
+        tau = np.broadcast_to(tau_hat, (grid + len(self.OFFSETS), *self.runs)).copy()
+        tau[:grid] = np.clip(lags - age, -LONGEST, LONGEST)
+        P = np.broadcast_to(P_now, (*tau.shape, self.n, self.n)).copy()
+        P[:grid, ..., TAU, :] = P[:grid, ..., :, TAU] = 0.0
+        P[:grid, ..., TAU, TAU] = step**2
+        for e, blocks in enumerate(self.OFFSETS, grid):
+            for block in blocks:
+                P[e, ..., block, block] += self.FREE[block.start] ** 2 * np.eye(3)
+        if len(self.tau) != len(tau):  # the past has become longer
+            first = np.ones(self.runs, bool)
+            self.tau, self.P = tau, P
+            self.x, self.chi2 = np.zeros(P.shape[:-1]), np.zeros(tau.shape)
+        self.tau = np.where(first, tau, self.tau)
+        self.P = np.where(first[..., None, None], P, self.P)
+        self.x = np.where(first[..., None], 0.0, self.x)
+        self.chi2 = np.where(first, 0.0, self.chi2)
+        self.count, self.rows = np.where(first, 0, self.count), np.where(first, 0, self.rows)
+        self.at = np.where(first, now, self.at)
+
+    def take(
+        self, suspect: Array, P_now: Array, loop: Filter, history: History, rules: Rules, age: Array, F: Array,
+        measured: Mapping[str, tuple[Array, Array]], inputs: dict[str, Any], constants: Mapping[str, Any],
+    ) -> Explanation:  # fmt: skip
+        """Try the explanations on a message that does not fit in the runs (...,) of `suspect`.
+
+        P_now: of the slave before the message.  age: (...,) s, now less the stamp.  F: as of now.
+        measured: by measurement (variances, rows), each (..., m).  inputs: what the message says.
+        """
+        now = float(history.time[-1])
+        oldest = now - history.time[0]
+        self._begin(suspect & (self.count == 0), P_now, loop.nav["tau"], age, oldest, rules.half_span_s, now)
+        eye, dt = np.eye(self.n), (now - self.at)[..., None, None]
+        Phi = eye + F * dt + F @ F * dt**2 / 2
+        Q = loop.call("Q", **{**inputs, "dt": rules.half_span_s}) * dt / rules.half_span_s
+        x, P = np.einsum("...ij,...j->...i", Phi, self.x), Phi @ self.P @ np.swapaxes(Phi, -1, -2) + Q
+
+        lag = np.clip(age + self.tau, -rules.ahead_s, oldest)
+        then = moment(loop, history, now - lag.reshape((len(lag), -1)), rules.half_span_s, constants)[0]
+        A = F * lag[..., None, None]
+        there = eye - A + A @ A / 2
+        given = {**inputs, **then, "lag": np.zeros(lag.shape), "x": np.zeros(self.n)}
+        nus, Hs, variances, rows = [], [], [], []
+        for name, (variance, there_are) in measured.items():
+            z = loop.call(f"{name}_z", **given)
+            nus.append(wrapped(z) if name == "euler" else z)
+            Hs.append(loop.call(f"{name}_H", **given))
+            variances.append(variance)
+            rows.append(there_are)
+        used = np.concatenate(rows, axis=-1) & suspect[..., None]
+        R = np.where(used, np.concatenate(variances, axis=-1), 1.0)
+        H = np.where(used[..., None], np.concatenate(Hs, axis=-2) @ there, 0.0)
+        nu = np.where(used, np.concatenate(nus, axis=-1), 0.0) - np.einsum("...ij,...j->...i", H, x)
+        S = H @ P @ np.swapaxes(H, -1, -2) + R[..., None] * np.eye(R.shape[-1])
+        K = np.swapaxes(np.linalg.solve(S, H @ P), -1, -2)
+        left = eye - K @ H
+        self.x = x + np.einsum("...ij,...j->...i", K, nu)
+        self.P = left @ P @ np.swapaxes(left, -1, -2) + (K * R[..., None, :]) @ np.swapaxes(K, -1, -2)
+        self.chi2 = self.chi2 + np.einsum("...i,...i->...", nu, np.linalg.solve(S, nu[..., None])[..., 0])
+        self.at = np.full(self.runs, now)
+        self.count = self.count + suspect
+        self.rows = self.rows + used.sum(-1)
+        return self._explanation(loop, rules)
+
+    def forget(self, where: Array) -> None:
+        """The next message that does not fit is the first."""
+        self.count = np.where(where, 0, self.count)
+
+    def _explanation(self, loop: Filter, rules: Rules) -> Explanation:
+        offsets = len(self.OFFSETS)
+        parameters = np.array([1] * (len(self.tau) - offsets) + [3 * len(blocks) for blocks in self.OFFSETS])
+        score = self.chi2 + chdtri(parameters, rules.gate).reshape((-1, *(1 for _ in self.runs)))
+        weight = np.exp(-(score - score.min(0)) / 2)
+        weight /= weight.sum(0)
+        delay = weight[:-offsets].sum(0)
+        fits = self.chi2.min(0) <= chdtri(np.maximum(self.rows, 1), rules.gate)
+        # each explanation's error of the delay, as that of the estimate so far
+        x = self.x.copy()
+        x[..., TAU] += loop.nav["tau"] - self.tau
+        mean = np.einsum("e...,e...i->...i", weight, x)
+        apart = x - mean
+        P = np.einsum("e...,e...ij->...ij", weight, self.P + apart[..., :, None] * apart[..., None, :])
+        best = np.argmin(score[-offsets:], axis=0)
+        offset = np.take_along_axis(self.x[-offsets:], best[None, ..., None], axis=0)[0]
+        clear = ~fits | (np.minimum(delay, 1 - delay) < CLEAR)
+        decided = (self.count >= rules.reopen_after) & (clear | (self.count >= 2 * rules.reopen_after))
+        return Explanation(decided, delay, fits, loop.nav["tau"] - mean[..., TAU], mean, P, offset)
+
+
+class Stamps:
+    """What the messages' stamps say among themselves: a clock that is set anew for good is followed.
+
+    clock: (...,) s, added to the stamps.  trial: what is to be added besides, while it is looked at.
+    """
+
+    SPREAD_S, SPAN_S = 0.1, 0.4  # how well the ages of refused messages agree, and over how long
+
+    def __init__(self, runs: tuple[int, ...]):
+        self.clock, self.trial = np.zeros(runs), np.zeros(runs)
+        self.usual = np.full(runs, np.nan)  # s, how old the stamps of messages taken are
+        self.count = np.zeros(runs, int)
+        self.began, self.age, self.last = (np.zeros(runs) for _ in range(3))
+
+    def refused(self, where: Array, came: Array, stamp: Array, now: float, after: int) -> None:
+        """Look at the stamps (...,), `clock` in them, that are refused in some runs; begins and ends a trial."""
+        age = now - stamp
+        goes_on = where & (self.count > 0) & (stamp > self.last) & (np.abs(age - self.age) < self.SPREAD_S)
+        first = where & ~goes_on
+        self.count = np.where(first, 1, np.where(goes_on, self.count + 1, np.where(came, 0, self.count)))
+        self.began, self.age = np.where(first, now, self.began), np.where(first, age, self.age)
+        self.last = np.where(where, stamp, self.last)
+        self.trial = np.where(came & ~goes_on, 0.0, self.trial)
+        due = goes_on & (self.trial == 0) & (self.count >= after) & (now - self.began >= self.SPAN_S)
+        self.trial = np.where(due, self.age - np.nan_to_num(self.usual), self.trial)
+
+    def end(self, where: Array, follow: Array) -> None:
+        """A trial has ended; follow: (...,) bool, the clock is set."""
+        self.clock = self.clock + np.where(where & follow, self.trial, 0.0)
+        self.trial, self.count = np.where(where, 0.0, self.trial), np.where(where, 0, self.count)
+
+    def taken(self, where: Array, age: Array) -> None:
+        usual = np.where(np.isnan(self.usual), age, 0.9 * self.usual + 0.1 * age)
+        self.usual = np.where(where, usual, self.usual)
+
+
+def cause(delay: float, fits: bool, tau_ms: tuple[float, float], sigma_ms: float, clock_s: float, x: Array,
+          kept_s: float) -> str:  # fmt: skip
+    """What has been found, in words: of one run.
+
+    delay: weight of a delay.  tau_ms: before and after.  clock_s: how far the clock has been set forward, 0: not.
+    x: (n,) error, were it an offset.
+    """
+    if not fits:
+        return (f"neither another delay (within the {kept_s:.2f} s of buffer_s) nor an offset explains them: velocity "
+                "and attitude are opened and follow the master")  # fmt: skip
+    parts = []
+    velocity, turn = x[DV], np.rad2deg(x[PHI])
+    if np.linalg.norm(velocity) > 0.1:
+        parts.append("the velocity by {:.2f} {:.2f} {:.2f} m/s".format(*-velocity))
+    if np.linalg.norm(turn) > 0.1:
+        what = "heading" if abs(turn[2]) > 0.9 * np.linalg.norm(turn) else "attitude"
+        parts.append(f"the {what} by {{:.2f}} {{:.2f}} {{:.2f}} deg".format(*-turn))
+    offset = (f"the master is off the slave, {' and '.join(parts) or 'by little'} (north, east, down), by its own "
+              "jump or the slave's, which cannot be told apart")  # fmt: skip
+    if clock_s:
+        turned = f"the master's clock has gone {'forward' if clock_s > 0 else 'back'} by {abs(clock_s):.3f} s"
+        found = f"{turned}; the delay is {tau_ms[1]:.0f} ms against its stamps, and was {tau_ms[0]:.0f} ms"
+    else:
+        found = f"the master's delay has changed from {tau_ms[0]:.0f} to {tau_ms[1]:.0f} ms"
+    if sigma_ms > 20:
+        found += f" (sigma {sigma_ms:.0f} ms: the delay shows only as the slave turns or accelerates)"
+    if delay > 1 - CLEAR:
+        return found
+    if delay < CLEAR:
+        return f"{offset}; velocity and attitude are opened and follow the master"
+    return f"either {found}, or {offset}: rate and acceleration are too constant to tell, and all of them are opened"

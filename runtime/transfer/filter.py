@@ -10,7 +10,7 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation
-from boresight.runtime.transfer.delay import rate_variances, uninformed
+from boresight.runtime.transfer.delay import CLEAR, Explanation, Stamps, Suspects, cause, rate_variances, uninformed
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
 from boresight.runtime.transfer.rules import Rules, Watch
@@ -64,6 +64,7 @@ class Transfer:
         self._predicted = self.time  # of the covariance
         self._steps = 0
         self.watch = Watch(self.rules, self.runs, self.time)
+        self.stamps, self.suspects = Stamps(self.runs), Suspects(self.runs, self.filter.P.shape[-1])
 
     @property
     def notes(self) -> list[Note]:
@@ -146,9 +147,11 @@ class Transfer:
         """Hold a message against the slave and correct the slave by it, its past included."""
         self._covariance()
         loop, rules, runs = self.filter, self.rules, self.runs
-        stamp = np.broadcast_to(np.asarray(message.time, float), runs)
+        stamp = np.broadcast_to(np.asarray(message.time, float), runs) + self.stamps.clock
         came = np.broadcast_to(np.asarray(message.rows), (*runs, 6)).any(-1)
         said, rows = self._usable(message)
+        out_of_step, trial = self._out_of_step(stamp, came & rows.any(-1))
+        stamp = stamp + np.where(trial, self.stamps.trial, 0.0)
 
         # A message that lies ahead is the clocks' fault; an estimate of the delay that says so is the filter's to mend.
         lag = self.time - stamp + loop.nav["tau"]
@@ -156,7 +159,7 @@ class Transfer:
         oldest = self.time - self.history.time[0]
         verdict = np.full(runs, int(Verdict.TAKEN))
         for code, where in (
-            (Verdict.OUT_OF_ORDER, stamp <= self.watch.stamp),
+            (Verdict.OUT_OF_ORDER, (stamp <= self.watch.stamp) & ~trial),
             (Verdict.TOO_OLD, lag > oldest),
             (Verdict.AHEAD, ~(lag >= -rules.ahead_s)),
             # what the slave missed since cannot be told from what it missed before, nor its rates be trusted
@@ -203,16 +206,25 @@ class Transfer:
         if self.matching[0] in innovations:
             self.watch.lever(innovations[self.matching[0]], rows[..., :3] & fine[..., None], inputs)
         nis = np.sum([part.nis for part in innovations.values()], axis=0)
-        gated = (nis > chdtri(np.maximum(used, 1), rules.gate)) & fine
-        self.watch.gated = np.where(gated, self.watch.gated + 1, np.where(used > 0, 0, self.watch.gated))
-        reopen = gated & (self.watch.gated >= rules.reopen_after)
-        if reopen.any():
-            P = P + self._opening(reopen, rows, inputs)
-            self._update(P, R, rows, inputs, variances)
-            self.watch.gated = np.where(reopen, 0, self.watch.gated)
+        gated = ((nis > chdtri(np.maximum(used, 1), rules.gate)) & fine) | (trial & (used > 0))
+        self.suspects.forget((used > 0) & ~gated)
+        reopen = by_delay = np.zeros(runs, bool)
+        if gated.any():
+            found = self._explain(gated, trial, P_now, F, R, rows, stamp, inputs)
+            reopen, by_delay = found.decided & gated, found.decided & gated & (found.delay > CLEAR) & found.fits
+            by_offset = reopen & ~by_delay & ~trial
+            if by_offset.any():
+                P = P + self._opening(by_offset, rows, inputs)
+                self._update(P, R, rows, inputs, variances)
+            failed = reopen & trial & ~by_delay
+            self.suspects.forget(reopen)
+            self.stamps.end(reopen & trial, by_delay)
+            reopen = reopen & ~failed
         verdict[gated] = Verdict.GATED
+        verdict[trial & gated] = out_of_step[trial & gated]
         verdict[reopen] = Verdict.REOPENED
         taken = verdict <= Verdict.REOPENED
+        self.stamps.taken(taken, self.time - stamp)
 
         # A correction beyond the model's range is made in part, and the covariance stays as wide as it was.
         turn = np.abs(loop.x[..., self._angles()]).max(-1)
@@ -224,6 +236,9 @@ class Transfer:
         loop.P = np.where(whole, carried, np.where(reopen[..., None, None], opened, P_now))
         loop.P = (loop.P + np.swapaxes(loop.P, -1, -2)) / 2
         loop.x = np.einsum("...ij,...j->...i", back, x)
+        if by_delay.any():
+            loop.P = np.where(by_delay[..., None, None], found.P, loop.P)
+            loop.x = np.where(by_delay[..., None], found.x, loop.x)
         self._correct_past(F)
         loop.feedback()
         if message.position is not None:
@@ -231,6 +246,53 @@ class Transfer:
             usable = taken & np.isfinite(position).all(-1)
             loop.nav["position"] = np.where(usable[..., None], position, loop.nav["position"])
         return self.watch.result(verdict, innovations, nis, used, believed, stamp, oldest)
+
+    def _out_of_step(self, stamp: Array, came: Array) -> tuple[Array, Array]:
+        """The verdict (...,) on stamps that do not fit the slave's time, and whether another clock is tried there."""
+        rules = self.rules
+        lag = self.time - stamp + self.filter.nav["tau"]
+        verdict = np.full(self.runs, int(Verdict.TAKEN))
+        verdict[stamp <= self.watch.stamp] = Verdict.OUT_OF_ORDER
+        known = self.time - self.history.time[0]
+        verdict[(lag > known) & (known >= rules.buffer_s)] = Verdict.TOO_OLD
+        verdict[stamp > self.time + rules.ahead_s] = Verdict.AHEAD
+        came = came & np.isfinite(stamp)
+        self.stamps.refused(came & (verdict != Verdict.TAKEN), came, stamp, self.time, rules.reopen_after)
+        trial: Array = came & (verdict != Verdict.TAKEN) & (self.stamps.trial != 0)
+        return verdict, trial
+
+    def _explain(
+        self, gated: Array, trial: Array, P_now: Array, F: Array, R: Array, rows: Array, stamp: Array,
+        inputs: dict[str, Any],
+    ) -> Explanation:  # fmt: skip
+        """What explains messages that do not fit, and a note where that is decided."""
+        tau, age = self.filter.nav["tau"], self.time - stamp
+        fields = (("v_m_n", slice(0, 3)), (self._attitude_field(), slice(3, 6)))
+        measured = {name: (R[..., part], rows[..., part])
+                    for name, (field, part) in zip(self.matching, fields, strict=True) if field in inputs}  # fmt: skip
+        inputs = inputs | self._over(np.full(self.history.runs, 2 * self.rules.half_span_s))
+        found = self.suspects.take(gated, P_now, self.filter, self.history, self.rules, age, F, measured, inputs,
+                                   self.constants)  # fmt: skip
+        moved = found.tau - tau
+        # stamps that have become older by as much as the delay has become shorter are a clock's
+        older = age - np.nan_to_num(self.stamps.usual, nan=np.inf)
+        clock = np.where(np.abs(older + moved) < np.abs(moved) / 2, moved, 0.0)
+        clock = np.where(trial, -self.stamps.trial, clock)
+        sigma = np.sqrt(found.P[..., TAU, TAU])
+        for run in zip(*np.nonzero(found.decided & gated), strict=True) if self.runs else [()] * bool(found.decided):
+            text = cause(
+                float(found.delay[run]),
+                bool(found.fits[run]),
+                (1e3 * float(tau[run]), 1e3 * float(found.tau[run])),
+                1e3 * float(sigma[run]),
+                float(clock[run]),
+                found.offset[run],
+                self.rules.buffer_s,
+            )
+            where = np.zeros(self.runs, bool)
+            where[run] = True
+            self.watch.note(where, f"{self.suspects.count[run]} messages in a row did not fit: {text}")
+        return found
 
     def _update(
         self, P: Array, R: Array, rows: Array, inputs: dict[str, Any], variances: dict[str, Array]

@@ -75,7 +75,7 @@ class History:
 def moment(
     loop: Filter, history: History, at: Array, half_span_s: float, constants: Mapping[str, Any]
 ) -> tuple[dict[str, Any], Array]:
-    """The slave at times (R,), with its rates; and the rates' variance over the gyros' density.
+    """The slave at times (..., R), with its rates; and the rates' variance over the gyros' density.
 
     A rate is the mean over a span about its time.  Where the span would reach beyond the newest sample it ends there,
     and the rate is extended along its change over the two last spans.
@@ -91,10 +91,11 @@ def moment(
         return extended.reshape((*times.shape[:-1], *runs, 3)) - loop.nav["gyro_bias"]
 
     state = {name: history.at(name, times) for name in ("v_n", "q_b2n_wxyz")}
-    state = {name: value.reshape((4, *runs, value.shape[-1])) for name, value in state.items()}
+    shape = (*at.shape[:-1], *runs)
+    state = {name: value.reshape((4, *shape, value.shape[-1])) for name, value in state.items()}
     state["omega_ib_b"] = rate(times)
     _, v1, v2, v3 = loop.call("expected", **constants, **state)["v_m_n"]
-    beyond = ((at - centre) / (2 * h)).reshape(runs)
+    beyond = ((at - centre) / (2 * h)).reshape(shape)
     a_n = (v1 - v2) / (2 * h) + beyond[..., None] * (v1 - 2 * v2 + v3) / (2 * h)
     inputs: dict[str, Any] = {name: value[0] for name, value in state.items()}
     return {**inputs, "a_n": a_n, **constants}, ((1 + beyond) ** 2 + beyond**2) / (2 * h)

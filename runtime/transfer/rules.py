@@ -51,7 +51,6 @@ class Watch:
         self.stamp = np.full(runs, -np.inf)  # of the last message looked at
         self.taken_at = np.full(runs, time)
         self.silent = np.zeros(runs, bool)
-        self.gated = np.zeros(runs, int)  # in a row
         self.fine_at = np.full(runs, -np.inf)  # from when on the gate works
         self.acquired = np.zeros(runs, bool)
         self.refused = np.zeros(runs, int)  # in a row, for whatever reason
@@ -130,8 +129,6 @@ class Watch:
         """What a message did, written down.  known_s: how far back the slave's past is known."""
         taken, came = verdict <= Verdict.REOPENED, verdict != Verdict.ABSENT
         saying = {
-            Verdict.REOPENED: f"{self.rules.reopen_after} messages in a row did not fit; the master has jumped, or the "
-            "slave: velocity and attitude are opened and follow it",
             Verdict.GATED: "message refused: it does not fit (NIS {nis:.0f} with {used} rows)",
             Verdict.INVALID: "message refused: it holds no finite value within the model's range",
             Verdict.OUT_OF_ORDER: "message refused: its time, {stamp:.3f} s, is not later than the last one's",
