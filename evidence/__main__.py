@@ -6,8 +6,8 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from itertools import product
 
 from boresight.evidence import results
-from boresight.evidence.kinds import FLOWN, KINDS, Kind, kinds_of, make, out_of_date
-from boresight.evidence.sources import Derivations, Examples, Folder, derivations, folders
+from boresight.evidence.kinds import FLOWN, KINDS, TRIED, Kind, kinds_of, make, out_of_date
+from boresight.evidence.sources import Derivations, Examples, Flights, Folder, derivations, folders
 from boresight.evidence.table import PAGE, page
 
 JOBS = 2
@@ -19,9 +19,9 @@ def main() -> int:
     for kind in KINDS:
         if kind.missing:
             print(f"{kind.name}: skipped, {kind.missing}")
-    pairs: list[tuple[Kind, Folder | Derivations | Examples]] = [*product(KINDS, folders())]
+    pairs: list[tuple[Kind, Folder | Derivations | Examples | Flights]] = [*product(KINDS, folders())]
     pairs += [(kind, paper) for paper in derivations() for kind in kinds_of(paper)]
-    pairs.append((FLOWN, Examples()))
+    pairs += [(FLOWN, Examples()), (TRIED, Flights())]
     with ProcessPoolExecutor(JOBS, mp_context=multiprocessing.get_context("spawn")) as pool:
         running = {
             pool.submit(make, folder, kind.name): (folder, kind)

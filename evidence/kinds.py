@@ -13,6 +13,7 @@ from boresight.evidence.eva import MISSING as EVA_MISSING
 from boresight.evidence.eva import eva
 from boresight.evidence.eva import version as eva_version
 from boresight.evidence.examples import examples
+from boresight.evidence.flights.campaign import campaign
 from boresight.evidence.golden import golden
 from boresight.evidence.guards import guards
 from boresight.evidence.misra import MISSING as MISRA_MISSING
@@ -21,7 +22,7 @@ from boresight.evidence.misra import version as misra_version
 from boresight.evidence.mutants import mutants
 from boresight.evidence.riscv import riscv
 from boresight.evidence.rounding import rounding
-from boresight.evidence.sources import Derivations, Examples, Folder
+from boresight.evidence.sources import Derivations, Examples, Flights, Folder
 from boresight.evidence.spoilt import spoilt
 from boresight.evidence.steps import steps
 from boresight.evidence.targets import CLANG, GCC, M4F, RV32
@@ -61,20 +62,23 @@ PAPER_KINDS = (Kind("shown", spoilt, "", lambda: ""), Kind("steps", steps, "", l
 # Of the examples.
 FLOWN = Kind("flown", examples, GCC.missing, lambda: "")
 
+# Of the transfer alignment.
+TRIED = Kind("tried", campaign, GCC.missing, lambda: "")
+
 
 def kinds_of(paper: Derivations) -> tuple[Kind, ...]:
     """Every change of every formula that is shown is tried of papers; of our own derivations a test reads them back."""
     return tuple(kind for kind in PAPER_KINDS if kind.name != "shown" or paper.name in PAPERS)
 
 
-def out_of_date(folder: Folder | Derivations | Examples, kind: Kind) -> bool:
+def out_of_date(folder: Folder | Derivations | Examples | Flights, kind: Kind) -> bool:
     before = results.read(folder).get(kind.name, {})
     return bool(before.get("sources") != results.sources_hash(folder) or before.get("tools") != kind.tools())
 
 
-def make(folder: Folder | Derivations | Examples, name: str) -> tuple[UNITS, float]:
+def make(folder: Folder | Derivations | Examples | Flights, name: str) -> tuple[UNITS, float]:
     """One kind of evidence of one subject, and the processor time that it took, with compilers and tools."""
-    kind = next(kind for kind in (*KINDS, *PAPER_KINDS, FLOWN) if kind.name == name)
+    kind = next(kind for kind in (*KINDS, *PAPER_KINDS, FLOWN, TRIED) if kind.name == name)
     start = sum(os.times()[:4])
     with tempfile.TemporaryDirectory() as out:
         units = kind.make(folder, Path(out))

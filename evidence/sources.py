@@ -82,6 +82,25 @@ class Examples:
 
 
 @dataclass(frozen=True)
+class Flights:
+    """The transfer alignment in every condition that it was tried in."""
+
+    name: str = "flights"
+
+    @property
+    def sources(self) -> list[Path]:
+        """What their results depend on: the filter, what it is tried by, and the C of its models."""
+        begin = set(Path(__file__).with_name("flights").glob("*.py"))
+        models = [
+            path
+            for folder in folders()
+            if folder.name.startswith("velocity_attitude")
+            for path in folder.files("src/*.c")
+        ]
+        return sorted(reached(begin)) + sorted(models)
+
+
+@dataclass(frozen=True)
 class Source:
     """One unit: a C file of src/, with the headers that it includes."""
 

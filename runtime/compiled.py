@@ -12,7 +12,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime.arguments import check_inputs, check_taking
 from boresight.runtime.array import Array
-from boresight.runtime.filter import Filter, Innovation
+from boresight.runtime.filter import Filter, Innovation, left
 from boresight.runtime.library import Library
 from boresight.runtime.status import Status
 
@@ -62,10 +62,14 @@ class CompiledFilter(Filter):
         rows: Any = True,
         gate: float | None = None,
         iterations: int = 1,
+        considered: Any = None,
         **inputs: Any,
     ) -> Innovation:
         """Take one measurement, row after row: see `Filter.update`.  R is (..., m, m) of a correlated one alone."""
         check_taking(measurement, rows, gate, iterations)
+        kept, x, P = self._considered(measurement, considered), self.x, self.P
+        if kept is not None and iterations > 1:
+            raise BoresightError(f"{measurement}: states are considered with iterations=1 here; fly Filter for more")
         z = self._brought(measurement, inputs)
         described = self.described["measurements"][measurement]
         m = described["m"]
@@ -82,6 +86,8 @@ class CompiledFilter(Filter):
         nu, S, used = self._fly(
             f"measure_{measurement}", described, inputs, vectors, (rows, m, gate or 0.0, iterations)
         )
+        if kept is not None:
+            self.x, self.P = left(kept, self.x, self.P, x, P)
         return Innovation(nu, S, used)
 
     def feedback(self) -> None:

@@ -40,7 +40,12 @@ class Filter:
     nav: the quantities that the strapdown carries and the feedback corrects, by field name, each (..., size).
     P: (..., n, n) covariance of the state.
     x: (..., n) where a total state begins.  An error state begins, by default, and after each feedback, at zero.
+
+    considered: None, or (..., n) bool, may be assigned: states that no measurement corrects (a Schmidt filter).  A
+    state of zero variance and zero noise stays as it is by itself: so the states that are not needed are left out.
     """
+
+    considered: Any = None
 
     def __init__(self, model: Any, nav: dict[str, Array], P: Array, x: Any = None):
         self.model = model
@@ -98,6 +103,7 @@ class Filter:
         rows: Any = True,
         gate: float | None = None,
         iterations: int = 1,
+        considered: Any = None,
         **inputs: Any,
     ) -> Innovation:
         """Take one measurement, row after row, in Joseph form.
@@ -111,9 +117,13 @@ class Filter:
         iterations: how often at most a nonlinear measurement is linearised, about the last estimate and always from the
         same x and P; 1 is the plain extended filter.  It ends where no state and no row moves by more than .01 sigma.
         Where one moves by more than a sigma and by more than before, or x leaves its box, the first result is taken.
+        considered: (..., n) bool, states whose rows of the whole measurement's gain are zero, instead of the attribute
+        `considered`: they and their covariance among themselves stay, and their covariance with the others is right.
+        nu and S are those of the optimal filter, so that nis is chi-square.
         z: (..., m) the measured value, of a measurement that has no `NAME_z`.
         """
         check_taking(measurement, rows, gate, iterations)
+        kept = self._considered(measurement, considered)
         z, rows = self._measured(measurement, inputs), np.asarray(rows, dtype=bool)
         D, L_inverse = self._noise(measurement, R, z.shape, rows)
         if L_inverse is not None and gate is not None:  # what a rejected row says has no part in the others
@@ -128,11 +138,11 @@ class Filter:
             return np.einsum("...ij,...j->...i", L_inverse, target), L_inverse @ H
 
         target, H = linear(self.x)
-        x, P, innovation = self._rows(target, H, D, rows, gate)
+        x, P, innovation = self._rows(target, H, D, rows, gate, kept)
         if not (np.isfinite(innovation.nu).all() and np.isfinite(innovation.S).all() and (innovation.S > 0).all()):
             raise BoresightError(f"{measurement}: an innovation or its variance is no number; start from a new P")
         if iterations > 1 and "x" in getattr(self.model, f"{measurement}_H").fields:
-            x, P, innovation = self._again(linear, D, iterations - 1, H, x, P, innovation)
+            x, P, innovation = self._again(linear, D, iterations - 1, kept, H, x, P, innovation)
         self.x, self.P = self.wrapped(x), P
         return innovation
 
@@ -217,6 +227,7 @@ class Filter:
         linear: Callable[[Array], tuple[Array, Array]],
         R: Array,
         iterations: int,
+        kept: Array | None,
         H: Array,
         x: Array,
         P: Array,
@@ -243,7 +254,7 @@ class Filter:
                 break
             at = np.where(going[..., None], last[0], self.x)  # a run that has ended stays where there is an answer
             target, H = linear(at)
-            x, P, innovation = self._rows(target, H, R, used, None)
+            x, P, innovation = self._rows(target, H, R, used, None, kept)
             step = moved(x - at, P, H)
             diverges = ~(step <= np.maximum(before, 1.0))
             last = chosen(going, (x, P, innovation.nu, innovation.S), last)
@@ -266,7 +277,22 @@ class Filter:
         at = self.wrapped(x)
         return np.isfinite(at).all(-1) if box is None else ((at >= box["low"]) & (at <= box["high"])).all(-1)
 
-    def _rows(self, z: Array, H: Array, R: Array, rows: Array, gate: float | None) -> tuple[Array, Array, Innovation]:
+    def _considered(self, measurement: str, given: Any) -> Array | None:
+        """(..., n) bool: the states that this measurement does not correct, or None."""
+        given = self.considered if given is None else given
+        if given is None:
+            return None
+        kept, n = np.asarray(given), self.P.shape[-1]
+        if kept.dtype != bool or kept.shape[-1:] != (n,):
+            what = f"has shape {kept.shape}" if kept.dtype == bool else f"is {given!r}"
+            raise BoresightError(
+                f"{measurement}: considered {what}; it must be (..., {n}), True or False for each state"
+            )
+        return kept if kept.any() else None
+
+    def _rows(
+        self, z: Array, H: Array, R: Array, rows: Array, gate: float | None, kept: Array | None
+    ) -> tuple[Array, Array, Innovation]:
         x, P = self.x, self.P
         rows = np.broadcast_to(rows, np.broadcast_shapes(rows.shape, x.shape[:-1] + z.shape[-1:]))
         nus, Ss, used = [], [], []
@@ -289,6 +315,8 @@ class Filter:
             Ss.append(S)
             used.append(use)
         stack = [np.stack(np.broadcast_arrays(*part), axis=-1) for part in (nus, Ss, used)]
+        if kept is not None:
+            x, P = left(kept, x, P, self.x, self.P)
         return x, P, Innovation(*stack)
 
     def feedback(self) -> None:
@@ -308,6 +336,16 @@ def chosen(which: Array, new: tuple[Array, ...], old: tuple[Array, ...]) -> tupl
         np.where(which.reshape(which.shape + (1,) * depth), a, b)
         for a, b, depth in zip(new, old, (1, 2, 1, 1), strict=True)
     )
+
+
+def left(kept: Array, x: Array, P: Array, x_before: Array, P_before: Array) -> tuple[Array, Array]:
+    """x and P of a measurement with the rows of its gain zeroed for the states (..., n) in `kept`.
+
+    With K the optimal gain, K_s the one that is zeroed and S of the whole measurement, the Joseph form gives
+    P + (K - K_s) S (K - K_s)': P differs among the kept states alone, where it is what it was before.
+    """
+    both = kept[..., :, None] & kept[..., None, :]
+    return np.where(kept, x_before, x), np.where(both, P_before, P)
 
 
 def check_covariance(name: str, P: Array, n: int | None = None) -> None:

@@ -83,17 +83,23 @@ def fly(
 ) -> Flown:
     """Fly the transfer alignment on a motion: a Flown.
 
-    tau: s, true, () or (runs,).  lost: part of the messages.  jitter: s, of their times, which the stamps tell.
+    tau: s, true, () or (runs,), or that as a function of time.  lost: part of the messages.
+    jitter: s, of their times, which the stamps tell.
     hand_over: s after which a message is handed over beyond the master's own delay.
-    sensed(time, dtheta, dv) changes what the slave delivers in an interval (runs, 3); said(time, message) what the
-    master does, or drops it by None; start(message, **what `first` takes) makes nav and P in place of `first`.
+    sensed(time, dtheta, dv) changes what the slave delivers in an interval (runs, 3), or loses it by None.
+    said(time, message) changes what the master says, or loses it by None.  start(message, **what `first` takes) makes
+    nav and P in place of `first`.
     settings: of `Transfer`.
     """
     unit = unit or Unit()
     rng = np.random.default_rng([seed, runs])
     loaded = load(model) if isinstance(model, str) else model
     C_b2m = matrix(np.array([0.4, -0.3, 2.0]) * DEG) if C_b2m is None else np.asarray(C_b2m)
-    lever_b, tau = np.asarray(lever_b, float), np.broadcast_to(np.asarray(tau, float), (runs,))
+    lever_b = np.asarray(lever_b, float)
+
+    def delay(time: float) -> Array:
+        return np.broadcast_to(np.asarray(tau(time) if callable(tau) else tau, float), (runs,))
+
     R = np.repeat([unit.velocity, unit.attitude], 3) ** 2 if R is None else np.asarray(R, float)
     dt, steps = 1 / imu_hz, round(seconds * imu_hz)
     edges = np.arange(-1, steps + 1) * dt
@@ -103,7 +109,7 @@ def fly(
              "gyro_bias_noise": np.full(3, 1e-9), "accel_bias_noise": np.full(3, 1e-9), "mu_noise": np.full(3, 1e-9),
              "tau_noise": 1e-9} | (constants or {})  # fmt: skip
 
-    def message(stamp: Array) -> transfer.Message:
+    def message(stamp: Array, tau: Array) -> transfer.Message:
         """What the master says that is stamped so (runs,): it saw `stamp - tau`."""
         v, C = motion.master(stamp - tau, lever_b, C_b2m)
         v = v + unit.velocity * rng.standard_normal((runs, 3))
@@ -112,7 +118,7 @@ def fly(
                                 rows=np.repeat(rng.random((runs, 1)) >= lost, 6, 1))  # fmt: skip
 
     sigma = np.asarray(unit.mounting)
-    opening = replace(message(np.zeros(runs)), rows=True)
+    opening = replace(message(np.zeros(runs), delay(0.0)), rows=True)
     nav, P = (start or transfer.first)(
         opening, q_b2m_wxyz=quaternion(turn(sigma * rng.standard_normal((runs, 3))) @ C_b2m), tau=tau_believed,
         mounting_sigma=sigma, velocity_sigma=np.full(3, 0.3), gyro_bias_sigma=np.full(3, unit.gyro_bias),
@@ -126,11 +132,11 @@ def fly(
         time = (k + 1) * dt
         d = dtheta[k + 1] + bias_g * dt + unit.gyro_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
         f = dv[k + 1] + bias_a * dt + unit.accel_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
-        if sensed is not None:
-            d, f = sensed(time, d, f)
-        loop.slave(time, d, f, dt)
+        delivered: tuple[Array, Array] | None = (d, f) if sensed is None else sensed(time, d, f)
+        if delivered is not None:
+            loop.slave(time, delivered[0], delivered[1], dt)
         while due * gap + hand_over <= time + 1e-9:
-            given = message(due * gap + jitter * rng.uniform(-1, 1, runs))
+            given = message(due * gap + jitter * rng.uniform(-1, 1, runs), delay(due * gap))
             due += 1
             given = given if said is None else said(time, given)
             if given is None:
@@ -139,7 +145,7 @@ def fly(
             nav, now = loop.nav, np.array(time)
             errors = [turn_between(nav["q_b2n_wxyz"], motion.C_b2n(now)), nav["v_n"] - motion.velocity(now)[0],
                       nav["gyro_bias"] - bias_g, nav["accel_bias"] - bias_a, turn_between(nav["q_b2m_wxyz"], C_b2m),
-                      (nav["tau"] - tau)[:, None]]  # fmt: skip
+                      (nav["tau"] - delay(time))[:, None]]  # fmt: skip
             out["time"].append(time)
             out["errors"].append(np.concatenate(errors, axis=-1))
             out["P"].append(loop.P[..., :16, :16].copy())

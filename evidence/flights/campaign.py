@@ -1,0 +1,60 @@
+"""Every condition flown: the NEES beside its band, the NIS, what was refused, and what the notes say."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.evidence.flights.conditions import CONDITIONS, RUNS, Condition
+from boresight.evidence.flights.fly import band, fly
+from boresight.runtime.transfer import Note, Rules, Verdict
+
+
+def campaign(of: Any, out: Path) -> dict[str, dict[str, Any]]:
+    """By condition."""
+    return {condition.name: flown(condition) for condition in CONDITIONS}
+
+
+def flown(condition: Condition, runs: int = RUNS) -> dict[str, Any]:
+    """One condition, with so many runs."""
+    settings = dict(condition.settings)
+    for name in ("said", "sensed"):  # made anew for each flight: some remember
+        if name in settings:
+            settings[name] = settings[name]()
+    if "rules" in settings:
+        settings["rules"] = Rules(**settings["rules"])
+    asked = {"asked": condition.asked, "told": condition.told}
+    try:
+        flight = fly(condition.motion(), runs=runs, **settings)
+    except BoresightError as error:
+        return {**asked, "error": str(error)}
+    nees, count = flight.nees, len(flight.time)
+    n = flight.errors.shape[-1]
+    low, high = band(runs, n)
+    late = nees[count // 2 :]
+    came = flight.verdict != Verdict.ABSENT
+    return {
+        **asked,
+        "states": n,
+        "band": [round(float(low), 3), round(float(high), 3)],
+        "nees": {
+            "start": round(float(nees[0].mean()), 3),
+            "second half": round(float(late.mean()), 3),
+            "worst": round(float(late.mean(axis=1).max()), 3),
+            "end": round(float(nees[-1].mean()), 3),
+        },
+        "nis": round(float(np.nanmean(flight.nis)), 4),
+        "refused": round(float((flight.verdict[came] > Verdict.REOPENED).mean()), 5),
+        "notes": lines(flight.loop.notes),
+    }
+
+
+def lines(notes: list[Note]) -> list[str]:
+    """What the notes say, one of those that differ by their numbers alone."""
+    first: dict[str, str] = {}
+    for note in notes:
+        text = note.text.split(" (run")[0]
+        first.setdefault(re.sub(r"[\d.]+", "#", text), text)
+    return list(first.values())
