@@ -5,9 +5,8 @@ not given are those under which the innovations are most likely.  What is found 
 """
 
 import json
-import textwrap
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +15,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
-from boresight.runtime.recording import Recording, thinned
+from boresight.runtime.recording import Recording, check, thinned
 from boresight.runtime.transfer import Message, Rules, Transfer, Verdict, first
 from boresight.runtime.transfer.start import PHI
 from boresight.runtime.units import MILLI_G, UNITS
@@ -30,6 +29,7 @@ PRIOR = {"gyro_bias": np.radians(0.2), "accel_bias": 0.5, "misalignment": np.rad
 VELOCITY_START = 0.5  # m/s, one sigma; covers what a delay and an unknown lever arm do to it
 HOLD_S = 0.15  # a message is handed over so late, so that a delay that is believed negative for a while stays inside
 GATE = 1e-300  # by chance; NIS 1400 of six rows
+BAND = 1.96  # sigmas, 95 %
 COVARIANCE_S = 0.1  # at most, between two steps of it
 
 
@@ -258,6 +258,7 @@ def run(
     return {
         "recording": recording.name,
         "title": recording.title,
+        "read": [asdict(finding) for finding in check(recording)],
         "model": model.name,
         "duration_s": float(cut.master.time[-1] - cut.master.time[0]),
         "updates": len(track["time"]),
@@ -379,8 +380,8 @@ def named(state: Mapping[str, Any]) -> str:
     return f"{state['state']} {state['axis']}".strip()
 
 
-def report(result: Mapping[str, Any], pictures: Sequence[str] = ()) -> str:
-    """One page of Markdown, which a terminal shows as well; pictures: file names to be shown at its end."""
+def report(result: Mapping[str, Any]) -> str:
+    """One page of Markdown, which a terminal shows as well."""
     nis, noise = result["nis"], result["noise"]
     table = [
         ("", "estimate", "1 sigma", "unit", "of the prior", "settled", "stated", "difference", "without delay"),
@@ -458,8 +459,12 @@ def report(result: Mapping[str, Any], pictures: Sequence[str] = ()) -> str:
             "Their mean NIS is then 1 by construction; its quarters and the correlation of neighbours are not chosen.",
         ]
     lines += [f"Note: {note}" for note in result["notes"]]
-    for picture in pictures:
-        lines += ["", f"![{result['recording']}]({picture})"]
+    lines += [
+        "",
+        "## What was read",
+        "",
+        *(f"- {one['level']}: {one['where']}: {one['text']}" for one in result["read"]),
+    ]
     return "\n".join(lines)
 
 
@@ -499,7 +504,8 @@ def draw_innovations(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
         nu, sigma = ({name: np.array(history[name][part])[:, i] / scale for name in ("with", "without")}
                      for part in ("innovation", "innovation_sigma"))  # fmt: skip
         ax.plot(time, nu["without"], ".", ms=1.6, color=ORANGE, label="delay taken as 0, where inside")
-        ax.fill_between(time, -2 * sigma["with"], 2 * sigma["with"], color=BLUE, alpha=0.25, lw=0, label="2 sigmas")
+        band = BAND * sigma["with"]
+        ax.fill_between(time, -band, band, color=BLUE, alpha=0.25, lw=0, label="95 % band")
         ax.plot(time, nu["with"], ".", ms=1.6, color=BLUE, label="delay a state")
         reach = 7 * float(np.median(sigma["with"]))
         ax.set_ylim(-reach, reach)  # without the delay most lie far outside
@@ -525,7 +531,9 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
         value, sigma = (np.array(history["with"][part])[:, at] for part in ("estimate", "sigma"))
         # The first seconds are off the scale by design: the prior is wide.
         reach = max(12 * sigma[-1], 1.3 * abs((state["reference"] or value[-1]) - value[-1]))
-        ax.fill_between(time, value - 2 * sigma, value + 2 * sigma, color=BLUE, alpha=0.25, lw=0, label="2 sigmas")
+        ax.fill_between(
+            time, value - BAND * sigma, value + BAND * sigma, color=BLUE, alpha=0.25, lw=0, label="95 % band"
+        )
         ax.plot(time, value, color=BLUE, label="estimate")
         if group.name != "delay":
             bare = np.array(history["without"]["estimate"])[:, at]
@@ -565,42 +573,33 @@ def legend_of(ax: Any) -> dict[str, Any]:
 
 
 def write(result: Mapping[str, Any], folder: str | Path) -> list[Path]:
-    """Innovations, states, and the report as text and as one page that shows all; returns the files written."""
+    """One page of HTML that holds the report, its pictures and its numbers, and the pictures; returns the files."""
     from boresight.studies.figures import figure
+    from boresight.studies.page import page
 
     base = Path(folder) / f"transfer-replay-{result['recording']}"
-    paths = {part: base.with_name(f"{base.name}-{part}.png") for part in ("innovations", "states", "page")}
+    shown = {part: base.with_name(f"{base.name}-{part}.png") for part in ("innovations", "states")}
+    html = base.with_name(f"{base.name}.html")
     rows = len(result["states"]) // 3 + 1
-    text = base.with_name(f"{base.name}.md")
     try:
-        with figure(paths["innovations"], 11, 5.5, nrows=2, ncols=3, sharex=True) as (drawing, axes):
-            shown = draw_innovations(result, axes)
-            drawing.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=3, markerscale=4)
-        with figure(paths["states"], 11, 2.2 * rows, nrows=rows, ncols=3) as (drawing, axes):
-            shown = draw_states(result, axes)
-            drawing.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=4)
-        words = [
-            line for part in report(result).replace("**", "").split("\n")
-            for line in ([part] if part.startswith("|") else textwrap.wrap(part, 150) or [""])
-        ]  # fmt: skip
-        heights = [0.13 * len(words), 1.4, 1.4, *[1.1] * rows]  # inches, and half of one a row for what stands around
-        with figure(
-            paths["page"], 11.69, sum(heights) + 0.5 * (rows + 2), nrows=3 + rows, ncols=3, height_ratios=heights
-        ) as (
-            drawing,
-            axes,
-        ):
-            for ax in axes[0]:
-                ax.set_axis_off()
-            axes[0, 0].text(0, 1, "\n".join(words), va="top", family="monospace", fontsize=7.2,
-                            transform=axes[0, 0].transAxes, in_layout=False)  # fmt: skip
-            shown = draw_innovations(result, axes[1:3]) | draw_states(result, axes[3:])
-            drawing.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=6, markerscale=4)
-        text.write_text(report(result, [paths["innovations"].name, paths["states"].name]) + "\n", encoding="utf-8")
+        with figure(shown["innovations"], 11, 5.5, nrows=2, ncols=3, sharex=True) as (drawing, axes):
+            legend = draw_innovations(result, axes)
+            drawing.legend(legend.values(), legend.keys(), loc="outside lower center", ncols=3, markerscale=4)
+        with figure(shown["states"], 11, 2.2 * rows, nrows=rows, ncols=3) as (drawing, axes):
+            legend = draw_states(result, axes)
+            drawing.legend(legend.values(), legend.keys(), loc="outside lower center", ncols=4)
+        captions = {
+            "innovations": "Innovations within their 95 % bands, with the delay a state, and without it",
+            "states": "Estimates within their 95 % bands",
+        }
+        pictures = [(captions[part], path) for part, path in shown.items()]
+        numbers = {name: value for name, value in result.items() if name != "history"}
+        title = result["title"] or result["recording"]
+        html.write_text(page(title, report(result), pictures, numbers), encoding="utf-8")
     except OSError as error:
         reason = f"{folder}: cannot write the report: {error.strerror}; choose another folder with -o"
         raise BoresightError(reason) from None
-    return [*paths.values(), text]
+    return [html, *shown.values()]
 
 
 def finish(result: Mapping[str, Any], *, folder: str | None = None, as_json: bool = False) -> int:
