@@ -529,8 +529,9 @@ def euler_table(
     progress: Callable[[str], None],
 ) -> Flown:
     from boresight.runtime.library import load
-    from boresight.studies import euler_exploration, figures
-    from boresight.studies import euler_table as table
+    from boresight.studies import figures
+    from boresight.studies.euler_table import exploration as euler_exploration
+    from boresight.studies.euler_table import table
 
     library = load("euler-matching")
     if explore:
@@ -559,8 +560,8 @@ def azimuth_hold(
     out: Path | None,
     progress: Callable[[str], None],
 ) -> Flown:
-    from boresight.studies import azimuth_figures
-    from boresight.studies import azimuth_hold as hold
+    from boresight.studies.azimuth_hold import figures as azimuth_figures
+    from boresight.studies.azimuth_hold import hold
 
     result = hold.run(
         runs=runs,
@@ -585,7 +586,7 @@ def float_covariance(
     out: Path | None,
     progress: Callable[[str], None],
 ) -> Flown:
-    from boresight.studies import float_covariance as single
+    from boresight.studies.float_covariance import covariance as single
 
     result = single.run(seed=seed, progress=progress)
     written = [] if out is None else single.float_figures(result, out)
@@ -602,9 +603,11 @@ def sea_state(
     out: Path | None,
     progress: Callable[[str], None],
 ) -> Flown:
-    from boresight.studies import sea_claims, sea_exploration, sea_figures
-    from boresight.studies import sea_state as sea
-    from boresight.studies.sea_flight import Scenario
+    from boresight.studies.sea_state import claims as sea_claims
+    from boresight.studies.sea_state import experiment as sea
+    from boresight.studies.sea_state import exploration as sea_exploration
+    from boresight.studies.sea_state import figures as sea_figures
+    from boresight.studies.sea_state.flight import Scenario
 
     if explore:
         shown = sea_exploration.explore(runs=runs, seed=seed, progress=progress)

@@ -97,7 +97,7 @@ def test_nobody_imports_the_folders_by_their_plain_names():
         ("import boresight.derive.model", {"casadi", "numpy", "pint"}),
         ("import boresight.runtime.library, boresight.runtime.filter", {"sympy", "casadi", "scipy", "matplotlib"}),
         ("import boresight.runtime.recording", {"sympy", "casadi", "pandas", "pydantic", "matplotlib"}),
-        ("import boresight.studies.euler_table", {"sympy", "casadi", "matplotlib", "scipy.stats"}),
+        ("import boresight.studies.euler_table.table", {"sympy", "casadi", "matplotlib", "scipy.stats"}),
         ("import boresight.codegen.generate", {"sympy", "casadi", "numpy", "pint"}),
         ("import boresight.codegen.watch", {"sympy", "boresight.derive.model", "boresight.codegen.text.equations"}),
     ],

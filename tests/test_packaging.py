@@ -76,7 +76,7 @@ def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(built, tmp_
         "codegen/templates/src/stationary_detector.c.j2", "derive/pages/templates/page.html.j2",
         "generated/stationary_detector/src/stationary_detector.c",
         "runtime/recording/built_in/fog_mems_transfer.toml", "runtime/recording/built_in/template.toml",
-        "studies/euler_table.py",
+        "studies/euler_table/table.py",
         "examples/pendulum.py", "examples/fly_gnss_ins.py", "cli.py", "py.typed",
     )  # fmt: skip
     with zipfile.ZipFile(wheel) as archive:
@@ -107,8 +107,8 @@ def test_the_base_flies_alone(built, bare):
     (example,) = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
     done = bare("-c", example + "\nassert 'site-packages' in __import__('boresight').__file__")
     assert done.returncode == 0, done.stderr
-    studies = "from boresight.runtime.library import load; from boresight.studies import euler_table; "
-    done = bare("-c", studies + "print(euler_table.run(load('euler-matching'), runs=1, seconds=2)['cells'])")
+    studies = "from boresight.runtime.library import load; from boresight.studies.euler_table import table; "
+    done = bare("-c", studies + "print(table.run(load('euler-matching'), runs=1, seconds=2)['cells'])")
     assert done.stdout == "147\n", done.stderr
 
 
@@ -164,7 +164,7 @@ def test_a_command_without_its_extra_says_in_one_line_what_to_install(monkeypatc
 
 def test_a_parquet_file_without_its_extra_says_what_to_install(monkeypatch, tmp_path):
     from boresight import BoresightError
-    from boresight.runtime.recording import _table
+    from boresight.runtime.recording.read import _table
 
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     with pytest.raises(BoresightError, match=r"boresight\[parquet\]"):
@@ -173,7 +173,7 @@ def test_a_parquet_file_without_its_extra_says_what_to_install(monkeypatch, tmp_
 
 def test_every_module_of_an_extra_is_named_in_it():
     extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
-    project = {"flint": "python-flint"}
+    project = {"flint": "python-flint", "markdown_it": "markdown-it-py"}
     for extra, modules in EXTRAS.items():
         assert {re.match(r"[\w-]+", line).group() for line in extras[extra]} == {project.get(m, m) for m in modules}
     (everything,) = extras["all"]

@@ -8,7 +8,10 @@ from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 from boresight.runtime.transfer import filter
-from boresight.studies import azimuth_alignment, azimuth_hold, euler_table, sea_flight
+from boresight.studies.azimuth_hold import alignment as azimuth_alignment
+from boresight.studies.azimuth_hold import hold as azimuth_hold
+from boresight.studies.euler_table import table as euler_table
+from boresight.studies.sea_state import flight as sea_flight
 
 U = np.finfo(float).eps / 2
 

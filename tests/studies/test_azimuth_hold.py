@@ -9,11 +9,9 @@ import pytest
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.units import ARCMIN
-from boresight.studies import azimuth_alignment as alignment
-from boresight.studies import azimuth_exploration as exploration
-from boresight.studies import azimuth_hold as study
-from boresight.studies import handover
-from boresight.studies.azimuth_figures import azimuth_figures
+from boresight.studies.azimuth_hold import alignment, exploration, handover
+from boresight.studies.azimuth_hold import hold as study
+from boresight.studies.azimuth_hold.figures import azimuth_figures
 
 DECLARED = alignment.Scenario()
 SHORT = replace(DECLARED, align_s=30.0)

@@ -7,9 +7,9 @@ import pytest
 
 from boresight import BoresightError
 from boresight.runtime import detector
-from boresight.studies import azimuth_alignment as alignment
-from boresight.studies import azimuth_shock as study
-from boresight.studies.azimuth_figures import azimuth_figures
+from boresight.studies.azimuth_hold import alignment
+from boresight.studies.azimuth_hold import shock as study
+from boresight.studies.azimuth_hold.figures import azimuth_figures
 
 TIMES = (60, 110, 130)
 

@@ -11,9 +11,9 @@ from boresight.runtime import rotation
 from boresight.runtime.library import load
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
-from boresight.studies import euler_exploration as exploration
-from boresight.studies import euler_table as study
 from boresight.studies import figures
+from boresight.studies.euler_table import exploration
+from boresight.studies.euler_table import table as study
 from tests import numpy_euler_matching as witness
 
 DECLARED = study.Scenario()

@@ -6,8 +6,17 @@ import numpy as np
 import pytest
 
 from boresight.runtime.library import load
-from boresight.studies import float_covariance as study
-from boresight.studies.float_covariance import COARSE, CORNERS, GENTLE, NOISE, compare, deviation, estimates, fly
+from boresight.studies.float_covariance import covariance as study
+from boresight.studies.float_covariance.covariance import (
+    COARSE,
+    CORNERS,
+    GENTLE,
+    NOISE,
+    compare,
+    deviation,
+    estimates,
+    fly,
+)
 
 pytestmark = pytest.mark.usefixtures("compiled_once")
 

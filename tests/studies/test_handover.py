@@ -6,7 +6,7 @@ import pytest
 from boresight import BoresightError
 from boresight.runtime.filter import check_covariance
 from boresight.runtime.library import load
-from boresight.studies import handover
+from boresight.studies.azimuth_hold import handover
 
 PLACE, MOVING = np.array([2.2, 0.63, 60.0]), np.array([3.0, -2.0, 0.5])
 

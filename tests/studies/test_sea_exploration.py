@@ -9,8 +9,8 @@ from boresight.runtime import rotation
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, sensors
 from boresight.runtime.units import MIL
-from boresight.studies import sea_exploration as study
 from boresight.studies.observability import Moment, along, shown_after
+from boresight.studies.sea_state import exploration as study
 
 DEG = np.pi / 180
 

@@ -12,8 +12,13 @@ from boresight.runtime import rotation
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, inertial, sensors
 from boresight.runtime.units import DEG, MIL
-from boresight.studies import sea_bench, sea_claims, sea_delay, sea_figures, sea_flight, sea_state
-from boresight.studies.sea_flight import FILTERS, Scenario, draw, fly, motion_of, truth
+from boresight.studies.sea_state import bench as sea_bench
+from boresight.studies.sea_state import claims as sea_claims
+from boresight.studies.sea_state import delay as sea_delay
+from boresight.studies.sea_state import experiment as sea_state
+from boresight.studies.sea_state import figures as sea_figures
+from boresight.studies.sea_state import flight as sea_flight
+from boresight.studies.sea_state.flight import FILTERS, Scenario, draw, fly, motion_of, truth
 
 WITH, WITHOUT = (FILTERS.index(name) for name in ("with", "without"))
 SHORT = Scenario(height_m=(1.25, 4.0), seconds=20)

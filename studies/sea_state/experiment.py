@@ -15,9 +15,10 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime.library import load
 from boresight.runtime.units import MIL
-from boresight.studies import sea_bench, sea_delay
 from boresight.studies.consistency import chi_square_band
-from boresight.studies.sea_flight import FILTERS, GRADES, MOTIONS, Flight, Scenario, checked, draw, fly, motion_of
+from boresight.studies.sea_state import bench as sea_bench
+from boresight.studies.sea_state import delay as sea_delay
+from boresight.studies.sea_state.flight import FILTERS, GRADES, MOTIONS, Flight, Scenario, checked, draw, fly, motion_of
 
 LIMIT_MIL = 2.0  # the paper's
 SETTLED_S = 10  # NIS counts from here on: at first the filter makes use of a start that is better than it was told

@@ -7,7 +7,7 @@ import numpy as np
 
 from boresight.runtime.units import DEG, MIL
 from boresight.studies.figures import BLUE, GREY, ORANGE, figure
-from boresight.studies.sea_delay import VARIED, closed_form
+from boresight.studies.sea_state.delay import VARIED, closed_form
 
 # From calm to rough, and told apart without colour by their order in the legend and in the figure.
 SHADES = ("#b9b9b9", "#93b5d6", "#5f97c6", "#2f74ad", "#0b4f8a", "#06264a")

@@ -9,9 +9,9 @@ import numpy as np
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull
 from boresight.runtime.units import DEG, MIL
-from boresight.studies import sea_delay
-from boresight.studies.sea_flight import FILTERS, HEIGHT_M, Scenario, draw, fly, motion_of
-from boresight.studies.sea_state import claims, table
+from boresight.studies.sea_state import delay as sea_delay
+from boresight.studies.sea_state.experiment import claims, table
+from boresight.studies.sea_state.flight import FILTERS, HEIGHT_M, Scenario, draw, fly, motion_of
 
 MIDDLE_M = (0.05, 0.3, 0.875, 1.875, 3.25, 5.0)  # of the heights in the WMO's code 3700
 

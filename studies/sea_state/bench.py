@@ -10,7 +10,7 @@ import numpy as np
 
 from boresight.runtime.simulation import hull
 from boresight.runtime.units import DEG
-from boresight.studies.sea_flight import FILTERS, Scenario, fly
+from boresight.studies.sea_state.flight import FILTERS, Scenario, fly
 
 AMPLITUDE_DEG = (0.0, 0.45, 0.78, 1.18)  # at rest, and the paper's three cases
 CASES = ("at rest", "case 1", "case 2", "case 3")

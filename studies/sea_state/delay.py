@@ -12,7 +12,7 @@ import numpy as np
 from boresight.runtime.array import Array
 from boresight.runtime.simulation import hull, sea
 from boresight.runtime.units import DEG, MIL
-from boresight.studies.sea_flight import FILTERS, GRADES, HEIGHT_M, Scenario, fly
+from boresight.studies.sea_state.flight import FILTERS, GRADES, HEIGHT_M, Scenario, fly
 
 # What is varied, one at a time, about the first of each.
 VARIED: dict[str, tuple[float, ...]] = {

@@ -26,7 +26,7 @@ from boresight.runtime.filter import Filter
 from boresight.runtime.simulation import inertial
 from boresight.runtime.status import Status
 from boresight.runtime.units import ARCMIN, DEG, MILLI_G
-from boresight.studies.azimuth_alignment import (
+from boresight.studies.azimuth_hold.alignment import (
     Aligned,
     Models,
     Scenario,
@@ -36,7 +36,7 @@ from boresight.studies.azimuth_alignment import (
     gyro_walk,
     load_models,
 )
-from boresight.studies.azimuth_hold import AXES, PHI, REFERENCE_SIGMA, root_mean_square
+from boresight.studies.azimuth_hold.hold import AXES, PHI, REFERENCE_SIGMA, root_mean_square
 
 EVENTS = {
     "none": "nothing happens",

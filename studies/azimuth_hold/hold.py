@@ -20,7 +20,7 @@ from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.simulation import inertial
 from boresight.runtime.units import ARCMIN, DEG, MILLI_G
-from boresight.studies.azimuth_alignment import (
+from boresight.studies.azimuth_hold.alignment import (
     Aligned,
     Models,
     Scenario,
@@ -262,7 +262,7 @@ def run(
     histories (if asked): time_s, and for each mode error_arcmin (3 runs, T, 3), rms_arcmin, sigma_arcmin (T, 3);
     shock (if asked, and by default where 1000 s or more are flown): what azimuth_shock.run says of 5 runs.
     """
-    from boresight.studies import azimuth_shock  # which builds on this module
+    from boresight.studies.azimuth_hold import shock as azimuth_shock  # which builds on this module
 
     if runs < 1 or not np.isfinite(seconds) or seconds != int(seconds) or not 10 <= seconds <= 36000:
         raise BoresightError(
@@ -426,7 +426,7 @@ def report(result: dict[str, Any]) -> str:
             "deg/h"
         )
     if "shock" in result:
-        from boresight.studies import azimuth_shock
+        from boresight.studies.azimuth_hold import shock as azimuth_shock
 
         lines += ["", azimuth_shock.report(result["shock"]), ""]
     last = result["marks"][-1]

@@ -18,7 +18,7 @@ from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 from boresight.runtime.simulation import inertial, sensors
 from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, MILLI_G
-from boresight.studies import handover
+from boresight.studies.azimuth_hold import handover
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ import numpy as np
 from boresight.runtime import rotation
 from boresight.runtime.filter import Filter
 from boresight.runtime.units import ARCMIN, DEG, MILLI_G
-from boresight.studies.azimuth_alignment import (
+from boresight.studies.azimuth_hold.alignment import (
     Models,
     Scenario,
     accel_walk,
@@ -24,7 +24,7 @@ from boresight.studies.azimuth_alignment import (
     rest_attitude,
     rest_specific_force,
 )
-from boresight.studies.azimuth_hold import MODES, PHI, hold, root_mean_square
+from boresight.studies.azimuth_hold.hold import MODES, PHI, hold, root_mean_square
 
 STARTS_ARCMIN = (0.1, 0.5, 1.0, 3.5, 10.0, 30.0)
 AT_S = (0, 10, 100, 1000, 3600)

@@ -95,7 +95,7 @@ CORNERS = tuple(
 @cache
 def driver(precision: str) -> ctypes.PyDLL:
     """The time loops with the generated C, compiled in "double" or "float" into the cache of libraries."""
-    folder, loops = folder_of("azimuth-hold"), Path(__file__).with_suffix(".c")
+    folder, loops = folder_of("azimuth-hold"), Path(__file__).with_name("float_covariance.c")
     manifest = read_manifest(folder)
     stems = [unit["file"] for unit in manifest["units"].values()] + manifest["filter"]["sources"]
     sources = dict.fromkeys([loops, *(folder / "src" / f"{stem}.c" for stem in stems)], ())

@@ -26,7 +26,7 @@ from boresight.runtime.units import DEG, MIL, MILLI_G, STANDARD_GRAVITY
 from boresight.studies.consistency import chi_square_band
 from boresight.studies.figures import BLUE, ORANGE, figure
 from boresight.studies.observability import Moment, Replaced, along, shown_after, with_fields
-from boresight.studies.sea_flight import GRADES, RULES, Scenario, constants, draw, motion_of
+from boresight.studies.sea_state.flight import GRADES, RULES, Scenario, constants, draw, motion_of
 
 Progress = Callable[[str], None]
 

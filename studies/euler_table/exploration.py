@@ -15,7 +15,7 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
-from boresight.studies.euler_table import (
+from boresight.studies.euler_table.table import (
     CHOSEN,
     NAMES,
     PAPER,

@@ -1,0 +1,1 @@
+"""Which forms of the covariance live in single precision."""
