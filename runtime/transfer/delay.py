@@ -102,60 +102,53 @@ class Suspects:
     parameters gain by chance as rarely as the gate opens by chance.
     """
 
-    OFFSETS = ((DV,), (PHI,), (DV, PHI))
-    FREE = {DV.start: 100.0, PHI.start: 1.0}  # m/s, rad: sigma of an offset
+    OFFSETS = (((DV, 100.0),), ((PHI, 1.0),), ((DV, 100.0), (PHI, 1.0)))  # with its sigma, m/s or rad
 
-    def __init__(self, runs: tuple[int, ...], n: int):
-        self.runs, self.n = runs, n
+    def __init__(self, runs: tuple[int, ...], n: int, rules: Rules):
+        self.runs, self.n, self.rules = runs, n, rules
+        self.lags = np.arange(0.0, rules.buffer_s + 1e-9, rules.half_span_s)
         self.count = np.zeros(runs, int)  # of messages in a row
-        self.at = np.zeros(runs)  # s, of the last
         self.rows = np.zeros(runs, int)
-        self.tau = np.zeros((0, *runs))  # (E, ...) s: the delays on the grid, then for each offset the one estimated
-        self.x, self.P, self.chi2 = np.zeros(0), np.zeros(0), np.zeros(0)
+        self.at = np.zeros(runs)  # s, of the last
+        shape = (len(self.lags) + len(self.OFFSETS), *runs)
+        self.tau = np.zeros(shape)  # s: the delays of the grid, then for each offset the one estimated
+        self.chi2, self.x, self.P = np.zeros(shape), np.zeros((*shape, n)), np.zeros((*shape, n, n))
 
-    def _begin(
-        self, first: Array, P_now: Array, tau_hat: Array, age: Array, oldest: float, step: float, now: float
-    ) -> None:
-        """New explanations for the runs (...,) in `first`."""
-        lags = np.arange(0.0, oldest, step).reshape((-1, *(1 for _ in self.runs)))
-        grid = len(lags)
-        tau = np.broadcast_to(tau_hat, (grid + len(self.OFFSETS), *self.runs)).copy()
+    def _begin(self, first: Array, P_now: Array, tau_hat: Array, age: Array, now: float) -> None:
+        """Anew in the runs (...,) of `first`."""
+        grid = len(self.lags)
+        tau = np.broadcast_to(tau_hat, self.tau.shape).copy()
+        lags = self.lags.reshape((-1, *(1 for _ in self.runs)))
         tau[:grid] = np.clip(lags - age, -LONGEST, LONGEST)
-        P = np.broadcast_to(P_now, (*tau.shape, self.n, self.n)).copy()
+        P = np.broadcast_to(P_now, self.P.shape).copy()
         P[:grid, ..., TAU, :] = P[:grid, ..., :, TAU] = 0.0
-        P[:grid, ..., TAU, TAU] = step**2
-        for e, blocks in enumerate(self.OFFSETS, grid):
-            for block in blocks:
-                P[e, ..., block, block] += self.FREE[block.start] ** 2 * np.eye(3)
-        if len(self.tau) != len(tau):  # the past has become longer
-            first = np.ones(self.runs, bool)
-            self.tau, self.P = tau, P
-            self.x, self.chi2 = np.zeros(P.shape[:-1]), np.zeros(tau.shape)
-        self.tau = np.where(first, tau, self.tau)
-        self.P = np.where(first[..., None, None], P, self.P)
+        P[:grid, ..., TAU, TAU] = self.rules.half_span_s**2
+        for e, offset in enumerate(self.OFFSETS, grid):
+            for block, sigma in offset:
+                P[e, ..., block, block] += sigma**2 * np.eye(3)
+        self.tau, self.chi2 = np.where(first, tau, self.tau), np.where(first, 0.0, self.chi2)
         self.x = np.where(first[..., None], 0.0, self.x)
-        self.chi2 = np.where(first, 0.0, self.chi2)
-        self.count, self.rows = np.where(first, 0, self.count), np.where(first, 0, self.rows)
-        self.at = np.where(first, now, self.at)
+        self.P = np.where(first[..., None, None], P, self.P)
+        self.rows, self.at = np.where(first, 0, self.rows), np.where(first, now, self.at)
 
     def take(
-        self, suspect: Array, P_now: Array, loop: Filter, history: History, rules: Rules, age: Array, F: Array,
+        self, suspect: Array, late: Array, P_now: Array, loop: Filter, history: History, age: Array, F: Array,
         measured: Mapping[str, tuple[Array, Array]], inputs: dict[str, Any], constants: Mapping[str, Any],
     ) -> Explanation:  # fmt: skip
         """Try the explanations on a message that does not fit in the runs (...,) of `suspect`.
 
+        late: (...,) bool, where it is the stamps that do not fit, so that only delays are tried.
         P_now: of the slave before the message.  age: (...,) s, now less the stamp.  F: as of now.
         measured: by measurement (variances, rows), each (..., m).  inputs: what the message says.
         """
-        now = float(history.time[-1])
-        oldest = now - history.time[0]
-        self._begin(suspect & (self.count == 0), P_now, loop.nav["tau"], age, oldest, rules.half_span_s, now)
+        rules, now = self.rules, float(history.time[-1])
+        self._begin(suspect & (self.count == 0), P_now, loop.nav["tau"], age, now)
         eye, dt = np.eye(self.n), (now - self.at)[..., None, None]
         Phi = eye + F * dt + F @ F * dt**2 / 2
         Q = loop.call("Q", **{**inputs, "dt": rules.half_span_s}) * dt / rules.half_span_s
         x, P = np.einsum("...ij,...j->...i", Phi, self.x), Phi @ self.P @ np.swapaxes(Phi, -1, -2) + Q
 
-        lag = np.clip(age + self.tau, -rules.ahead_s, oldest)
+        lag = np.clip(age + self.tau, -rules.ahead_s, now - history.time[0])
         then = moment(loop, history, now - lag.reshape((len(lag), -1)), rules.half_span_s, constants)[0]
         A = F * lag[..., None, None]
         there = eye - A + A @ A / 2
@@ -180,20 +173,22 @@ class Suspects:
         self.at = np.full(self.runs, now)
         self.count = self.count + suspect
         self.rows = self.rows + used.sum(-1)
-        return self._explanation(loop, rules)
+        return self._explanation(loop, late)
 
     def forget(self, where: Array) -> None:
         """The next message that does not fit is the first."""
         self.count = np.where(where, 0, self.count)
 
-    def _explanation(self, loop: Filter, rules: Rules) -> Explanation:
-        offsets = len(self.OFFSETS)
-        parameters = np.array([1] * (len(self.tau) - offsets) + [3 * len(blocks) for blocks in self.OFFSETS])
+    def _explanation(self, loop: Filter, late: Array) -> Explanation:
+        rules, offsets = self.rules, len(self.OFFSETS)
+        parameters = np.array([1] * len(self.lags) + [3 * len(offset) for offset in self.OFFSETS])
         score = self.chi2 + chdtri(parameters, rules.gate).reshape((-1, *(1 for _ in self.runs)))
-        weight = np.exp(-(score - score.min(0)) / 2)
+        tried = np.concatenate([score[:-offsets], np.where(late, np.inf, score[-offsets:])])
+        weight = np.exp(-(tried - tried.min(0)) / 2)
         weight /= weight.sum(0)
         delay = weight[:-offsets].sum(0)
-        fits = self.chi2.min(0) <= chdtri(np.maximum(self.rows, 1), rules.gate)
+        chi2 = np.take_along_axis(self.chi2, np.argmin(tried, axis=0)[None], axis=0)[0]
+        fits = chi2 <= chdtri(np.maximum(self.rows, 1), rules.gate)
         # each explanation's error of the delay, as that of the estimate so far
         x = self.x.copy()
         x[..., TAU] += loop.nav["tau"] - self.tau
@@ -243,34 +238,36 @@ class Stamps:
         self.usual = np.where(where, usual, self.usual)
 
 
-def cause(delay: float, fits: bool, tau_ms: tuple[float, float], sigma_ms: float, clock_s: float, x: Array,
-          kept_s: float) -> str:  # fmt: skip
+def cause(found: Explanation, run: tuple[int, ...], tau: float, clock_s: float, rules: Rules, late: bool) -> str:
     """What has been found, in words: of one run.
 
-    delay: weight of a delay.  tau_ms: before and after.  clock_s: how far the clock has been set forward, 0: not.
-    x: (n,) error, were it an offset.
+    tau: s, before.  clock_s: by how much the master's clock has been set forward, 0: not.  late: its stamps did not fit.
     """
-    if not fits:
-        return (f"neither another delay (within the {kept_s:.2f} s of buffer_s) nor an offset explains them: velocity "
-                "and attitude are opened and follow the master")  # fmt: skip
+    delay, x, ms = found.delay[run], found.offset[run], 1e3 * float(found.tau[run])
+    sigma_ms = 1e3 * float(np.sqrt(found.P[run][TAU, TAU]))
+    searched = f"another delay (all within buffer_s = {rules.buffer_s:g} s are tried)"
+    if late and not found.fits[run]:
+        return f"not even with another clock and {searched}: they stay refused; raise buffer_s, or give the delay"
+    if not found.fits[run]:
+        return f"neither {searched} nor an offset explains them: velocity and attitude are opened and follow the master"
     parts = []
     velocity, turn = x[DV], np.rad2deg(x[PHI])
     if np.linalg.norm(velocity) > 0.1:
         parts.append("the velocity by {:.2f} {:.2f} {:.2f} m/s".format(*-velocity))
     if np.linalg.norm(turn) > 0.1:
         what = "heading" if abs(turn[2]) > 0.9 * np.linalg.norm(turn) else "attitude"
-        parts.append(f"the {what} by {{:.2f}} {{:.2f}} {{:.2f}} deg".format(*-turn))
+        parts.append(f"the {what} by {{:.2f}} {{:.2f}} {{:.2f}} deg".format(*turn))
     offset = (f"the master is off the slave, {' and '.join(parts) or 'by little'} (north, east, down), by its own "
               "jump or the slave's, which cannot be told apart")  # fmt: skip
     if clock_s:
         turned = f"the master's clock has gone {'forward' if clock_s > 0 else 'back'} by {abs(clock_s):.3f} s"
-        found = f"{turned}; the delay is {tau_ms[1]:.0f} ms against its stamps, and was {tau_ms[0]:.0f} ms"
+        change = f"{turned}; the delay is {ms:.0f} ms against its stamps, and was {1e3 * tau:.0f} ms"
     else:
-        found = f"the master's delay has changed from {tau_ms[0]:.0f} to {tau_ms[1]:.0f} ms"
+        change = f"the master's delay has changed from {1e3 * tau:.0f} to {ms:.0f} ms"
     if sigma_ms > 20:
-        found += f" (sigma {sigma_ms:.0f} ms: the delay shows only as the slave turns or accelerates)"
+        change += f" (sigma {sigma_ms:.0f} ms: the delay shows only as the slave turns or accelerates)"
     if delay > 1 - CLEAR:
-        return found
+        return change
     if delay < CLEAR:
         return f"{offset}; velocity and attitude are opened and follow the master"
-    return f"either {found}, or {offset}: rate and acceleration are too constant to tell, and all of them are opened"
+    return f"either {change}, or {offset}: rate and acceleration are too constant to tell, and all of them are opened"

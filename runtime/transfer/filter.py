@@ -64,7 +64,7 @@ class Transfer:
         self._predicted = self.time  # of the covariance
         self._steps = 0
         self.watch = Watch(self.rules, self.runs, self.time)
-        self.stamps, self.suspects = Stamps(self.runs), Suspects(self.runs, self.filter.P.shape[-1])
+        self.stamps, self.suspects = Stamps(self.runs), Suspects(self.runs, self.filter.P.shape[-1], self.rules)
 
     @property
     def notes(self) -> list[Note]:
@@ -155,7 +155,7 @@ class Transfer:
         stamp = np.broadcast_to(np.asarray(message.time, float), runs) + self.stamps.clock
         came = np.broadcast_to(np.asarray(message.rows), (*runs, 6)).any(-1)
         said, rows = self._usable(message)
-        out_of_step, trial = self._out_of_step(stamp, came & rows.any(-1))
+        out_of_step, trial = self._out_of_step(stamp, np.asarray(came & rows.any(-1)))
         stamp = stamp + np.where(trial, self.stamps.trial, 0.0)
 
         # A message that lies ahead is the clocks' fault; an estimate of the delay that says so is the filter's to mend.
@@ -276,27 +276,22 @@ class Transfer:
         measured = {name: (R[..., part], rows[..., part])
                     for name, (field, part) in zip(self.matching, fields, strict=True) if field in inputs}  # fmt: skip
         inputs = inputs | self._over(np.full(self.history.runs, 2 * self.rules.half_span_s))
-        found = self.suspects.take(gated, P_now, self.filter, self.history, self.rules, age, F, measured, inputs,
+        found = self.suspects.take(gated, trial, P_now, self.filter, self.history, age, F, measured, inputs,
                                    self.constants)  # fmt: skip
         moved = found.tau - tau
         # stamps that have become older by as much as the delay has become shorter are a clock's
         older = age - np.nan_to_num(self.stamps.usual, nan=np.inf)
         clock = np.where(np.abs(older + moved) < np.abs(moved) / 2, moved, 0.0)
         clock = np.where(trial, -self.stamps.trial, clock)
-        sigma = np.sqrt(found.P[..., TAU, TAU])
-        for run in zip(*np.nonzero(found.decided & gated), strict=True) if self.runs else [()] * bool(found.decided):
-            text = cause(
-                float(found.delay[run]),
-                bool(found.fits[run]),
-                (1e3 * float(tau[run]), 1e3 * float(found.tau[run])),
-                1e3 * float(sigma[run]),
-                float(clock[run]),
-                found.offset[run],
-                self.rules.buffer_s,
-            )
+        told_at = self.watch.told_at[Verdict.REOPENED]
+        again = self.time - told_at < self.rules.quiet_s
+        tell = found.decided & gated & ~(again & ((found.delay < CLEAR) | ~found.fits))
+        for run in map(tuple, np.argwhere(tell)):
             where = np.zeros(self.runs, bool)
             where[run] = True
+            text = cause(found, run, float(tau[run]), float(clock[run]), self.rules, bool(trial[run]))
             self.watch.note(where, f"{self.suspects.count[run]} messages in a row did not fit: {text}")
+            told_at[run] = self.time
         return found
 
     def _update(
@@ -313,10 +308,9 @@ class Transfer:
             (self.matching[0], slice(0, 3), "v_m_n"),
         ):
             if field in inputs:
-                given = {"R": R[..., part], "rows": rows[..., part]}
-                kept = uninformed(self.filter, name, **given, inputs=inputs, variances=variances,
-                                  sigmas=self.rules.delay_sigmas)  # fmt: skip
-                out[name] = self.filter.update(name, **given, considered=kept, **inputs)
+                R_part, there = R[..., part], rows[..., part]
+                kept = uninformed(self.filter, name, R_part, there, inputs, variances, self.rules.delay_sigmas)
+                out[name] = self.filter.update(name, R_part, rows=there, considered=kept, **inputs)
         return out
 
     def _attitude_field(self) -> str:

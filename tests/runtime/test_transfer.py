@@ -393,7 +393,7 @@ def recovered(flight, nees=25.0):
 
 
 def test_a_delay_longer_than_the_buffer_is_refused_and_told(short):
-    flight = spoilt(short, 80, 110, lambda m: replace(m, time=m.time - 0.7))
+    flight = spoilt(short, 80, 88, lambda m: replace(m, time=m.time - 0.7))
     assert only(flight, Verdict.TOO_OLD)
     assert "the past is known for 0.5" in said(flight)[0] and "raise buffer_s" in said(flight)[0]
     assert any("the master is back after 3." in text for text in said(flight))
