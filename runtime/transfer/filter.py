@@ -21,6 +21,7 @@ class Transfer:
     """The filter with its past.  `slave` takes increments, `master` takes messages.
 
     model: `load("velocity-attitude")` or a composition.  nav, P: as of `Filter`, at `time`; `first` makes them.
+    past: that of `first`, until `time`; without it messages that were measured before are too old.
     constants: what else the model's functions ask for: lever_b and the root densities of the noises.
     matching: the velocity's and the attitude's measurement.
     way: "buffer" holds a message against the slave as it was then, lag = 0.  "extrapolate" is Kang's: the slave as it
@@ -36,6 +37,7 @@ class Transfer:
         constants: Mapping[str, Any],
         *,
         time: float = 0.0,
+        past: History | None = None,
         matching: tuple[str, str] = ("velocity", "dcm"),
         way: Literal["buffer", "extrapolate"] = "buffer",
         every: int = 1,
@@ -58,7 +60,11 @@ class Transfer:
         count = int(np.prod(self.runs, dtype=int))
         self.history = History(self.rules.buffer_s, count)
         self._angle, self._push = np.zeros((*self.runs, 3)), np.zeros((*self.runs, 3))
-        self._keep()
+        for sample in past.samples() if past is not None else ():
+            self.history.append(**sample)
+            self._angle, self._push = (sample[name].reshape((*self.runs, 3)) for name in ("angle", "push"))
+        if past is None:
+            self._keep()
         self._before: tuple[Array, Array] | None = None
         self._predicted = self.time  # of the covariance
         self._steps = 0
