@@ -193,6 +193,7 @@ class Transfer:
         lever = inputs["lever_b"] if "lever_b" in inputs else loop.nav["lever_b"]
         noise = np.max(np.asarray(self.constants["gyro_noise"]), axis=-1)
         R[..., :3] += (np.sum(np.square(lever), axis=-1) * noise**2 * rate_factor)[..., None]
+        R += self._curved(lag, inputs)
 
         # The residual speaks of the error at the message's time: the covariance goes there and comes back.
         # Neglected is the process noise of the lag, which stands in P already.
@@ -303,6 +304,23 @@ class Transfer:
             self.filter, self.history, self.time - back, self.rules.half_span_s, self.constants
         )
         return {**inputs, "lag": np.zeros(self.runs) if self.way == "buffer" else lag}, rate_factor
+
+    def _curved(self, lag: Array, inputs: dict[str, Any]) -> Array | float:
+        """(..., 6) variance of the residuals that the delay's error d makes in the second order, E[d^4] = 3 sigma^4."""
+        variance, step = self.filter.P[..., TAU, TAU], 2 * self.rules.half_span_s
+        if np.max(variance) < (step / 4) ** 2:  # 10 ms: a turn that changes by 1 rad/s^2 leaves 0.05 mrad
+            return 0.0
+        change: Any = 0.0
+        for sign in (1, -1):
+            at = {**inputs, **self._match(lag - sign * step)[0]}
+            fields = "v_m_n", self._attitude_field()
+            rows = [
+                self.filter.call(f"{name}_H", **at)[..., TAU] if field in inputs else np.zeros((*self.runs, 3))
+                for name, field in zip(self.matching, fields, strict=True)
+            ]
+            change = change + sign * np.concatenate(rows, axis=-1) / (2 * step)
+        curved: Array = 0.75 * variance[..., None] ** 2 * np.square(change)
+        return curved
 
     def _opening(self, reopen: Array, rows: Array, inputs: dict[str, Any]) -> Array:
         """(..., n, n) to add to P: velocity and attitude may be off by what the residuals are."""
