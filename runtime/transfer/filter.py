@@ -12,6 +12,7 @@ from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
+from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
 
 LARGEST = 0.45  # rad in one correction; the model's own range ends at 0.5
@@ -68,6 +69,7 @@ class Transfer:
         self._before: tuple[Array, Array] | None = None
         self._predicted = self.time  # of the covariance
         self._steps = 0
+        self.position = PositionWatch(self.runs, self.time)
         self.watch = Watch(self.rules, self.runs, self.time)
 
     @property
@@ -190,9 +192,8 @@ class Transfer:
         inputs |= said
         R = np.broadcast_to(np.asarray(message.R, float), (*runs, 6)).copy()
         # the gyros' own noise comes with the rate into the lever arm's velocity
-        lever = inputs["lever_b"] if "lever_b" in inputs else loop.nav["lever_b"]
         noise = np.max(np.asarray(self.constants["gyro_noise"]), axis=-1)
-        R[..., :3] += (np.sum(np.square(lever), axis=-1) * noise**2 * rate_factor)[..., None]
+        R[..., :3] += (np.sum(np.square(self._lever()), axis=-1) * noise**2 * rate_factor)[..., None]
         R += self._curved(lag, inputs)
 
         # The residual speaks of the error at the message's time: the covariance goes there and comes back.
@@ -237,9 +238,7 @@ class Transfer:
         self._correct_past(F)
         loop.feedback()
         if message.position is not None:
-            position = np.asarray(message.position, float)
-            usable = taken & np.isfinite(position).all(-1)
-            loop.nav["position"] = np.where(usable[..., None], position, loop.nav["position"])
+            self._position(message, taken, believed)
         return self.watch.result(verdict, innovations, nis, used, believed, stamp, oldest)
 
     def _update(self, P: Array, R: Array, rows: Array, inputs: dict[str, Any]) -> dict[str, Innovation]:
@@ -304,6 +303,31 @@ class Transfer:
             self.filter, self.history, self.time - back, self.rules.half_span_s, self.constants
         )
         return {**inputs, "lag": np.zeros(self.runs) if self.way == "buffer" else lag}, rate_factor
+
+    def _position(self, message: Message, taken: Array, lag: Array) -> None:
+        """The master's position, carried to now, where it fits to the slave's own way since the last one."""
+        loop = self.filter
+        said, sigma = (
+            np.broadcast_to(np.asarray(v, float), (*self.runs, 3)) for v in (message.position, message.position_sigma)
+        )
+        usable = (taken & np.isfinite(said).all(-1))[..., None]
+        way = loop.nav["v_n"] * lag[..., None] * np.array([1.0, 1.0, -1.0])
+        said = np.where(usable, moved(np.where(usable, said, 0.0), np.where(usable, way, 0.0)), np.nan)
+        box = loop.model.field["position"]
+        used = self.position.takes(
+            self.time, said, sigma, loop.nav["position"],
+            np.sqrt(np.einsum("...ii->...i", loop.P)[..., DV].max(-1)),
+            np.linalg.norm(np.broadcast_to(self._lever(), said.shape), axis=-1),
+            (np.array(box["low"]), np.array(box["high"])), self.watch.note,
+        )  # fmt: skip
+        loop.nav["position"] = np.where(used[..., None], said, loop.nav["position"])
+
+    def _lever(self) -> Array:
+        """(..., 3) m as it is believed, in the axes that it is given in."""
+        for name in ("lever_m", "lever_b"):
+            if name in self.constants:
+                return np.asarray(self.constants[name], float)
+        return self.filter.nav["lever_b"]
 
     def _curved(self, lag: Array, inputs: dict[str, Any]) -> Array | float:
         """(..., 6) variance of the residuals that the delay's error d makes in the second order, E[d^4] = 3 sigma^4."""
