@@ -83,8 +83,8 @@ class PositionWatch:
         far = np.linalg.norm(away, axis=-1)
         refused = came & ~taken & ~self.told
         for where, text in (
-            (refused, f"position refused: it lies {span(far, refused)} from where the slave has come since the last one "
-             "that was taken; velocity and attitude still count"),
+            (refused, f"position refused: it lies {span(far, refused)} from where the slave has come since the "
+             "last one that was taken; velocity and attitude still count"),
             (followed, f"position followed: it has agreed with itself for {FOLLOWED_S:g} s, {span(far, followed)} from "
              "where the slave has come"),
             (taken & ~followed & self.told, "positions are taken again"),
