@@ -34,20 +34,19 @@ def scatter(history: History, name: str, now: float, span_s: float) -> Array:
 
 
 def rate_variances(
-    loop: Filter, history: History, rules: Rules, now: float, P: Array, F: Array, inputs: dict[str, Any], factor: Array
+    history: History, rules: Rules, P: Array, F: Array, inputs: dict[str, Any], factor: Array, lever: Array
 ) -> dict[str, Array]:
     """Variances by axis (..., 3) of omega_ib_b and a_n as `inputs` has them: noise, and what P says of their biases.
 
-    P, F: at the message's time.  factor: variance of such a rate over the gyros' density squared.
+    P, F: at the message's time.  factor: variance of such a rate over the gyros' density squared.  lever: (..., 3) m.
     """
-    runs, span = P.shape[:-2], 2 * rules.half_span_s
+    runs, span, now = P.shape[:-2], 2 * rules.half_span_s, float(history.time[-1])
     gyro, accel = (
         np.maximum(np.max(np.square(inputs[density]), axis=-1), span * scatter(history, name, now, span).reshape(runs))
         for density, name in (("gyro_noise", "angle"), ("accel_noise", "push"))
     )
-    lever = np.sum(np.square(inputs["lever_b"] if "lever_b" in inputs else loop.nav["lever_b"]), axis=-1)
     # the lever arm's part of the acceleration is a difference of two rates
-    white = accel * factor + lever * gyro * 2 * factor / span**2
+    white = accel * factor + np.sum(np.square(lever), axis=-1) * gyro * 2 * factor / span**2
     error = np.einsum("...ij,...jk,...ik->...i", F[..., DV, :], P, F[..., DV, :])
     return {
         "omega_ib_b": (gyro * factor)[..., None] + np.einsum("...ii->...i", P[..., GYRO_BIAS, GYRO_BIAS]),
@@ -241,7 +240,8 @@ class Stamps:
 def cause(found: Explanation, run: tuple[int, ...], tau: float, clock_s: float, rules: Rules, late: bool) -> str:
     """What has been found, in words: of one run.
 
-    tau: s, before.  clock_s: by how much the master's clock has been set forward, 0: not.  late: its stamps did not fit.
+    tau: s, before.  clock_s: by how much the master's clock has been set forward, 0: not.
+    late: it was its stamps that did not fit.
     """
     delay, x, ms = found.delay[run], found.offset[run], 1e3 * float(found.tau[run])
     sigma_ms = 1e3 * float(np.sqrt(found.P[run][TAU, TAU]))

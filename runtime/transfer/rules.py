@@ -20,7 +20,7 @@ class Rules:
     buffer_s: float = 0.5  # how much of the slave's past is kept
     ahead_s: float = 0.02  # how far beyond the newest sample a message may lie; the slave is extrapolated
     half_span_s: float = 0.02  # rates are means, and rates of change differences, over twice this
-    delay_sigmas: float = 4.0  # how far above their noise the rates are in a message that informs the delay
+    delay_sigmas: float = 8.0  # how far above their noise the rates are in a message that informs the delay
     gate: float = 1e-6  # a message is refused if its NIS would be exceeded by chance this often
     coarse_rad: float = 0.1  # at first the gate is open while the sigma of an angle is above this,
     coarse_s: float = 0.05  # or that of the delay above this,
