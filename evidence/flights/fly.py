@@ -123,6 +123,8 @@ def fly(
     known = {"lever_b": lever_b, "gyro_noise": np.full(3, unit.gyro_noise), "accel_noise": np.full(3, unit.accel_noise),
              "gyro_bias_noise": np.full(3, 1e-9), "accel_bias_noise": np.full(3, 1e-9), "mu_noise": np.full(3, 1e-9),
              "tau_noise": 1e-9} | (constants or {})  # fmt: skip
+    if "lever_m" in known:
+        del known["lever_b"]
 
     def message(stamp: Array, tau: Array) -> transfer.Message:
         """What the master says that is stamped so (runs,): it saw `stamp - tau`."""

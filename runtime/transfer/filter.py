@@ -11,6 +11,7 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
+from boresight.runtime.transfer.lever import flown
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
@@ -23,7 +24,8 @@ class Transfer:
 
     model: `load("velocity-attitude")` or a composition.  nav, P: as of `Filter`, at `time`; `first` makes them.
     past: that of `first`, until `time`; without it messages that were measured before are too old.
-    constants: what else the model's functions ask for: lever_b and the root densities of the noises.
+    constants: what else the model's functions ask for: lever_b, or lever_m in the master's axes, and the root densities
+    of the noises.
     matching: the velocity's and the attitude's measurement.
     way: "buffer" holds a message against the slave as it was then, lag = 0.  "extrapolate" is Kang's: the slave as it
     is now, moved back along its rate of change by lag = tau_hat + what the message's own time says.
@@ -51,7 +53,7 @@ class Transfer:
         self.runs = np.shape(P)[:-2]
         whole = {name: np.asarray(value, float) for name, value in nav.items()}
         self.filter = Filter(
-            model,
+            flown(model, constants),
             {n: np.broadcast_to(v, (*self.runs, *v.shape[-1:])) if n != "tau" else np.broadcast_to(v, self.runs)
              for n, v in whole.items()},
             P,
