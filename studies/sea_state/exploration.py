@@ -22,6 +22,7 @@ from boresight.runtime.array import Array
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, inertial, sensors
 from boresight.runtime.transfer import Message, Transfer
+from boresight.runtime.transfer.headings import log_likelihood
 from boresight.runtime.units import DEG, MIL, MILLI_G, STANDARD_GRAVITY
 from boresight.studies.consistency import chi_square_band
 from boresight.studies.figures import BLUE, ORANGE, figure
@@ -404,10 +405,7 @@ def fly(
                        dv[at] + drawn.accel_bias * dt + n[:, k, 3:], dt)  # fmt: skip
         taken = loop.master(message(update))
         nis.append(taken.nis)
-        likelihood.append(
-            sum(-np.sum(np.where(one.used, one.nu**2 / one.S + np.log(one.S), 0.0), axis=-1) / 2
-                for one in taken.innovations.values())
-        )  # fmt: skip
+        likelihood.append(log_likelihood(taken.innovations))
         # a filter that is lost refuses the messages, and would sink
         loop.nav["position"] = np.broadcast_to(true.position[update * per_update], (*shape, 3)).copy()
         keep(update)
