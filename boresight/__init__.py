@@ -19,7 +19,7 @@ __version__ = "0.1.0"
 # The modules that each extra of the installation brings.
 EXTRAS = {
     "derive": ("sympy", "mpmath", "flint", "casadi", "jinja2", "markupsafe", "pint"),
-    "replay": ("pydantic", "pandas", "matplotlib"),
+    "replay": ("pydantic", "pandas", "matplotlib", "jinja2", "markdown_it"),
     "parquet": ("pandas", "pyarrow"),
     "excel": ("pandas", "openpyxl"),
     "hdf5": ("h5py",),

@@ -164,7 +164,7 @@ def test_a_command_without_its_extra_says_in_one_line_what_to_install(monkeypatc
 
 def test_a_parquet_file_without_its_extra_says_what_to_install(monkeypatch, tmp_path):
     from boresight import BoresightError
-    from boresight.runtime.recording import _table
+    from boresight.runtime.recording.read import _table
 
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     with pytest.raises(BoresightError, match=r"boresight\[parquet\]"):
@@ -173,7 +173,7 @@ def test_a_parquet_file_without_its_extra_says_what_to_install(monkeypatch, tmp_
 
 def test_every_module_of_an_extra_is_named_in_it():
     extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
-    project = {"flint": "python-flint"}
+    project = {"flint": "python-flint", "markdown_it": "markdown-it-py"}
     for extra, modules in EXTRAS.items():
         assert {re.match(r"[\w-]+", line).group() for line in extras[extra]} == {project.get(m, m) for m in modules}
     (everything,) = extras["all"]

@@ -10,12 +10,10 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation
-from boresight.runtime.transfer.history import History
+from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
 from boresight.runtime.transfer.rules import Rules, Watch
-from boresight.runtime.transfer.start import PHI
 
-DV, TAU = slice(3, 6), 15  # of the error state
 LARGEST = 0.45  # rad in one correction; the model's own range ends at 0.5
 
 
@@ -72,6 +70,11 @@ class Transfer:
         return self.watch.notes
 
     @property
+    def counts(self) -> dict[Verdict, Array]:
+        """(...,) by verdict: how many messages came to it."""
+        return self.watch.counts
+
+    @property
     def nav(self) -> dict[str, Array]:
         """The slave as it is now."""
         return self.filter.nav
@@ -110,19 +113,16 @@ class Transfer:
         nav = self.filter.nav
         self.history.append(self.time, v_n=nav["v_n"], q_b2n_wxyz=nav["q_b2n_wxyz"], angle=self._angle, push=self._push)
 
-    def _mean(self, name: str, begin: Array, end: Array) -> Array:
-        """(..., *runs, 3) mean of the rate behind `angle` or `push` between two times (..., R); biases in it."""
-        seconds = (end - begin)[..., None]
-        value = (self.history.at(name, end) - self.history.at(name, begin)) / seconds
-        return value.reshape((*value.shape[:-2], *self.runs, 3))
-
     def _over(self, seconds: Array) -> dict[str, Array]:
         """Mean f_b and omega_ib_b (biases removed) of the last `seconds` (R,), and the attitude in their middle."""
         now = np.full(self.history.runs, self.time)
         nav = self.filter.nav
+        f_b, omega_ib_b = (
+            self.history.mean(name, now - seconds, now).reshape((*self.runs, 3)) for name in ("push", "angle")
+        )
         return {
-            "f_b": self._mean("push", now - seconds, now) - nav["accel_bias"],
-            "omega_ib_b": self._mean("angle", now - seconds, now) - nav["gyro_bias"],
+            "f_b": f_b - nav["accel_bias"],
+            "omega_ib_b": omega_ib_b - nav["gyro_bias"],
             "q_b2n_wxyz": self.history.at("q_b2n_wxyz", now - seconds / 2).reshape((*self.runs, 4)),
         }
 
@@ -291,33 +291,12 @@ class Transfer:
         return out
 
     def _match(self, lag: Array) -> tuple[dict[str, Any], Array]:
-        """The slave at the message's time, or now, with its rates; and the rates' variance over the gyros' density.
-
-        A rate is the mean over a span about its time.  Where the span would reach beyond now it ends there, and the
-        rate is extended along its change over the two last spans.
-        """
-        h = self.rules.half_span_s
-        now = np.full(self.history.runs, self.time)
-        then = now - lag.reshape(-1)
-        at = then if self.way == "buffer" else now
-
-        def rate(times: Array) -> Array:
-            centre = np.minimum(times, now - h)
-            beyond = ((times - centre) / (2 * h)).reshape((*times.shape[:-1], *self.runs, 1))
-            last, earlier = (self._mean("angle", c - h, c + h) for c in (centre, centre - 2 * h))
-            return last + beyond * (last - earlier) - self.filter.nav["gyro_bias"]
-
-        centre = np.minimum(at, now - h)
-        times = np.stack([at, centre + h, centre - h, centre - 3 * h])
-        state = {name: self.history.at(name, times) for name in ("v_n", "q_b2n_wxyz")}
-        state = {name: value.reshape((4, *self.runs, value.shape[-1])) for name, value in state.items()}
-        state["omega_ib_b"] = rate(times)
-        _, v1, v2, v3 = self.filter.call("expected", **self.constants, **state)["v_m_n"]
-        beyond = ((at - centre) / (2 * h)).reshape(self.runs)
-        a_n = (v1 - v2) / (2 * h) + beyond[..., None] * (v1 - 2 * v2 + v3) / (2 * h)
-        inputs: dict[str, Any] = {name: value[0] for name, value in state.items()}
-        inputs |= {"a_n": a_n, "lag": np.zeros(self.runs) if self.way == "buffer" else lag, **self.constants}
-        return inputs, ((1 + beyond) ** 2 + beyond**2) / (2 * h)
+        """The slave at the message's time, or now, with its rates; and the rates' variance over the gyros' density."""
+        back = lag.reshape(-1) if self.way == "buffer" else np.zeros(self.history.runs)
+        inputs, rate_factor = moment(
+            self.filter, self.history, self.time - back, self.rules.half_span_s, self.constants
+        )
+        return {**inputs, "lag": np.zeros(self.runs) if self.way == "buffer" else lag}, rate_factor
 
     def _opening(self, reopen: Array, rows: Array, inputs: dict[str, Any]) -> Array:
         """(..., n, n) to add to P: velocity and attitude may be off by what the residuals are."""

@@ -1,9 +1,14 @@
 """The slave's last samples, at any time between them."""
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 
 from boresight.runtime.array import Array
+from boresight.runtime.filter import Filter
 
+PHI, DV, TAU = slice(0, 3), slice(3, 6), 15  # of the error state
 SIZES = {"v_n": 3, "q_b2n_wxyz": 4, "angle": 3, "push": 3}  # angle, push: sums of the increments as delivered
 
 
@@ -60,3 +65,36 @@ class History:
         if name == "q_b2n_wxyz":  # 1 rad/s for 10 ms: the chord leaves the arc by 1e-8 rad
             value /= np.linalg.norm(value, axis=-1, keepdims=True)
         return value
+
+    def mean(self, name: str, begin: Array, end: Array) -> Array:
+        """(..., R, 3) mean of the rate behind `angle` or `push` between two times (..., R); biases in it."""
+        rate: Array = (self.at(name, end) - self.at(name, begin)) / (end - begin)[..., None]
+        return rate
+
+
+def moment(
+    loop: Filter, history: History, at: Array, half_span_s: float, constants: Mapping[str, Any]
+) -> tuple[dict[str, Any], Array]:
+    """The slave at times (R,), with its rates; and the rates' variance over the gyros' density.
+
+    A rate is the mean over a span about its time.  Where the span would reach beyond the newest sample it ends there,
+    and the rate is extended along its change over the two last spans.
+    """
+    h, runs = half_span_s, loop.P.shape[:-2]
+    centre = np.minimum(at, history.time[-1] - h)
+    times = np.stack([at, centre + h, centre - h, centre - 3 * h])
+
+    def rate(times: Array) -> Array:
+        middle = np.minimum(times, history.time[-1] - h)
+        last, earlier = (history.mean("angle", m - h, m + h) for m in (middle, middle - 2 * h))
+        extended = last + ((times - middle) / (2 * h))[..., None] * (last - earlier)
+        return extended.reshape((*times.shape[:-1], *runs, 3)) - loop.nav["gyro_bias"]
+
+    state = {name: history.at(name, times) for name in ("v_n", "q_b2n_wxyz")}
+    state = {name: value.reshape((4, *runs, value.shape[-1])) for name, value in state.items()}
+    state["omega_ib_b"] = rate(times)
+    _, v1, v2, v3 = loop.call("expected", **constants, **state)["v_m_n"]
+    beyond = ((at - centre) / (2 * h)).reshape(runs)
+    a_n = (v1 - v2) / (2 * h) + beyond[..., None] * (v1 - 2 * v2 + v3) / (2 * h)
+    inputs: dict[str, Any] = {name: value[0] for name, value in state.items()}
+    return {**inputs, "a_n": a_n, **constants}, ((1 + beyond) ** 2 + beyond**2) / (2 * h)

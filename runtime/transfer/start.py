@@ -7,9 +7,8 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
+from boresight.runtime.transfer.history import PHI
 from boresight.runtime.transfer.messages import Message
-
-PHI = slice(0, 3)  # of the error state
 
 
 def first(

@@ -5,9 +5,8 @@ not given are those under which the innovations are most likely.  What is found 
 """
 
 import json
-import textwrap
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +15,8 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
-from boresight.runtime.recording import Recording, thinned
-from boresight.runtime.transfer import Message, Rules, Transfer, first
+from boresight.runtime.recording import Recording, check, thinned
+from boresight.runtime.transfer import Message, Rules, Transfer, Verdict, first
 from boresight.runtime.transfer.start import PHI
 from boresight.runtime.units import MILLI_G, UNITS
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
@@ -30,6 +29,7 @@ PRIOR = {"gyro_bias": np.radians(0.2), "accel_bias": 0.5, "misalignment": np.rad
 VELOCITY_START = 0.5  # m/s, one sigma; covers what a delay and an unknown lever arm do to it
 HOLD_S = 0.15  # a message is handed over so late, so that a delay that is believed negative for a while stays inside
 GATE = 1e-300  # by chance; NIS 1400 of six rows
+BAND = 1.96  # sigmas, 95 %
 COVARIANCE_S = 0.1  # at most, between two steps of it
 
 
@@ -89,9 +89,10 @@ def fly(
 
     noises: (..., 7) in SI and rad, in the order of NOISES; leading axes are runs side by side.  start: (..., 19) where
     the estimates begin, as `estimates` has them.  prior: one sigma of each by name; delay_sigma: (...,) s, the delay's.
-    Returns, first axis the K messages: time (K,) s, nu and S (K, ..., 6), estimate and sigma (K, ..., n); and notes,
-    pairs of run numbers and a line.  A message is refused where its NIS is beyond GATE only, which no filter that is
-    nearly right comes to: what one in flight would refuse shows in the innovations.
+    Returns, first axis the K messages: time (K,) s, nu, S and used (K, ..., 6), estimate and sigma (K, ..., n), verdict
+    (K, ...); and notes, pairs of run numbers and a line.  A message whose numbers can be read is refused where its NIS
+    is beyond GATE only, which no filter that is nearly right comes to, or where the master repeats itself: what one in
+    flight would refuse shows in the innovations.
     """
     imu, master = recording.imu, recording.master
     assert master is not None and master.v_n is not None and master.position is not None
@@ -147,19 +148,21 @@ def fly(
         model, nav, np.broadcast_to(P, (*runs, *P.shape[-2:])), constants, time=end[i], matching=MATCHING,
         every=max(1, round(COVARIANCE_S / imu.dt)), rules=Rules(gate=GATE, buffer_s=reach),
     )  # fmt: skip
-    history: dict[str, list[Array]] = {name: [] for name in ("nu", "S", "estimate", "sigma")}
+    history: dict[str, list[Array]] = {name: [] for name in ("nu", "S", "used", "estimate", "sigma", "verdict")}
     k = 1
     for j in range(i + 1, len(end)):
         loop.slave(end[j], dtheta[j], dv[j], end[j] - begin[j])
         while k < len(master.time) and end[j] >= master.time[k] + HOLD_S - 1e-6 * imu.dt:
             try:
-                said = loop.master(message(k)).innovations
+                result = loop.master(message(k))
             except BoresightError as error:
                 advice = "the filter, or the one beside it without a delay, is driven off: take another stretch"
                 raise BoresightError(f"{recording.name}, {end[j]:.2f} s: {error}; {advice}") from None
             k += 1
-            history["nu"].append(np.concatenate([said[name].nu for name in MATCHING], axis=-1))
-            history["S"].append(np.concatenate([said[name].S for name in MATCHING], axis=-1))
+            for part in ("nu", "S", "used"):
+                rows = [getattr(result.innovations[name], part) for name in MATCHING]
+                history[part].append(np.concatenate(rows, axis=-1))
+            history["verdict"].append(result.verdict)
             history["estimate"].append(estimates(loop.nav, start))
             history["sigma"].append(np.sqrt(np.diagonal(loop.P, axis1=-2, axis2=-1)))
         if k == len(master.time):
@@ -232,7 +235,12 @@ def run(
     track = fly(cut, model, noises, start, prior, delay_sigma)
     start = track["estimate"][-1]
     # A noise that is far too large comes down slowly; what is white in the innovations' scatter is near.
-    scatter = np.std(np.diff(track["nu"][len(track["nu"]) // 2 :, 0], axis=0), axis=0) / np.sqrt(2)
+    late = slice(len(track["nu"]) // 2, None)
+    whole = track["used"][late, 0].all(-1)
+    if whole.sum() < 3:
+        said = ", ".join(f"{name} {count}" for name, count in refused(track["verdict"][late, 0]).items())
+        raise BoresightError(f"{recording.name}: hardly a message of its second half was used; refused: {said}")
+    scatter = np.std(np.diff(track["nu"][late, 0][whole], axis=0), axis=0) / np.sqrt(2)
     near = np.array([*noises[:2], scatter[:2].max(), scatter[2], scatter[3:5].max(), scatter[5], noises[6]])
     noises = np.where(free, np.clip(near, low, high), noises)
 
@@ -250,14 +258,17 @@ def run(
     return {
         "recording": recording.name,
         "title": recording.title,
+        "read": [asdict(finding) for finding in check(recording)],
         "model": model.name,
         "duration_s": float(cut.master.time[-1] - cut.master.time[0]),
         "updates": len(track["time"]),
+        "used": int((track["verdict"][:, 0] <= Verdict.REOPENED).sum()),
+        "refused": refused(track["verdict"][:, 0]),
         "lever_given_m": None if lever_b is None else np.asarray(lever_b, float).tolist(),
         "noise": said_noise(noises, free, passes),
         "minus_log_likelihood": {name: float(minus_log_likelihood(part)) for name, part in both.items()},
         "states": states(model, track["time"], both, recording.reference, prior),
-        "nis": {name: consistency(part["nu"] / np.sqrt(part["S"])) for name, part in both.items()},
+        "nis": {name: consistency(part["nu"] / np.sqrt(part["S"]), part["used"]) for name, part in both.items()},
         "notes": [line for runs, line in track["notes"] if 0 in runs],
         "history": history(model, track["time"], both),
     }
@@ -332,6 +343,12 @@ def states(
     return out
 
 
+def refused(verdict: Array) -> dict[str, int]:
+    """How many messages were refused, by the name of their verdict (K,)."""
+    counts = {code: int((verdict == code).sum()) for code in Verdict if code > Verdict.REOPENED}
+    return {code.name.lower().replace("_", " "): count for code, count in counts.items() if count}
+
+
 def history(model: Any, time: Array, both: Mapping[str, Any]) -> dict[str, Any]:
     """What the figures show: estimates and sigmas in units of GROUPS, innovations and their sigmas in SI and rad."""
     scale = np.ones(len(model.states))
@@ -346,6 +363,7 @@ def history(model: Any, time: Array, both: Mapping[str, Any]) -> dict[str, Any]:
             "sigma": (track["sigma"] / scale).tolist(),
             "innovation": track["nu"].tolist(),
             "innovation_sigma": np.sqrt(track["S"]).tolist(),
+            "used": track["used"].tolist(),
         }
     return out
 
@@ -362,8 +380,8 @@ def named(state: Mapping[str, Any]) -> str:
     return f"{state['state']} {state['axis']}".strip()
 
 
-def report(result: Mapping[str, Any], pictures: Sequence[str] = ()) -> str:
-    """One page of Markdown, which a terminal shows as well; pictures: file names to be shown at its end."""
+def report(result: Mapping[str, Any]) -> str:
+    """One page of Markdown, which a terminal shows as well."""
     nis, noise = result["nis"], result["noise"]
     table = [
         ("", "estimate", "1 sigma", "unit", "of the prior", "settled", "stated", "difference", "without delay"),
@@ -389,7 +407,7 @@ def report(result: Mapping[str, Any], pictures: Sequence[str] = ()) -> str:
                 label,
                 f"{said['mean']:.3f}",
                 "[{:.3f}, {:.3f}]".format(*said["band"]),
-                " ".join(f"{value:.2f}" for value in said["by_quarter"]),
+                " ".join("none" if value is None else f"{value:.2f}" for value in said["by_quarter"]),
                 f"{max(said['lag1'], key=abs):+.3f}",
                 f"{said['lag1_bound']:.3f}",
             )
@@ -408,8 +426,8 @@ def report(result: Mapping[str, Any], pictures: Sequence[str] = ()) -> str:
     lines = [
         f"# {result['title'] or result['recording']}",
         "",
-        f"Model {result['model']}: {result['updates']} messages of the master in {result['duration_s']:.1f} s, nothing "
-        "calibrated beforehand.",
+        f"Model {result['model']}: {result['updates']} messages of the master in {result['duration_s']:.1f} s, "
+        f"{_used(result)}; nothing calibrated beforehand.",
         "Lever arm (front, right, down): "
         + ("estimated." if any(s["state"] == "lever arm" for s in result["states"]) else f"{_lever(result)}."),
         "",
@@ -441,9 +459,20 @@ def report(result: Mapping[str, Any], pictures: Sequence[str] = ()) -> str:
             "Their mean NIS is then 1 by construction; its quarters and the correlation of neighbours are not chosen.",
         ]
     lines += [f"Note: {note}" for note in result["notes"]]
-    for picture in pictures:
-        lines += ["", f"![{result['recording']}]({picture})"]
+    lines += [
+        "",
+        "## What was read",
+        "",
+        *(f"- {one['level']}: {one['where']}: {one['text']}" for one in result["read"]),
+    ]
     return "\n".join(lines)
+
+
+def _used(result: Mapping[str, Any]) -> str:
+    if not result["refused"]:
+        return "all of them used"
+    reasons = ", ".join(f"{name} {count}" for name, count in result["refused"].items())
+    return f"of which {result['used']} used; refused: {reasons}"
 
 
 def _noise(name: str, one: Mapping[str, Any]) -> str:
@@ -475,7 +504,8 @@ def draw_innovations(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
         nu, sigma = ({name: np.array(history[name][part])[:, i] / scale for name in ("with", "without")}
                      for part in ("innovation", "innovation_sigma"))  # fmt: skip
         ax.plot(time, nu["without"], ".", ms=1.6, color=ORANGE, label="delay taken as 0, where inside")
-        ax.fill_between(time, -2 * sigma["with"], 2 * sigma["with"], color=BLUE, alpha=0.25, lw=0, label="2 sigmas")
+        band = BAND * sigma["with"]
+        ax.fill_between(time, -band, band, color=BLUE, alpha=0.25, lw=0, label="95 % band")
         ax.plot(time, nu["with"], ".", ms=1.6, color=BLUE, label="delay a state")
         reach = 7 * float(np.median(sigma["with"]))
         ax.set_ylim(-reach, reach)  # without the delay most lie far outside
@@ -501,7 +531,9 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
         value, sigma = (np.array(history["with"][part])[:, at] for part in ("estimate", "sigma"))
         # The first seconds are off the scale by design: the prior is wide.
         reach = max(12 * sigma[-1], 1.3 * abs((state["reference"] or value[-1]) - value[-1]))
-        ax.fill_between(time, value - 2 * sigma, value + 2 * sigma, color=BLUE, alpha=0.25, lw=0, label="2 sigmas")
+        ax.fill_between(
+            time, value - BAND * sigma, value + BAND * sigma, color=BLUE, alpha=0.25, lw=0, label="95 % band"
+        )
         ax.plot(time, value, color=BLUE, label="estimate")
         if group.name != "delay":
             bare = np.array(history["without"]["estimate"])[:, at]
@@ -515,10 +547,11 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
     over = axes[-1, 1]
     for name, color in (("without", ORANGE), ("with", BLUE)):
         part = history[name]
-        square = np.mean((np.array(part["innovation"]) / np.array(part["innovation_sigma"])) ** 2, axis=1)
+        square = np.where(part["used"], np.square(np.array(part["innovation"]) / part["innovation_sigma"]), np.nan)
         count = max(1, len(time) // 50)
         whole = len(time) // count * count
-        over.semilogy(time[:whole].reshape(-1, count).mean(1), square[:whole].reshape(-1, count).mean(1), color=color)
+        binned = np.ma.masked_invalid(square[:whole].reshape(-1, count * square.shape[1])).mean(1)
+        over.semilogy(time[:whole].reshape(-1, count).mean(1), binned, color=color)
     over.axhline(1, color=GREY, lw=0.8)
     over.set_title("NIS a row in time; orange: delay taken as 0")
     ratio = axes[-1, 2]
@@ -540,42 +573,33 @@ def legend_of(ax: Any) -> dict[str, Any]:
 
 
 def write(result: Mapping[str, Any], folder: str | Path) -> list[Path]:
-    """Innovations, states, and the report as text and as one page that shows all; returns the files written."""
+    """One page of HTML that holds the report, its pictures and its numbers, and the pictures; returns the files."""
     from boresight.studies.figures import figure
+    from boresight.studies.page import page
 
     base = Path(folder) / f"transfer-replay-{result['recording']}"
-    paths = {part: base.with_name(f"{base.name}-{part}.png") for part in ("innovations", "states", "page")}
+    shown = {part: base.with_name(f"{base.name}-{part}.png") for part in ("innovations", "states")}
+    html = base.with_name(f"{base.name}.html")
     rows = len(result["states"]) // 3 + 1
-    text = base.with_name(f"{base.name}.md")
     try:
-        with figure(paths["innovations"], 11, 5.5, nrows=2, ncols=3, sharex=True) as (drawing, axes):
-            shown = draw_innovations(result, axes)
-            drawing.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=3, markerscale=4)
-        with figure(paths["states"], 11, 2.2 * rows, nrows=rows, ncols=3) as (drawing, axes):
-            shown = draw_states(result, axes)
-            drawing.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=4)
-        words = [
-            line for part in report(result).replace("**", "").split("\n")
-            for line in ([part] if part.startswith("|") else textwrap.wrap(part, 150) or [""])
-        ]  # fmt: skip
-        heights = [0.13 * len(words), 1.4, 1.4, *[1.1] * rows]  # inches, and half of one a row for what stands around
-        with figure(
-            paths["page"], 11.69, sum(heights) + 0.5 * (rows + 2), nrows=3 + rows, ncols=3, height_ratios=heights
-        ) as (
-            drawing,
-            axes,
-        ):
-            for ax in axes[0]:
-                ax.set_axis_off()
-            axes[0, 0].text(0, 1, "\n".join(words), va="top", family="monospace", fontsize=7.2,
-                            transform=axes[0, 0].transAxes, in_layout=False)  # fmt: skip
-            shown = draw_innovations(result, axes[1:3]) | draw_states(result, axes[3:])
-            drawing.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=6, markerscale=4)
-        text.write_text(report(result, [paths["innovations"].name, paths["states"].name]) + "\n", encoding="utf-8")
+        with figure(shown["innovations"], 11, 5.5, nrows=2, ncols=3, sharex=True) as (drawing, axes):
+            legend = draw_innovations(result, axes)
+            drawing.legend(legend.values(), legend.keys(), loc="outside lower center", ncols=3, markerscale=4)
+        with figure(shown["states"], 11, 2.2 * rows, nrows=rows, ncols=3) as (drawing, axes):
+            legend = draw_states(result, axes)
+            drawing.legend(legend.values(), legend.keys(), loc="outside lower center", ncols=4)
+        captions = {
+            "innovations": "Innovations within their 95 % bands, with the delay a state, and without it",
+            "states": "Estimates within their 95 % bands",
+        }
+        pictures = [(captions[part], path) for part, path in shown.items()]
+        numbers = {name: value for name, value in result.items() if name != "history"}
+        title = result["title"] or result["recording"]
+        html.write_text(page(title, report(result), pictures, numbers), encoding="utf-8")
     except OSError as error:
         reason = f"{folder}: cannot write the report: {error.strerror}; choose another folder with -o"
         raise BoresightError(reason) from None
-    return [*paths.values(), text]
+    return [html, *shown.values()]
 
 
 def finish(result: Mapping[str, Any], *, folder: str | None = None, as_json: bool = False) -> int:

@@ -1,7 +1,11 @@
 """Replay by velocity and attitude: a recording with analytic truth gives it back, the real one its delay."""
 
+import base64
 import json
+import re
 from dataclasses import replace
+from html import escape
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +18,7 @@ from boresight.runtime.recording import Inertial, Master, Recording, read
 from boresight.runtime.simulation import hull, inertial
 from boresight.runtime.units import STANDARD_GRAVITY as G
 from boresight.runtime.units import quantity
+from boresight.studies.page import numbers_of
 from boresight.studies.replays import velocity_attitude as tr
 
 DEG = np.pi / 180
@@ -168,16 +173,54 @@ def test_fog_mems_has_a_lever_arm_of_centimetres(fog_mems):
 # ---------------------------------------------------------------- what the user sees
 
 
-def test_report_and_files_say_it(result, tmp_path, capsys):
+def test_what_was_refused_is_counted_and_in_no_figure(simulated, model, result):
+    """For two seconds the master repeats itself, and its stamps go on."""
+    v_n, euler = simulated.master.v_n.copy(), simulated.master.euler.copy()
+    v_n[60:80], euler[60:80] = v_n[59], euler[59]
+    frozen = replace(simulated, master=replace(simulated.master, v_n=v_n, euler=euler))
+    said = tr.run(frozen, model, noise=NOISE, lever_b=LEVER_B)
+    assert said["refused"] == {"repeated": 20}
+    assert said["used"] == said["updates"] - 20
+    assert f"{said['updates']} messages of the master in " in tr.report(said)
+    assert f"of which {said['used']} used; refused: repeated 20;" in tr.report(said)
+    assert said["nis"]["with"]["mean"] == pytest.approx(result["nis"]["with"]["mean"], abs=0.03)
+    assert said["nis"]["with"]["by_quarter"][1] == pytest.approx(result["nis"]["with"]["by_quarter"][1], abs=0.2)
+    assert_truth(said)
+
+
+def test_the_page_holds_the_report_its_pictures_and_its_numbers_and_nothing_beside_it(result, tmp_path, capsys):
+    assert "all of them used" in tr.report(result)
     assert tr.finish(result, folder=str(tmp_path), as_json=True) == 0
     out = json.loads(capsys.readouterr().out)
     assert "history" not in out["result"]
-    assert len(out["figures"]) == 4
-    assert all((tmp_path / name).stat().st_size > 1000 for name in out["figures"])
-    text = (tmp_path / "transfer-replay-sea.md").read_text()
-    for word in ("The master is ", "misalignment yaw", "95 % band", "deg/sqrt(h)", "transfer-replay-sea-states.png"):
-        assert word in text
+    html, *pictures = (Path(name) for name in out["figures"])
+    assert html.suffix == ".html" and len(pictures) == 2
+    text = html.read_text()
+    assert numbers_of(text) == out["result"]
+    assert not re.search(r"""(src|href)="(?!data:)""", text) and "http" not in text
+    assert [base64.b64decode(part) for part in re.findall(r"image/png;base64,([^\"]+)", text)] == [
+        picture.read_bytes() for picture in pictures
+    ]
     assert tr.finish({**result, "nis": {**result["nis"], "with": result["nis"]["without"]}}) == 1
+
+
+def test_what_the_page_shows_of_the_states_is_what_was_found(result, tmp_path):
+    html = tr.write(result, tmp_path)[0].read_text()
+    table = next(part for part in re.findall(r"<table>(.*?)</table>", html, re.DOTALL) if "of the prior" in part)
+    rows = [re.findall(r"<td>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", table, re.DOTALL)[1:]]
+    assert [row[0] for row in rows] == [f"{s['state']} {s['axis']}".strip() for s in result["states"]]
+    for row, state in zip(rows, result["states"], strict=True):
+        assert float(row[1]) == pytest.approx(state["estimate"], abs=state["sigma"] / 10)
+        assert float(row[2]) == pytest.approx(state["sigma"], rel=0.06)
+        assert row[3] == state["unit"]
+    for finding in result["read"]:
+        assert escape(f"{finding['level']}: {finding['where']}: {finding['text']}", quote=False) in html
+
+
+def test_a_name_cannot_break_the_page(result, tmp_path):
+    spoilt = {**result, "title": "</script><b>&", "recording": "sea"}
+    html = tr.write(spoilt, tmp_path)[0].read_text()
+    assert "<b>" not in html and numbers_of(html)["title"] == spoilt["title"]
 
 
 def test_datasheet_units_are_read_by_name():
