@@ -1,5 +1,6 @@
 """What is wrong or suspicious in a recording."""
 
+import json
 from dataclasses import dataclass
 from typing import Literal
 
@@ -66,6 +67,18 @@ def check(recording: Recording) -> list[Finding]:
     return sorted(out, key=lambda finding: ("error", "warning", "note").index(finding.level))
 
 
+def shown(recording: Recording, *, as_json: bool = False) -> int:
+    """Print what `check` found; returns the exit status: 1 if something is wrong."""
+    findings = check(recording)
+    if as_json:
+        print(json.dumps({"findings": [vars(finding) for finding in findings]}, indent=1))
+    else:
+        for f in findings:
+            named = f"  [{f.name}]" if f.name and f.level == "error" else ""
+            print(f"{f.level:<8} {f.where:<16} {f.text}{named}")
+    return int(any(finding.level == "error" for finding in findings))
+
+
 def _listed(times: Array) -> str:
     shown = ", ".join(f"{t:.4f}" for t in times[:3])
     return f"{shown} s" + (f" and {len(times) - 3} more" if len(times) > 3 else "")
@@ -89,7 +102,11 @@ def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"])
     gap = step > 1.5 * dt
     if gap.any():
         lost = (step.max() / dt - 1) * dt
-        advice = f'; bridge them (bridge = "{np.ceil(lost * 1e4) / 10:g} ms"), or cut the recording there (from, to)'
+        advice = "; cut the recording there (from, to)"
+        if lost < 0.2:
+            advice = (
+                f'; bridge them (bridge = "{np.ceil(lost * 1e3 - 1e-6):g} ms"), or cut the recording there (from, to)'
+            )
         # As many tags are too near as are too far: they scatter, and nothing is missing.
         if np.sum(step < 0.5 * dt) > gap.sum() / 2 > 1:
             advice = '; the tags scatter: if the clock is regular, say so (clock = "regular")'

@@ -25,10 +25,11 @@ def bridged(imu: Inertial, limit: float) -> tuple[Inertial, list[str]]:
     dt, lost = _lost(time)
     share = (dt if imu.kind == "rates" else 1.0) * values
     total = np.vstack([np.zeros(6), np.cumsum(share, axis=0)])
-    positions, doubts, gaps = [np.arange(len(time), dtype=float)], [np.zeros((len(time), 2))], {}
+    positions, doubts = [np.arange(len(time), dtype=float)], [np.zeros((len(time), 2))]
+    gaps: dict[int, list[tuple[float, ...]]] = {}
     for k in np.flatnonzero((lost > 0) & (lost * dt <= limit * (1 + 1e-9))):
         m, reach = int(lost[k]), round(NEAR_S / dt)
-        first = np.arange(max(0, k - reach), min(len(time) - m - 1, k + reach))
+        first = np.arange(max(0, int(k) - reach), min(len(time) - m - 1, int(k) + reach))
         breaks = np.concatenate([[0], np.cumsum(lost > 0)])
         first = first[breaks[first + m + 1] == breaks[first]]
         if len(first) < 10:
@@ -44,9 +45,10 @@ def bridged(imu: Inertial, limit: float) -> tuple[Inertial, list[str]]:
     rows = np.arange(len(time))
     filled = np.stack([np.interp(at, rows, column) for column in values.T], axis=-1)
     lines = [
-        f"imu: {len(rows)} gaps of {m * dt * 1e3:.4g} ms bridged, the first after {rows[0][0]:.3f} s; a straight line "
-        f"misses {max(row[1] for row in rows) / DEG:.2g} deg and {max(row[2] for row in rows) * 1e3:.2g} mm/s of it"
-        for m, rows in sorted(gaps.items())
+        f"imu: {len(found)} gaps of {m * dt * 1e3:.4g} ms bridged, the first after {found[0][0]:.3f} s; a straight "
+        f"line misses {max(gap[1] for gap in found) / DEG:.2g} deg and "
+        f"{max(gap[2] for gap in found) * 1e3:.2g} mm/s of it"
+        for m, found in sorted(gaps.items())
     ]
     doubt = np.concatenate(doubts)[order]
     out = replace(imu, time=np.interp(at, rows, time), gyro=filled[:, :3], accel=filled[:, 3:], doubt=doubt)

@@ -15,10 +15,11 @@ import numpy as np
 from boresight import BoresightError, did_you_mean, need
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
+from boresight.runtime.calibration import Calibration
 from boresight.runtime.recording import times
 from boresight.runtime.recording.check import check
 from boresight.runtime.recording.mend import bridged, joined
-from boresight.runtime.recording.tables import table
+from boresight.runtime.recording.tables import kind_of, table
 from boresight.runtime.recording.types import Inertial, Master, Recording
 from boresight.runtime.units import UNITS, quantity
 
@@ -134,8 +135,7 @@ def template(path: str | None = None) -> str:
 
     found = find(path)
     columns = table(found)
-    kind = found.suffix.lower() if found.is_file() else ".db3"
-    maps = [file for file in sorted(BUILT_IN.glob("*.toml")) if kind in description.load(file).serves]
+    maps = [file for file in sorted(BUILT_IN.glob("*.toml")) if kind_of(found) in description.load(file).serves]
     said = (maps[0] if maps else BUILT_IN / "template.toml").read_text(encoding="utf-8")
     held = [f"#   {name} {'x'.join(map(str, values.shape))}" for name, values in columns.items()]
     lines = [line for line in said.splitlines() if not line.startswith(("serves", "file"))]
@@ -154,13 +154,12 @@ def _built_in(path: Path, columns: dict[str, Array]) -> "Description":
     """The description that knows all arrays of a file, or whose topics a log has."""
     from boresight.runtime.recording import description
 
-    kind = path.suffix.lower() if path.is_file() else ".db3"
     lacking: list[str] = []
     for candidate in sorted(BUILT_IN.glob("*.toml")):
         said = description.load(candidate)
         if columns and set(said.recognised_by) == set(columns):
             return said
-        if kind in said.serves:
+        if kind_of(path) in said.serves:
             lacking = [name for name in description.named(said) if name not in columns]
             if not lacking:
                 return said
@@ -326,7 +325,9 @@ def _imu(said: "Description", at: _Source, since: int, notes: list[str]) -> Iner
     at.same_length("imu", time, **values)
     with np.errstate(invalid="ignore"):  # an infinite value is `check`'s to report
         gyro, accel = (value @ to_frd.T for value in values.values())
-    return Inertial(part.kind, part.time_marks, time, gyro, accel)
+    # Samples at instants are joined once they are all there; until then only their tags count.
+    marks = "end" if part.time_marks == "point" else part.time_marks
+    return Inertial(part.kind, marks, time, gyro, accel)
 
 
 def _tagged(at: _Source, what: str, column: "Column", of: "Column", since: int, values: Array) -> Array:
@@ -485,7 +486,7 @@ def _cut(path: Path, imu: Inertial, master: Master | None, low: float, high: flo
 
 def _fitted(imu: Inertial) -> tuple[Inertial, str]:
     """The tags of a regular clock on their line."""
-    from boresight.runtime.clock import regular
+    from boresight.runtime.clock import regular  # not every recording needs SciPy's splines
 
     line = regular(imu.time)
     text = f"imu: tags of a regular clock of {1 / line.interval_s:.6g} Hz, put on its line; they scattered by "
@@ -496,14 +497,15 @@ def _calibrated(said: "Description", at: _Source, imu: Inertial, notes: list[str
     """true = matrix @ ((delivered - bias) / (1 + scale)), in the body axes of the file."""
     assert said.calibration is not None
     to_frd = frames.body_to_frd(said.imu.body)
-    done, values = [], {}
-    for sensor, kind, delivered in (("gyro", "angular rate", imu.gyro), ("accel", "acceleration", imu.accel)):
+    done: list[str] = []
+    known: dict[str, Array] = {}
+    for sensor, kind in (("gyro", "angular rate"), ("accel", "acceleration")):
         matrix, bias = np.eye(3), np.zeros(3)
         for name, what, shape in (("matrix", "matrix", (3, 3)), ("scale", "scale factor", (3,)), ("bias", kind, (3,))):
-            known = getattr(said.calibration, f"{sensor}_{name}")
-            if known is None:
+            given = getattr(said.calibration, f"{sensor}_{name}")
+            if given is None:
                 continue
-            value = at.known(f"calibration.{sensor}_{name}", known, what, shape)
+            value = at.known(f"calibration.{sensor}_{name}", given, what, shape)
             done.append(f"{sensor}_{name}")
             if name == "matrix":
                 matrix = value
@@ -511,11 +513,12 @@ def _calibrated(said: "Description", at: _Source, imu: Inertial, notes: list[str
                 matrix = matrix @ np.diag(1 / (1 + value))
             else:
                 bias = value
-        start, end = imu.intervals()
-        taken = bias if imu.kind == "rates" else bias * (end - start)[:, None]
-        values[sensor] = (delivered @ to_frd - taken) @ (to_frd @ matrix).T
+        known |= {f"{sensor}_bias": to_frd @ bias, f"{sensor}_matrix": to_frd @ matrix @ to_frd.T}
+    start, end = imu.intervals()
+    seconds = np.ones(len(start)) if imu.kind == "rates" else end - start
+    gyro, accel = Calibration(**known).increments(imu.gyro, imu.accel, seconds)
     notes.append(f"imu: {', '.join(done)} taken off")
-    return replace(imu, **values)
+    return replace(imu, gyro=gyro, accel=accel)
 
 
 def _reference(said: "Description", at: _Source) -> dict[str, Array]:

@@ -18,7 +18,7 @@ LARGE = 4096  # bytes of a message in a bag; beyond it are pictures, clouds and 
 
 def table(path: Path, *, delimiter: str = ",", decimal: str = ".", header: bool = True) -> Table:
     """All columns of a file by name; delimiter, decimal and header: of csv, txt and dat.  Raises BoresightError."""
-    kind = path.suffix.lower() if path.is_file() else ".db3"
+    kind = kind_of(path)
     if kind not in READERS:
         known = ", ".join(READERS)
         raise BoresightError(
@@ -36,6 +36,11 @@ def table(path: Path, *, delimiter: str = ",", decimal: str = ".", header: bool 
     except Exception as error:  # each library fails in its own ways; the user needs one line
         reason = str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
         raise BoresightError(f"{path}: cannot be read as {kind[1:]}: {reason}") from None
+
+
+def kind_of(path: Path) -> str:
+    """The ending; a folder is a bag."""
+    return ".db3" if path.is_dir() else path.suffix.lower()
 
 
 # ---------------------------------------------------------------- arrays
@@ -204,8 +209,8 @@ def _bag(path: Path) -> Table:
     kinds = [kind for _, kind in rows]
     for (topic, kind), messages in rows.items():
         for field, first in messages[0].items():
-            values = [message.get(field) for message in messages]
-            if all(np.shape(value) == np.shape(first) and value is not None for value in values):
+            values: list[Any] = [message.get(field) for message in messages]
+            if all(value is not None and np.shape(value) == np.shape(first) for value in values):
                 out[f"{topic}/{field}"] = np.array(values)
                 if kinds.count(kind) == 1:
                     out[f"{kind}/{field}"] = out[f"{topic}/{field}"]

@@ -60,21 +60,26 @@ def shown(since: int) -> str:
 def instant(said: float | str | datetime, since: int, what: str) -> float:
     """s, an instant that a person names: "12.5 s" as tables show it, or a date or UNIX time as the file has it."""
     if isinstance(said, str):
-        number, _, unit = said.strip().rpartition(" ")
-        try:
-            said = float(number) * UNITS["time"][unit] if unit in UNITS["time"] else float(said)
-        except ValueError:
-            try:
-                said = datetime.fromisoformat(said.strip())
-            except ValueError:
-                known = ", ".join(UNITS["time"])
-                raise BoresightError(
-                    f"{what} is {said!r}; give a time with its unit ({known}), as '12.5 s', or a date, "
-                    "as '2024-05-01T12:00:00Z'"
-                ) from None
+        said = _read(said.strip(), what)
     if isinstance(said, datetime):
         if not since:
             raise BoresightError(f"{what} is a date and the recording's times are not; give it in s")
         said = (said if said.tzinfo else said.replace(tzinfo=UTC)).timestamp()
     # Dates were counted anew from the epoch; what is as large as a date is one.
     return float(said) - (since if abs(said) >= DATE else 0)
+
+
+def _read(text: str, what: str) -> float | datetime:
+    number, _, unit = text.rpartition(" ")
+    try:
+        return float(number) * UNITS["time"][unit] if unit in UNITS["time"] else float(text)
+    except ValueError:
+        pass
+    try:
+        return datetime.fromisoformat(text)
+    except ValueError:
+        known = ", ".join(UNITS["time"])
+        raise BoresightError(
+            f"{what} is {text!r}; give a time with its unit ({known}), as '12.5 s', or a date, as "
+            "'2024-05-01T12:00:00Z'"
+        ) from None
