@@ -373,16 +373,17 @@ def slope_of(x: Array, y: Array) -> Slope:
     for _ in range(50):
         w = np.array([-slope, 1.0])
         d1, d2 = w @ moments[1] @ w, w @ moments[2] @ w
-        s2 = min(max(0.0, (d2 - 3 * d1) / 2), d1 / 6)
-        # Neither noise can be more than the differences of its own series hold.
-        vx = 2 * min(s2 / max(slope**2, 1e-12), moments[2][0, 0] / 20)
-        vy = min((d1 - 6 * s2) / 2, moments[1][1, 1] / 2)
+        s2 = max(0.0, (d2 - 3 * d1) / 2)
+        # No more than what the attitude's own differences hold, by three sigmas of these.
+        most = moments[2][0, 0] / 20 * (1 + 3 * np.sqrt(4.6 / len(x)))
+        vx = 2 * min(s2 / max(slope**2, 1e-12), most)
+        vy = max(0.0, min((d1 - 6 * s2) / 2, moments[1][1, 1] / 2))
         if vx > 0.9 * sxx or vy > 0.9 * syy:
             return Slope(*[np.nan] * 5)
         slope = sxy / (sxx - vx)
     moved, turned = sxx - vx, syy - vy
-    # Of the regression, and of vx, which is known to d1 / sqrt(N) or so.
-    sigma = np.hypot(np.sqrt((vy + slope**2 * vx) * sxx), 2 * slope * min(d1, vx)) / moved / np.sqrt(len(x))
+    # Of the regression, and of s^2, which (d2 - 3 d1) / 2 of Gaussian noise knows to 3.7 s^2 / sqrt(N).
+    sigma = np.hypot(np.sqrt((vy + slope**2 * vx) * sxx), 3.7 * slope * vx) / moved / np.sqrt(len(x))
     correlation = float(np.clip(sxy / np.sqrt(moved * turned), -1, 1))
     return Slope(
         float(slope), correlation, float(sigma), float(sigma * np.sqrt(moved / turned)), float(np.sqrt(vx / 2))

@@ -157,14 +157,17 @@ def keys(place: list[str]) -> list[str]:
     return [field.alias or name for name, field in part.model_fields.items()]
 
 
-def named(said: Description) -> list[str]:
-    """Every column that a description names."""
+def named(part: Any) -> list[str]:
+    """Every column that a description or a part of it names."""
     out: list[str] = []
-    for section in (said.imu, said.master):
-        for _, part in section or ():
-            if isinstance(part, Column):
-                out += [part.columns] if isinstance(part.columns, str) else part.columns
-                out += [part.time] if part.time else []
-            elif isinstance(part, Origin):
-                out += [value for _, value in part if isinstance(value, str)]
+    if isinstance(part, Column | Known):
+        names = part.columns or []
+        out += [names] if isinstance(names, str) else names
+    if isinstance(part, Column) and part.time:
+        out.append(part.time)
+    if isinstance(part, Origin):
+        out += [value for _, value in part if isinstance(value, str)]
+    for _, inner in part:
+        if isinstance(inner, Part):
+            out += named(inner)
     return out

@@ -76,6 +76,8 @@ def read(
         tables[found] = columns
 
     def source(section: Any) -> _Source:
+        if not description.named(section):
+            return _Source(found, {})  # all numbers stand in the description
         file = _beside(found, section.file) if section.file else default
         if file is None:
             raise BoresightError(f'{found}: no data file is named; add file = "NAME" at the top or in each section')
