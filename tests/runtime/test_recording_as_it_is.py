@@ -3,6 +3,7 @@
 Flown by the independent motion of `evidence.flights`: what a slave's samples are is known without the reader.
 """
 
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta, timezone
 
 import numpy as np
@@ -14,10 +15,11 @@ from boresight import BoresightError
 from boresight.cli import main
 from boresight.evidence.flights.motion import Motion, swinging, waves
 from boresight.runtime import rotation
+from boresight.runtime.library import load
 from boresight.runtime.recording import best_delay, check, read
 from boresight.runtime.recording.check import slope_of
 from boresight.runtime.units import ARCMIN, DEG
-from boresight.studies.replays import euler_matching
+from boresight.studies.replays import euler_matching, velocity_attitude
 from boresight.studies.replays.innovations import most_likely
 
 SECONDS = 30.0
@@ -181,6 +183,22 @@ def test_a_filter_opens_its_covariance_by_what_a_bridge_may_have_missed(describe
                     for one in (leg, sure))  # fmt: skip
     assert (opened[k[0], :3] > shut[k[0], :3]).all()
     np.testing.assert_array_equal(opened[: k[0]], shut[: k[0]])
+
+
+def test_transfer_alignment_opens_its_covariance_by_what_a_bridge_may_have_missed(describe):
+    recording = read(describe(imu=without(IMU, np.arange(1000, 1010))), bridge="100 ms", begin=9.0, end=11.5)
+    noises = np.array([1e-6, 1e-5, 0.01, 0.01, 1e-4, 1e-4, 1e-6])
+    sigmas = []
+    for one in (recording, replace(recording, imu=replace(recording.imu, doubt=None))):
+        cut = velocity_attitude.prepare(one, None)
+        track = velocity_attitude.fly(
+            cut, load("velocity-attitude"), noises, np.zeros(19), velocity_attitude.PRIOR, 0.0
+        )
+        sigmas.append(track["sigma"])
+    opened, shut = sigmas
+    k = int(np.searchsorted(track["time"], 9.95))  # handed over behind the gap
+    np.testing.assert_allclose(opened[: k - 2], shut[: k - 2], rtol=1e-12)
+    assert (opened[k + 1, :3] > 1.02 * shut[k + 1, :3]).all() and (opened[k + 1, 3:6] > shut[k + 1, 3:6]).all()
 
 
 def test_jittered_tags_of_a_regular_clock_are_no_gaps(describe):
