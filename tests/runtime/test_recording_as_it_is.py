@@ -186,7 +186,7 @@ def test_a_filter_opens_its_covariance_by_what_a_bridge_may_have_missed(describe
 
 
 def test_transfer_alignment_opens_its_covariance_by_what_a_bridge_may_have_missed(describe):
-    recording = read(describe(imu=without(IMU, np.arange(1000, 1010))), bridge="100 ms", begin=9.0, end=11.5)
+    recording = read(describe(imu=without(IMU, np.arange(1000, 1010))), bridge="100 ms", begin=8.0, end=11.5)
     noises = np.array([1e-6, 1e-5, 0.01, 0.01, 1e-4, 1e-4, 1e-6])
     sigmas = []
     for one in (recording, replace(recording, imu=replace(recording.imu, doubt=None))):
