@@ -335,7 +335,7 @@ class Transfer:
     def _curved(self, lag: Array, inputs: dict[str, Any], since: Array) -> Array | float:
         """(..., 6) variance of the residuals by the delay's error d in the second order, E[d^4] = 3 sigma^4.
 
-        It is one error in all messages of a swing: as white noise it has the same weight over SWING_S.  since: (...,) s.
+        It is one error in all messages of a swing, so that SWING_S of messages weigh as one.  since: (...,) s.
         """
         variance, step = self.filter.P[..., TAU, TAU], 2 * self.rules.half_span_s
         if np.max(variance) < (step / 4) ** 2:  # 10 ms: a turn that changes by 1 rad/s^2 leaves 0.05 mrad

@@ -57,7 +57,8 @@ class PositionWatch:
     ) -> Array:
         """(...,) bool, which are taken; `note` is called with runs and a line where that changes.
 
-        asked: (...,) bool, whose messages count.  position, sigma (m): (..., 3) of the message; box: lowest and highest that the model knows.
+        asked: (...,) bool, whose messages count.  position, sigma (m): (..., 3) of the message.
+        box: lowest and highest position that the model knows.
         slave: (..., 3) by dead reckoning since the last one taken; speed_sigma: (...,) m/s of its velocity, one axis.
         lever: (...,) m, between the two.
         """
