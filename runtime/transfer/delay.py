@@ -259,13 +259,14 @@ def cause(found: Explanation, run: tuple[int, ...], tau: float, clock_s: float, 
         parts.append(f"the {what} by {{:.2f}} {{:.2f}} {{:.2f}} deg".format(*turn))
     offset = (f"the master is off the slave, {' and '.join(parts) or 'by little'} (north, east, down), by its own "
               "jump or the slave's, which cannot be told apart")  # fmt: skip
+    now = f"{ms:.0f} ms" if sigma_ms < 20 else (
+        f"{ms:.0f} +- {sigma_ms:.0f} ms, which gets better only as the slave turns or accelerates")  # fmt: skip
     if clock_s:
-        turned = f"the master's clock has gone {'forward' if clock_s > 0 else 'back'} by {abs(clock_s):.3f} s"
-        change = f"{turned}; the delay is {ms:.0f} ms against its stamps, and was {1e3 * tau:.0f} ms"
+        way = "forward" if clock_s > 0 else "back"
+        change = (f"the master's clock has gone {way} by {abs(clock_s):.3f} s; the delay against its stamps was "
+                  f"{1e3 * tau:.0f} ms and is {now}")  # fmt: skip
     else:
-        change = f"the master's delay has changed from {1e3 * tau:.0f} to {ms:.0f} ms"
-    if sigma_ms > 20:
-        change += f" (sigma {sigma_ms:.0f} ms: the delay shows only as the slave turns or accelerates)"
+        change = f"the master's delay has changed from {1e3 * tau:.0f} to {now}"
     if delay > 1 - CLEAR:
         return change
     if delay < CLEAR:
