@@ -88,12 +88,12 @@ def fly(
     master_hz: float = 5,
     seconds: float = 40.0,
     tau: Any = 0.035,
-    tau_believed: float = 0.0,
+    tau_believed: Any = 0.0,
     tau_sigma: float = 0.05,
     lost: float = 0.1,
     jitter: float = 0.003,
     hand_over: float = 0.02,
-    clock: Callable[[float], float] = lambda time: 0.0,
+    clock: Callable[[float], Any] = lambda time: 0.0,
     lever_b: Any = (1.2, -2.4, 1.8),
     C_b2m: Any = None,
     R: Any = None,
@@ -109,7 +109,7 @@ def fly(
 
     tau: s, true, () or (runs,), or that as a function of time.  lost: part of the messages.
     jitter: s, of their times, which the stamps tell.
-    clock: s by which the stamps are ahead, as a function of time: as much is the delay against them longer.
+    clock: s, () or (runs,), by which the stamps are ahead, as a function of time: so much longer is the delay.
     hand_over: s after which a message is handed over beyond the master's own delay.
     sensed(time, dtheta, dv) changes what the slave delivers in an interval (runs, 3), or loses it by None.
     said(time, message) changes what the master says, or loses it by None.
@@ -127,7 +127,7 @@ def fly(
 
     R = np.repeat([unit.velocity, unit.attitude], 3) ** 2 if R is None else np.asarray(R, float)
     dt, steps = 1 / imu_hz, round(seconds * imu_hz)
-    lead = round((0.3 + abs(tau_believed)) * imu_hz)  # what the slave delivered before the first message's stamp, 0
+    lead = round((0.3 + np.max(np.abs(tau_believed))) * imu_hz)  # what the slave delivered before the first stamp, 0
     edges = np.arange(-lead, steps + 1) * dt
     dtheta, dv = motion.increments(edges)
     bias_g, bias_a = unit.gyro_bias * rng.standard_normal((runs, 3)), unit.accel_bias * rng.standard_normal((runs, 3))
