@@ -87,7 +87,7 @@ def mixed(where: Array, ours: Mapping[str, Array], theirs: Mapping[str, Array]) 
     }
 
 
-def outside(model: Any, nav: dict[str, Array], runs: tuple[int, ...]) -> tuple[Array, str]:
+def outside(model: Any, nav: Mapping[str, Array], runs: tuple[int, ...] = ()) -> tuple[Array, str]:
     """(...,) bool, whether a quantity of nav is beyond its box or no number, and the first of them in words."""
     out, why = np.zeros(runs, bool), ""
     for name, value in nav.items():

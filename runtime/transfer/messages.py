@@ -36,6 +36,7 @@ class Message:
     q_m2n_wxyz: Any = None  # (..., 4)
     euler_m: Any = None  # (..., 3) rad, instead of the quaternion, for the measurement `euler`
     position: Any = None  # (..., 3) latitude, longitude, height
+    position_sigma: Any = 10.0  # m, (..., 3) of north, east, up, or one number; a plain satellite receiver's
     rows: Any = True  # (..., 6) bool, False for what is missing; all False: nothing came to this run
     count: Any = None  # (...,) the master's own counter, if it has one: a message with the last one's is its copy
 
@@ -80,7 +81,8 @@ class Heard:
     came: Array  # (...,) bool
     masked: Array  # (..., 6) bool: not given, in a message that came
     spoilt: Array  # (..., 6) bool: given, but not finite or beyond the model's range
-    position: Array | None  # (..., 3)
+    position: Array | None  # (..., 3), nan where it cannot be used
+    position_sigma: Array  # (..., 3) m
     count: Array  # (...,), nan where there is none
     faults: list[tuple[Array, str]]  # (...,) bool, the runs whose message is refused, and why
 
@@ -137,10 +139,14 @@ def heard(message: Message, runs: tuple[int, ...], attitude: str, steepest: floa
     empty = came & ~(given & fine).any(-1)
     faults.append((empty, "it holds no finite value within the model's range"))
     refused = np.any([where for where, _ in faults], axis=0)
-    position = None if message.position is None else array("position", 3)
+    position, position_sigma = None, array("position_sigma", 3)
+    if message.position is not None:
+        usable = np.isfinite(position_sigma) & (position_sigma > 0) & (position_sigma < 1e9)
+        position = np.where(usable.all(-1, keepdims=True), array("position", 3), np.nan)
+        position_sigma = np.where(usable, position_sigma, 1.0)
     count = np.full(runs, np.nan) if message.count is None else array("count")
-    whole = came & ~refused
+    whole, faults = came & ~refused, [(where & came, why) for where, why in faults]
     return Heard(
         time, np.where(sound, R, 1.0), said, given & fine & whole[..., None], came, whole[..., None] & ~given,
-        whole[..., None] & given & ~fine, position, count, [(where & came, why) for where, why in faults],
+        whole[..., None] & given & ~fine, position, position_sigma, count, faults,
     )  # fmt: skip
