@@ -7,10 +7,12 @@ from typing import Any
 import numpy as np
 from scipy.stats import chi2
 
+from boresight.evidence.flights import imperfect
 from boresight.evidence.flights.motion import Motion, matrix, quaternion, turn, turn_between
 from boresight.runtime import transfer
 from boresight.runtime.array import Array
 from boresight.runtime.library import load
+from boresight.runtime.transfer.sensors import MODEL, Sensors, carried
 from boresight.runtime.units import DEG, HOUR, STANDARD_GRAVITY
 
 
@@ -33,15 +35,20 @@ class Flown:
 
     loop: transfer.Transfer
     time: Array  # (K,) s
-    errors: Array  # (K, runs, 16) estimated - true, after each message
-    P: Array  # (K, runs, 16, 16)
+    errors: Array  # (K, runs, n) estimated - true, after each message; n is 16, or 46 of a filter that carries sensors
+    P: Array  # (K, runs, n, n)
     nis: Array  # (K, runs) of the messages taken, else nan
     verdict: Array  # (K, runs)
 
     @property
     def nees(self) -> Array:
-        """(K, runs)"""
-        return np.einsum("kri,kri->kr", self.errors, np.linalg.solve(self.P, self.errors[..., None])[..., 0])
+        """(K, runs) of the states that have a variance."""
+        return self.nees_of(self.states)
+
+    @property
+    def states(self) -> list[int]:
+        """Those that have a variance."""
+        return [int(i) for i in np.flatnonzero(np.diagonal(self.P[0, 0]) > 0)]
 
     def nees_of(self, states: list[int]) -> Array:
         """(K, runs) of these states alone."""
@@ -78,6 +85,9 @@ def fly(
     sensed: Callable[..., Any] | None = None,
     said: Callable[..., Any] | None = None,
     start: Callable[..., Any] | None = None,
+    sensors: Sensors | None = None,
+    sine: bool = False,
+    carrying: Sensors | None = None,
     constants: dict[str, Any] | None = None,
     **settings: Any,
 ) -> Flown:
@@ -89,11 +99,13 @@ def fly(
     sensed(time, dtheta, dv) changes what the slave delivers in an interval (runs, 3), or loses it by None.
     said(time, message) changes what the master says, or loses it by None.  start(message, **what `first` takes) makes
     nav and P in place of `first`.
+    sensors: how far those of the slave and its seat are from ideal; sine: the seat bends as one.  carrying: what the
+    filter carries of that, which flies the model with states for it.
     settings: of `Transfer`.
     """
     unit = unit or Unit()
     rng = np.random.default_rng([seed, runs])
-    loaded = load(model) if isinstance(model, str) else model
+    loaded = load(MODEL if carrying else model) if isinstance(model, str) else model
     C_b2m = matrix(np.array([0.4, -0.3, 2.0]) * DEG) if C_b2m is None else np.asarray(C_b2m)
     lever_b = np.asarray(lever_b, float)
 
@@ -104,6 +116,8 @@ def fly(
     dt, steps = 1 / imu_hz, round(seconds * imu_hz)
     edges = np.arange(-1, steps + 1) * dt
     dtheta, dv = motion.increments(edges)
+    truth = imperfect.drawn(sensors or Sensors(), np.random.default_rng([seed, runs, 1]), runs, edges[1:], sine=sine)
+    C_b2m_true, lever_true = C_b2m @ np.swapaxes(truth.Q, -1, -2), truth.Q @ lever_b
     bias_g, bias_a = unit.gyro_bias * rng.standard_normal((runs, 3)), unit.accel_bias * rng.standard_normal((runs, 3))
     known = {"lever_b": lever_b, "gyro_noise": np.full(3, unit.gyro_noise), "accel_noise": np.full(3, unit.accel_noise),
              "gyro_bias_noise": np.full(3, 1e-9), "accel_bias_noise": np.full(3, 1e-9), "mu_noise": np.full(3, 1e-9),
@@ -111,7 +125,8 @@ def fly(
 
     def message(stamp: Array, tau: Array) -> transfer.Message:
         """What the master says that is stamped so (runs,): it saw `stamp - tau`."""
-        v, C = motion.master(stamp - tau, lever_b, C_b2m)
+        bend, rate = truth.bend(stamp - tau), truth.bend_rate(stamp - tau)
+        v, C = motion.master(stamp - tau, lever_b, turn(bend) @ C_b2m, rate @ C_b2m)
         v = v + unit.velocity * rng.standard_normal((runs, 3))
         C = turn(unit.attitude * rng.standard_normal((runs, 3))) @ C
         return transfer.Message(stamp, R, v_m_n=v, q_m2n_wxyz=quaternion(C), position=motion.position(stamp - tau),
@@ -124,14 +139,21 @@ def fly(
         mounting_sigma=sigma, velocity_sigma=np.full(3, 0.3), gyro_bias_sigma=np.full(3, unit.gyro_bias),
         accel_bias_sigma=np.full(3, unit.accel_bias), tau_sigma=tau_sigma,
     )  # fmt: skip
+    extended = None if carrying is None else carried(nav, P, known, carrying)
+    if extended is not None:
+        nav, P, known = extended.nav, extended.P, extended.constants
     loop = transfer.Transfer(loaded, nav, P, known, **settings)
+    if extended is not None:
+        loop.filter.considered = extended.considered
     gap = 1 / master_hz
     out: dict[str, list[Any]] = {"time": [], "errors": [], "P": [], "nis": [], "verdict": []}
     due = 1
     for k in range(steps):
         time = (k + 1) * dt
-        d = dtheta[k + 1] + bias_g * dt + unit.gyro_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
-        f = dv[k + 1] + bias_a * dt + unit.accel_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
+        turned, pushed = truth.gyro @ dtheta[k + 1], truth.accel @ dv[k + 1]
+        drift_g, drift_a = (part[k + 1] for part in truth.drift)
+        d = turned + (bias_g + drift_g) * dt + unit.gyro_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
+        f = pushed + (bias_a + drift_a) * dt + unit.accel_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
         delivered: tuple[Array, Array] | None = (d, f) if sensed is None else sensed(time, d, f)
         if delivered is not None:
             loop.slave(time, delivered[0], delivered[1], dt)
@@ -143,12 +165,20 @@ def fly(
                 continue
             result = loop.master(given)
             nav, now = loop.nav, np.array(time)
-            errors = [turn_between(nav["q_b2n_wxyz"], motion.C_b2n(now)), nav["v_n"] - motion.velocity(now)[0],
-                      nav["gyro_bias"] - bias_g, nav["accel_bias"] - bias_a, turn_between(nav["q_b2m_wxyz"], C_b2m),
-                      (nav["tau"] - delay(time))[:, None]]  # fmt: skip
+            C_b2n = motion.C_b2n(now) @ np.swapaxes(truth.Q, -1, -2)
+            errors = [turn_between(nav["q_b2n_wxyz"], C_b2n), nav["v_n"] - motion.velocity(now)[0],
+                      nav["gyro_bias"] - bias_g - drift_g, nav["accel_bias"] - bias_a - drift_a,
+                      turn_between(nav["q_b2m_wxyz"], C_b2m_true), (nav["tau"] - delay(time))[:, None]]  # fmt: skip
+            if extended is not None:
+                calibration = [nav[name] for name in ("gyro_scale", "accel_scale", "gyro_axes", "accel_axes")]
+                errors += [nav["lever_b"] - lever_true, nav["flexure"] - truth.bend(now),
+                           nav["flexure_rate"] - truth.bend_rate(now),
+                           np.concatenate(calibration, axis=-1) - truth.calibration,
+                           nav["gyro_turn_on"] - bias_g, nav["accel_turn_on"] - bias_a]  # fmt: skip
             out["time"].append(time)
             out["errors"].append(np.concatenate(errors, axis=-1))
-            out["P"].append(loop.P[..., :16, :16].copy())
+            n = out["errors"][-1].shape[-1]
+            out["P"].append(loop.P[..., :n, :n].copy())
             out["nis"].append(np.where(result.taken, result.nis, np.nan))
             out["verdict"].append(result.verdict)
     return Flown(loop, **{name: np.array(value) for name, value in out.items()})

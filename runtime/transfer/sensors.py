@@ -1,0 +1,165 @@
+"""Sensors that are not as the plain model says, and a hull that bends: from their sizes to what a filter carries.
+
+`velocity-attitude-sensors` has states for all of it; what has no size has no variance either, and stays out of account.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.runtime import rotation
+from boresight.runtime.array import Array
+from boresight.runtime.units import DEG_H, STANDARD_GRAVITY
+
+MODEL = "velocity-attitude-sensors"
+N = 46
+# Where in its state each part stands, and in nav the estimate of the same name.
+PHI, MOUNTING = slice(0, 3), slice(12, 15)
+BIASES = {"gyro": (slice(6, 9), slice(40, 43)), "accel": (slice(9, 12), slice(43, 46))}
+ADDED = {
+    "lever_b": slice(16, 19), "flexure": slice(19, 22), "flexure_rate": slice(22, 25), "gyro_scale": slice(25, 28),
+    "accel_scale": slice(28, 31), "gyro_axes": slice(31, 37), "accel_axes": slice(37, 40),
+    "gyro_turn_on": slice(40, 43), "accel_turn_on": slice(43, 46),
+}  # fmt: skip
+CALIBRATION = slice(25, 40)  # scale factors and axes
+MICRO_G = STANDARD_GRAVITY / 1e6
+
+
+@dataclass(frozen=True)
+class Sensors:
+    """How far sensors and hull are from the plain model, one sigma each, SI and rad; what is zero is left out.
+
+    scale: 1, of each gyro and accelerometer.  axes: rad, by which each sensitive axis leaves its place in the case
+    towards either of the others.  instability: what a bias wanders by about its constant part, with its correlation
+    time.  bending: rad about each of the master's axes, with its natural frequency and damping (1 the critical one).
+    lever: m.  estimated: scale factors and axes are estimated; else they are considered, with no gain.
+    """
+
+    gyro_scale: float = 0.0
+    accel_scale: float = 0.0
+    gyro_axes: float = 0.0
+    accel_axes: float = 0.0
+    gyro_instability: float = 0.0  # rad/s
+    accel_instability: float = 0.0  # m/s^2
+    correlation_s: float = 300.0
+    bending: float = 0.0
+    bending_hz: float = 0.1
+    bending_damping: float = 0.3
+    lever: float = 0.0
+    estimated: bool = False
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = getattr(self, field.name)
+            above = field.name in ("correlation_s", "bending_hz", "bending_damping")
+            if not np.isfinite(value) or value < 0 or (above and value == 0):
+                asked = "above zero" if above else "zero or more"
+                raise BoresightError(f"sensors: {field.name} is {value!r}; it must be a finite number, {asked}")
+        for name in ("gyro_scale", "accel_scale", "gyro_axes", "accel_axes"):
+            if getattr(self, name) > 0.02:
+                raise BoresightError(f"sensors: {name} is {getattr(self, name):g}; the model's range is 0.02 at most")
+
+
+# Typical of a class of units, as their datasheets print it: the unit's own is better.  A datasheet's bias instability
+# is the floor of the Allan deviation.
+GRADES = {
+    # Xsens MTi-1: 10 deg/h, 30 ug, 0.1 and 0.5 % of nonlinearity; ADIS16475: axes within 0.1 deg
+    "mems": Sensors(3e-3, 3e-3, 3e-3, 3e-3, 10 * DEG_H, 50 * MICRO_G),
+    # ADIS16488A: 5.1 deg/h, 70 ug, axes within 0.05 deg
+    "industrial": Sensors(1e-3, 1e-3, 1e-3, 1e-3, 5 * DEG_H, 70 * MICRO_G),
+    # Sensonor STIM300 with accelerometers of 10 g: 500 and 300 ppm, 1 mrad, 0.5 deg/h, 50 ug
+    "tactical": Sensors(5e-4, 3e-4, 1e-3, 1e-3, 0.5 * DEG_H, 50 * MICRO_G),
+    # ring laser gyros of 1 nmi/h: 5 and 100 ppm, some arcseconds, below 0.01 deg/h, 25 ug
+    "navigation": Sensors(5e-6, 1e-4, 2.5e-5, 2.5e-5, 0.003 * DEG_H, 10 * MICRO_G, 3600.0),
+}
+
+
+def grade(name: str) -> Sensors:
+    if name not in GRADES:
+        raise BoresightError(f"no grade {name!r}; there are {', '.join(GRADES)}")
+    return GRADES[name]
+
+
+@dataclass(frozen=True)
+class Carried:
+    """What a `Transfer` of MODEL begins with; `considered` (46,) belongs to its `filter`."""
+
+    nav: dict[str, Array]
+    P: Array
+    constants: dict[str, Any]
+    considered: Array
+
+
+def carried(nav: Mapping[str, Any], P: Any, constants: Mapping[str, Any], sensors: Sensors) -> Carried:
+    """nav and P (..., 16, 16), as `first` makes them, with `constants`, widened to MODEL.
+
+    The lever arm goes from the constants into nav.  What the constants say of the biases' random walk stays, beside
+    the instability.  The bending and the instability are in what `first` took over: P has their covariances.
+    """
+    nav = {name: np.asarray(value, float) for name, value in nav.items()}
+    constants = dict(constants)
+    runs, three = np.shape(P)[:-2], np.ones(3)
+    whole = np.zeros((*runs, N, N))
+    whole[..., :16, :16] = P
+    for name, part in ADDED.items():
+        nav[name] = np.zeros(part.stop - part.start)
+    nav["lever_b"] = np.asarray(constants.pop("lever_b", nav["lever_b"]), float)
+
+    for name, (bias, constant) in BIASES.items():
+        sigma, beta = getattr(sensors, f"{name}_instability"), 1 / sensors.correlation_s
+        nav[f"{name}_turn_on"] = nav[f"{name}_bias"]
+        if sigma > 0:
+            # what `first` calls the bias is its constant part; what it wanders by is handed over with it
+            variance = np.einsum("...ii->...i", whole[..., bias, bias])
+            shares = whole[..., :, bias] / np.where(variance > 0, variance, 1.0)[..., None, :]
+            shares[..., bias, :] = np.eye(3)
+            whole[..., constant, :], whole[..., :, constant] = whole[..., bias, :], whole[..., :, bias]
+            whole[..., constant, constant] = whole[..., bias, bias]
+            shares[..., constant, :] = 0.0
+            whole += sigma**2 * shares @ np.swapaxes(shares, -1, -2)
+        constants[f"{name}_bias_beta"] = three * (beta if sigma > 0 else 0.0)
+        walk = np.asarray(constants.get(f"{name}_bias_noise", 0.0), float)
+        constants[f"{name}_bias_noise"] = np.sqrt(np.square(walk) + 2 * beta * sigma**2) * three
+
+    whole[..., CALIBRATION, CALIBRATION] = calibration(sensors)
+    diagonal = np.arange(3)
+    whole[..., 16 + diagonal, 16 + diagonal] = sensors.lever**2
+
+    omega, damping, bent = 2 * np.pi * sensors.bending_hz, sensors.bending_damping, sensors.bending**2
+    C_m2n = rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]) @ np.swapaxes(
+        rotation.matrix_from_quaternion(nav["q_b2m_wxyz"]), -1, -2
+    )
+    bend, rate = ADDED["flexure"], ADDED["flexure_rate"]
+    whole[..., PHI, PHI] += bent * np.eye(3)
+    whole[..., PHI, bend] = -bent * C_m2n  # the attitude came through a seat that was bent
+    whole[..., bend, PHI] = np.swapaxes(whole[..., PHI, bend], -1, -2)
+    whole[..., bend, bend], whole[..., rate, rate] = bent * np.eye(3), bent * omega**2 * np.eye(3)
+    constants |= {"flexure_omega": three * omega, "flexure_damping": three * damping,
+                  "flexure_noise": three * 2 * sensors.bending * np.sqrt(damping * omega**3)}  # fmt: skip
+
+    considered = np.zeros(N, bool)
+    considered[CALIBRATION] = not sensors.estimated
+    return Carried(nav, (whole + np.swapaxes(whole, -1, -2)) / 2, constants, considered)
+
+
+def calibration(sensors: Sensors) -> Array:
+    """(15, 15) covariance of scale factors, the gyros' six axes and the accelerometers' three.
+
+    Each of twelve axes leaves its place in the case by itself.  The body's axes are those of the accelerometers, from
+    which the upper three of theirs are gone: they turn the body against the case, and the gyros' axes with it.
+    """
+    out = np.zeros((15, 15))
+    out[:6, :6] = np.diag(np.repeat([sensors.gyro_scale, sensors.accel_scale], 3) ** 2)
+    pairs = [(i, j) for i in range(3) for j in range(3) if i != j]
+    lower = [(1, 0), (2, 0), (2, 1)]
+    shares = np.zeros((9, 12))  # of the accelerometers' six, then of the gyros' six
+    for k, (i, j) in enumerate(pairs):
+        shares[k, 6 + k] = 1.0
+        shares[k, pairs.index((min(i, j), max(i, j)))] = -1.0 if i < j else 1.0
+    for k, (i, j) in enumerate(lower):
+        shares[6 + k, [pairs.index((i, j)), pairs.index((j, i))]] = 1.0
+    out[6:, 6:] = shares @ np.diag(np.repeat([sensors.accel_axes, sensors.gyro_axes], 6) ** 2) @ shares.T
+    return out
