@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
-from scipy.linalg import expm, rq
+from scipy.linalg import expm
 
 from boresight.runtime.array import Array
 from boresight.runtime.transfer.sensors import Sensors
@@ -40,12 +40,10 @@ def drawn(sizes: Sensors, rng: np.random.Generator, runs: int, times: Array, *, 
         + scale * rng.standard_normal((runs, 3, 1)) * np.eye(3)
         for scale, axes in ((sizes.gyro_scale, sizes.gyro_axes), (sizes.accel_scale, sizes.accel_axes))
     )  # fmt: skip
-    L, Q = np.empty_like(accel), np.empty_like(accel)
-    for r in range(runs):
-        # a lower triangle from the right: RQ of what is turned over twice
-        upper, turned = rq(accel[r][::-1, ::-1])
-        sign = np.sign(np.diag(upper))
-        L[r], Q[r] = (upper * sign)[::-1, ::-1], (sign[:, None] * turned)[::-1, ::-1]
+    # accel = L Q, L with a positive diagonal
+    q, r = np.linalg.qr(np.swapaxes(accel, -1, -2))
+    sign = np.sign(np.diagonal(r, axis1=-2, axis2=-1))
+    L, Q = np.swapaxes(r * sign[..., None], -1, -2), np.swapaxes(q * sign[:, None, :], -1, -2)
     K_g, K_a = np.eye(3) - np.linalg.inv(gyro @ np.swapaxes(Q, -1, -2)), np.eye(3) - np.linalg.inv(L)
     beside = ~np.eye(3, dtype=bool)
     numbers = np.concatenate([

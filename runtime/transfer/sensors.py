@@ -3,8 +3,8 @@
 `velocity-attitude-sensors` has states for all of it; what has no size has no variance either, and stays out of account.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
-from boresight.runtime.units import DEG_H, STANDARD_GRAVITY
+from boresight.runtime.units import DEG_H, STANDARD_GRAVITY, quantity
 
 MODEL = "velocity-attitude-sensors"
 N = 46
@@ -77,10 +77,50 @@ GRADES = {
 }
 
 
-def grade(name: str) -> Sensors:
-    if name not in GRADES:
-        raise BoresightError(f"no grade {name!r}; there are {', '.join(GRADES)}")
-    return GRADES[name]
+def sized(
+    words: Sequence[str] = (),
+    grade: str | None = None,
+    gyro_instability: str | None = None,
+    accel_instability: str | None = None,
+    correlation: str | None = None,
+    *,
+    estimated: bool = False,
+) -> Sensors:
+    """Sizes in words: of a grade, with what else is said in their place.
+
+    words: such as "scale 1000 ppm", "axes 1 mrad" or "bending 2 mrad 0.1 Hz"; the others as "3 deg/h", "50 ug" and
+    "300 s".  Raises BoresightError for what it cannot read, and for what has nothing to stand on.
+    """
+    if grade is not None and grade not in GRADES:
+        raise BoresightError(f"no grade {grade!r}; there are {', '.join(GRADES)}")
+    sizes: dict[str, Any] = {}
+    for text in words:
+        name, _, size = text.strip().partition(" ")
+        if name in ("scale", "axes"):
+            value = float(quantity(size, "scale factor" if name == "scale" else "angle")[0])
+            sizes |= {f"gyro_{name}": value, f"accel_{name}": value}
+        elif name == "bending" and len(size.split()) == 4:
+            amount, hertz = " ".join(size.split()[:2]), " ".join(size.split()[2:])
+            sizes |= {"bending": float(quantity(amount, "angle")[0]),
+                      "bending_hz": float(quantity(hertz, "frequency")[0])}  # fmt: skip
+        else:
+            raise BoresightError(
+                f"{text!r}: give scale, axes or bending with a size, as 'scale 1000 ppm', 'axes 1 mrad' or "
+                "'bending 2 mrad 0.1 Hz'"
+            )
+    for field, said, kind in (
+        ("gyro_instability", gyro_instability, "angular rate"),
+        ("accel_instability", accel_instability, "acceleration"),
+        ("correlation_s", correlation, "time"),
+    ):
+        if said is not None:
+            sizes[field] = float(quantity(said, kind)[0])
+    out = replace(GRADES[grade] if grade else Sensors(), estimated=estimated, **sizes)
+    if estimated and not calibration(out).any():
+        raise BoresightError("scale factors and axes are to be estimated, and have no size: give one, or a grade")
+    if correlation and not (out.gyro_instability or out.accel_instability):
+        raise BoresightError("a correlation time is of an instability: give one, or a grade")
+    return out
 
 
 @dataclass(frozen=True)
