@@ -34,6 +34,8 @@ class Flown:
     """Of K messages handed over to so many runs."""
 
     loop: transfer.Transfer
+    start_errors: Array  # (runs, n) before the first message after the hand-over
+    start_P: Array
     time: Array  # (K,) s
     errors: Array  # (K, runs, n) estimated - true, after each message; n is 16, or 46 of a filter that carries sensors
     P: Array  # (K, runs, n, n)
@@ -46,14 +48,24 @@ class Flown:
         return self.nees_of(self.states)
 
     @property
+    def start_nees(self) -> Array:
+        """(runs,)"""
+        return nees(self.start_errors[..., self.states], self.start_P[..., self.states, :][..., self.states])
+
+    @property
     def states(self) -> list[int]:
         """Those that have a variance."""
-        return [int(i) for i in np.flatnonzero(np.diagonal(self.P[0, 0]) > 0)]
+        return [int(i) for i in np.flatnonzero(np.diagonal(self.start_P, axis1=-2, axis2=-1).min(0) > 0)]
 
     def nees_of(self, states: list[int]) -> Array:
         """(K, runs) of these states alone."""
-        e, P = self.errors[..., states], self.P[..., states, :][..., states]
-        return np.einsum("kri,kri->kr", e, np.linalg.solve(P, e[..., None])[..., 0])
+        return nees(self.errors[..., states], self.P[..., states, :][..., states])
+
+
+def nees(errors: Array, P: Array) -> Array:
+    """(...,) of errors (..., n) by their covariance (..., n, n)."""
+    out: Array = np.einsum("...i,...i->...", errors, np.linalg.solve(P, errors[..., None])[..., 0])
+    return out
 
 
 def band(mean_of: int, dof: int, level: float = 0.999) -> Array:
@@ -88,6 +100,8 @@ def fly(
     sensors: Sensors | None = None,
     sine: bool = False,
     carrying: Sensors | None = None,
+    sigmas: dict[str, Any] | None = None,
+    estimates: dict[str, Any] | None = None,
     constants: dict[str, Any] | None = None,
     **settings: Any,
 ) -> Flown:
@@ -97,8 +111,8 @@ def fly(
     jitter: s, of their times, which the stamps tell.
     hand_over: s after which a message is handed over beyond the master's own delay.
     sensed(time, dtheta, dv) changes what the slave delivers in an interval (runs, 3), or loses it by None.
-    said(time, message) changes what the master says, or loses it by None.  start(message, **what `first` takes) makes
-    nav and P in place of `first`.
+    said(time, message) changes what the master says, or loses it by None.
+    start: in place of `first`, and takes what it takes; sigmas, estimates: what it is given besides.
     sensors: how far those of the slave and its seat are from ideal; sine: the seat bends as one.  carrying: what the
     filter carries of that, which flies the model with states for it.
     settings: of `Transfer`.
@@ -114,7 +128,8 @@ def fly(
 
     R = np.repeat([unit.velocity, unit.attitude], 3) ** 2 if R is None else np.asarray(R, float)
     dt, steps = 1 / imu_hz, round(seconds * imu_hz)
-    edges = np.arange(-1, steps + 1) * dt
+    lead = round((0.3 + abs(tau_believed)) * imu_hz)  # what the slave delivered before the first message's stamp, 0
+    edges = np.arange(-lead, steps + 1) * dt
     dtheta, dv = motion.increments(edges)
     truth = imperfect.drawn(sensors or Sensors(), np.random.default_rng([seed, runs, 1]), runs, edges[1:], sine=sine)
     C_b2m_true, lever_true = C_b2m @ np.swapaxes(truth.Q, -1, -2), truth.Q @ lever_b
@@ -132,31 +147,61 @@ def fly(
         return transfer.Message(stamp, R, v_m_n=v, q_m2n_wxyz=quaternion(C), position=motion.position(stamp - tau),
                                 rows=np.repeat(rng.random((runs, 1)) >= lost, 6, 1))  # fmt: skip
 
-    sigma = np.asarray(unit.mounting)
+    def deliver(k: int) -> tuple[Array, Array] | None:
+        """What the slave delivers in its k-th interval, (runs, 3) each."""
+        (turned, drift_g), (pushed, drift_a) = (
+            (shown @ part[k], drift[k])
+            for shown, part, drift in zip((truth.gyro, truth.accel), (dtheta, dv), truth.drift, strict=True)
+        )
+        d = turned + (bias_g + drift_g) * dt + unit.gyro_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
+        f = pushed + (bias_a + drift_a) * dt + unit.accel_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
+        out: tuple[Array, Array] | None = (d, f) if sensed is None else sensed(edges[k + 1], d, f)
+        return out
+
+    def errors(nav: dict[str, Array], time: float) -> Array:
+        """(runs, n) estimated - true, in the axes of the accelerometers."""
+        now = np.array(time)
+        C_b2n = motion.C_b2n(now) @ np.swapaxes(truth.Q, -1, -2)
+        drift_g, drift_a = (part[round(time * imu_hz) + lead - 1] for part in truth.drift)
+        parts = [turn_between(nav["q_b2n_wxyz"], C_b2n), nav["v_n"] - motion.velocity(now)[0],
+                 nav["gyro_bias"] - bias_g - drift_g, nav["accel_bias"] - bias_a - drift_a,
+                 turn_between(nav["q_b2m_wxyz"], C_b2m_true), (nav["tau"] - delay(time))[:, None]]  # fmt: skip
+        if carrying is not None:
+            shown = [nav[name] for name in ("gyro_scale", "accel_scale", "gyro_axes", "accel_axes")]
+            parts += [nav["lever_b"] - lever_true, nav["flexure"] - truth.bend(now),
+                      nav["flexure_rate"] - truth.bend_rate(now), np.concatenate(shown, axis=-1) - truth.calibration,
+                      nav["gyro_turn_on"] - bias_g, nav["accel_turn_on"] - bias_a]  # fmt: skip
+        return np.concatenate(parts, axis=-1)
+
     opening = replace(message(np.zeros(runs), delay(0.0)), rows=True)
-    nav, P = (start or transfer.first)(
-        opening, q_b2m_wxyz=quaternion(turn(sigma * rng.standard_normal((runs, 3))) @ C_b2m), tau=tau_believed,
-        mounting_sigma=sigma, velocity_sigma=np.full(3, 0.3), gyro_bias_sigma=np.full(3, unit.gyro_bias),
-        accel_bias_sigma=np.full(3, unit.accel_bias), tau_sigma=tau_sigma,
-    )  # fmt: skip
-    extended = None if carrying is None else carried(nav, P, known, carrying)
-    if extended is not None:
-        nav, P, known = extended.nav, extended.P, extended.constants
-    loop = transfer.Transfer(loaded, nav, P, known, **settings)
-    if extended is not None:
-        loop.filter.considered = extended.considered
+    begun = lead + int(np.ceil(hand_over * imu_hz - 1e-9))
+    known_past = [part for part in map(deliver, range(begun)) if part is not None]
+    past = np.array(known_past).swapaxes(0, 1)
+    sigma = np.asarray(unit.mounting)
+    all_sigmas = {"q_b2m_wxyz": sigma, "gyro_bias": unit.gyro_bias, "accel_bias": unit.accel_bias, "tau": tau_sigma}
+    all_sigmas |= sigmas or {}
+    mounted = quaternion(turn(sigma * rng.standard_normal((runs, 3))) @ C_b2m)
+    begins: dict[str, Any] = {"q_b2m_wxyz": mounted, "tau": tau_believed} | (estimates or {})
+    how: dict[str, Any] = {"sigmas": all_sigmas, "estimates": begins}
+    considered = None
+    if carrying is not None:
+        known, widened, begins, considered = carried(carrying, known, all_sigmas, begins)
+        how = {"P": widened, "estimates": begins}
+    nav, P, kept = (start or transfer.first)(
+        opening, loaded, known, **how, increments=transfer.Increments(edges[:begun], edges[1 : begun + 1], *past)
+    )
+    loop = transfer.Transfer(loaded, nav, P, known, time=edges[begun], past=kept, **settings)
+    loop.filter.considered = considered
+    start_errors = errors(loop.nav, edges[begun])
+    start_P = loop.P[..., : start_errors.shape[-1], : start_errors.shape[-1]].copy()
     gap = 1 / master_hz
     out: dict[str, list[Any]] = {"time": [], "errors": [], "P": [], "nis": [], "verdict": []}
     due = 1
-    for k in range(steps):
-        time = (k + 1) * dt
-        turned, pushed = truth.gyro @ dtheta[k + 1], truth.accel @ dv[k + 1]
-        drift_g, drift_a = (part[k + 1] for part in truth.drift)
-        d = turned + (bias_g + drift_g) * dt + unit.gyro_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
-        f = pushed + (bias_a + drift_a) * dt + unit.accel_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
-        delivered: tuple[Array, Array] | None = (d, f) if sensed is None else sensed(time, d, f)
+    for k in range(begun, lead + steps):
+        time = float(edges[k + 1])
+        delivered = deliver(k)
         if delivered is not None:
-            loop.slave(time, delivered[0], delivered[1], dt)
+            loop.slave(time, *delivered, dt)
         while due * gap + hand_over <= time + 1e-9:
             given = message(due * gap + jitter * rng.uniform(-1, 1, runs), delay(due * gap))
             due += 1
@@ -164,21 +209,9 @@ def fly(
             if given is None:
                 continue
             result = loop.master(given)
-            nav, now = loop.nav, np.array(time)
-            C_b2n = motion.C_b2n(now) @ np.swapaxes(truth.Q, -1, -2)
-            errors = [turn_between(nav["q_b2n_wxyz"], C_b2n), nav["v_n"] - motion.velocity(now)[0],
-                      nav["gyro_bias"] - bias_g - drift_g, nav["accel_bias"] - bias_a - drift_a,
-                      turn_between(nav["q_b2m_wxyz"], C_b2m_true), (nav["tau"] - delay(time))[:, None]]  # fmt: skip
-            if extended is not None:
-                calibration = [nav[name] for name in ("gyro_scale", "accel_scale", "gyro_axes", "accel_axes")]
-                errors += [nav["lever_b"] - lever_true, nav["flexure"] - truth.bend(now),
-                           nav["flexure_rate"] - truth.bend_rate(now),
-                           np.concatenate(calibration, axis=-1) - truth.calibration,
-                           nav["gyro_turn_on"] - bias_g, nav["accel_turn_on"] - bias_a]  # fmt: skip
             out["time"].append(time)
-            out["errors"].append(np.concatenate(errors, axis=-1))
-            n = out["errors"][-1].shape[-1]
-            out["P"].append(loop.P[..., :n, :n].copy())
+            out["errors"].append(errors(loop.nav, time))
+            out["P"].append(loop.P[..., : start_P.shape[-1], : start_P.shape[-1]].copy())
             out["nis"].append(np.where(result.taken, result.nis, np.nan))
             out["verdict"].append(result.verdict)
-    return Flown(loop, **{name: np.array(value) for name, value in out.items()})
+    return Flown(loop, start_errors, start_P, **{name: np.array(value) for name, value in out.items()})

@@ -61,7 +61,7 @@ def drawn(sizes: Sensors, rng: np.random.Generator, runs: int, times: Array, *, 
 
     drift = wandering(sizes.gyro_instability), wandering(sizes.accel_instability)
     omega = 2 * np.pi * sizes.bending_hz
-    if sine:
+    if sine or sizes.bending == 0:
         phase, size = rng.uniform(0, 2 * np.pi, (runs, 3)), np.sqrt(2) * sizes.bending
 
         def angle(t: Any) -> Array:

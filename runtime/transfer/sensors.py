@@ -5,19 +5,18 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.units import DEG_H, STANDARD_GRAVITY, quantity
 
 MODEL = "velocity-attitude-sensors"
 N = 46
 # Where in its state each part stands, and in nav the estimate of the same name.
-PHI, MOUNTING = slice(0, 3), slice(12, 15)
+MOUNTING = slice(12, 15)
 BIASES = {"gyro": (slice(6, 9), slice(40, 43)), "accel": (slice(9, 12), slice(43, 46))}
 ADDED = {
     "lever_b": slice(16, 19), "flexure": slice(19, 22), "flexure_rate": slice(22, 25), "gyro_scale": slice(25, 28),
@@ -123,66 +122,64 @@ def sized(
     return out
 
 
-@dataclass(frozen=True)
-class Carried:
-    """What a `Transfer` of MODEL begins with; `considered` (46,) belongs to its `filter`."""
+class Carried(NamedTuple):
+    """What `first` takes of MODEL, and what its `Transfer` does."""
 
-    nav: dict[str, Array]
-    P: Array
     constants: dict[str, Any]
-    considered: Array
+    P: Array  # (..., 46, 46), of which `first` makes attitude and velocity
+    estimates: dict[str, Any]
+    considered: Array  # (46,) bool, for the filter
 
 
-def carried(nav: Mapping[str, Any], P: Any, constants: Mapping[str, Any], sensors: Sensors) -> Carried:
-    """nav and P (..., 16, 16), as `first` makes them, with `constants`, widened to MODEL.
+def carried(
+    sensors: Sensors, constants: Mapping[str, Any], sigmas: Mapping[str, Any], estimates: Mapping[str, Any]
+) -> Carried:
+    """Constants, sigmas and estimates of the plain model, as `first` takes them, widened to MODEL.
 
-    The lever arm goes from the constants into nav.  What the constants say of the biases' random walk stays, beside
-    the instability.  The bending and the instability are in what `first` took over: P has their covariances.
+    The lever arm becomes an estimate.  What the constants say of the biases' random walk stays, beside the instability.
+    Use it as
+
+        wide = carried(GRADES["tactical"], constants, sigmas, estimates)
+        nav, P, past = first(message, model, wide.constants, P=wide.P, estimates=wide.estimates, increments=...)
+        loop = Transfer(model, nav, P, wide.constants, past=past, ...)
+        loop.filter.considered = wide.considered
     """
-    nav = {name: np.asarray(value, float) for name, value in nav.items()}
-    constants = dict(constants)
-    runs, three = np.shape(P)[:-2], np.ones(3)
-    whole = np.zeros((*runs, N, N))
-    whole[..., :16, :16] = P
-    for name, part in ADDED.items():
-        nav[name] = np.zeros(part.stop - part.start)
-    nav["lever_b"] = np.asarray(constants.pop("lever_b", nav["lever_b"]), float)
+    constants, estimates, three = dict(constants), dict(estimates), np.ones(3)
+    if "lever_b" in constants:
+        estimates["lever_b"] = constants.pop("lever_b")
+    places = {name: BIASES[name[:-5]][0] for name in ("gyro_bias", "accel_bias")}
+    places |= {"q_b2m_wxyz": MOUNTING, "tau": slice(15, 16), "lever_b": ADDED["lever_b"]}
+    known = {"lever_b": sensors.lever, **sigmas}
+    if unknown := set(known) - set(places):
+        raise BoresightError(f"sensors: there is no sigma of {sorted(unknown)[0]!r}; there are {', '.join(places)}")
+    columns = {name: np.asarray(value, float)[..., None] if name == "tau" else np.asarray(value, float)
+               for name, value in known.items()}  # fmt: skip
+    runs = np.broadcast_shapes(*(value.shape[:-1] for value in columns.values()))
+    P = np.zeros((*runs, N, N))
+    for name, value in columns.items():
+        part = places[name]
+        P[..., part, part] = value[..., None] ** 2 * np.eye(part.stop - part.start)
 
+    beta = 1 / sensors.correlation_s
     for name, (bias, constant) in BIASES.items():
-        sigma, beta = getattr(sensors, f"{name}_instability"), 1 / sensors.correlation_s
-        nav[f"{name}_turn_on"] = nav[f"{name}_bias"]
-        if sigma > 0:
-            # what `first` calls the bias is its constant part; what it wanders by is handed over with it
-            variance = np.einsum("...ii->...i", whole[..., bias, bias])
-            shares = whole[..., :, bias] / np.where(variance > 0, variance, 1.0)[..., None, :]
-            shares[..., bias, :] = np.eye(3)
-            whole[..., constant, :], whole[..., :, constant] = whole[..., bias, :], whole[..., :, bias]
-            whole[..., constant, constant] = whole[..., bias, bias]
-            shares[..., constant, :] = 0.0
-            whole += sigma**2 * shares @ np.swapaxes(shares, -1, -2)
+        sigma = getattr(sensors, f"{name}_instability")
+        estimates[f"{name}_turn_on"] = estimates.get(f"{name}_bias", np.zeros(3))
+        if sigma > 0:  # what was given is the constant part, which lasts
+            P[..., constant, constant] = P[..., bias, constant] = P[..., constant, bias] = P[..., bias, bias]
+            P[..., bias, bias] += sigma**2 * np.eye(3)
         constants[f"{name}_bias_beta"] = three * (beta if sigma > 0 else 0.0)
         walk = np.asarray(constants.get(f"{name}_bias_noise", 0.0), float)
         constants[f"{name}_bias_noise"] = np.sqrt(np.square(walk) + 2 * beta * sigma**2) * three
 
-    whole[..., CALIBRATION, CALIBRATION] = calibration(sensors)
-    diagonal = np.arange(3)
-    whole[..., 16 + diagonal, 16 + diagonal] = sensors.lever**2
-
-    omega, damping, bent = 2 * np.pi * sensors.bending_hz, sensors.bending_damping, sensors.bending**2
-    C_m2n = rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]) @ np.swapaxes(
-        rotation.matrix_from_quaternion(nav["q_b2m_wxyz"]), -1, -2
-    )
-    bend, rate = ADDED["flexure"], ADDED["flexure_rate"]
-    whole[..., PHI, PHI] += bent * np.eye(3)
-    whole[..., PHI, bend] = -bent * C_m2n  # the attitude came through a seat that was bent
-    whole[..., bend, PHI] = np.swapaxes(whole[..., PHI, bend], -1, -2)
-    whole[..., bend, bend], whole[..., rate, rate] = bent * np.eye(3), bent * omega**2 * np.eye(3)
+    P[..., CALIBRATION, CALIBRATION] = calibration(sensors)
+    omega, damping = 2 * np.pi * sensors.bending_hz, sensors.bending_damping
+    for name, sigma in (("flexure", sensors.bending), ("flexure_rate", sensors.bending * omega)):
+        P[..., ADDED[name], ADDED[name]] = sigma**2 * np.eye(3)
     constants |= {"flexure_omega": three * omega, "flexure_damping": three * damping,
                   "flexure_noise": three * 2 * sensors.bending * np.sqrt(damping * omega**3)}  # fmt: skip
-
     considered = np.zeros(N, bool)
     considered[CALIBRATION] = not sensors.estimated
-    return Carried(nav, (whole + np.swapaxes(whole, -1, -2)) / 2, constants, considered)
+    return Carried(constants, P, estimates, considered)
 
 
 def calibration(sensors: Sensors) -> Array:

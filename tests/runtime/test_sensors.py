@@ -13,10 +13,7 @@ from boresight.runtime.transfer.sensors import GRADES, Sensors, calibration, car
 from boresight.runtime.units import DEG_H, STANDARD_GRAVITY
 
 ALL = Sensors(1e-3, 1e-3, 1e-3, 1e-3, 3 * DEG_H, 1e-4 * STANDARD_GRAVITY, 100.0, 3e-4, 1.0)
-NAV = {
-    "position": np.zeros(3), "v_n": np.zeros(3), "q_b2n_wxyz": np.array([0.8, 0.0, 0.0, 0.6]),
-    "q_b2m_wxyz": np.array([1.0, 0, 0, 0]), "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3), "tau": 0.0,
-}  # fmt: skip
+SIGMAS = {"q_b2m_wxyz": np.full(3, 0.1), "gyro_bias": np.full(3, 1e-3), "accel_bias": 0.02, "tau": 0.05}
 
 
 def test_states_stand_where_the_model_has_them(compiled_once):
@@ -41,26 +38,31 @@ def test_the_covariance_of_the_calibration_is_that_of_axes_that_leave_their_plac
 
 
 def test_what_has_no_size_has_neither_variance_nor_noise():
-    P = np.diag(np.arange(1.0, 17.0))
-    out = carried(NAV, P, {"lever_b": np.ones(3)}, Sensors())
-    np.testing.assert_array_equal(out.P[:16, :16], P)
-    assert not out.P[16:].any() and not out.P[:, 16:].any()
-    assert not any(np.any(out.constants[name]) for name in ("gyro_bias_noise", "accel_bias_noise", "flexure_noise"))
-    assert "lever_b" not in out.constants and (out.nav["lever_b"] == 1).all()
+    constants, P, estimates, _ = carried(Sensors(), {"lever_b": np.ones(3)}, SIGMAS, {})
+    np.testing.assert_allclose(np.sqrt(np.diag(P)), np.repeat([0, 1e-3, 0.02, 0.1, 0.05, 0], [6, 3, 3, 3, 1, 30]))
+    assert not any(np.any(constants[name]) for name in ("gyro_bias_noise", "accel_bias_noise", "flexure_noise"))
+    assert "lever_b" not in constants and (estimates["lever_b"] == 1).all()
 
 
 def test_scale_factors_and_axes_are_considered_and_estimated_by_choice():
-    kept = np.flatnonzero(carried(NAV, np.eye(16), {}, ALL).considered)
-    np.testing.assert_array_equal(kept, range(25, 40))
-    chosen = Sensors(1e-3, estimated=True)
-    assert not carried(NAV, np.eye(16), {}, chosen).considered.any()
+    np.testing.assert_array_equal(np.flatnonzero(carried(ALL, {}, SIGMAS, {}).considered), range(25, 40))
+    assert not carried(Sensors(1e-3, estimated=True), {}, SIGMAS, {}).considered.any()
 
 
-def test_a_walk_of_the_constants_adds_to_the_instability():
-    out = carried(NAV, np.eye(16), {"gyro_bias_noise": np.full(3, 3.0)}, Sensors(gyro_instability=4.0, correlation_s=2))
-    np.testing.assert_allclose(out.constants["gyro_bias_noise"], np.hypot(3.0, 4.0))
-    np.testing.assert_allclose(np.diag(out.P)[6:9], 17.0)
-    np.testing.assert_allclose(out.P[6:9, 40:43], np.eye(3))
+def test_a_bias_is_its_constant_and_what_wanders_about_it():
+    sizes = Sensors(gyro_instability=4e-3, correlation_s=2)
+    constants, P, estimates, _ = carried(
+        sizes, {"gyro_bias_noise": np.full(3, 3e-3)}, SIGMAS, {"gyro_bias": np.ones(3)}
+    )
+    np.testing.assert_allclose(constants["gyro_bias_noise"], 5e-3)
+    np.testing.assert_allclose(np.diag(P)[6:9], 17e-6)
+    np.testing.assert_allclose(P[6:9, 40:43], 1e-6 * np.eye(3))
+    np.testing.assert_array_equal(estimates["gyro_turn_on"], 1.0)
+
+
+def test_a_sigma_of_nothing_is_refused():
+    with pytest.raises(BoresightError, match="no sigma of 'bias'; there are gyro_bias"):
+        carried(ALL, {}, {"bias": 1.0}, {})
 
 
 def test_sizes_are_read_in_words_upon_those_of_a_grade():
