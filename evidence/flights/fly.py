@@ -75,6 +75,15 @@ def band(mean_of: int, dof: int, level: float = 0.999) -> Array:
     return limits
 
 
+def started(
+    message: transfer.Message, model: Any, constants: dict[str, Any], *, sigmas: Any, estimates: Any,
+    increments: transfer.Increments, **settings: Any,
+) -> transfer.Transfer:  # fmt: skip
+    """The loop as a user begins it."""
+    nav, P, past = transfer.first(message, model, constants, sigmas=sigmas, estimates=estimates, increments=increments)
+    return transfer.Transfer(model, nav, P, constants, time=increments.end[-1], past=past, **settings)
+
+
 def fly(
     motion: Motion,
     *,
@@ -112,10 +121,10 @@ def fly(
     hand_over: s after which a message is handed over beyond the master's own delay.
     sensed(time, dtheta, dv) changes what the slave delivers in an interval (runs, 3), or loses it by None.
     said(time, message) changes what the master says, or loses it by None.
-    start: in place of `first`, and takes what it takes; sigmas, estimates: what it is given besides.
+    start: makes what flies, with `slave`, `master`, nav and P, in place of `started`.
     sensors: how far those of the slave and its seat are from ideal; sine: the seat bends as one.  carrying: what the
     filter carries of that, which flies the model with states for it.
-    settings: of `Transfer`.
+    sigmas, estimates: what `first` is given besides.  settings: of `Transfer`.
     """
     unit = unit or Unit()
     rng = np.random.default_rng([seed, runs])
@@ -137,6 +146,8 @@ def fly(
     known = {"lever_b": lever_b, "gyro_noise": np.full(3, unit.gyro_noise), "accel_noise": np.full(3, unit.accel_noise),
              "gyro_bias_noise": np.full(3, 1e-9), "accel_bias_noise": np.full(3, 1e-9), "mu_noise": np.full(3, 1e-9),
              "tau_noise": 1e-9} | (constants or {})  # fmt: skip
+    if "lever_m" in known:
+        del known["lever_b"]
 
     def message(stamp: Array, tau: Array) -> transfer.Message:
         """What the master says that is stamped so (runs,): it saw `stamp - tau`."""
@@ -182,16 +193,15 @@ def fly(
     all_sigmas |= sigmas or {}
     mounted = quaternion(turn(sigma * rng.standard_normal((runs, 3))) @ C_b2m)
     begins: dict[str, Any] = {"q_b2m_wxyz": mounted, "tau": tau_believed} | (estimates or {})
-    how: dict[str, Any] = {"sigmas": all_sigmas, "estimates": begins}
+    begin: dict[str, Any] = {"sigmas": all_sigmas, "estimates": begins}
     considered = None
     if carrying is not None:
         known, widened, begins, considered = carried(carrying, known, all_sigmas, begins)
-        how = {"P": widened, "estimates": begins}
-    nav, P, kept = (start or transfer.first)(
-        opening, loaded, known, **how, increments=transfer.Increments(edges[:begun], edges[1 : begun + 1], *past)
-    )
-    loop = transfer.Transfer(loaded, nav, P, known, time=edges[begun], past=kept, **settings)
-    loop.filter.considered = considered
+        begin = {"P": widened, "estimates": begins}
+    begin["increments"] = transfer.Increments(edges[:begun], edges[1 : begun + 1], *past)
+    loop = (start or started)(opening, loaded, known, **begin, **settings)
+    if carrying is not None:
+        loop.filter.considered = considered
     start_errors = errors(loop.nav, edges[begun])
     start_P = loop.P[..., : start_errors.shape[-1], : start_errors.shape[-1]].copy()
     gap = 1 / master_hz
