@@ -77,11 +77,17 @@ def band(mean_of: int, dof: int, level: float = 0.999) -> Array:
 
 def started(
     message: transfer.Message, model: Any, constants: dict[str, Any], *, sigmas: Any, estimates: Any,
-    increments: transfer.Increments, **settings: Any,
+    increments: transfer.Increments, carrying: Sensors | None = None, **settings: Any,
 ) -> transfer.Transfer:  # fmt: skip
     """The loop as a user begins it."""
-    nav, P, past = transfer.first(message, model, constants, sigmas=sigmas, estimates=estimates, increments=increments)
-    return transfer.Transfer(model, nav, P, constants, time=increments.end[-1], past=past, **settings)
+    begin, considered = {"sigmas": sigmas}, None
+    if carrying is not None:
+        constants, widened, estimates, considered = carried(carrying, constants, sigmas, estimates)
+        begin = {"P": widened}
+    nav, P, past = transfer.first(message, model, constants, **begin, estimates=estimates, increments=increments)
+    loop = transfer.Transfer(model, nav, P, constants, time=increments.end[-1], past=past, **settings)
+    loop.filter.considered = considered
+    return loop
 
 
 def fly(
@@ -189,19 +195,16 @@ def fly(
     known_past = [part for part in map(deliver, range(begun)) if part is not None]
     past = np.array(known_past).swapaxes(0, 1)
     sigma = np.asarray(unit.mounting)
-    all_sigmas = {"q_b2m_wxyz": sigma, "gyro_bias": unit.gyro_bias, "accel_bias": unit.accel_bias, "tau": tau_sigma}
-    all_sigmas |= sigmas or {}
-    mounted = quaternion(turn(sigma * rng.standard_normal((runs, 3))) @ C_b2m)
-    begins: dict[str, Any] = {"q_b2m_wxyz": mounted, "tau": tau_believed} | (estimates or {})
-    begin: dict[str, Any] = {"sigmas": all_sigmas, "estimates": begins}
-    considered = None
+    begin: dict[str, Any] = dict(
+        sigmas={"q_b2m_wxyz": sigma, "gyro_bias": unit.gyro_bias, "accel_bias": unit.accel_bias, "tau": tau_sigma}
+        | (sigmas or {}),
+        estimates={"q_b2m_wxyz": quaternion(turn(sigma * rng.standard_normal((runs, 3))) @ C_b2m), "tau": tau_believed}
+        | (estimates or {}),
+        increments=transfer.Increments(edges[:begun], edges[1 : begun + 1], *past),
+    )  # fmt: skip
     if carrying is not None:
-        known, widened, begins, considered = carried(carrying, known, all_sigmas, begins)
-        begin = {"P": widened, "estimates": begins}
-    begin["increments"] = transfer.Increments(edges[:begun], edges[1 : begun + 1], *past)
+        begin["carrying"] = carrying
     loop = (start or started)(opening, loaded, known, **begin, **settings)
-    if carrying is not None:
-        loop.filter.considered = considered
     start_errors = errors(loop.nav, edges[begun])
     start_P = loop.P[..., : start_errors.shape[-1], : start_errors.shape[-1]].copy()
     gap = 1 / master_hz
