@@ -9,6 +9,7 @@ from boresight import BoresightError, did_you_mean
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
+from boresight.runtime.transfer.guard import outside
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
 from boresight.runtime.transfer.lever import flown
 from boresight.runtime.transfer.messages import Message
@@ -219,6 +220,9 @@ def _begun(
     if attitude.startswith("euler"):
         said["euler_m"] = rotation.euler_from_matrix(rotation.matrix_from_quaternion(q)) if euler is None else euler
     start = {"position": message.position, "v_n": message.v_m_n, "q_b2n_wxyz": q}
+    _, why = outside(model, {name: np.asarray(value, float) for name, value in start.items()})
+    if why:
+        raise BoresightError(f"first: of the message {why}")
     return start | {name: _straight(model, name) for name in fields} | estimates, said
 
 
@@ -250,7 +254,7 @@ def _flown(
         nonlocal history
         loop.nav = dict(start)
         if parts is not None:
-            history = _past(loop, parts)
+            history = _past(loop, parts, constants)
         at = {name: value for name, value in beside(0.0)[0].items() if name != "a_n"}
         expected: dict[str, Any] = loop.call("expected", **at)
         return expected
@@ -289,7 +293,7 @@ def _reaching(increments: Increments, then: Array, half_span_s: float) -> Increm
     return Increments(begin[k:], end[k:], dtheta[k:], dv[k:])
 
 
-def _past(loop: Filter, increments: Increments) -> History:
+def _past(loop: Filter, increments: Increments, constants: Mapping[str, Any]) -> History:
     """The strapdown over the increments, which leaves loop.nav at their end."""
     runs = loop.P.shape[:-2]
     history = History(np.inf, int(np.prod(runs, dtype=int)))
@@ -297,7 +301,8 @@ def _past(loop: Filter, increments: Increments) -> History:
     before = increments.dtheta[0], increments.dv[0]
     history.append(increments.begin[0], v_n=loop.nav["v_n"], q_b2n_wxyz=loop.nav["q_b2n_wxyz"], angle=angle, push=push)
     for begin, end, dtheta, dv in zip(*increments, strict=True):
-        loop.strapdown(dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=before[0], dv_before=before[1], dt=end - begin)
+        shown = {"dtheta_ib_b": dtheta, "dv_b": dv, "dtheta_before": before[0], "dv_before": before[1]}
+        loop.strapdown(**shown, dt=end - begin, **constants)
         before, angle, push = (dtheta, dv), angle + dtheta, push + dv
         history.append(end, v_n=loop.nav["v_n"], q_b2n_wxyz=loop.nav["q_b2n_wxyz"], angle=angle, push=push)
     return history
