@@ -235,8 +235,9 @@ def _noise(name: str, given: Any) -> Array | None:
     if given is None:
         return None
     noise = np.asarray(given, float)
-    if noise.shape != (3,) or not ((noise >= NOISE_RANGE[0]) & (noise <= NOISE_RANGE[1])).all():
-        low, high = NOISE_RANGE
+    low, high = NOISE_RANGE
+    # What was printed in other units and comes back may be off by its rounding.
+    if noise.shape != (3,) or not ((noise > low * (1 - 1e-9)) & (noise < high * (1 + 1e-9))).all():
         raise BoresightError(f"{name} must be three numbers from {low} to {high}, in rad and s; it is {noise.tolist()}")
     return noise
 
