@@ -16,6 +16,7 @@ from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.recording import Recording, best_delay, shifted, thinned
+from boresight.runtime.recording.check import whole_turns
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG, DEG_H
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
@@ -69,15 +70,10 @@ def prepare(recording: Recording, model: Any, gyro_bias: Array, rate_hz: float |
     for t0, t1 in zip(master.time[:-1], master.time[1:], strict=True):
         dt, dtheta = imu.between(t0, t1)
         pieces.append((dt, dtheta - gyro_bias * dt[:, None]))
-    turns = []
-    for _, dtheta in pieces:
-        C = np.eye(3)
-        for piece in rotation.matrix_from_vector(dtheta):
-            C = C @ piece
-        turns.append(rotation.vector_from_matrix(C))
+    turns = whole_turns([dtheta for _, dtheta in pieces])
     doubt = np.zeros(len(start) + 1) if imu.doubt is None else np.append(0.0, np.cumsum(imu.doubt[:, 0] ** 2))
     doubt = np.diff(np.interp(master.time, np.append(start[0], end), doubt))
-    return Leg(master.time, master.euler, omega[:-1], tuple(pieces), np.array(turns), doubt)
+    return Leg(master.time, master.euler, omega[:-1], tuple(pieces), turns, doubt)
 
 
 def fly(
