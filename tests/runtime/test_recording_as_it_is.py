@@ -188,7 +188,8 @@ def test_a_filter_opens_its_covariance_by_what_a_bridge_may_have_missed(describe
 
 def test_transfer_alignment_opens_its_covariance_by_what_a_bridge_may_have_missed(describe):
     recording = read(describe(imu=without(IMU, np.arange(1000, 1010))), bridge="100 ms", begin=9.0, end=11.2)
-    noises = np.array([1e-6, 1e-5, 0.01, 0.01, 1e-4, 1e-4, 1e-6])
+    given = {"gyro": 1e-6, "accel": 1e-5, "velocity": 0.01, "attitude": 1e-4, "delay": 1e-6}
+    noises, _ = velocity_attitude.noise_vector(given)
     sigmas = []
     for one in (recording, replace(recording, imu=replace(recording.imu, doubt=None))):
         cut = velocity_attitude.prepare(one, None)
