@@ -109,7 +109,8 @@ class Transfer:
             )
         dtheta, dv = (np.broadcast_to(np.asarray(part, float), (*self.runs, 3)) for part in (dtheta_ib_b, dv_b))
         before = self._before or (dtheta, dv)
-        self.filter.strapdown(dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=before[0], dv_before=before[1], dt=dt)
+        shown = {"dtheta_ib_b": dtheta, "dv_b": dv, "dtheta_before": before[0], "dv_before": before[1], "dt": dt}
+        self.filter.strapdown(**shown, **self.constants)
         self._before = (dtheta, dv)
         self.time = self.watch.time = float(time)
         self._angle, self._push = self._angle + dtheta, self._push + dv
