@@ -245,18 +245,16 @@ CONDITIONS = (
     ),
     Condition("delay 35 to 135 ms", moving(), "heals", "delay", {"tau": lambda time: 0.035 if time < 20 else 0.135}),
     Condition(
-        "stamps -0.3 s",
+        "delay 135 to 35 ms",
         moving(),
         "heals",
         "delay",
-        {"said": lambda: during(20, 99, with_field(time=lambda s: s - 0.3))},
+        {"tau": lambda time: 0.135 if time < 20 else 0.035, "tau_believed": 0.1},
     ),
+    Condition("stamps -0.3 s", moving(), "heals", "clock", {"clock": lambda time: 0.0 if time < 20 else -0.3}),
+    Condition("stamps +0.3 s", moving(), "heals", "clock", {"clock": lambda time: 0.0 if time < 20 else 0.3}),
     Condition(
-        "clock back by 15 s for good",
-        moving(),
-        "told",
-        "clock",
-        {"said": lambda: during(20, 99, with_field(time=lambda s: s - 15.0))},
+        "clock back by 15 s for good", moving(), "heals", "clock", {"clock": lambda time: 0.0 if time < 20 else -15.0}
     ),
     Condition(
         "position jumps by 1 deg",
