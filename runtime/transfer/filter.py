@@ -343,7 +343,7 @@ class Transfer:
         said = np.where(usable, moved(np.where(usable, said, 0.0), np.where(usable, way, 0.0)), np.nan)
         box = loop.model.field["position"]
         used = self.position.takes(
-            self.time, taken, said, sigma, loop.nav["position"],
+            self.time, said, sigma, loop.nav["position"],
             np.sqrt(np.einsum("...ii->...i", loop.P)[..., DV].max(-1)),
             np.linalg.norm(np.broadcast_to(self._lever(), said.shape), axis=-1),
             (np.array(box["low"]), np.array(box["high"])), self.watch.note,
