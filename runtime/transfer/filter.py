@@ -18,6 +18,7 @@ from boresight.runtime.transfer.lever import flown
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict, heard
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
+from boresight.runtime.transfer.score import Score
 
 SWING_S = 1.0
 LARGEST = 0.9  # of the model's range for the error state, in one correction
@@ -35,6 +36,8 @@ class Transfer:
     is now, moved back along its rate of change by lag = tau_hat + what the message's own time says.
     every: so many intervals of the slave for one step of the covariance, which besides comes up to date for a message.
     """
+
+    score: Score | None = None  # of a filter with `Sensors(probed=True)`
 
     def __init__(
         self,
@@ -220,7 +223,9 @@ class Transfer:
             verdict[where] = code
         if len(self.history) < 2:
             verdict[came] = Verdict.TOO_OLD
-            return self.watch.result(verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, given, oldest, faults)
+            return self.watch.result(
+                verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, given, oldest, faults, verdict
+            )
         believed, lag = lag, np.where(verdict == Verdict.TAKEN, lag, 0.0)
 
         inputs, rate_factor = self._match(lag)
@@ -257,6 +262,10 @@ class Transfer:
         if self.matching[0] in innovations:
             self.watch.lever(innovations[self.matching[0]], rows[..., :3] & fine[..., None], inputs)
         nis = np.sum([part.nis for part in innovations.values()], axis=0)
+        none = np.zeros((*runs, 3))
+        by_row = [np.where((one := innovations[name]).used, one.nu**2 / one.S, none) if name in innovations else none
+                  for name in self.matching]  # fmt: skip
+        worst = np.argmax(np.concatenate(by_row, axis=-1), axis=-1)
         gated = ((nis > chdtri(np.maximum(used, 1), rules.gate)) & fine) | (trial & (used > 0))
         self.suspects.forget((used > 0) & ~gated)
         reopen = by_delay = np.zeros(runs, bool)
@@ -296,6 +305,8 @@ class Transfer:
         verdict[beyond & (verdict <= Verdict.REOPENED)] = Verdict.BEYOND
         taken = verdict <= Verdict.REOPENED
         self.stamps.taken(taken, self.time - stamp)
+        if self.score is not None:
+            self.score.end(taken)
         loop.P = np.where(taken[..., None, None], corrected, P_now)
         loop.P = (loop.P + np.swapaxes(loop.P, -1, -2)) / 2
         loop.x = np.where(taken[..., None], loop.x, 0.0)
@@ -305,7 +316,7 @@ class Transfer:
         loop.x = np.zeros_like(loop.x)
         if given.position is not None:
             self._position(given.position, given.position_sigma, taken, believed)
-        return self.watch.result(verdict, innovations, nis, used, believed, given, oldest, faults)
+        return self.watch.result(verdict, innovations, nis, used, believed, given, oldest, faults, worst)
 
     def _out_of_step(self, stamp: Array, came: Array) -> tuple[Array, Array]:
         """The verdict (...,) on stamps that do not fit the slave's time, and whether another clock is tried there."""
@@ -357,6 +368,8 @@ class Transfer:
         variances: of the rates in the delay's column, which decide whether a measurement informs the delay.
         """
         self.filter.x, self.filter.P = np.zeros(P.shape[:-1]), P
+        if self.score is not None:
+            self.score.begin()
         out = {}
         for name, part, field in (
             (self.matching[1], slice(3, 6), self._attitude_field()),
@@ -364,7 +377,13 @@ class Transfer:
         ):
             if field in inputs:
                 R_part, there = R[..., part], rows[..., part]
+                if self.score is not None:
+                    H, z = self.filter.call(f"{name}_H", **inputs), self.filter.call(f"{name}_z", **inputs)
+                    nu = z - np.einsum("...ij,...j->...i", H, self.filter.x)
+                    self.score.take(nu, H, self.filter.P, R_part, there)
                 kept = uninformed(self.filter, name, R_part, there, inputs, variances, self.rules.delay_sigmas)
+                if self.filter.considered is not None:
+                    kept = kept | self.filter.considered
                 out[name] = self.filter.update(name, R_part, rows=there, considered=kept, **inputs)
         return out
 
@@ -413,7 +432,7 @@ class Transfer:
         said = np.where(usable, moved(np.where(usable, said, 0.0), np.where(usable, way, 0.0)), np.nan)
         box = loop.model.field["position"]
         used = self.position.takes(
-            self.time, taken, said, sigma, loop.nav["position"],
+            self.time, said, sigma, loop.nav["position"],
             np.sqrt(np.einsum("...ii->...i", loop.P)[..., DV].max(-1)),
             np.linalg.norm(np.broadcast_to(self._lever(), said.shape), axis=-1),
             (np.array(box["low"]), np.array(box["high"])), self.watch.note,
