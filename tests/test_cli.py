@@ -232,7 +232,7 @@ def test_bare_generate_writes_nothing_where_the_package_was_installed(run, tmp_p
 @pytest.mark.parametrize(
     ("words", "offered"),
     [
-        ("models vel", {"velocity-attitude", "velocity-attitude-lever", "velocity-dcm"}),
+        ("models vel", {"velocity-attitude", "velocity-attitude-lever", "velocity-attitude-sensors", "velocity-dcm"}),
         ("verify azimuth-hold-", {"azimuth-hold-reference"}),
         ("equations k", {"kim-2018", "kang-2025"}),
         ("show eu", {"euler-matching"}),

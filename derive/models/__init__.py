@@ -14,6 +14,7 @@ MODELS = (
     "strapdown",
     "velocity-attitude",
     "velocity-attitude-lever",
+    "velocity-attitude-sensors",
     "velocity-dcm",
 )
 
@@ -37,6 +38,8 @@ def built_in(name: str) -> "Model":
             from boresight.derive.models.velocity_attitude import velocity_attitude as make
         case "velocity-attitude-lever":
             from boresight.derive.models.velocity_attitude_lever import velocity_attitude_lever as make
+        case "velocity-attitude-sensors":
+            from boresight.derive.models.velocity_attitude_sensors import velocity_attitude_sensors as make
         case "velocity-dcm":
             from boresight.derive.models.velocity_dcm import velocity_dcm as make
         case _:

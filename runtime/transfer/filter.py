@@ -70,6 +70,11 @@ class Transfer:
         return self.watch.notes
 
     @property
+    def counts(self) -> dict[Verdict, Array]:
+        """(...,) by verdict: how many messages came to it."""
+        return self.watch.counts
+
+    @property
     def nav(self) -> dict[str, Array]:
         """The slave as it is now."""
         return self.filter.nav

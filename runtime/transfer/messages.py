@@ -41,9 +41,10 @@ class Result:
     """What one message did, run by run."""
 
     verdict: Array  # (...,) of Verdict
-    innovations: dict[str, Innovation]  # by measurement; also of what was then gated
-    nis: Array  # (...,) of all rows together, before the gate
+    innovations: dict[str, Innovation]  # by measurement; `used` is False where the message was refused
+    nis: Array  # (...,) of the rows used together, nan where there is none: what was refused is in no mean
     rows: Array  # (...,) how many rows that is
+    before_gate: Array  # (...,) NIS of all rows held against the slave, refused in the end or not
     lag: Array  # (...,) s, how old the message was believed to be
 
     @property

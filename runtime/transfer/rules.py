@@ -1,6 +1,6 @@
 """What is done with input that is not as it should be, and the lines that say so."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -44,6 +44,7 @@ class Watch:
     def __init__(self, rules: Rules, runs: tuple[int, ...], time: float):
         self.rules, self.runs, self.time = rules, runs, time
         self.notes: list[Note] = []
+        self.counts = {code: np.zeros(runs, int) for code in Verdict}
         self.saturated_s = np.zeros((*runs, 6))  # without a break
         self.at_full = np.zeros((*runs, 2), bool)  # told, and its end not yet
         self.saturated_at = np.full((*runs, 6), -np.inf)
@@ -128,6 +129,8 @@ class Watch:
                stamp: Array, known_s: float) -> Result:  # fmt: skip
         """What a message did, written down.  known_s: how far back the slave's past is known."""
         taken, came = verdict <= Verdict.REOPENED, verdict != Verdict.ABSENT
+        for code in Verdict:
+            self.counts[code] += verdict == code
         saying = {
             Verdict.REOPENED: f"{self.rules.reopen_after} messages in a row did not fit; the master has jumped, or the "
             "slave: velocity and attitude are opened and follow it",
@@ -162,7 +165,9 @@ class Watch:
         self.stamp = np.where(looked_at, np.fmax(stamp, self.stamp), self.stamp)
         self.taken_at = np.where(taken, self.time, self.taken_at)
         self.silent = self.silent & ~taken
-        return Result(verdict, innovations, np.asarray(nis), used, lag)
+        entered = {name: replace(part, used=part.used & taken[..., None]) for name, part in innovations.items()}
+        rows = np.where(taken, used, 0)
+        return Result(verdict, entered, np.where(rows > 0, nis, np.nan), rows, np.asarray(nis), lag)
 
     def note(self, where: Array, text: str) -> None:
         which = np.flatnonzero(where)

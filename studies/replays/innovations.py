@@ -9,32 +9,40 @@ from boresight import BoresightError
 from boresight.runtime.array import Array
 
 
-def consistency(w: Array) -> dict[str, Any]:
+def consistency(w: Array, used: Any = True) -> dict[str, Any]:
     """Of (K, m) normalised innovations: their mean square and how far they are from white.
 
+    used: (K, m) bool, False for what was refused, which is in no figure.
     per_row, mean: 1 if consistent; band: the 95 % band of mean.  by_quarter: the mean over each quarter of the time,
-    which a choice of noises does not make 1.  lag1: correlation of neighbours by row; lag1_bound: two sigmas of white
-    noise.
+    which a choice of noises does not make 1, None where nothing was used.  lag1: correlation of neighbours by row;
+    lag1_bound: two sigmas of white noise.
     """
-    K, m = w.shape
-    half = 1.96 * np.sqrt(2 / (m * K))
-    lag1 = [float(w[1:, i] @ w[:-1, i] / (w[:, i] @ w[:, i])) for i in range(m)]
-    mean = float(np.mean(w**2))
+    used = np.broadcast_to(used, w.shape)
+    w = np.where(used, w, 0.0)
+    count = max(1, used.sum())
+    half = 1.96 * np.sqrt(2 / count)
+
+    square, pairs = w**2, (used[1:] & used[:-1]).sum(0)
+    per_row, over_all = square.sum(0) / np.maximum(used.sum(0), 1), float(square.sum() / count)
+    quarters = zip(np.array_split(square, 4), np.array_split(used, 4), strict=True)
+    lag1 = np.sum(w[1:] * w[:-1], axis=0) / np.maximum(pairs, 1) / np.maximum(per_row, 1e-300)
+    bound = 2 / np.sqrt(max(1, pairs.min()))
     return {
-        "per_row": np.mean(w**2, axis=0).tolist(),
-        "mean": mean,
+        "per_row": per_row.tolist(),
+        "mean": over_all,
         "band": [1 - half, 1 + half],
-        "consistent": bool(abs(mean - 1) <= half),
-        "by_quarter": [float(np.mean(part**2)) for part in np.array_split(w, 4)],
-        "lag1": lag1,
-        "lag1_bound": 2 / np.sqrt(K),
-        "white": bool(np.max(np.abs(lag1)) <= 2 / np.sqrt(K)),
+        "consistent": bool(abs(over_all - 1) <= half),
+        "by_quarter": [float(one.sum() / rows.sum()) if rows.any() else None for one, rows in quarters],
+        "lag1": lag1.tolist(),
+        "lag1_bound": bound,
+        "white": bool(np.max(np.abs(lag1)) <= bound),
     }
 
 
 def minus_log_likelihood(track: dict[str, Any]) -> Array:
-    """(...,) of the innovations nu and their variances S, (K, ..., rows), up to a constant."""
-    cost: Array = 0.5 * np.sum(np.log(track["S"]) + track["nu"] ** 2 / track["S"], axis=(0, -1))
+    """(...,) of the innovations nu and their variances S, (K, ..., rows), up to a constant; of the rows used."""
+    each = np.log(track["S"]) + track["nu"] ** 2 / track["S"]
+    cost: Array = 0.5 * np.sum(np.where(track.get("used", True), each, 0.0), axis=(0, -1))
     return cost
 
 
@@ -49,8 +57,9 @@ def most_likely(
 ) -> tuple[Array, int]:
     """The noises (n,) of greatest likelihood, and the passes that it took.
 
-    fly: noises (runs, n), flown side by side -> nu and S, each (K, runs, rows).  first: (n,) where it begins; those
-    whose `free` (n,) is False are kept.  limits: (low, high), each a number or (n,).  enough: it
+    fly: noises (runs, n), flown side by side -> nu, S and, where some may be refused, used, each (K, runs, rows);
+    noises are compared by what was used under all of them.  first: (n,) where it begins; those whose `free` (n,) is
+    False are kept.  limits: (low, high), each a number or (n,).  enough: it
     ends where the next step promises no more of minus the log likelihood than this; half of one is one sigma.
     Fisher scoring on the logarithms; the derivatives of nu and S are differences of runs.
     Raises BoresightError if it does not settle in 40 passes.
@@ -62,16 +71,20 @@ def most_likely(
     low, high = (np.where(free, np.log(limit), start) for limit in limits)
     h, radius, n = 0.05, 1.5, len(where)
     bump = h * np.eye(len(start))[where]
-    centre, best, trial = start, np.inf, start
+    centre, trial = start, start
+    best: dict[str, Any] = {}
     gradient, information = np.zeros(n), np.eye(n)
     for passes in range(1, 41):
         points = np.exp(np.clip(np.vstack([trial, trial + bump, trial - bump]), low, high))
         track = fly(points)
-        cost = minus_log_likelihood(track)
-        if cost[0] < best:
-            centre, best, radius = trial, cost[0], min(2 * radius, 1.5)
+        used: Array = np.all(np.broadcast_to(track.get("used", True), track["S"].shape), axis=1, keepdims=True)
+        cost = minus_log_likelihood(track | {"used": used})
+        both = used & best.get("used", True)
+        now = {part: track[part][:, :1] for part in ("nu", "S")}
+        if not best or minus_log_likelihood(now | {"used": both}) < minus_log_likelihood(best | {"used": both}):
+            centre, best, radius = trial, now | {"used": used}, min(2 * radius, 1.5)
             gradient = (cost[1 : n + 1] - cost[n + 1 :]) / (2 * h)
-            S = track["S"][:, 0]
+            S = np.where(used[:, 0], track["S"][:, 0], np.inf)  # what was not used informs of nothing
             dS = (track["S"][:, 1 : n + 1] - track["S"][:, n + 1 :]) / (2 * h)
             dnu = (track["nu"][:, 1 : n + 1] - track["nu"][:, n + 1 :]) / (2 * h)
             information = np.einsum("kim,kjm,km->ij", dS, dS, 0.5 / S**2) + np.einsum("kim,kjm,km->ij", dnu, dnu, 1 / S)
@@ -81,7 +94,8 @@ def most_likely(
         step[where] = damped_step(gradient, information, radius)
         trial = np.clip(centre + step, low, high)
         if progress is not None:
-            progress(f"choosing the noises: pass {passes}, minus log likelihood {best:.1f}")
+            at = float(minus_log_likelihood(best)[0])
+            progress(f"choosing the noises: pass {passes}, minus log likelihood {at:.1f}")
         # Settled: the step, half of whose slope is what it promises, or no step however small makes it better.
         if -gradient @ (trial - centre)[where] < enough or radius < 1e-3:
             return np.exp(centre), passes

@@ -16,7 +16,7 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.recording import Recording, check, thinned
-from boresight.runtime.transfer import Message, Rules, Transfer, first
+from boresight.runtime.transfer import Message, Rules, Transfer, Verdict, first
 from boresight.runtime.transfer.start import PHI
 from boresight.runtime.units import MILLI_G, UNITS
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
@@ -89,9 +89,10 @@ def fly(
 
     noises: (..., 7) in SI and rad, in the order of NOISES; leading axes are runs side by side.  start: (..., 19) where
     the estimates begin, as `estimates` has them.  prior: one sigma of each by name; delay_sigma: (...,) s, the delay's.
-    Returns, first axis the K messages: time (K,) s, nu and S (K, ..., 6), estimate and sigma (K, ..., n); and notes,
-    pairs of run numbers and a line.  A message is refused where its NIS is beyond GATE only, which no filter that is
-    nearly right comes to: what one in flight would refuse shows in the innovations.
+    Returns, first axis the K messages: time (K,) s, nu, S and used (K, ..., 6), estimate and sigma (K, ..., n), verdict
+    (K, ...); and notes, pairs of run numbers and a line.  A message whose numbers can be read is refused where its NIS
+    is beyond GATE only, which no filter that is nearly right comes to, or where the master repeats itself: what one in
+    flight would refuse shows in the innovations.
     """
     imu, master = recording.imu, recording.master
     assert master is not None and master.v_n is not None and master.position is not None
@@ -147,19 +148,21 @@ def fly(
         model, nav, np.broadcast_to(P, (*runs, *P.shape[-2:])), constants, time=end[i], matching=MATCHING,
         every=max(1, round(COVARIANCE_S / imu.dt)), rules=Rules(gate=GATE, buffer_s=reach),
     )  # fmt: skip
-    history: dict[str, list[Array]] = {name: [] for name in ("nu", "S", "estimate", "sigma")}
+    history: dict[str, list[Array]] = {name: [] for name in ("nu", "S", "used", "estimate", "sigma", "verdict")}
     k = 1
     for j in range(i + 1, len(end)):
         loop.slave(end[j], dtheta[j], dv[j], end[j] - begin[j])
         while k < len(master.time) and end[j] >= master.time[k] + HOLD_S - 1e-6 * imu.dt:
             try:
-                said = loop.master(message(k)).innovations
+                result = loop.master(message(k))
             except BoresightError as error:
                 advice = "the filter, or the one beside it without a delay, is driven off: take another stretch"
                 raise BoresightError(f"{recording.name}, {end[j]:.2f} s: {error}; {advice}") from None
             k += 1
-            history["nu"].append(np.concatenate([said[name].nu for name in MATCHING], axis=-1))
-            history["S"].append(np.concatenate([said[name].S for name in MATCHING], axis=-1))
+            for part in ("nu", "S", "used"):
+                rows = [getattr(result.innovations[name], part) for name in MATCHING]
+                history[part].append(np.concatenate(rows, axis=-1))
+            history["verdict"].append(result.verdict)
             history["estimate"].append(estimates(loop.nav, start))
             history["sigma"].append(np.sqrt(np.diagonal(loop.P, axis1=-2, axis2=-1)))
         if k == len(master.time):
@@ -232,7 +235,12 @@ def run(
     track = fly(cut, model, noises, start, prior, delay_sigma)
     start = track["estimate"][-1]
     # A noise that is far too large comes down slowly; what is white in the innovations' scatter is near.
-    scatter = np.std(np.diff(track["nu"][len(track["nu"]) // 2 :, 0], axis=0), axis=0) / np.sqrt(2)
+    late = slice(len(track["nu"]) // 2, None)
+    whole = track["used"][late, 0].all(-1)
+    if whole.sum() < 3:
+        said = ", ".join(f"{name} {count}" for name, count in refused(track["verdict"][late, 0]).items())
+        raise BoresightError(f"{recording.name}: hardly a message of its second half was used; refused: {said}")
+    scatter = np.std(np.diff(track["nu"][late, 0][whole], axis=0), axis=0) / np.sqrt(2)
     near = np.array([*noises[:2], scatter[:2].max(), scatter[2], scatter[3:5].max(), scatter[5], noises[6]])
     noises = np.where(free, np.clip(near, low, high), noises)
 
@@ -254,11 +262,13 @@ def run(
         "model": model.name,
         "duration_s": float(cut.master.time[-1] - cut.master.time[0]),
         "updates": len(track["time"]),
+        "used": int((track["verdict"][:, 0] <= Verdict.REOPENED).sum()),
+        "refused": refused(track["verdict"][:, 0]),
         "lever_given_m": None if lever_b is None else np.asarray(lever_b, float).tolist(),
         "noise": said_noise(noises, free, passes),
         "minus_log_likelihood": {name: float(minus_log_likelihood(part)) for name, part in both.items()},
         "states": states(model, track["time"], both, recording.reference, prior),
-        "nis": {name: consistency(part["nu"] / np.sqrt(part["S"])) for name, part in both.items()},
+        "nis": {name: consistency(part["nu"] / np.sqrt(part["S"]), part["used"]) for name, part in both.items()},
         "notes": [line for runs, line in track["notes"] if 0 in runs],
         "history": history(model, track["time"], both),
     }
@@ -333,6 +343,12 @@ def states(
     return out
 
 
+def refused(verdict: Array) -> dict[str, int]:
+    """How many messages were refused, by the name of their verdict (K,)."""
+    counts = {code: int((verdict == code).sum()) for code in Verdict if code > Verdict.REOPENED}
+    return {code.name.lower().replace("_", " "): count for code, count in counts.items() if count}
+
+
 def history(model: Any, time: Array, both: Mapping[str, Any]) -> dict[str, Any]:
     """What the figures show: estimates and sigmas in units of GROUPS, innovations and their sigmas in SI and rad."""
     scale = np.ones(len(model.states))
@@ -347,6 +363,7 @@ def history(model: Any, time: Array, both: Mapping[str, Any]) -> dict[str, Any]:
             "sigma": (track["sigma"] / scale).tolist(),
             "innovation": track["nu"].tolist(),
             "innovation_sigma": np.sqrt(track["S"]).tolist(),
+            "used": track["used"].tolist(),
         }
     return out
 
@@ -390,7 +407,7 @@ def report(result: Mapping[str, Any]) -> str:
                 label,
                 f"{said['mean']:.3f}",
                 "[{:.3f}, {:.3f}]".format(*said["band"]),
-                " ".join(f"{value:.2f}" for value in said["by_quarter"]),
+                " ".join("none" if value is None else f"{value:.2f}" for value in said["by_quarter"]),
                 f"{max(said['lag1'], key=abs):+.3f}",
                 f"{said['lag1_bound']:.3f}",
             )
@@ -409,8 +426,8 @@ def report(result: Mapping[str, Any]) -> str:
     lines = [
         f"# {result['title'] or result['recording']}",
         "",
-        f"Model {result['model']}: {result['updates']} messages of the master in {result['duration_s']:.1f} s, nothing "
-        "calibrated beforehand.",
+        f"Model {result['model']}: {result['updates']} messages of the master in {result['duration_s']:.1f} s, "
+        f"{_used(result)}; nothing calibrated beforehand.",
         "Lever arm (front, right, down): "
         + ("estimated." if any(s["state"] == "lever arm" for s in result["states"]) else f"{_lever(result)}."),
         "",
@@ -449,6 +466,13 @@ def report(result: Mapping[str, Any]) -> str:
         *(f"- {one['level']}: {one['where']}: {one['text']}" for one in result["read"]),
     ]
     return "\n".join(lines)
+
+
+def _used(result: Mapping[str, Any]) -> str:
+    if not result["refused"]:
+        return "all of them used"
+    reasons = ", ".join(f"{name} {count}" for name, count in result["refused"].items())
+    return f"of which {result['used']} used; refused: {reasons}"
 
 
 def _noise(name: str, one: Mapping[str, Any]) -> str:
@@ -523,10 +547,11 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
     over = axes[-1, 1]
     for name, color in (("without", ORANGE), ("with", BLUE)):
         part = history[name]
-        square = np.mean((np.array(part["innovation"]) / np.array(part["innovation_sigma"])) ** 2, axis=1)
+        square = np.where(part["used"], np.square(np.array(part["innovation"]) / part["innovation_sigma"]), np.nan)
         count = max(1, len(time) // 50)
         whole = len(time) // count * count
-        over.semilogy(time[:whole].reshape(-1, count).mean(1), square[:whole].reshape(-1, count).mean(1), color=color)
+        binned = np.ma.masked_invalid(square[:whole].reshape(-1, count * square.shape[1])).mean(1)
+        over.semilogy(time[:whole].reshape(-1, count).mean(1), binned, color=color)
     over.axhline(1, color=GREY, lw=0.8)
     over.set_title("NIS a row in time; orange: delay taken as 0")
     ratio = axes[-1, 2]

@@ -133,52 +133,79 @@ def test_measurements_see_bending_and_its_rate(flexure, seen):
 
 def test_the_bending_estimate_is_carried_as_its_error_and_as_the_process_it_is(flexure, base):
     rng = np.random.default_rng(5)
-    beta, dt = np.array([0.5, 1.0, 4.0]), 0.01
+    omega, damping, dt = np.array([0.5, 1.0, 4.0]), np.array([1.0, 0.0, 0.5]), 0.01
     bend, rate = 1e-3 * rng.standard_normal((2, 3))
     still = {name: np.zeros(3) for name in ("v_n", "gyro_bias", "accel_bias", "dtheta_ib_b", "dv_b", "dtheta_before",
                                              "dv_before")}  # fmt: skip
     made = flexure.strapdown(position=POSITION, q_b2n_wxyz=unit(rng), dt=dt, flexure=bend, flexure_rate=rate,
-                             flexure_beta=beta, **still)  # fmt: skip
+                             flexure_omega=omega, flexure_damping=damping, **still)  # fmt: skip
     q = unit(rng)
-    Phi = flexure.Phi(position=POSITION, v_n=np.zeros(3), q_b2n_wxyz=q, f_b=[0, 0, -9.8], dt=dt, flexure_beta=beta)
+    Phi = flexure.Phi(position=POSITION, v_n=np.zeros(3), q_b2n_wxyz=q, f_b=[0, 0, -9.8], dt=dt, flexure_omega=omega,
+                      flexure_damping=damping)  # fmt: skip
     carried = np.concatenate([made["flexure"], made["flexure_rate"]])
     np.testing.assert_allclose(carried, Phi[16:, 16:] @ np.concatenate([bend, rate]), rtol=1e-13)
     np.testing.assert_array_equal(
         Phi[:16, :16], base.Phi(position=POSITION, v_n=np.zeros(3), q_b2n_wxyz=q, f_b=[0, 0, -9.8], dt=dt)
     )
-    # critically damped: (bend + (rate + beta bend) t) exp(-beta t), to the third power of beta dt
-    closed = (bend + (rate + beta * bend) * dt) * np.exp(-beta * dt)
+    # the oscillator's closed forms, critically damped, undamped and half damped, to the third power of omega dt
+    t, at_half = dt, np.sqrt(0.75)
+    closed = np.array([
+        (bend[0] + (rate[0] + 0.5 * bend[0]) * t) * np.exp(-0.5 * t),
+        bend[1] * np.cos(t) + rate[1] * np.sin(t),
+        np.exp(-2 * t) * (bend[2] * np.cos(4 * at_half * t)
+                          + (rate[2] + 2 * bend[2]) / (4 * at_half) * np.sin(4 * at_half * t)),
+    ])  # fmt: skip
     np.testing.assert_allclose(made["flexure"], closed, atol=1e-3 * (4 * dt) ** 3)
+
+
+def triads(rng, size):
+    """K of the gyros and of the accelerometers (3, 3), the second lower triangular, and the 15 numbers in the order of
+    the states: both diagonals, then row by row what lies beside them."""
+    gyro, accel = size * rng.standard_normal((2, 3, 3))
+    accel = np.tril(accel)
+    beside = ~np.eye(3, dtype=bool)
+    return gyro, accel, np.concatenate([
+        np.diag(gyro), np.diag(accel), gyro[beside], accel[np.tril_indices(3, -1)]
+    ])  # fmt: skip
+
+
+FIELDS = {"gyro_scale": slice(0, 3), "accel_scale": slice(3, 6), "gyro_axes": slice(6, 12), "accel_axes": slice(12, 15)}
+
+
+def fields(numbers):
+    return {name: numbers[..., part] for name, part in FIELDS.items()}
 
 
 def test_scaled_sensors_are_read_right_and_their_errors_enter_as_biases_in_proportion(scale, base):
     rng = np.random.default_rng(6)
     nav = {"position": POSITION, "v_n": rng.uniform(-9, 9, 3), "q_b2n_wxyz": unit(rng)}
     dt, omega, f = 0.01, rng.uniform(-0.5, 0.5, 3), rng.uniform(-12, 12, 3)
-    gs, as_ = rng.uniform(-0.05, 0.05, (2, 3))
+    gyro, accel, numbers = triads(rng, 0.03)
     bias_g, bias_a = 1e-3 * rng.standard_normal(3), 0.1 * rng.standard_normal(3)
+    none = fields(np.zeros(15))
 
     def step(library, dtheta, dv, **more):
         return library.strapdown(**nav, dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=dtheta, dv_before=dv, dt=dt, **more)
 
-    measured = ((1 + gs) * omega + bias_g) * dt, ((1 + as_) * f + bias_a) * dt
-    read = step(scale, *measured, gyro_bias=bias_g, accel_bias=bias_a, gyro_scale=gs, accel_scale=as_)
+    shown_rate, shown_force = np.linalg.solve(np.eye(3) - gyro, omega), np.linalg.solve(np.eye(3) - accel, f)
+    measured = (shown_rate + bias_g) * dt, (shown_force + bias_a) * dt
+    read = step(scale, *measured, gyro_bias=bias_g, accel_bias=bias_a, **fields(numbers))
     ideal = step(base, omega * dt, f * dt, gyro_bias=np.zeros(3), accel_bias=np.zeros(3))
     for name, value in ideal.items():
         np.testing.assert_allclose(read[name], value, atol=1e-14)
-    # a scale factor's error over a step, against Phi
-    error = 1e-3 * rng.standard_normal(6)
+    # an error of K over a step, against Phi
+    *_, error = triads(rng, 1e-3)
     wrong = step(scale, *(part * dt for part in (omega, f)), gyro_bias=np.zeros(3), accel_bias=np.zeros(3),
-                 gyro_scale=error[:3], accel_scale=error[3:])  # fmt: skip
+                 **fields(error))  # fmt: skip
     grown = np.concatenate([
         rotation.attitude_error(wrong["q_b2n_wxyz"], ideal["q_b2n_wxyz"]), wrong["v_n"] - ideal["v_n"]
     ])  # fmt: skip
-    Phi = scale.Phi(**nav, f_b=f, omega_ib_b=omega, dt=dt, gyro_scale=np.zeros(3), accel_scale=np.zeros(3))
-    scaled = scale.Phi(**nav, f_b=(1 + as_) * f, omega_ib_b=(1 + gs) * omega, dt=dt, gyro_scale=gs, accel_scale=as_)
-    # an error of what is divided by the scale is that much smaller
-    shown = np.r_[6:12, 16:22]
-    scaled[:6, shown] *= np.tile(1 + np.concatenate([gs, as_]), 2)
-    np.testing.assert_allclose(scaled, Phi, atol=1e-15)
+    Phi = scale.Phi(**nav, f_b=f, omega_ib_b=omega, dt=dt, **none)
+    calibrated = scale.Phi(**nav, f_b=shown_force, omega_ib_b=shown_rate, dt=dt, **fields(numbers))
+    # a bias error is less by K, and an error of K multiplies what is shown and not what is true
+    both = np.eye(6)
+    both[:3, :3], both[3:, 3:] = np.eye(3) - gyro, np.eye(3) - accel
+    np.testing.assert_allclose(calibrated[:6, 6:12], Phi[:6, 6:12] @ both, atol=1e-15)
     expected = Phi[:6, 16:] @ error
     np.testing.assert_allclose(grown, expected, atol=0.01 * np.abs(expected).max())
     assert np.abs(expected[:3]).max() > 1e-6 and np.abs(expected[3:]).max() > 1e-5
@@ -212,7 +239,7 @@ def closed_loop(library, motion, extra, *, lever, seconds, update_hz, bending=No
     plain = load("velocity-attitude")
     dtheta, dv, true = inertial.increments(plain.strapdown, POSITION, slave.v_n, slave.q_b2n_wxyz, dt)
     if gains is not None:
-        dtheta, dv = dtheta * (1 + gains[:, :3]), dv * (1 + gains[:, 3:])
+        dtheta, dv = (np.einsum("rij,...rj->...ri", one, part) for one, part in zip(gains, (dtheta, dv), strict=True))
     master = hull.ride(motion, time[::every, None] - delay)
 
     def message(update):
@@ -289,11 +316,11 @@ def test_a_hull_that_heaves_says_nothing_of_the_lever_arm(lever):
     np.testing.assert_allclose(error[:, 16:], wrong, atol=0.05)
 
 
-def test_scale_factors_of_a_part_in_a_hundred_are_found_in_violent_motion(scale):
+def test_scale_factors_and_axes_of_a_part_in_a_hundred_are_found_in_violent_motion(scale):
     rng = np.random.default_rng(8)
-    size = np.full(6, 0.01)
-    gains = size * rng.standard_normal((RUNS, 6))
-    extra = Extra({"gyro_scale": np.zeros((RUNS, 3)), "accel_scale": np.zeros((RUNS, 3))}, size, gains)
+    gyro, accel, numbers = (np.array(part) for part in zip(*(triads(rng, 0.01) for _ in range(RUNS)), strict=True))
+    gains = tuple(np.linalg.inv(np.eye(3) - K) for K in (gyro, accel))
+    extra = Extra(fields(np.zeros((RUNS, 15))), np.full(15, 0.01), numbers)
     error, P = closed_loop(scale, violent(), extra, lever=np.array([3.0, 1.0, -1.0]), seconds=40, update_hz=1,
                            gains=gains)  # fmt: skip
     sigma = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))[:, 16:]
@@ -313,8 +340,9 @@ def test_bending_of_a_milliradian_is_followed_ten_times_a_second(flexure):
         {"flexure": np.zeros((RUNS, 3)), "flexure_rate": np.zeros((RUNS, 3))},
         np.repeat([sigma_bend, sigma_bend * beta], 3),
         np.concatenate(at_end, axis=-1),
-        {"flexure_beta": np.full(3, beta), "flexure_noise": np.full(3, 2 * sigma_bend * beta**1.5)},
-    )
+        {"flexure_omega": np.full(3, beta), "flexure_damping": np.ones(3),
+         "flexure_noise": np.full(3, 2 * sigma_bend * beta**1.5)},
+    )  # fmt: skip
     motion = pitched(np.array([0.0]))
     error, P = closed_loop(flexure, motion, extra, lever=np.array([3.0, 1.0, -1.0]), seconds=seconds, update_hz=10,
                            bending=bending)  # fmt: skip

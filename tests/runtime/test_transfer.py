@@ -141,7 +141,7 @@ def fly(ship, *, runs=20, seed=0, heading=2 * DEG, seconds=None, way="buffer", d
             sigmas.append(np.sqrt(np.einsum("rii->ri", loop.P)))
             nees.append(np.einsum("ri,ri->r", e, np.linalg.solve(loop.P, e[..., None])[..., 0]))
             nis.append(np.where(result.taken, result.nis, np.nan))
-            every_nis.append(np.where(result.rows > 0, result.nis, np.nan))
+            every_nis.append(np.where(result.before_gate > 0, result.before_gate, np.nan))
             verdicts.append(result.verdict)
             times.append(time)
     return Flight(loop, *(np.array(part) for part in (errors, sigmas, nees, nis, every_nis, verdicts, times)))

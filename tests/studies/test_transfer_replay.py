@@ -173,7 +173,23 @@ def test_fog_mems_has_a_lever_arm_of_centimetres(fog_mems):
 # ---------------------------------------------------------------- what the user sees
 
 
+def test_what_was_refused_is_counted_and_in_no_figure(simulated, model, result):
+    """For two seconds the master repeats itself, and its stamps go on."""
+    v_n, euler = simulated.master.v_n.copy(), simulated.master.euler.copy()
+    v_n[60:80], euler[60:80] = v_n[59], euler[59]
+    frozen = replace(simulated, master=replace(simulated.master, v_n=v_n, euler=euler))
+    said = tr.run(frozen, model, noise=NOISE, lever_b=LEVER_B)
+    assert said["refused"] == {"repeated": 20}
+    assert said["used"] == said["updates"] - 20
+    assert f"{said['updates']} messages of the master in " in tr.report(said)
+    assert f"of which {said['used']} used; refused: repeated 20;" in tr.report(said)
+    assert said["nis"]["with"]["mean"] == pytest.approx(result["nis"]["with"]["mean"], abs=0.03)
+    assert said["nis"]["with"]["by_quarter"][1] == pytest.approx(result["nis"]["with"]["by_quarter"][1], abs=0.2)
+    assert_truth(said)
+
+
 def test_the_page_holds_the_report_its_pictures_and_its_numbers_and_nothing_beside_it(result, tmp_path, capsys):
+    assert "all of them used" in tr.report(result)
     assert tr.finish(result, folder=str(tmp_path), as_json=True) == 0
     out = json.loads(capsys.readouterr().out)
     assert "history" not in out["result"]
