@@ -37,7 +37,7 @@ class CompiledFilter(Filter):
         size = getattr(model.dll, f"{model.manifest['c_prefix']}_filter_size")
         size.restype = ctypes.c_size_t
         self._width = int(size())
-        self._memory = np.zeros((0, self._width))
+        self._memory, self._considering = np.zeros((0, self._width)), False
         self._carried: dict[str, slice] = {}
         start = 0
         for struct in described["carried"]:
@@ -67,9 +67,7 @@ class CompiledFilter(Filter):
     ) -> Innovation:
         """Take one measurement, row after row: see `Filter.update`.  R is (..., m, m) of a correlated one alone."""
         check_taking(measurement, rows, gate, iterations)
-        kept, x, P = self._considered(measurement, considered), self.x, self.P
-        if kept is not None and iterations > 1:
-            raise BoresightError(f"{measurement}: states are considered with iterations=1 here; fly Filter for more")
+        kept = self._considered(measurement, considered)
         z = self._brought(measurement, inputs)
         described = self.described["measurements"][measurement]
         m = described["m"]
@@ -83,12 +81,19 @@ class CompiledFilter(Filter):
                 )
             R = R.reshape((*R.shape[:-2], m * m))
         vectors = {"R": R} if z is None else {"z": z, "R": R}
+        x, P, after = self.x, self.P, None  # folders that were generated before states could be considered
+        if kept is not None and iterations == 1 and not self._has_consider:
+            kept, after = None, kept
         nu, S, used = self._fly(
-            f"measure_{measurement}", described, inputs, vectors, (rows, m, gate or 0.0, iterations)
+            f"measure_{measurement}", described, inputs, vectors, (rows, m, gate or 0.0, iterations, kept)
         )
-        if kept is not None:
-            self.x, self.P = left(kept, self.x, self.P, x, P)
+        if after is not None:
+            self.x, self.P = left(after, self.x, self.P, x, P)
         return Innovation(nu, S, used)
+
+    @property
+    def _has_consider(self) -> bool:
+        return hasattr(self.model.dll, f"{self.model.manifest['c_prefix']}_filter_consider_batch")
 
     def feedback(self) -> None:
         """Correct nav by the estimate and begin again from zero."""
@@ -102,11 +107,12 @@ class CompiledFilter(Filter):
         described: dict[str, Any],
         inputs: dict[str, Any],
         vectors: dict[str, Array] | None = None,
-        measured: tuple[Array, int, float, int] | None = None,
+        measured: tuple[Array, int, float, int, Array | None] | None = None,
     ) -> Any:
         """Call `function` of the C filter for all runs.  vectors: z if brought (..., m), and R.
 
-        measured: rows (..., m) bool, m, gate and iterations of a measurement, for which nu, S and used are returned.
+        measured: rows (..., m) bool, m, gate, iterations and the considered states (..., n) bool, or None, of a
+        measurement, for which nu, S and used are returned.
         """
         library: Library = self.model
         check_inputs(function, library, inputs, self.nav, self.P)
@@ -118,12 +124,12 @@ class CompiledFilter(Filter):
         given, runs = library.arrange(function, read)
         shapes = [runs, self.x.shape[:-1], self.P.shape[:-2], *(v.shape[:-1] for v in (vectors or {}).values())]
         if measured is not None:
-            shapes.append(measured[0].shape[:-1])
+            shapes += [each.shape[:-1] for each in (measured[0], measured[4]) if each is not None]
         runs = np.broadcast_shapes(*shapes)
         n = int(np.prod(runs, dtype=int))
 
         if self._memory.shape[:-1] != runs:  # kept from call to call: most of it is scratch
-            self._memory = np.zeros((*runs, self._width))
+            self._memory, self._considering = np.zeros((*runs, self._width)), False
         memory = self._memory
         for name, part in self._carried.items():
             if name in given:
@@ -137,7 +143,8 @@ class CompiledFilter(Filter):
             arguments += [ctypes.c_void_p(packed.ctypes.data), ctypes.c_size_t(stride)]
         out: tuple[Array, ...] = ()
         if measured is not None:
-            rows, m, gate, iterations = measured
+            rows, m, gate, iterations, kept_states = measured
+            self._consider(n, runs, kept_states)
             for vector in (vectors or {}).values():
                 kept.append(np.ascontiguousarray(np.broadcast_to(vector, (*runs, vector.shape[-1]))))
                 arguments += [ctypes.c_void_p(kept[-1].ctypes.data), ctypes.c_size_t(vector.shape[-1])]
@@ -161,6 +168,23 @@ class CompiledFilter(Filter):
                 value = memory[..., self._carried[name]]
                 self.nav[name] = value.copy() if library.field[name]["size"] > 1 else value[..., 0]
         return (*out[:2], out[2].astype(bool)) if out else None
+
+    def _consider(self, n: int, runs: tuple[int, ...], considered: Array | None) -> None:
+        """Tell the C of n runs which states (..., n) bool no measurement corrects; it keeps that in its memory."""
+        if considered is None and not self._considering:
+            return
+        states = self.P.shape[-1]
+        each = np.broadcast_to(False if considered is None else considered, (*runs, states))
+        told = np.ascontiguousarray(each, dtype=np.uint8)
+        called = getattr(self.model.dll, f"{self.model.manifest['c_prefix']}_filter_consider_batch", None)
+        if called is None:
+            what = "was generated before states could be considered"
+            raise BoresightError(f"{self.model.name} {what}; generate it again")
+        called.restype = ctypes.c_size_t
+        status = np.empty(n, dtype=np.uint8)
+        memory = (ctypes.c_void_p(array.ctypes.data) for array in (self._memory, told))
+        called(ctypes.c_size_t(n), *memory, ctypes.c_size_t(states), ctypes.c_void_p(status.ctypes.data))
+        self._considering = considered is not None
 
     def _explain(self, function: str, given: dict[str, Array], runs: tuple[int, ...], status: Array) -> None:
         where = tuple(int(i) for i in np.argwhere(status != 0)[0])

@@ -69,12 +69,14 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     row = -(-n // block) * block
     leftmost = [min([j, *(column for i, column in Phi if i == j)]) for j in range(n)]
     packed = n * (n + 1) // 2
+    rows = max(len(m.rows) for m in model.measurements)
     return {
         "packed": packed,
         "block": block,
         "row": row,
-        # a nonlinear measurement keeps H there, dense where its R is, and its dense P
-        "work": max(2 * row * row, n * n + max(n * len(m.rows) for m in model.measurements)),
+        # a measurement keeps H there, dense where its R is; behind it x and the gain, where states are considered, and
+        # then the dense P, where it is linearised again
+        "work": max(2 * row * row, n * rows + n * max(n, rows + 1)),
         **given,
         "sizes": {name: len(nonzeros(made, name)) for name in sized},
         "order": model.order,

@@ -10,7 +10,7 @@ omega_ib_b: (3, rad/s) angular rate of the body against inertial space, in body 
 Everything here is singular at the poles.
 """
 
-from sympy import Matrix
+from sympy import Matrix, Rational, zeros
 
 from boresight.derive.mechanics.earth import Frame, gravity_n, metres, omega_en_n, omega_ie_n
 from boresight.derive.mechanics.rotation import (
@@ -99,6 +99,32 @@ def velocity_increment(dtheta, dv, dtheta_before, dv_before) -> Matrix:
     turned = skew(dtheta) * dv
     sculling = (skew(dtheta_before) * dv + skew(dv_before) * dtheta) / 12
     return dv + turned / 2 + skew(dtheta) * turned / 6 + sculling
+
+
+def coning_coefficients(samples: int) -> list:
+    """k_1 to k_(samples - 1): the coning of a step is the sum of k_j skew(dtheta of j steps before) dtheta.
+
+    A body that cones turns by (x - sin x) / 2 over a step where its axis turns by x, and the product of increments j
+    steps apart is 2 (1 - cos x) sin(j x) = 2 sin(j x) - sin((j + 1) x) - sin((j - 1) x), amplitudes left out.  Each odd
+    power q of x from 3 on gives one equation: the second difference of j^q, weighted by k_j, is 1 / 2.  What is left of
+    the rate falls with the power 2 samples of the step.  Two samples: 1/12, as in rotation_increment.
+    """
+    js, powers = range(1, samples), range(3, 2 * samples, 2)
+    differences = Matrix([[(j + 1) ** q - 2 * j**q + (j - 1) ** q for j in js] for q in powers])
+    return list(differences.LUsolve(Matrix([Rational(1, 2)] * (samples - 1))))
+
+
+def compensated(dtheta, dv, before) -> tuple[Matrix, Matrix]:
+    """dtheta (3, rad) and dv (3, m/s) of a step with which `step` follows coning and sculling by more than two samples.
+
+    before: (dtheta, dv) of the steps before, the last one first; so many and one are the samples.  Biases removed: what
+    is left of one enters by its product with the increments.  `step` gets the result in place of dtheta and dv, and
+    dtheta_before, dv_before as they were delivered; its own twelfth is taken off here.
+    """
+    k = coning_coefficients(len(before) + 1)
+    k[0] -= Rational(1, 12)
+    turned, pushed = (sum((k_j * one[i] for k_j, one in zip(k, before, strict=True)), zeros(3, 1)) for i in range(2))
+    return dtheta + skew(turned) * dtheta, dv + skew(turned) * dv + skew(pushed) * dtheta
 
 
 def step(frame: Frame, position, v_n, q_b2n_wxyz, dtheta, dv, dtheta_before, dv_before, dt) -> tuple:

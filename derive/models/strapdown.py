@@ -19,6 +19,8 @@ def strapdown(frame: Frame = ENU) -> Model:
     lat, height = frame.latitude_and_height(position.vector)
     f_n = dcm_from_quaternion(q.vector) * F_B.vector
     order = ", ".join(frame.coordinates)
+    dtheta, dv, *sensed = (part.vector for part in (*var.INCREMENTS, *var.EARLIER))
+    dtheta, dv = mechanization.compensated(dtheta, dv, list(zip(sensed[::2], sensed[1::2], strict=True)))
     return Model(
         name="strapdown" if frame is ENU else f"strapdown-{frame.name.lower()}",
         c_prefix="sd" if frame is ENU else f"sd{frame.name.lower()}",
@@ -28,10 +30,16 @@ def strapdown(frame: Frame = ENU) -> Model:
         structs=(
             Struct("nav", "position, velocity and attitude", (position, v_n, q)),
             Struct("imu", "inertial increments of one step, and of the step before", (*var.INCREMENTS, var.DT)),
+            Struct("earlier", "inertial increments of the steps before these", var.EARLIER),
             Struct("motion", "instantaneous inertial data", (F_B, OMEGA_IB_B)),
         ),
         functions=(
             replace(var.strapdown(frame), name="step"),
+            Function("compensated", "increments with which the step of any model follows coning and sculling by four "
+                     "samples instead of two; biases removed, the increments before stay as delivered", (
+                Output("dtheta_ib_b", dtheta, "rad", "in place of that of the step", "body"),
+                Output("dv_b", dv, "m/s", "in place of that of the step", "body"),
+            )),
             Function("rates", "the exact time derivatives that a step integrates", (
                 Output("position_rate", mechanization.position_rate(frame, *nav[:2]), "rad/s, rad/s, m/s",
                        order, "WGS-84"),

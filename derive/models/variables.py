@@ -112,6 +112,12 @@ INCREMENTS = (
     body("dtheta_before", "dtheta_before", "rad", "dtheta_ib_b of the step before, as long", -0.5, 0.5),
     body("dv_before", "dvel_before", "m/s", "dv_b of the step before", -100.0, 100.0),
 )
+EARLIER = (
+    body("dtheta_second", "dtheta_second", "rad", "dtheta_ib_b of two steps before, as long", -0.5, 0.5),
+    body("dv_second", "dvel_second", "m/s", "dv_b of two steps before", -100.0, 100.0),
+    body("dtheta_third", "dtheta_third", "rad", "dtheta_ib_b of three steps before, as long", -0.5, 0.5),
+    body("dv_third", "dvel_third", "m/s", "dv_b of three steps before", -100.0, 100.0),
+)
 
 # Of the gyros this density is the angle random walk, of the accelerometers the velocity random walk.
 GYRO_NOISE = noise_density("gyro_noise", "rad/sqrt(s)", "the gyros (angle random walk, ARW)", 0.1)

@@ -189,7 +189,7 @@ int fly(int form, int steps, int update_every, double dt, const double *motion, 
         }
         if ((step % update_every) == 0) {
             for (int k = 0; k < (int)ROWS; ++k) {
-                bs_row row = { ONE, &STATE_OF_ROW[k], 1, 0, (bs_real)R[k], 0, 0, 0, 1 };
+                bs_row row = { ONE, &STATE_OF_ROW[k], 1, 0, (bs_real)R[k], 0, 0, 0, 1, 0 };
                 bs_status status = BS_OK;
                 if (e != 0) { /* the innovation is a difference of two numbers in double, and then small */
                     row.z = (bs_real)(e[STATE_OF_ROW[k]] + seen[(updates * ROWS) + k]);

@@ -66,7 +66,7 @@ class Loops:
         _fields_ = [
             ("h", ctypes.c_void_p), ("at", ctypes.c_void_p), ("count", ctypes.c_int), ("z", ctypes.c_double),
             ("R", ctypes.c_double), ("gate", ctypes.c_double), ("nu", ctypes.c_double), ("S", ctypes.c_double),
-            ("used", ctypes.c_int),
+            ("used", ctypes.c_int), ("gain", ctypes.c_void_p),
         ]  # fmt: skip
 
     def __init__(self, name):
