@@ -12,6 +12,7 @@ from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
+from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
 
 LARGEST = 0.45  # rad in one correction; the model's own range ends at 0.5
@@ -21,6 +22,7 @@ class Transfer:
     """The filter with its past.  `slave` takes increments, `master` takes messages.
 
     model: `load("velocity-attitude")` or a composition.  nav, P: as of `Filter`, at `time`; `first` makes them.
+    past: that of `first`, until `time`; without it messages that were measured before are too old.
     constants: what else the model's functions ask for: lever_b and the root densities of the noises.
     matching: the velocity's and the attitude's measurement.
     way: "buffer" holds a message against the slave as it was then, lag = 0.  "extrapolate" is Kang's: the slave as it
@@ -36,6 +38,7 @@ class Transfer:
         constants: Mapping[str, Any],
         *,
         time: float = 0.0,
+        past: History | None = None,
         matching: tuple[str, str] = ("velocity", "dcm"),
         way: Literal["buffer", "extrapolate"] = "buffer",
         every: int = 1,
@@ -58,10 +61,15 @@ class Transfer:
         count = int(np.prod(self.runs, dtype=int))
         self.history = History(self.rules.buffer_s, count)
         self._angle, self._push = np.zeros((*self.runs, 3)), np.zeros((*self.runs, 3))
-        self._keep()
+        for sample in past.samples() if past is not None else ():
+            self.history.append(**sample)
+            self._angle, self._push = (sample[name].reshape((*self.runs, 3)) for name in ("angle", "push"))
+        if past is None:
+            self._keep()
         self._before: tuple[Array, Array] | None = None
         self._predicted = self.time  # of the covariance
         self._steps = 0
+        self.position = PositionWatch(self.runs, self.time)
         self.watch = Watch(self.rules, self.runs, self.time)
 
     @property
@@ -184,9 +192,9 @@ class Transfer:
         inputs |= said
         R = np.broadcast_to(np.asarray(message.R, float), (*runs, 6)).copy()
         # the gyros' own noise comes with the rate into the lever arm's velocity
-        lever = inputs["lever_b"] if "lever_b" in inputs else loop.nav["lever_b"]
         noise = np.max(np.asarray(self.constants["gyro_noise"]), axis=-1)
-        R[..., :3] += (np.sum(np.square(lever), axis=-1) * noise**2 * rate_factor)[..., None]
+        R[..., :3] += (np.sum(np.square(self._lever()), axis=-1) * noise**2 * rate_factor)[..., None]
+        R += self._curved(lag, inputs)
 
         # The residual speaks of the error at the message's time: the covariance goes there and comes back.
         # Neglected is the process noise of the lag, which stands in P already.
@@ -230,9 +238,7 @@ class Transfer:
         self._correct_past(F)
         loop.feedback()
         if message.position is not None:
-            position = np.asarray(message.position, float)
-            usable = taken & np.isfinite(position).all(-1)
-            loop.nav["position"] = np.where(usable[..., None], position, loop.nav["position"])
+            self._position(message, taken, believed)
         return self.watch.result(verdict, innovations, nis, used, believed, stamp, oldest)
 
     def _update(self, P: Array, R: Array, rows: Array, inputs: dict[str, Any]) -> dict[str, Innovation]:
@@ -297,6 +303,48 @@ class Transfer:
             self.filter, self.history, self.time - back, self.rules.half_span_s, self.constants
         )
         return {**inputs, "lag": np.zeros(self.runs) if self.way == "buffer" else lag}, rate_factor
+
+    def _position(self, message: Message, taken: Array, lag: Array) -> None:
+        """The master's position, carried to now, where it fits to the slave's own way since the last one."""
+        loop = self.filter
+        said, sigma = (
+            np.broadcast_to(np.asarray(v, float), (*self.runs, 3)) for v in (message.position, message.position_sigma)
+        )
+        usable = (taken & np.isfinite(said).all(-1))[..., None]
+        way = loop.nav["v_n"] * lag[..., None] * np.array([1.0, 1.0, -1.0])
+        said = np.where(usable, moved(np.where(usable, said, 0.0), np.where(usable, way, 0.0)), np.nan)
+        box = loop.model.field["position"]
+        used = self.position.takes(
+            self.time, said, sigma, loop.nav["position"],
+            np.sqrt(np.einsum("...ii->...i", loop.P)[..., DV].max(-1)),
+            np.linalg.norm(np.broadcast_to(self._lever(), said.shape), axis=-1),
+            (np.array(box["low"]), np.array(box["high"])), self.watch.note,
+        )  # fmt: skip
+        loop.nav["position"] = np.where(used[..., None], said, loop.nav["position"])
+
+    def _lever(self) -> Array:
+        """(..., 3) m as it is believed, in the axes that it is given in."""
+        for name in ("lever_m", "lever_b"):
+            if name in self.constants:
+                return np.asarray(self.constants[name], float)
+        return self.filter.nav["lever_b"]
+
+    def _curved(self, lag: Array, inputs: dict[str, Any]) -> Array | float:
+        """(..., 6) variance of the residuals that the delay's error d makes in the second order, E[d^4] = 3 sigma^4."""
+        variance, step = self.filter.P[..., TAU, TAU], 2 * self.rules.half_span_s
+        if np.max(variance) < (step / 4) ** 2:  # 10 ms: a turn that changes by 1 rad/s^2 leaves 0.05 mrad
+            return 0.0
+        change: Any = 0.0
+        for sign in (1, -1):
+            at = {**inputs, **self._match(lag - sign * step)[0]}
+            fields = "v_m_n", self._attitude_field()
+            rows = [
+                self.filter.call(f"{name}_H", **at)[..., TAU] if field in inputs else np.zeros((*self.runs, 3))
+                for name, field in zip(self.matching, fields, strict=True)
+            ]
+            change = change + sign * np.concatenate(rows, axis=-1) / (2 * step)
+        curved: Array = 0.75 * variance[..., None] ** 2 * np.square(change)
+        return curved
 
     def _opening(self, reopen: Array, rows: Array, inputs: dict[str, Any]) -> Array:
         """(..., n, n) to add to P: velocity and attitude may be off by what the residuals are."""

@@ -1,6 +1,6 @@
 """The slave's last samples, at any time between them."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -40,6 +40,11 @@ class History:
         self.end += 1
         while self.end - self.start > 2 and self.times[self.start + 1] < time - self.seconds:
             self.start += 1
+
+    def samples(self) -> Iterator[dict[str, Any]]:
+        """What `append` was called with."""
+        for k, time in enumerate(self.time):
+            yield {"time": time, **{name: self.recent(name)[k] for name in SIZES}}
 
     def __len__(self) -> int:
         return self.end - self.start

@@ -33,6 +33,7 @@ class Message:
     q_m2n_wxyz: Any = None  # (..., 4)
     euler_m: Any = None  # (..., 3) rad, instead of the quaternion, for the measurement `euler`
     position: Any = None  # (..., 3) latitude, longitude, height
+    position_sigma: Any = 10.0  # m, (..., 3) of north, east, up, or one number; a plain satellite receiver's
     rows: Any = True  # (..., 6) bool, False for what is missing; all False: nothing came to this run
 
 
