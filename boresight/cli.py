@@ -1,5 +1,6 @@
 """The command line.  Each command imports what it needs when it runs: start-up stays light."""
 
+import inspect
 import json
 import os
 import sys
@@ -11,6 +12,9 @@ from boresight import BoresightError, __version__, need
 
 try:
     import typer
+    import typer.core
+    from typer.main import get_command_from_info
+    from typer.models import CommandInfo
 except ModuleNotFoundError:
     sys.exit("boresight: the command line needs more packages; install them with pip install 'boresight[cli]'")
 
@@ -47,7 +51,6 @@ def completed(*sources: Callable[[], list[str]]) -> Callable[[str], list[str]]:
 
 
 FORMATS = ["text", "latex", "html", "pdf"]
-STUDIES = ["azimuth-hold", "euler-table", "float-covariance", "sea-state"]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document and nothing else.")]
 Out = Annotated[Path | None, typer.Option("-o", "--out", help="Folder for results.")]
 Targets = Annotated[
@@ -446,200 +449,117 @@ def export(
     print(f"{counted(len(written.files), 'file')} in {out}; try 'make -C {out} test example'")
 
 
-# What a study takes beside --seed, -o and --json; behind "--explore", what its exploration takes.
-TAKES = {
-    "azimuth-hold": {"--runs", "--seconds"},
-    "euler-table": {"--runs", "--seconds", "--switch", "--explore"},
-    "euler-table --explore": {"--runs", "--explore"},
-    "float-covariance": set(),
-    "sea-state": {"--runs", "--seconds", "--explore"},
-    "sea-state --explore": {"--runs", "--explore"},
-}
+Svg = Annotated[bool, typer.Option("--svg", help="Figures as SVG, for a paper, and not as PNG.")]
 
 
-@app.command()
-def study(
-    name: Annotated[
-        str,
-        typer.Argument(
-            help="euler-table: Table 1 of Song and Lee; azimuth-hold: the experiment of Kim; sea-state: that of Kang; "
-            "float-covariance: what single precision does to a covariance.",
-            autocompletion=completed(lambda: STUDIES),
-        ),
-    ],
-    runs: Annotated[
-        int | None, typer.Option(help="Monte Carlo runs of each case, 20 if left out; not of float-covariance.")
-    ] = None,
-    seed: Annotated[int, typer.Option(help="Of the random numbers; a run's depend on seed and run alone.")] = 0,
-    seconds: Annotated[
-        float | None,
-        typer.Option(help="Length of a run: 120 for euler-table, 3600 for azimuth-hold, 60 for sea-state."),
-    ] = None,
-    switch: Annotated[
-        list[str] | None, typer.Option(help="euler-table: a departure from the declared scenario; repeat it.")
-    ] = None,
-    explore: Annotated[
-        bool, typer.Option("--explore", help="euler-table, sea-state: everything the documentation counts; minutes.")
-    ] = False,
-    out: Out = None,
-    as_json: AsJson = False,
-) -> None:
-    """Run an experiment of a paper.
+class StudyCommand(typer.core.TyperCommand):
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        try:
+            return super().parse_args(ctx, args)
+        except Exception as error:
+            if type(error).__name__ != "NoSuchOption":
+                raise
+            known = ", ".join(option.opts[-1] for option in self.params)
+            raise BoresightError(f"study {self.name} takes no {error.option_name}; there are {known}") from None  # type: ignore[attr-defined]
 
-    euler-table exits 1 where it disagrees with the paper.
-    """
+
+class Studies(typer.core.TyperGroup):
+    """A command for each study, made of its scenario's options when it is asked for."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        from boresight.studies.known import STUDIES
+
+        return list(STUDIES)
+
+    def get_command(self, ctx: Any, name: str) -> Any:
+        from boresight.studies.known import STUDIES, study
+
+        one = study(name)
+
+        def command(out: Path | None, svg: bool, as_json: bool, seeds: int | None = None, **chosen: Any) -> None:
+            chosen = {
+                key: tuple(value or ()) if isinstance(value, list | None) else value for key, value in chosen.items()
+            }
+            fly(one, one.scenario(**chosen), out, svg, as_json, seeds)
+
+        def asked(name: str, kind: Any, default: Any) -> inspect.Parameter:
+            return inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, annotation=kind, default=default)
+
+        options = [
+            asked(
+                option.name,
+                Annotated[
+                    list[str] if option.type == tuple[str, ...] else option.type,
+                    typer.Option(help=option.metadata["help"]),
+                ],
+                option.default if option.default != () else None,
+            )
+            for option in one.options()
+        ]
+        if one.claims is not None:
+            options.append(
+                asked(
+                    "seeds",
+                    Annotated[
+                        int | None, typer.Option(help="Fly so many seeds from --seed on; print each claim as a band.")
+                    ],
+                    None,
+                )
+            )
+        parameters = [*options, asked("out", Out, None), asked("svg", Svg, False), asked("as_json", AsJson, False)]
+        command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+        command.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+        said = CommandInfo(name, cls=StudyCommand, callback=command, help=STUDIES[name], short_help=STUDIES[name])
+        return get_command_from_info(said, pretty_exceptions_short=True, rich_markup_mode=None)
+
+
+def no_study() -> None:
+    """Run an experiment of a paper, or of its own.  Exits 1 where a study's own criterion is not met."""
+
+
+app.add_typer(typer.Typer(cls=Studies, callback=no_study, no_args_is_help=True, rich_markup_mode=None), name="study")
+
+
+def fly(one: Any, scenario: Any, out: Path | None, svg: bool, as_json: bool, seeds: int | None = None) -> None:
+    """Run a study, print it, draw it; exits 0 if all is well."""
     from boresight import terminal
+    from boresight.studies import study as s
+    from boresight.studies.figures import Sheets
 
-    one_of(name, STUDIES, "study")
-    given = {"--runs": runs is not None, "--seconds": seconds is not None, "--switch": switch, "--explore": explore}
-    asked = f"{name} --explore" if explore and "--explore" in TAKES[name] else name
-    for option in (option for option, value in given.items() if value and option not in TAKES[asked]):
-        raise BoresightError(f"study {asked} takes no {option}; leave it out")
-    fly = {
-        "azimuth-hold": azimuth_hold,
-        "euler-table": euler_table,
-        "float-covariance": float_covariance,
-        "sea-state": sea_state,
-    }[name]
     if out is not None:
         need("replay")  # for the figures; said before the flight and not after it
         make(out)
     with terminal.working() as progress:
-        runs = 20 if runs is None else runs
-        result, text, written, good = fly(runs, seed, seconds, tuple(switch or ()), explore, out, progress)
+        if seeds is not None:
+            document = s.over_seeds(one, scenario, seeds, progress)
+            good, text = True, s.seeds_report(document)
+        else:
+            result = one.run(scenario, progress)
+            good, text = one.good(result), one.report(result)
+            sheets = Sheets(out or Path(), one.made_from(scenario), svg)
+            if out is not None and one.figures is not None:
+                progress("figures")
+                one.figures(result, sheets)
+            document = s.document(one, scenario, result, sheets.written)
+            if sheets.written:
+                text += "".join(f"\nwrote {path}" for path in sheets.written)
     if as_json:
-        print_json(result)
+        print_json(document)
     else:
-        if written:
-            print(f"{len(written)} figures in {out}")
         terminal.page_text(text + "\n")
     raise typer.Exit(0 if good else 1)
-
-
-Flown = tuple[dict[str, Any], str, list[Path], bool]  # result, report, files written, whether all is well
-
-
-def euler_table(
-    runs: int,
-    seed: int,
-    seconds: float | None,
-    switches: tuple[str, ...],
-    explore: bool,
-    out: Path | None,
-    progress: Callable[[str], None],
-) -> Flown:
-    from boresight.runtime.library import load
-    from boresight.studies import figures
-    from boresight.studies.euler_table import exploration as euler_exploration
-    from boresight.studies.euler_table import table
-
-    library = load("euler-matching")
-    if explore:
-        result = euler_exploration.explore(library, runs=runs, seed=seed, progress=progress)
-        written = [] if out is None else figures.euler_exploration(result, out)
-        return result, euler_exploration.report(result), written, result["finished"]
-    result = table.run(
-        library,
-        runs=runs,
-        seed=seed,
-        seconds=120.0 if seconds is None else seconds,
-        switches=switches,
-        progress=progress,
-    )
-    written = [] if out is None else figures.euler_figures(result, out)
-    good = all(result[kind]["agree"] == result["cells"] for kind in ("linear", "monte_carlo"))
-    return result, table.report(result), written, good
-
-
-def azimuth_hold(
-    runs: int,
-    seed: int,
-    seconds: float | None,
-    switches: tuple[str, ...],
-    explore: bool,
-    out: Path | None,
-    progress: Callable[[str], None],
-) -> Flown:
-    from boresight.studies.azimuth_hold import figures as azimuth_figures
-    from boresight.studies.azimuth_hold import hold
-
-    result = hold.run(
-        runs=runs,
-        seed=seed,
-        seconds=3600 if seconds is None else round(seconds),
-        histories=out is not None,
-        progress=progress,
-    )
-    written = [] if out is None else azimuth_figures.azimuth_figures(result, out)
-    return result, hold.report(result), written, True
 
 
 REPLAYED = ["euler-matching", "velocity-attitude", "velocity-attitude-lever", "azimuth-hold"]
 
 
-def float_covariance(
-    runs: int,
-    seed: int,
-    seconds: float | None,
-    switches: tuple[str, ...],
-    explore: bool,
-    out: Path | None,
-    progress: Callable[[str], None],
-) -> Flown:
-    from boresight.studies.float_covariance import covariance as single
-
-    result = single.run(seed=seed, progress=progress)
-    written = [] if out is None else single.float_figures(result, out)
-    worst = result["worst"]["100 Hz"]
-    return result, single.report(result), written, worst["dies_s"] is None and worst["deviation"] < 0.005
-
-
-def sea_state(
-    runs: int,
-    seed: int,
-    seconds: float | None,
-    switches: tuple[str, ...],
-    explore: bool,
-    out: Path | None,
-    progress: Callable[[str], None],
-) -> Flown:
-    from boresight.studies.sea_state import claims as sea_claims
-    from boresight.studies.sea_state import experiment as sea
-    from boresight.studies.sea_state import exploration as sea_exploration
-    from boresight.studies.sea_state import figures as sea_figures
-    from boresight.studies.sea_state.flight import Scenario
-
-    if explore:
-        shown = sea_exploration.explore(runs=runs, seed=seed, progress=progress)
-        varied = sea_claims.explore(runs=runs, seed=seed, progress=progress)
-        written = [] if out is None else sea_exploration.exploration_figures(shown, out)
-        report = f"{sea_exploration.report(shown)}\n{sea_claims.report(varied)}"
-        return {"exploration": shown, "claims": varied}, report, written, True
-    scenario = Scenario() if seconds is None else Scenario(seconds=round(seconds))
-    result = sea.run(runs=runs, seed=seed, scenario=scenario, histories=out is not None, progress=progress)
-    written = [] if out is None else sea_figures.sea_figures(result, out)
-    return result, sea.report(result), written, True
-
-
-def print_template(wanted: bool) -> None:
-    if wanted:
-        from boresight.runtime import recording
-
-        sys.stdout.write((Path(recording.__file__).parent / "built_in" / "template.toml").read_text())
-        raise typer.Exit
-
-
 @app.command()
 def replay(
-    recording: Annotated[str, typer.Argument(help="A recording, or the TOML file that describes one.")],
+    recording: Annotated[
+        str | None, typer.Argument(help="A recording, or the TOML file that describes one.", show_default=False)
+    ] = None,
     template: Annotated[
-        bool,
-        typer.Option(
-            "--template",
-            help="Print a description of a recording, to be filled in, and end.",
-            callback=print_template,
-            is_eager=True,
-        ),
+        bool, typer.Option("--template", help="Print a description of it, to be filled in, and end.")
     ] = False,
     model: Annotated[
         str | None,
@@ -650,6 +570,17 @@ def replay(
         ),
     ] = None,
     check: Annotated[bool, typer.Option("--check", help="Look at the recording and fly nothing.")] = False,
+    begin: Annotated[
+        str | None, typer.Option("--from", help='Begin here: "12.5 s" as --check shows it, or a date.')
+    ] = None,
+    end: Annotated[str | None, typer.Option("--to", help="End here.")] = None,
+    bridge: Annotated[str | None, typer.Option(help='Fill up to so much missing, as "20 ms".')] = None,
+    regular_clock: Annotated[
+        bool, typer.Option("--regular-clock", help="The slave's samples are regular; only their tags scatter.")
+    ] = False,
+    allow: Annotated[
+        list[str] | None, typer.Option(help="An error of --check that is meant so, by its name; may be repeated.")
+    ] = None,
     delay_ms: Annotated[
         float, typer.Option(help="How old the master's data is; velocity-attitude begins there and estimates it.")
     ] = 0.0,
@@ -664,10 +595,30 @@ def replay(
     velocity_noise: Annotated[str | None, typer.Option(help='Master: level and vertical, as "2, 4 mm/s".')] = None,
     attitude_noise: Annotated[str | None, typer.Option(help='Master: level and heading, as "0.1, 0.3 deg".')] = None,
     delay_noise: Annotated[str | None, typer.Option(help='Random walk of the delay, as "0.03 ms/sqrt(s)".')] = None,
+    with_: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--with",
+            help='What the filter carries beside, as "scale 1000 ppm", "axes 1 mrad" or "bending 2 mrad 0.1 Hz".',
+        ),
+    ] = None,
+    grade: Annotated[
+        str | None,
+        typer.Option(help="Sizes of scale factors, axes and instability: mems, industrial, tactical, navigation."),
+    ] = None,
+    estimate: Annotated[
+        bool, typer.Option("--estimate", help="Estimate scale factors and axes, which else are considered.")
+    ] = False,
+    gyro_instability: Annotated[
+        str | None, typer.Option(help='Of the gyro biases, as "3 deg/h"; if not given, chosen as a random walk.')
+    ] = None,
+    accel_instability: Annotated[str | None, typer.Option(help='Of the accelerometer biases, as "50 ug".')] = None,
+    correlation: Annotated[str | None, typer.Option(help='Correlation time of both instabilities, as "300 s".')] = None,
     lever_arm: Annotated[
         str | None, typer.Option(help='From master to slave: front, right, down, as "-8, -2, 12 cm".')
     ] = None,
     out: Out = None,
+    svg: Svg = False,
     as_json: AsJson = False,
 ) -> None:
     """Fly a filter on a recording.
@@ -678,16 +629,25 @@ def replay(
     detection and zero-velocity updates.  With --check: norms, gaps, rates and suspicious units; exits 1 if something is
     wrong.
     """
-    from boresight.runtime.library import load
     from boresight.runtime.recording import read
+    from boresight.runtime.recording.check import shown
+    from boresight.runtime.recording.read import template as description
     from boresight.runtime.units import quantity
     from boresight.studies.replays import euler_matching as matched
     from boresight.studies.replays import velocity_attitude as transfer_replay
     from boresight.studies.replays import zero_velocity
+    from boresight.studies.study import Replay
 
+    if template:
+        sys.stdout.write(description(recording))
+        raise typer.Exit
+    if recording is None:
+        raise BoresightError("no recording is named; 'boresight replay --template' shows how one is described")
+    data = read(
+        recording, strict=not check, begin=begin, end=end, bridge=bridge, regular=regular_clock, allow=allow or ()
+    )
     if check:
-        raise typer.Exit(matched.main(recording, only_check=True, as_json=as_json))
-    data = read(recording)
+        raise typer.Exit(shown(data, as_json=as_json))
     master = data.master
     fits = "azimuth-hold" if master is None else "euler-matching" if master.v_n is None else "velocity-attitude"
     name = one_of(model or fits, REPLAYED, "model to replay with")
@@ -708,23 +668,34 @@ def replay(
     )
     if (noise or prior or lever_arm) and not name.startswith("velocity-attitude"):
         raise BoresightError(f"noises, biases and a lever arm are options of velocity-attitude; {name} takes none")
-    folder = None if out is None else str(make(out))
-    if name == "azimuth-hold":
-        raise typer.Exit(zero_velocity.main(recording, folder=folder, as_json=as_json))
-    if name == "euler-matching":
-        status = matched.main(
-            recording, folder=folder, as_json=as_json, delay=delay_ms * 1e-3, rate_hz=rate_hz, measurement=measurement
-        )
-        raise typer.Exit(status)
-    from boresight import terminal
+    options = (with_, grade, gyro_instability, accel_instability, correlation)
+    if (estimate or any(options)) and not name.startswith("velocity-attitude"):
+        raise BoresightError(f"sizes of the sensors' errors are options of velocity-attitude; {name} takes none")
+    sensors = None
+    if estimate or any(options):
+        import numpy as np
 
-    with terminal.working() as progress:
-        result = transfer_replay.run(
-            data, load(name), noise=noise, prior={key: float(value[0]) for key, value in prior.items()},
-            lever_b=None if lever_arm is None else quantity(lever_arm, "length", 3), delay=delay_ms * 1e-3,
-            rate_hz=rate_hz, progress=progress,
-        )  # fmt: skip
-    raise typer.Exit(transfer_replay.finish(result, folder=folder, as_json=as_json))
+        from boresight.runtime.transfer.sensors import MODEL, Sensors, sized
+
+        sensors = sized(with_ or (), grade, gyro_instability, accel_instability, correlation, estimated=estimate)
+        # what is told of an instability, if only that there is none, is not looked for
+        told = (("gyro_walk", gyro_instability), ("accel_walk", accel_instability))
+        noise |= {walk: np.zeros(1) for walk, text in told if text}
+        sensors, name = (None, name) if sensors == Sensors() else (sensors, MODEL)
+    settings: dict[str, Any] = {}
+    if name == "azimuth-hold":
+        one = zero_velocity.STUDY
+    elif name == "euler-matching":
+        one = matched.STUDY
+        settings = {"delay": delay_ms * 1e-3, "rate_hz": rate_hz, "measurement": measurement}
+    else:
+        one = transfer_replay.study(name)
+        settings = {
+            "noise": noise, "prior": {key: float(value[0]) for key, value in prior.items()},
+            "lever_b": None if lever_arm is None else quantity(lever_arm, "length", 3), "delay": delay_ms * 1e-3,
+            "rate_hz": rate_hz, "sensors": sensors,
+        }  # fmt: skip
+    fly(one, Replay(data, settings), out, svg, as_json)
 
 
 def make(folder: Path) -> Path:

@@ -10,12 +10,16 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation
+from boresight.runtime.transfer.guard import Guard, mixed, outside
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
-from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
+from boresight.runtime.transfer.lever import flown
+from boresight.runtime.transfer.messages import Message, Note, Result, Verdict, heard
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
+from boresight.runtime.transfer.score import Score
 
-LARGEST = 0.45  # rad in one correction; the model's own range ends at 0.5
+SWING_S = 1.0
+LARGEST = 0.9  # of the model's range for the error state, in one correction
 
 
 class Transfer:
@@ -23,12 +27,15 @@ class Transfer:
 
     model: `load("velocity-attitude")` or a composition.  nav, P: as of `Filter`, at `time`; `first` makes them.
     past: that of `first`, until `time`; without it messages that were measured before are too old.
-    constants: what else the model's functions ask for: lever_b and the root densities of the noises.
+    constants: what else the model's functions ask for: lever_b, or lever_m in the master's axes, and the root densities
+    of the noises.
     matching: the velocity's and the attitude's measurement.
     way: "buffer" holds a message against the slave as it was then, lag = 0.  "extrapolate" is Kang's: the slave as it
     is now, moved back along its rate of change by lag = tau_hat + what the message's own time says.
     every: so many intervals of the slave for one step of the covariance, which besides comes up to date for a message.
     """
+
+    score: Score | None = None  # of a filter with `Sensors(probed=True)`
 
     def __init__(
         self,
@@ -50,8 +57,9 @@ class Transfer:
         self.every = every
         self.runs = np.shape(P)[:-2]
         whole = {name: np.asarray(value, float) for name, value in nav.items()}
+        self.guard = Guard(flown(model, constants), self.runs)
         self.filter = Filter(
-            model,
+            self.guard,
             {n: np.broadcast_to(v, (*self.runs, *v.shape[-1:])) if n != "tau" else np.broadcast_to(v, self.runs)
              for n, v in whole.items()},
             P,
@@ -71,6 +79,10 @@ class Transfer:
         self._steps = 0
         self.position = PositionWatch(self.runs, self.time)
         self.watch = Watch(self.rules, self.runs, self.time)
+        self.lost = np.zeros(self.runs, bool)  # runs whose slave left the model's range: they stand still
+        where, why = outside(model, self.filter.nav, self.runs)
+        if where.any():
+            raise BoresightError(f"transfer: the slave's {why}")
 
     @property
     def notes(self) -> list[Note]:
@@ -105,10 +117,12 @@ class Transfer:
                 "between; begin again behind the gap, with `first`"
             )
         dtheta, dv = (np.broadcast_to(np.asarray(part, float), (*self.runs, 3)) for part in (dtheta_ib_b, dv_b))
-        before = self._before or (dtheta, dv)
-        self.filter.strapdown(dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=before[0], dv_before=before[1], dt=dt)
+        before, held = self._before or (dtheta, dv), dict(self.filter.nav)
+        shown = {"dtheta_ib_b": dtheta, "dv_b": dv, "dtheta_before": before[0], "dv_before": before[1], "dt": dt}
+        self.filter.strapdown(**shown, **self.constants)
         self._before = (dtheta, dv)
         self.time = self.watch.time = float(time)
+        self._range(held)
         self._angle, self._push = self._angle + dtheta, self._push + dv
         self._keep()
         if self.rules.full_scale is not None:
@@ -116,6 +130,17 @@ class Transfer:
         self._steps += 1
         if self._steps >= self.every:
             self._covariance()
+
+    def _range(self, held: Mapping[str, Array]) -> None:
+        """Hold the runs that are lost where they were, those too that are lost from now on, at the range's edge."""
+        left, why = self.guard.taken()
+        if left.any():
+            text = f"the slave is beyond the model's range and stands still from now on: {why}"
+            self.watch.note(left & ~self.lost, text)
+            self.lost = self.lost | left
+            held = self.guard.clipped(held)
+        if self.lost.any():
+            self.filter.nav = mixed(self.lost, held, self.filter.nav)
 
     def _keep(self) -> None:
         nav = self.filter.nav
@@ -141,6 +166,7 @@ class Transfer:
         if dt <= 0:
             return
         self.filter.predict(**self._over(np.full(self.history.runs, dt)), dt=dt, **self.constants)
+        self.guard.taken()  # a rate beyond the range is in the slave's own step, if it is
         self._predicted = self.time
         self.watch.silence()
 
@@ -158,43 +184,52 @@ class Transfer:
         """Hold a message against the slave and correct the slave by it, its past included."""
         self._covariance()
         loop, rules, runs = self.filter, self.rules, self.runs
-        stamp = np.broadcast_to(np.asarray(message.time, float), runs)
-        came = np.broadcast_to(np.asarray(message.rows), (*runs, 6)).any(-1)
-        said, rows = self._usable(message)
+        attitude = self._attitude_field()
+        steepest = loop.model.field["euler_m"]["high"][1]
+        given = heard(message, runs, attitude, steepest)
+        stamp, rows, came = given.time, given.rows, given.came
+        self.watch.partly(given, attitude)
+        faults = list(given.faults)
 
         # A message that lies ahead is the clocks' fault; an estimate of the delay that says so is the filter's to mend.
         lag = self.time - stamp + loop.nav["tau"]
         lag = np.where(stamp <= self.time + rules.ahead_s, np.maximum(lag, -rules.ahead_s), lag)
         oldest = self.time - self.history.time[0]
+        copied = came & (given.count == self.watch.count)
+        if copied.any():
+            count = given.count[copied].flat[0]
+            faults.append((copied, f"its counter, {count:.0f}, is that of the last one"))
+        if self.lost.any():
+            faults.append((self.lost, "the slave stands still, beyond the model's range"))
         verdict = np.full(runs, int(Verdict.TAKEN))
         for code, where in (
+            (Verdict.REPEATED, copied),
             (Verdict.OUT_OF_ORDER, stamp <= self.watch.stamp),
             (Verdict.TOO_OLD, lag > oldest),
             (Verdict.AHEAD, ~(lag >= -rules.ahead_s)),
             # what the slave missed since cannot be told from what it missed before, nor its rates be trusted
             (Verdict.SATURATED, self.watch.saturated_at.max(-1) > self.time - lag - 3 * rules.half_span_s),
-            (Verdict.INVALID, ~rows.any(-1) | ~np.isfinite(stamp)),
+            (Verdict.BEYOND, self.lost),
+            (Verdict.INVALID, ~rows.any(-1)),
             (Verdict.ABSENT, ~came),
         ):
             verdict[where] = code
         if len(self.history) < 2:
             verdict[came] = Verdict.TOO_OLD
-            return self.watch.result(verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, stamp, oldest)
+            return self.watch.result(
+                verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, given, oldest, faults, verdict
+            )
         believed, lag = lag, np.where(verdict == Verdict.TAKEN, lag, 0.0)
 
         inputs, rate_factor = self._match(lag)
         expected = loop.call("expected", **inputs)
-        said = self._filled(said, rows, expected)
-        verdict[self.watch.repeats(said, rows & (verdict == Verdict.TAKEN)[..., None], expected, message)] = (
-            Verdict.REPEATED
-        )
-        rows = rows & (verdict == Verdict.TAKEN)[..., None]
+        said = self._filled(given.said, rows, expected)
         inputs |= said
-        R = np.broadcast_to(np.asarray(message.R, float), (*runs, 6)).copy()
+        R = given.R.copy()
         # the gyros' own noise comes with the rate into the lever arm's velocity
         noise = np.max(np.asarray(self.constants["gyro_noise"]), axis=-1)
         R[..., :3] += (np.sum(np.square(self._lever()), axis=-1) * noise**2 * rate_factor)[..., None]
-        R += self._curved(lag, inputs)
+        R += self._curved(lag, inputs, stamp - self.watch.stamp)
 
         # The residual speaks of the error at the message's time: the covariance goes there and comes back.
         # Neglected is the process noise of the lag, which stands in P already.
@@ -205,6 +240,11 @@ class Transfer:
         there, back = eye - A + half, eye + A + half
         P_now = loop.P
         P = there @ P_now @ np.swapaxes(there, -1, -2)
+        rows = rows & (verdict == Verdict.TAKEN)[..., None]
+        repeated = self.watch.repeats(said, rows, expected, self._expected_variance(P, inputs), R)
+        verdict[repeated] = Verdict.REPEATED
+        faults.append((repeated, "the master repeats its last one while the slave moves"))
+        rows = rows & ~repeated[..., None]
         innovations = self._update(P, R, rows, inputs)
         used = rows.sum(-1)
         # The gate presumes residuals that are linear in the errors: until angles and delay are known it is open.
@@ -221,35 +261,57 @@ class Transfer:
             P = P + self._opening(reopen, rows, inputs)
             self._update(P, R, rows, inputs)
             self.watch.gated = np.where(reopen, 0, self.watch.gated)
+        none = np.zeros((*runs, 3))
+        by_row = [np.where((one := innovations[name]).used, one.nu**2 / one.S, none) if name in innovations else none
+                  for name in self.matching]  # fmt: skip
+        worst = np.argmax(np.concatenate(by_row, axis=-1), axis=-1)
         verdict[gated] = Verdict.GATED
         verdict[reopen] = Verdict.REOPENED
-        taken = verdict <= Verdict.REOPENED
-
+        beyond, why = self.guard.taken()
         # A correction beyond the model's range is made in part, and the covariance stays as wide as it was.
-        turn = np.abs(loop.x[..., self._angles()]).max(-1)
-        part = np.where(taken, np.minimum(1.0, LARGEST / np.maximum(turn, 1e-300)), 0.0)
-        x = part[..., None] * loop.x
+        reach = np.max(np.abs(loop.x) / np.array(loop.model.field["x"]["high"]), axis=-1)
+        part = np.where(
+            beyond | (verdict > Verdict.REOPENED), 0.0, np.minimum(1.0, LARGEST / np.maximum(reach, 1e-300))
+        )
         carried = back @ loop.P @ np.swapaxes(back, -1, -2)
         opened = back @ P @ np.swapaxes(back, -1, -2)
         whole = (part == 1.0)[..., None, None]
-        loop.P = np.where(whole, carried, np.where(reopen[..., None, None], opened, P_now))
+        corrected = np.where(whole, carried, np.where(reopen[..., None, None], opened, P_now))
+        loop.x = np.einsum("...ij,...j->...i", back, part[..., None] * loop.x)
+        nav = loop.call("feedback")
+        for where, reason in (self.guard.taken(), outside(loop.model, nav, runs)):
+            beyond, why = beyond | where, why or reason
+        faults.append((beyond, f"the slave, or what the message makes of it, is beyond the model's range: {why}"))
+        verdict[beyond & (verdict <= Verdict.REOPENED)] = Verdict.BEYOND
+        taken = verdict <= Verdict.REOPENED
+        if self.score is not None:
+            self.score.end(taken)
+        loop.P = np.where(taken[..., None, None], corrected, P_now)
         loop.P = (loop.P + np.swapaxes(loop.P, -1, -2)) / 2
-        loop.x = np.einsum("...ij,...j->...i", back, x)
+        loop.x = np.where(taken[..., None], loop.x, 0.0)
         self._correct_past(F)
-        loop.feedback()
-        if message.position is not None:
-            self._position(message, taken, believed)
-        return self.watch.result(verdict, innovations, nis, used, believed, stamp, oldest)
+        self.guard.taken()
+        loop.nav = loop.nav | mixed(taken, nav, {name: loop.nav[name] for name in nav})
+        loop.x = np.zeros_like(loop.x)
+        if given.position is not None:
+            self._position(given.position, given.position_sigma, taken, believed)
+        return self.watch.result(verdict, innovations, nis, used, believed, given, oldest, faults, worst)
 
     def _update(self, P: Array, R: Array, rows: Array, inputs: dict[str, Any]) -> dict[str, Innovation]:
         """Attitude first: the residual of a large turn depends on x, and that of the velocity does not."""
         self.filter.x, self.filter.P = np.zeros(P.shape[:-1]), P
+        if self.score is not None:
+            self.score.begin()
         out = {}
         for name, part, field in (
             (self.matching[1], slice(3, 6), self._attitude_field()),
             (self.matching[0], slice(0, 3), "v_m_n"),
         ):
             if field in inputs:
+                if self.score is not None:
+                    H, z = self.filter.call(f"{name}_H", **inputs), self.filter.call(f"{name}_z", **inputs)
+                    nu = z - np.einsum("...ij,...j->...i", H, self.filter.x)
+                    self.score.take(nu, H, self.filter.P, R[..., part], rows[..., part])
                 out[name] = self.filter.update(name, R[..., part], rows=rows[..., part], **inputs)
         return out
 
@@ -261,27 +323,11 @@ class Transfer:
         names = getattr(self.filter.model, "states", ())
         return [i for i, name in enumerate(names) if name.startswith(("phi", "dmu"))] or [0, 1, 2]
 
-    def _usable(self, message: Message) -> tuple[dict[str, Array], Array]:
-        """What a message says, and which of its rows can be used: given, finite and within the model's range."""
-        rows = np.broadcast_to(np.asarray(message.rows, bool), (*self.runs, 6)).copy()
-        said = {}
-        attitude = self._attitude_field()
-        for name, part in (("v_m_n", slice(0, 3)), (attitude, slice(3, 6))):
-            value = getattr(message, name)
-            if value is None:
-                rows[..., part] = False
-                continue
-            value = np.asarray(value, float)
-            said[name] = np.broadcast_to(value, (*self.runs, value.shape[-1]))
-            if name == "q_m2n_wxyz":
-                rows[..., part] &= (np.abs(np.linalg.norm(value, axis=-1) - 1) < 1e-3)[..., None]
-            else:
-                rows[..., part] &= np.abs(value) < (1000.0 if name == "v_m_n" else 2 * np.pi)
-        if not said:
-            raise BoresightError(
-                f"transfer: the message holds neither v_m_n nor {attitude}, which {self.matching[1]} needs"
-            )
-        return said, rows
+    def _expected_variance(self, P: Array, inputs: dict[str, Any]) -> Array:
+        """(..., 6) of the velocity and the attitude (about the axes n) that are expected of the master."""
+        H = np.concatenate([self.filter.call(f"{name}_H", **inputs) for name in ("velocity", "dcm")], axis=-2)
+        variance: Array = np.einsum("...ij,...jk,...ik->...i", H, P, H)
+        return variance
 
     def _filled(self, said: dict[str, Array], rows: Array, expected: dict[str, Array]) -> dict[str, Array]:
         """Where rows are missing, the expected values: masked, but within the model's range."""
@@ -290,7 +336,9 @@ class Transfer:
             if name == "q_m2n_wxyz":
                 out[name] = np.where(rows[..., 3:].any(-1, keepdims=True), value, expected[name])
             elif name == "euler_m":
+                box = self.filter.model.field[name]
                 euler = rotation.euler_from_matrix(rotation.matrix_from_quaternion(expected["q_m2n_wxyz"]))
+                euler = np.clip(euler, box["low"], box["high"])
                 out[name] = np.where(rows[..., 3:], value, euler)
             else:
                 out[name] = np.where(rows[..., :3], value, expected[name])
@@ -304,12 +352,9 @@ class Transfer:
         )
         return {**inputs, "lag": np.zeros(self.runs) if self.way == "buffer" else lag}, rate_factor
 
-    def _position(self, message: Message, taken: Array, lag: Array) -> None:
+    def _position(self, said: Array, sigma: Array, taken: Array, lag: Array) -> None:
         """The master's position, carried to now, where it fits to the slave's own way since the last one."""
         loop = self.filter
-        said, sigma = (
-            np.broadcast_to(np.asarray(v, float), (*self.runs, 3)) for v in (message.position, message.position_sigma)
-        )
         usable = (taken & np.isfinite(said).all(-1))[..., None]
         way = loop.nav["v_n"] * lag[..., None] * np.array([1.0, 1.0, -1.0])
         said = np.where(usable, moved(np.where(usable, said, 0.0), np.where(usable, way, 0.0)), np.nan)
@@ -329,8 +374,11 @@ class Transfer:
                 return np.asarray(self.constants[name], float)
         return self.filter.nav["lever_b"]
 
-    def _curved(self, lag: Array, inputs: dict[str, Any]) -> Array | float:
-        """(..., 6) variance of the residuals that the delay's error d makes in the second order, E[d^4] = 3 sigma^4."""
+    def _curved(self, lag: Array, inputs: dict[str, Any], since: Array) -> Array | float:
+        """(..., 6) variance of the residuals by the delay's error d in the second order, E[d^4] = 3 sigma^4.
+
+        It is one error in all messages of a swing, so that SWING_S of messages weigh as one.  since: (...,) s.
+        """
         variance, step = self.filter.P[..., TAU, TAU], 2 * self.rules.half_span_s
         if np.max(variance) < (step / 4) ** 2:  # 10 ms: a turn that changes by 1 rad/s^2 leaves 0.05 mrad
             return 0.0
@@ -343,7 +391,8 @@ class Transfer:
                 for name, field in zip(self.matching, fields, strict=True)
             ]
             change = change + sign * np.concatenate(rows, axis=-1) / (2 * step)
-        curved: Array = 0.75 * variance[..., None] ** 2 * np.square(change)
+        messages = np.maximum(1.0, SWING_S / np.fmax(since, 1e-3))
+        curved: Array = 0.75 * (messages * variance**2)[..., None] * np.square(change)
         return curved
 
     def _opening(self, reopen: Array, rows: Array, inputs: dict[str, Any]) -> Array:

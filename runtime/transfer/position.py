@@ -55,7 +55,8 @@ class PositionWatch:
     ) -> Array:
         """(...,) bool, which are taken; `note` is called with runs and a line where that changes.
 
-        position, sigma (m): (..., 3) of the message, NaN where none came; box: lowest and highest that the model knows.
+        position, sigma (m): (..., 3) of the message, NaN where there is none to take.
+        box: lowest and highest position that the model knows.
         slave: (..., 3) by dead reckoning since the last one taken; speed_sigma: (...,) m/s of its velocity, one axis.
         lever: (...,) m, between the two.
         """

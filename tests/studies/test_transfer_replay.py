@@ -1,11 +1,9 @@
 """Replay by velocity and attitude: a recording with analytic truth gives it back, the real one its delay."""
 
 import base64
-import json
 import re
 from dataclasses import replace
 from html import escape
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,16 +18,20 @@ from boresight.runtime.units import STANDARD_GRAVITY as G
 from boresight.runtime.units import quantity
 from boresight.studies.page import numbers_of
 from boresight.studies.replays import velocity_attitude as tr
+from boresight.studies.study import Replay, document
+from tests.drawing import drawn
 
 DEG = np.pi / 180
 DELAY = 0.03
 LEVER_B = np.array([-0.3, 0.2, 0.5])
 MU = np.array([0.2, -0.3, 0.8]) * DEG
 BIAS_G, BIAS_A = np.array([200.0, -300.0, 100.0]) * DEG / 3600, np.array([-0.07, 0.03, 0.05])
-NOISE = {"gyro": 0.2 * DEG / 60, "accel": 0.002, "velocity": [0.003, 0.004], "attitude": [1e-4, 2e-4], "delay": 1e-7}
+NOISE = {"gyro": 0.2 * DEG / 60, "accel": 0.002, "velocity": [0.003, 0.004], "attitude": [1e-4, 2e-4], "delay": 1e-7,
+         "gyro_walk": 0.0, "accel_walk": 0.0}  # fmt: skip
 # of the real recording, as the fit of docs/recordings.md finds them
 FOG_MEMS = {"gyro": "0.148 deg/sqrt(h)", "accel": "0.1 m/s/sqrt(h)", "velocity": "1.1, 2.1 mm/s",
-            "attitude": "0.115, 0.042 arcmin", "delay": "0.03 ms/sqrt(s)"}  # fmt: skip
+            "attitude": "0.115, 0.042 arcmin", "delay": "0.03 ms/sqrt(s)",
+            "gyro_walk": "0 deg/h/sqrt(h)", "accel_walk": "0 ug/sqrt(h)"}  # fmt: skip
 
 
 def simulate(seed, seconds=14.0, lever_b=LEVER_B):
@@ -122,7 +124,7 @@ def test_lever_arm_of_the_wrong_sign_shows_in_the_nis(simulated, model):
 def test_noises_are_found(model):
     """10 s: 100 messages know a measurement's noise to 6 % at best; the gyros' is found within a half."""
     short = simulate(2, seconds=10.0, lever_b=np.zeros(3))
-    found = tr.run(short, model, noise={"delay": 1e-7})
+    found = tr.run(short, model, noise={name: NOISE[name] for name in ("delay", "gyro_walk", "accel_walk")})
     assert found["noise"]["passes"] > 0
     np.testing.assert_allclose(found["noise"]["velocity"]["value"], [3.0, 4.0], rtol=0.25)
     expected = np.array(NOISE["attitude"]) / DEG * 60
@@ -188,12 +190,13 @@ def test_what_was_refused_is_counted_and_in_no_figure(simulated, model, result):
     assert_truth(said)
 
 
-def test_the_page_holds_the_report_its_pictures_and_its_numbers_and_nothing_beside_it(result, tmp_path, capsys):
+def test_the_page_holds_the_report_its_pictures_and_its_numbers_and_nothing_beside_it(result, tmp_path):
     assert "all of them used" in tr.report(result)
-    assert tr.finish(result, folder=str(tmp_path), as_json=True) == 0
-    out = json.loads(capsys.readouterr().out)
+    one = tr.study(result["model"])
+    *pictures, html = drawn(one, result, tmp_path)
+    out = document(one, Replay(None), result, [*pictures, html])
+    assert out["good"] and out["figures"] == [str(path) for path in (*pictures, html)]
     assert "history" not in out["result"]
-    html, *pictures = (Path(name) for name in out["figures"])
     assert html.suffix == ".html" and len(pictures) == 2
     text = html.read_text()
     assert numbers_of(text) == out["result"]
@@ -201,11 +204,11 @@ def test_the_page_holds_the_report_its_pictures_and_its_numbers_and_nothing_besi
     assert [base64.b64decode(part) for part in re.findall(r"image/png;base64,([^\"]+)", text)] == [
         picture.read_bytes() for picture in pictures
     ]
-    assert tr.finish({**result, "nis": {**result["nis"], "with": result["nis"]["without"]}}) == 1
+    assert not one.good({**result, "nis": {**result["nis"], "with": result["nis"]["without"]}})
 
 
 def test_what_the_page_shows_of_the_states_is_what_was_found(result, tmp_path):
-    html = tr.write(result, tmp_path)[0].read_text()
+    html = drawn(tr.study(result["model"]), result, tmp_path)[-1].read_text()
     table = next(part for part in re.findall(r"<table>(.*?)</table>", html, re.DOTALL) if "of the prior" in part)
     rows = [re.findall(r"<td>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", table, re.DOTALL)[1:]]
     assert [row[0] for row in rows] == [f"{s['state']} {s['axis']}".strip() for s in result["states"]]
@@ -219,7 +222,7 @@ def test_what_the_page_shows_of_the_states_is_what_was_found(result, tmp_path):
 
 def test_a_name_cannot_break_the_page(result, tmp_path):
     spoilt = {**result, "title": "</script><b>&", "recording": "sea"}
-    html = tr.write(spoilt, tmp_path)[0].read_text()
+    html = drawn(tr.study(result["model"]), spoilt, tmp_path)[-1].read_text()
     assert "<b>" not in html and numbers_of(html)["title"] == spoilt["title"]
 
 

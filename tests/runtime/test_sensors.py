@@ -1,0 +1,140 @@
+"""Sensors' errors from their sizes: what a filter begins with is what such sensors are, and it stays consistent."""
+
+import numpy as np
+import pytest
+
+from boresight import BoresightError
+from boresight.evidence.flights import imperfect
+from boresight.evidence.flights.fly import band, fly
+from boresight.evidence.flights.motion import swinging
+from boresight.runtime.library import load
+from boresight.runtime.transfer import Rules, sensors
+from boresight.runtime.transfer.score import driven
+from boresight.runtime.transfer.sensors import GRADES, Sensors, calibration, carried, sized
+from boresight.runtime.units import DEG_H, STANDARD_GRAVITY
+
+RUNS = 20
+SCALED = Sensors(gyro_scale=6e-3)
+ALL = Sensors(1e-3, 1e-3, 1e-3, 1e-3, 3 * DEG_H, 1e-4 * STANDARD_GRAVITY, 100.0, 3e-4, 1.0)
+SIGMAS = {"q_b2m_wxyz": np.full(3, 0.1), "gyro_bias": np.full(3, 1e-3), "accel_bias": 0.02, "tau": 0.05}
+
+
+def test_states_stand_where_the_model_has_them(compiled_once):
+    names = load(sensors.MODEL).states
+    first = {"lever_b": "d_lever_x", "flexure": "d_bend_x", "flexure_rate": "d_bend_rate_x", "gyro_scale": "dkg_x",
+             "accel_scale": "dka_x", "gyro_axes": "dkg_xy", "accel_axes": "dka_yx", "gyro_turn_on": "dbg0_x",
+             "accel_turn_on": "dba0_x"}  # fmt: skip
+    assert len(names) == sensors.N
+    assert {name: part.start for name, part in sensors.ADDED.items()} == {n: names.index(s) for n, s in first.items()}
+    assert sorted(i for part in sensors.ADDED.values() for i in range(sensors.N)[part]) == list(range(16, sensors.N))
+
+
+def test_the_covariance_of_the_calibration_is_that_of_axes_that_leave_their_places():
+    """K of 20000 units, of which each axis has moved by itself; the axes of gyros and accelerometers by different."""
+    sizes = Sensors(1e-3, 2e-3, 1e-3, 2e-3)
+    drawn = imperfect.drawn(sizes, np.random.default_rng(1), 20000, np.array([0.0, 1.0])).calibration
+    expected = calibration(sizes)
+    sigma = np.sqrt(np.diag(expected))
+    np.testing.assert_allclose(drawn.T @ drawn / len(drawn) / np.outer(sigma, sigma),
+                               expected / np.outer(sigma, sigma), atol=5 / np.sqrt(20000))  # fmt: skip
+    assert sigma[6] == pytest.approx(np.hypot(1e-3, 2e-3))
+
+
+def test_what_has_no_size_has_neither_variance_nor_noise():
+    constants, P, estimates, _ = carried(Sensors(), {"lever_b": np.ones(3)}, SIGMAS, {})
+    np.testing.assert_allclose(np.sqrt(np.diag(P)), np.repeat([0, 1e-3, 0.02, 0.1, 0.05, 0], [6, 3, 3, 3, 1, 30]))
+    assert not any(np.any(constants[name]) for name in ("gyro_bias_noise", "accel_bias_noise", "flexure_noise"))
+    assert "lever_b" not in constants and (estimates["lever_b"] == 1).all()
+
+
+def test_scale_factors_and_axes_are_considered_and_estimated_by_choice():
+    np.testing.assert_array_equal(np.flatnonzero(carried(ALL, {}, SIGMAS, {}).considered), range(25, 40))
+    assert not carried(Sensors(1e-3, estimated=True), {}, SIGMAS, {}).considered.any()
+
+
+def test_a_bias_is_its_constant_and_what_wanders_about_it():
+    sizes = Sensors(gyro_instability=4e-3, correlation_s=2)
+    constants, P, estimates, _ = carried(
+        sizes, {"gyro_bias_noise": np.full(3, 3e-3)}, SIGMAS, {"gyro_bias": np.ones(3)}
+    )
+    np.testing.assert_allclose(constants["gyro_bias_noise"], 5e-3)
+    np.testing.assert_allclose(np.diag(P)[6:9], 17e-6)
+    np.testing.assert_allclose(P[6:9, 40:43], 1e-6 * np.eye(3))
+    np.testing.assert_array_equal(estimates["gyro_turn_on"], 1.0)
+
+
+def test_a_sigma_of_nothing_is_refused():
+    with pytest.raises(BoresightError, match="no sigma of 'bias'; there are gyro_bias"):
+        carried(ALL, {}, {"bias": 1.0}, {})
+
+
+def test_sizes_are_read_in_words_upon_those_of_a_grade():
+    assert sized(grade="tactical") == GRADES["tactical"]
+    said = sized(["scale 0.2 %", "axes 2 mrad", "bending 3 mrad 0.5 Hz"], "navigation", "1 deg/h", correlation="50 s")
+    assert (said.gyro_scale, said.accel_axes, said.bending, said.bending_hz) == (0.002, 0.002, 0.003, 0.5)
+    assert said.gyro_instability == pytest.approx(DEG_H) and said.correlation_s == 50
+    assert said.accel_instability == GRADES["navigation"].accel_instability
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ({"words": ["gain 3 ppm"]}, "give scale, axes or bending"),
+        ({"words": ["bending 3 mrad"]}, "bending 2 mrad 0.1 Hz"),
+        ({"words": ["scale 3 mrad"]}, "units 1, %, ppm"),
+        ({"words": ["axes 100 mrad"]}, "0.02 at most"),
+        ({"words": ["axes -1 mrad"]}, "zero or more"),
+        ({"grade": "marine"}, "there are mems, industrial, tactical, navigation"),
+        ({"estimated": True}, "have no size"),
+        ({"correlation": "3 s"}, "of an instability"),
+    ],
+)
+def test_sizes_that_say_nothing_are_refused(arguments, says):
+    with pytest.raises(BoresightError, match=says):
+        sized(**arguments)
+
+
+def test_a_flight_with_all_of_it_is_consistent_and_without_it_is_not(compiled_once):
+    motion = swinging(seconds=22)
+    flown, plain = (fly(motion, runs=RUNS, seconds=20.0, imu_hz=25, sensors=ALL, carrying=c) for c in (ALL, None))
+    low, high = band(RUNS, len(flown.states))
+    assert len(flown.states) == 43
+    assert low < flown.nees[-1].mean() < high
+    assert plain.nees[-1].mean() > 10 * band(RUNS, 16)[1]
+
+
+@pytest.fixture(scope="module")
+def probed(compiled_once):
+    """Flights of sensors as the plain model says, and of gyro scale factors of 6000 ppm; none is refused a message."""
+    how = {"runs": RUNS, "seconds": 20.0, "imu_hz": 25, "rules": Rules(gate=1e-300)}
+    return [fly(swinging(seconds=22), sensors=sizes, carrying=Sensors(probed=True), **how) for sizes in (None, SCALED)]
+
+
+def test_the_score_is_chi_square_where_nothing_is_there(probed):
+    for one in probed[0].loop.score.noticed().values():
+        dof = {14.3: 3, 20.2: 6}[round(one.bound, 1)]
+        low, high = band(RUNS, dof)
+        assert low < one.statistic.mean() < high
+        assert (one.statistic > one.bound).sum() <= 2
+
+
+def test_the_score_notices_what_it_says_it_does(probed):
+    none, there = (flown.loop.score.noticed()["gyro scale factors"] for flown in probed)
+    assert 1e-3 < np.median(none.smallest) < 1e-2
+    assert (there.statistic > there.bound).mean() >= 0.8
+
+
+def test_a_probe_changes_no_estimate(probed):
+    plain = fly(swinging(seconds=22), runs=RUNS, seconds=20.0, imu_hz=25, rules=Rules(gate=1e-300))
+    sigma = np.sqrt(np.diagonal(plain.P[-1], axis1=-2, axis2=-1))
+    assert np.abs((probed[0].errors[-1][..., :16] - plain.errors[-1]) / sigma).max() < 1e-3
+
+
+def test_the_sensitivity_is_by_how_much_a_flight_with_the_error_differs(probed):
+    none, there = probed
+    true = imperfect.drawn(SCALED, np.random.default_rng([1, RUNS, 1]), RUNS, np.zeros(2)).calibration
+    apart = there.errors[-1][..., :16] - none.errors[-1][..., :16]
+    expected = np.einsum("rij,rj->ri", driven(none.loop.P)[..., :16, :3], -true[:, :3])
+    misalignment = slice(12, 15)
+    rest = apart[:, misalignment] - expected[:, misalignment]
+    assert np.sqrt(np.mean(rest**2)) < 0.1 * np.sqrt(np.mean(apart[:, misalignment] ** 2))
