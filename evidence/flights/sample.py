@@ -3,16 +3,14 @@
 `python -m boresight.evidence.flights.sample` writes it anew.
 """
 
-from pathlib import Path
-
 import numpy as np
 
 from boresight.evidence.flights.motion import swinging, turn
-from boresight.runtime import recording, rotation
+from boresight.runtime import rotation
 from boresight.runtime.array import Array
+from boresight.runtime.recording.read import EXAMPLE
 from boresight.runtime.units import DEG, HOUR, MILLI_G
 
-FILE = Path(recording.__file__).parent / "example" / "simulated.npz"
 SECONDS, IMU_HZ, MASTER_HZ = 60.0, 100, 10
 DELAY_S = 0.042
 MU = np.array([0.3, -0.5, 1.2]) * DEG
@@ -50,5 +48,5 @@ def sample(seed: int = 20) -> dict[str, Array]:
 
 
 if __name__ == "__main__":
-    np.savez_compressed(FILE, **sample())
-    print(f"{FILE.name}: {FILE.stat().st_size} bytes")
+    np.savez_compressed(EXAMPLE, **sample())
+    print(f"{EXAMPLE.name}: {EXAMPLE.stat().st_size} bytes")
