@@ -213,7 +213,9 @@ class Transfer:
             verdict[where] = code
         if len(self.history) < 2:
             verdict[came] = Verdict.TOO_OLD
-            return self.watch.result(verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, given, oldest, faults)
+            return self.watch.result(
+                verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, given, oldest, faults, verdict
+            )
         believed, lag = lag, np.where(verdict == Verdict.TAKEN, lag, 0.0)
 
         inputs, rate_factor = self._match(lag)
@@ -256,6 +258,10 @@ class Transfer:
             P = P + self._opening(reopen, rows, inputs)
             self._update(P, R, rows, inputs)
             self.watch.gated = np.where(reopen, 0, self.watch.gated)
+        none = np.zeros((*runs, 3))
+        by_row = [np.where((one := innovations[name]).used, one.nu**2 / one.S, none) if name in innovations else none
+                  for name in self.matching]  # fmt: skip
+        worst = np.argmax(np.concatenate(by_row, axis=-1), axis=-1)
         verdict[gated] = Verdict.GATED
         verdict[reopen] = Verdict.REOPENED
         beyond, why = self.guard.taken()
@@ -284,7 +290,7 @@ class Transfer:
         loop.x = np.zeros_like(loop.x)
         if given.position is not None:
             self._position(given.position, given.position_sigma, taken, believed)
-        return self.watch.result(verdict, innovations, nis, used, believed, given, oldest, faults)
+        return self.watch.result(verdict, innovations, nis, used, believed, given, oldest, faults, worst)
 
     def _update(self, P: Array, R: Array, rows: Array, inputs: dict[str, Any]) -> dict[str, Innovation]:
         """Attitude first: the residual of a large turn depends on x, and that of the velocity does not."""
@@ -343,7 +349,7 @@ class Transfer:
         said = np.where(usable, moved(np.where(usable, said, 0.0), np.where(usable, way, 0.0)), np.nan)
         box = loop.model.field["position"]
         used = self.position.takes(
-            self.time, taken, said, sigma, loop.nav["position"],
+            self.time, said, sigma, loop.nav["position"],
             np.sqrt(np.einsum("...ii->...i", loop.P)[..., DV].max(-1)),
             np.linalg.norm(np.broadcast_to(self._lever(), said.shape), axis=-1),
             (np.array(box["low"]), np.array(box["high"])), self.watch.note,
