@@ -16,6 +16,7 @@ from boresight.runtime.transfer.lever import flown
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict, heard
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
+from boresight.runtime.transfer.score import Score
 
 SWING_S = 1.0
 LARGEST = 0.9  # of the model's range for the error state, in one correction
@@ -33,6 +34,8 @@ class Transfer:
     is now, moved back along its rate of change by lag = tau_hat + what the message's own time says.
     every: so many intervals of the slave for one step of the covariance, which besides comes up to date for a message.
     """
+
+    score: Score | None = None  # of a filter with `Sensors(probed=True)`
 
     def __init__(
         self,
@@ -281,6 +284,8 @@ class Transfer:
         faults.append((beyond, f"the slave, or what the message makes of it, is beyond the model's range: {why}"))
         verdict[beyond & (verdict <= Verdict.REOPENED)] = Verdict.BEYOND
         taken = verdict <= Verdict.REOPENED
+        if self.score is not None:
+            self.score.end(taken)
         loop.P = np.where(taken[..., None, None], corrected, P_now)
         loop.P = (loop.P + np.swapaxes(loop.P, -1, -2)) / 2
         loop.x = np.where(taken[..., None], loop.x, 0.0)
@@ -295,12 +300,18 @@ class Transfer:
     def _update(self, P: Array, R: Array, rows: Array, inputs: dict[str, Any]) -> dict[str, Innovation]:
         """Attitude first: the residual of a large turn depends on x, and that of the velocity does not."""
         self.filter.x, self.filter.P = np.zeros(P.shape[:-1]), P
+        if self.score is not None:
+            self.score.begin()
         out = {}
         for name, part, field in (
             (self.matching[1], slice(3, 6), self._attitude_field()),
             (self.matching[0], slice(0, 3), "v_m_n"),
         ):
             if field in inputs:
+                if self.score is not None:
+                    H, z = self.filter.call(f"{name}_H", **inputs), self.filter.call(f"{name}_z", **inputs)
+                    nu = z - np.einsum("...ij,...j->...i", H, self.filter.x)
+                    self.score.take(nu, H, self.filter.P, R[..., part], rows[..., part])
                 out[name] = self.filter.update(name, R[..., part], rows=rows[..., part], **inputs)
         return out
 
