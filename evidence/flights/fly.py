@@ -142,7 +142,7 @@ def fly(
             if given is None:
                 continue
             result = loop.master(given)
-            nav, now = loop.nav, np.array(time)
+            nav, now = loop.nav, np.array(loop.time)
             errors = [turn_between(nav["q_b2n_wxyz"], motion.C_b2n(now)), nav["v_n"] - motion.velocity(now)[0],
                       nav["gyro_bias"] - bias_g, nav["accel_bias"] - bias_a, turn_between(nav["q_b2m_wxyz"], C_b2m),
                       (nav["tau"] - delay(time))[:, None]]  # fmt: skip

@@ -1,6 +1,6 @@
 """Transfer alignment in flight: a slave's increments in, a master's late and irregular messages in, corrections out."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, Literal
 
 import numpy as np
@@ -9,11 +9,16 @@ from scipy.special import chdtri
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
+from boresight.runtime.calibration import Calibration
 from boresight.runtime.filter import Filter, Innovation
+from boresight.runtime.transfer.gaps import Gaps, of_runs
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
 from boresight.runtime.transfer.rules import Rules, Watch
+from boresight.runtime.units import STANDARD_GRAVITY
 
+GYRO, ACCEL = slice(0, 3), slice(3, 6)  # of increments (..., 6)
+EARLIER = ("before", "second", "third")
 LARGEST = 0.45  # rad in one correction; the model's own range ends at 0.5
 
 
@@ -26,6 +31,8 @@ class Transfer:
     way: "buffer" holds a message against the slave as it was then, lag = 0.  "extrapolate" is Kang's: the slave as it
     is now, moved back along its rate of change by lag = tau_hat + what the message's own time says.
     every: so many intervals of the slave for one step of the covariance, which besides comes up to date for a message.
+    coning: `load("strapdown").compensated` for coning and sculling by four samples; the step alone does it by two.
+    known: what is known of the slave's sensors, taken off first; the biases of nav are what is left.
     """
 
     def __init__(
@@ -40,6 +47,8 @@ class Transfer:
         way: Literal["buffer", "extrapolate"] = "buffer",
         every: int = 1,
         rules: Rules | None = None,
+        known: Calibration | None = None,
+        coning: Callable[..., Mapping[str, Array]] | None = None,
     ):
         if way not in ("buffer", "extrapolate"):
             raise BoresightError(f"transfer: no way {way!r}; there are buffer and extrapolate")
@@ -59,10 +68,16 @@ class Transfer:
         self.history = History(self.rules.buffer_s, count)
         self._angle, self._push = np.zeros((*self.runs, 3)), np.zeros((*self.runs, 3))
         self._keep()
-        self._before: tuple[Array, Array] | None = None
+        self._earlier: list[Array] = []  # the increments of the last intervals, at most three, the newest first
         self._predicted = self.time  # of the covariance
         self._steps = 0
         self.watch = Watch(self.rules, self.runs, self.time)
+        self.known, self.coning = known or Calibration(), coning
+        standing = (
+            np.swapaxes(rotation.matrix_from_quaternion(self.nav["q_b2n_wxyz"]), -1, -2)[..., 2] * -STANDARD_GRAVITY
+        )
+        self.gaps = Gaps(self.watch, np.concatenate([np.zeros_like(standing), standing], axis=-1))
+        self._left_out = 0
 
     @property
     def notes(self) -> list[Note]:
@@ -89,22 +104,85 @@ class Transfer:
     def slave(self, time: float, dtheta_ib_b: Any, dv_b: Any, dt: float) -> None:
         """One interval of dt seconds that ends at `time`: increments (..., 3) rad and (..., 3) m/s, biases in them.
 
-        Raises BoresightError where the interval does not begin where the last one ended.
+        What is missing between two intervals, or is no number, is bridged up to `bridge_s`; beyond it the filter begins
+        anew from the next message.  An interval that begins before the last one ended is left out, and raises nothing.
         """
-        if abs(time - dt - self.time) > 0.5 * dt:
-            raise BoresightError(
-                f"transfer: the slave's data goes from {self.time:.4f} s to {time - dt:.4f} s without what lies "
-                "between; begin again behind the gap, with `first`"
-            )
-        dtheta, dv = (np.broadcast_to(np.asarray(part, float), (*self.runs, 3)) for part in (dtheta_ib_b, dv_b))
-        before = self._before or (dtheta, dv)
-        self.filter.strapdown(dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=before[0], dv_before=before[1], dt=dt)
-        self._before = (dtheta, dv)
-        self.time = self.watch.time = float(time)
-        self._angle, self._push = self._angle + dtheta, self._push + dv
-        self._keep()
+        begin = time - dt
+        if not (dt > 0 and begin > self.time - 0.5 * dt and np.isfinite([time, dt]).all()):
+            self._overlapping(time, dt)
+            return
+        self._left_out = 0
+        delivered = [np.broadcast_to(np.asarray(part, float), (*self.runs, 3)) for part in (dtheta_ib_b, dv_b)]
+        raw = np.concatenate(delivered, axis=-1)
+        increments = np.concatenate(self.known.increments(delivered[0], delivered[1], dt), axis=-1)
+        good = self.gaps.usable(increments, dt)
+        increments = np.where(good[..., None], increments, self.gaps.rates * dt)
+        if begin > self.time + 0.5 * dt:
+            self._missing(begin, dt, increments / dt)
+        more, variance = self.gaps.sample(good, increments / dt, dt, time, self.history, self.P)
+        self._interval(time, increments + more, dt)
+        self.gaps.lose(self.gaps.missing_s > self.rules.bridge_s * (1 + 1e-9), self.P, time)
+        self._open(variance)
         if self.rules.full_scale is not None:
-            self._saturation(dtheta, dv, dt)
+            raw = np.where(np.isfinite(raw), raw, 0.0)
+            self._open(self.watch.saturation(raw[..., :3], raw[..., 3:], dt))
+
+    def _missing(self, begin: float, dt: float, rates: Array) -> None:
+        """Nothing came until `begin`; the rates (..., 6) are those of the interval that follows."""
+        missing, everyone = begin - self.time, np.ones(self.runs, bool)
+        if missing > self.rules.bridge_s * (1 + 1e-9) + 1e-9:
+            self.gaps.lose(everyone, self.P, self.time, missing)
+            self._skip(begin)
+            return
+        count = round(missing / dt)
+        ramp = (rates - self.gaps.rates) / (count + 1)
+        for i in range(count):
+            between = self.gaps.rates + (i + 1) * ramp
+            end = begin - (count - 1 - i) * missing / count
+            self.gaps.stand_in(everyone, between, missing / count)
+            self._interval(end, between * missing / count, missing / count)
+
+    def _overlapping(self, time: float, dt: float) -> None:
+        """An interval begins before the last one ended: left out, unless this goes on; then the clock was set back."""
+        everyone = np.ones(self.runs, bool)
+        if self._left_out == 0:
+            self.watch.note(everyone, f"the slave's interval of {dt:g} s that ends at {time:.4f} s begins before the "
+                                      "last one ended, or is none; it is left out")  # fmt: skip
+        self._left_out += 1
+        if np.isfinite(time) and dt > 0 and self._left_out * dt > max(self.rules.bridge_s, dt):
+            self.gaps.lose(everyone, self.P, self.time)
+            self._skip(time)
+
+    def _skip(self, time: float) -> None:
+        """Time goes on, or back, and nothing of the past is left."""
+        self.time = self.watch.time = self._predicted = float(time)
+        self.history.clear()
+        self._earlier, self._steps = [], 0
+        self._keep()
+
+    def _interval(self, time: float, increments: Array, dt: float) -> None:
+        """Carry the slave over an interval; increments (..., 6) rad and m/s, biases in them."""
+        bias = np.concatenate([self.nav["gyro_bias"], self.nav["accel_bias"]], axis=-1) * dt
+        earlier, held = [*self._earlier, *3 * [(self._earlier or [increments])[-1]]][:3], dict(self.filter.nav)
+        used = increments
+        if self.coning is not None:
+            sensed = {f"{name}_{which}": (one - bias)[..., part] for which, one in zip(EARLIER, earlier, strict=True)
+                      for name, part in (("dtheta", GYRO), ("dv", ACCEL))}  # fmt: skip
+            own = (increments - bias)[..., GYRO], (increments - bias)[..., ACCEL]
+            made = self.coning(dtheta_ib_b=own[0], dv_b=own[1], **sensed)
+            used = np.concatenate([made["dtheta_ib_b"], made["dv_b"]], axis=-1) + bias
+        self.filter.strapdown(
+            dtheta_ib_b=used[..., GYRO], dv_b=used[..., ACCEL],
+            dtheta_before=earlier[0][..., GYRO], dv_before=earlier[0][..., ACCEL], dt=dt,
+        )  # fmt: skip
+        if self.gaps.lost.any():  # they stand still, and what they have estimated stays
+            self.filter.nav.update(
+                {name: of_runs(self.gaps.lost, held[name], value) for name, value in self.nav.items()}
+            )
+        self._earlier = [increments, *self._earlier[:2]]
+        self.time = self.watch.time = float(time)
+        self._angle, self._push = self._angle + increments[..., GYRO], self._push + increments[..., ACCEL]
+        self._keep()
         self._steps += 1
         if self._steps >= self.every:
             self._covariance()
@@ -136,9 +214,9 @@ class Transfer:
         self._predicted = self.time
         self.watch.silence()
 
-    def _saturation(self, dtheta: Array, dv: Array, dt: float) -> None:
-        variance = self.watch.saturation(dtheta, dv, dt)
-        if variance is None:
+    def _open(self, variance: Array | None) -> None:
+        """P gains so much (..., 6) rad^2 and (m/s)^2 about and along the slave's axes."""
+        if variance is None or not variance.any():
             return
         C = rotation.matrix_from_quaternion(self.filter.nav["q_b2n_wxyz"])
         for block, axes in ((PHI, slice(0, 3)), (DV, slice(3, 6))):
@@ -164,13 +242,18 @@ class Transfer:
             (Verdict.TOO_OLD, lag > oldest),
             (Verdict.AHEAD, ~(lag >= -rules.ahead_s)),
             # what the slave missed since cannot be told from what it missed before, nor its rates be trusted
+            (
+                Verdict.MISSED,
+                (self.gaps.missing_s > 0) | (self.gaps.missed_at > self.time - lag - 3 * rules.half_span_s),
+            ),
             (Verdict.SATURATED, self.watch.saturated_at.max(-1) > self.time - lag - 3 * rules.half_span_s),
             (Verdict.INVALID, ~rows.any(-1) | ~np.isfinite(stamp)),
+            (Verdict.MISSED, self.gaps.lost),
             (Verdict.ABSENT, ~came),
         ):
             verdict[where] = code
         if len(self.history) < 2:
-            verdict[came] = Verdict.TOO_OLD
+            verdict[came & ~self.gaps.lost] = Verdict.TOO_OLD
             return self.watch.result(verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, stamp, oldest)
         believed, lag = lag, np.where(verdict == Verdict.TAKEN, lag, 0.0)
 

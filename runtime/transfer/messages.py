@@ -21,6 +21,7 @@ class Verdict(IntEnum):
     TOO_OLD = 7  # measured before the oldest sample kept
     REPEATED = 8  # the same numbers again although the slave has moved
     SATURATED = 9  # measured while the slave was at full scale, or just before
+    MISSED = 10  # measured while samples of the slave were missing, or before, or they still are
 
 
 @dataclass(frozen=True)
