@@ -10,6 +10,7 @@ from scipy.stats import chi2
 from boresight.evidence.flights.motion import Motion, matrix, quaternion, turn, turn_between
 from boresight.runtime import transfer
 from boresight.runtime.array import Array
+from boresight.runtime.calibration import Calibration
 from boresight.runtime.library import load
 from boresight.runtime.units import DEG, HOUR, STANDARD_GRAVITY
 
@@ -32,6 +33,8 @@ class Flown:
     """Of K messages handed over to so many runs."""
 
     loop: transfer.Transfer
+    start_errors: Array  # (runs, 16) before the first message after the hand-over
+    start_P: Array
     time: Array  # (K,) s
     errors: Array  # (K, runs, 16) estimated - true, after each message
     P: Array  # (K, runs, 16, 16)
@@ -41,12 +44,22 @@ class Flown:
     @property
     def nees(self) -> Array:
         """(K, runs)"""
-        return np.einsum("kri,kri->kr", self.errors, np.linalg.solve(self.P, self.errors[..., None])[..., 0])
+        return nees(self.errors, self.P)
+
+    @property
+    def start_nees(self) -> Array:
+        """(runs,)"""
+        return nees(self.start_errors, self.start_P)
 
     def nees_of(self, states: list[int]) -> Array:
         """(K, runs) of these states alone."""
-        e, P = self.errors[..., states], self.P[..., states, :][..., states]
-        return np.einsum("kri,kri->kr", e, np.linalg.solve(P, e[..., None])[..., 0])
+        return nees(self.errors[..., states], self.P[..., states, :][..., states])
+
+
+def nees(errors: Array, P: Array) -> Array:
+    """(...,) of errors (..., n) by their covariance (..., n, n)."""
+    out: Array = np.einsum("...i,...i->...", errors, np.linalg.solve(P, errors[..., None])[..., 0])
+    return out
 
 
 def band(mean_of: int, dof: int, level: float = 0.999) -> Array:
@@ -78,6 +91,8 @@ def fly(
     sensed: Callable[..., Any] | None = None,
     said: Callable[..., Any] | None = None,
     start: Callable[..., Any] | None = None,
+    sigmas: dict[str, Any] | None = None,
+    estimates: dict[str, Any] | None = None,
     constants: dict[str, Any] | None = None,
     **settings: Any,
 ) -> Flown:
@@ -87,8 +102,8 @@ def fly(
     jitter: s, of their times, which the stamps tell.
     hand_over: s after which a message is handed over beyond the master's own delay.
     sensed(time, dtheta, dv) changes what the slave delivers in an interval (runs, 3), or loses it by None.
-    said(time, message) changes what the master says, or loses it by None.  start(message, **what `first` takes) makes
-    nav and P in place of `first`.
+    said(time, message) changes what the master says, or loses it by None.
+    start: in place of `first`, and takes what it takes; sigmas, estimates: what it is given besides.
     settings: of `Transfer`.
     """
     unit = unit or Unit()
@@ -102,7 +117,8 @@ def fly(
 
     R = np.repeat([unit.velocity, unit.attitude], 3) ** 2 if R is None else np.asarray(R, float)
     dt, steps = 1 / imu_hz, round(seconds * imu_hz)
-    edges = np.arange(-1, steps + 1) * dt
+    lead = round((0.3 + abs(tau_believed)) * imu_hz)  # what the slave delivered before the first message's stamp, 0
+    edges = np.arange(-lead, steps + 1) * dt
     dtheta, dv = motion.increments(edges)
     bias_g, bias_a = unit.gyro_bias * rng.standard_normal((runs, 3)), unit.accel_bias * rng.standard_normal((runs, 3))
     known = {"lever_b": lever_b, "gyro_noise": np.full(3, unit.gyro_noise), "accel_noise": np.full(3, unit.accel_noise),
@@ -117,24 +133,45 @@ def fly(
         return transfer.Message(stamp, R, v_m_n=v, q_m2n_wxyz=quaternion(C), position=motion.position(stamp - tau),
                                 rows=np.repeat(rng.random((runs, 1)) >= lost, 6, 1))  # fmt: skip
 
-    sigma = np.asarray(unit.mounting)
+    def deliver(k: int) -> tuple[Array, Array] | None:
+        """What the slave delivers in its k-th interval, (runs, 3) each."""
+        d = dtheta[k] + bias_g * dt + unit.gyro_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
+        f = dv[k] + bias_a * dt + unit.accel_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
+        out: tuple[Array, Array] | None = (d, f) if sensed is None else sensed(edges[k + 1], d, f)
+        return out
+
+    def errors(nav: dict[str, Array], time: float) -> Array:
+        """(runs, 16) estimated - true."""
+        now = np.array(time)
+        parts = [turn_between(nav["q_b2n_wxyz"], motion.C_b2n(now)), nav["v_n"] - motion.velocity(now)[0],
+                 nav["gyro_bias"] - bias_g, nav["accel_bias"] - bias_a, turn_between(nav["q_b2m_wxyz"], C_b2m),
+                 (nav["tau"] - delay(time))[:, None]]  # fmt: skip
+        return np.concatenate(parts, axis=-1)
+
     opening = replace(message(np.zeros(runs), delay(0.0)), rows=True)
-    nav, P = (start or transfer.first)(
-        opening, q_b2m_wxyz=quaternion(turn(sigma * rng.standard_normal((runs, 3))) @ C_b2m), tau=tau_believed,
-        mounting_sigma=sigma, velocity_sigma=np.full(3, 0.3), gyro_bias_sigma=np.full(3, unit.gyro_bias),
-        accel_bias_sigma=np.full(3, unit.accel_bias), tau_sigma=tau_sigma,
+    begun = lead + int(np.ceil(hand_over * imu_hz - 1e-9))
+    known_past = [part for part in map(deliver, range(begun)) if part is not None]
+    past = np.array(known_past).swapaxes(0, 1)
+    calibration = settings.get("known") or Calibration()
+    sigma = np.asarray(unit.mounting)
+    nav, P, kept = (start or transfer.first)(
+        opening, loaded, known,
+        sigmas={"q_b2m_wxyz": sigma, "gyro_bias": unit.gyro_bias, "accel_bias": unit.accel_bias, "tau": tau_sigma}
+        | (sigmas or {}),
+        estimates={"q_b2m_wxyz": quaternion(turn(sigma * rng.standard_normal((runs, 3))) @ C_b2m), "tau": tau_believed}
+        | (estimates or {}),
+        increments=transfer.Increments(edges[:begun], edges[1 : begun + 1], *calibration.increments(past[0], past[1], dt)),
     )  # fmt: skip
-    loop = transfer.Transfer(loaded, nav, P, known, **settings)
+    loop = transfer.Transfer(loaded, nav, P, known, time=edges[begun], past=kept, **settings)
+    start_errors, start_P = errors(loop.nav, edges[begun]), loop.P[..., :16, :16].copy()
     gap = 1 / master_hz
     out: dict[str, list[Any]] = {"time": [], "errors": [], "P": [], "nis": [], "verdict": []}
     due = 1
-    for k in range(steps):
-        time = (k + 1) * dt
-        d = dtheta[k + 1] + bias_g * dt + unit.gyro_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
-        f = dv[k + 1] + bias_a * dt + unit.accel_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
-        delivered: tuple[Array, Array] | None = (d, f) if sensed is None else sensed(time, d, f)
+    for k in range(begun, lead + steps):
+        time = float(edges[k + 1])
+        delivered = deliver(k)
         if delivered is not None:
-            loop.slave(time, delivered[0], delivered[1], dt)
+            loop.slave(time, *delivered, dt)
         while due * gap + hand_over <= time + 1e-9:
             given = message(due * gap + jitter * rng.uniform(-1, 1, runs), delay(due * gap))
             due += 1
@@ -142,13 +179,9 @@ def fly(
             if given is None:
                 continue
             result = loop.master(given)
-            nav, now = loop.nav, np.array(loop.time)
-            errors = [turn_between(nav["q_b2n_wxyz"], motion.C_b2n(now)), nav["v_n"] - motion.velocity(now)[0],
-                      nav["gyro_bias"] - bias_g, nav["accel_bias"] - bias_a, turn_between(nav["q_b2m_wxyz"], C_b2m),
-                      (nav["tau"] - delay(time))[:, None]]  # fmt: skip
             out["time"].append(time)
-            out["errors"].append(np.concatenate(errors, axis=-1))
+            out["errors"].append(errors(loop.nav, loop.time))
             out["P"].append(loop.P[..., :16, :16].copy())
             out["nis"].append(np.where(result.taken, result.nis, np.nan))
             out["verdict"].append(result.verdict)
-    return Flown(loop, **{name: np.array(value) for name, value in out.items()})
+    return Flown(loop, start_errors, start_P, **{name: np.array(value) for name, value in out.items()})

@@ -40,15 +40,22 @@ class Flight:
 
     def start(self, message: np.ndarray) -> None:
         s = self.setup
-        R = np.repeat([s.velocity_sigma, s.attitude_sigma], 3) ** 2
-        nav, P = transfer.first(
+        R = np.repeat([0.0, s.attitude_sigma], 3) ** 2
+        nav, P, _ = transfer.first(
             transfer.Message(0.0, R, position=message[1:4], v_m_n=message[4:7], q_m2n_wxyz=message[7:11]),
-            mounting_sigma=s.mounting_sigma,
-            velocity_sigma=np.full(3, s.start_velocity_sigma),
-            gyro_bias_sigma=np.full(3, s.gyro_bias_sigma),
-            accel_bias_sigma=np.full(3, s.accel_bias_sigma),
-            tau_sigma=s.tau_sigma,
+            self.model,
+            self.constants,
+            sigmas={
+                "q_b2m_wxyz": s.mounting_sigma,
+                "gyro_bias": s.gyro_bias_sigma,
+                "accel_bias": s.accel_bias_sigma,
+                "tau": s.tau_sigma,
+            },
+            rate_sigma=0.0,
+            acceleration_sigma=0.0,
         )
+        # What the motion and the delay do to the start is the setup's to say.
+        P[3:6, 3:6] += s.start_velocity_sigma**2 * np.eye(3)
         P[:3, :3] += s.start_angle_sigma**2 * np.eye(3)
         self.loop = Filter(self.model, nav, P)
         self.dtheta[self.now] = self.dv[self.now] = 0.0

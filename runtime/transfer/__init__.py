@@ -13,6 +13,6 @@ from boresight.runtime.transfer.filter import Transfer
 from boresight.runtime.transfer.lever import LeverSeen
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
 from boresight.runtime.transfer.rules import Rules
-from boresight.runtime.transfer.start import first
+from boresight.runtime.transfer.start import Increments, again, first
 
-__all__ = ["LeverSeen", "Message", "Note", "Result", "Rules", "Transfer", "Verdict", "first"]
+__all__ = ["Increments", "LeverSeen", "Message", "Note", "Result", "Rules", "Transfer", "Verdict", "again", "first"]

@@ -14,11 +14,14 @@ from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.transfer.gaps import Gaps, of_runs
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
+from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
+from boresight.runtime.transfer.start import Increments, again
 from boresight.runtime.units import STANDARD_GRAVITY
 
 GYRO, ACCEL = slice(0, 3), slice(3, 6)  # of increments (..., 6)
 EARLIER = ("before", "second", "third")
+UNKNOWN = np.pi, 100.0  # rad, m/s: one sigma of a run that is lost
 LARGEST = 0.45  # rad in one correction; the model's own range ends at 0.5
 
 
@@ -26,6 +29,7 @@ class Transfer:
     """The filter with its past.  `slave` takes increments, `master` takes messages.
 
     model: `load("velocity-attitude")` or a composition.  nav, P: as of `Filter`, at `time`; `first` makes them.
+    past: that of `first`, until `time`; without it messages that were measured before are too old.
     constants: what else the model's functions ask for: lever_b and the root densities of the noises.
     matching: the velocity's and the attitude's measurement.
     way: "buffer" holds a message against the slave as it was then, lag = 0.  "extrapolate" is Kang's: the slave as it
@@ -43,6 +47,7 @@ class Transfer:
         constants: Mapping[str, Any],
         *,
         time: float = 0.0,
+        past: History | None = None,
         matching: tuple[str, str] = ("velocity", "dcm"),
         way: Literal["buffer", "extrapolate"] = "buffer",
         every: int = 1,
@@ -67,10 +72,15 @@ class Transfer:
         count = int(np.prod(self.runs, dtype=int))
         self.history = History(self.rules.buffer_s, count)
         self._angle, self._push = np.zeros((*self.runs, 3)), np.zeros((*self.runs, 3))
-        self._keep()
+        for sample in past.samples() if past is not None else ():
+            self.history.append(**sample)
+            self._angle, self._push = (sample[name].reshape((*self.runs, 3)) for name in ("angle", "push"))
+        if past is None:
+            self._keep()
         self._earlier: list[Array] = []  # the increments of the last intervals, at most three, the newest first
         self._predicted = self.time  # of the covariance
         self._steps = 0
+        self.position = PositionWatch(self.runs, self.time)
         self.watch = Watch(self.rules, self.runs, self.time)
         self.known, self.coning = known or Calibration(), coning
         standing = (
@@ -121,7 +131,7 @@ class Transfer:
             self._missing(begin, dt, increments / dt)
         more, variance = self.gaps.sample(good, increments / dt, dt, time, self.history, self.P)
         self._interval(time, increments + more, dt)
-        self.gaps.lose(self.gaps.missing_s > self.rules.bridge_s * (1 + 1e-9), self.P, time)
+        self._lose(self.gaps.missing_s > self.rules.bridge_s * (1 + 1e-9))
         self._open(variance)
         if self.rules.full_scale is not None:
             raw = np.where(np.isfinite(raw), raw, 0.0)
@@ -131,7 +141,7 @@ class Transfer:
         """Nothing came until `begin`; the rates (..., 6) are those of the interval that follows."""
         missing, everyone = begin - self.time, np.ones(self.runs, bool)
         if missing > self.rules.bridge_s * (1 + 1e-9) + 1e-9:
-            self.gaps.lose(everyone, self.P, self.time, missing)
+            self._lose(everyone, missing)
             self._skip(begin)
             return
         count = round(missing / dt)
@@ -142,6 +152,11 @@ class Transfer:
             self.gaps.stand_in(everyone, between, missing / count)
             self._interval(end, between * missing / count, missing / count)
 
+    def _lose(self, where: Array, missing_s: float = 0.0) -> None:
+        """These runs have lost their way: attitude and velocity are unknown until they begin anew."""
+        new = self.gaps.lose(where, self.P, self.time, missing_s)
+        self._open(np.where(new[..., None], np.repeat(UNKNOWN, 3) ** 2, 0.0))
+
     def _overlapping(self, time: float, dt: float) -> None:
         """An interval begins before the last one ended: left out, unless this goes on; then the clock was set back."""
         everyone = np.ones(self.runs, bool)
@@ -150,7 +165,7 @@ class Transfer:
                                       "last one ended, or is none; it is left out")  # fmt: skip
         self._left_out += 1
         if np.isfinite(time) and dt > 0 and self._left_out * dt > max(self.rules.bridge_s, dt):
-            self.gaps.lose(everyone, self.P, self.time)
+            self._lose(everyone)
             self._skip(time)
 
     def _skip(self, time: float) -> None:
@@ -252,6 +267,8 @@ class Transfer:
             (Verdict.ABSENT, ~came),
         ):
             verdict[where] = code
+        begun = self._begin_anew(message, stamp, lag, rows)
+        verdict[begun] = Verdict.BEGUN
         if len(self.history) < 2:
             verdict[came & ~self.gaps.lost] = Verdict.TOO_OLD
             return self.watch.result(verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, stamp, oldest)
@@ -267,9 +284,9 @@ class Transfer:
         inputs |= said
         R = np.broadcast_to(np.asarray(message.R, float), (*runs, 6)).copy()
         # the gyros' own noise comes with the rate into the lever arm's velocity
-        lever = inputs["lever_b"] if "lever_b" in inputs else loop.nav["lever_b"]
         noise = np.max(np.asarray(self.constants["gyro_noise"]), axis=-1)
-        R[..., :3] += (np.sum(np.square(lever), axis=-1) * noise**2 * rate_factor)[..., None]
+        R[..., :3] += (np.sum(np.square(self._lever()), axis=-1) * noise**2 * rate_factor)[..., None]
+        R += self._curved(lag, inputs)
 
         # The residual speaks of the error at the message's time: the covariance goes there and comes back.
         # Neglected is the process noise of the lag, which stands in P already.
@@ -313,10 +330,44 @@ class Transfer:
         self._correct_past(F)
         loop.feedback()
         if message.position is not None:
-            position = np.asarray(message.position, float)
-            usable = taken & np.isfinite(position).all(-1)
-            loop.nav["position"] = np.where(usable[..., None], position, loop.nav["position"])
+            self._position(message, taken & ~begun, believed)
         return self.watch.result(verdict, innovations, nis, used, believed, stamp, oldest)
+
+    def _begin_anew(self, message: Message, stamp: Array, lag: Array, rows: Array) -> Array:
+        """(...,) bool: the lost runs that have begun anew from this message, which is used up by it."""
+        gaps, loop, history, span = self.gaps, self.filter, self.history, 4 * self.rules.half_span_s
+        attitude = self._attitude_field()
+        said = {name: getattr(message, name) for name in ("position", "v_m_n", attitude)}
+        ready = gaps.lost & rows.all(-1) & (stamp > self.watch.stamp) & (lag >= 0)
+        ready = ready & (self.time - lag - span >= gaps.back_at)
+        if any(value is None for value in said.values()) or not ready.any():
+            return np.zeros(self.runs, bool)
+        ready = ready & np.isfinite(said["position"]).all(-1)
+        # what the other runs are given is finite, and what comes of it is not used
+        place = {"position": loop.nav["position"], "v_m_n": loop.nav["v_n"], "q_m2n_wxyz": loop.nav["q_b2n_wxyz"],
+                 "euler_m": np.zeros((*self.runs, 3))}  # fmt: skip
+        whole = Message(
+            np.where(ready, stamp, np.min(stamp[ready])), of_runs(ready, message.R, np.ones((*self.runs, 6))),
+            **{name: of_runs(ready, value, place[name]) for name, value in said.items()},
+        )  # fmt: skip
+        sums = [history.recent(name).reshape((len(history), *self.runs, 3)) for name in ("angle", "push")]
+        nav, P, past = again(
+            whole, loop.model, self.constants, loop.nav, of_runs(ready, gaps.P, loop.P),
+            seconds=np.where(ready, np.maximum(self.time - gaps.lost_at, 0.0), 0.0),
+            increments=Increments(history.time[:-1], history.time[1:], *(np.diff(one, axis=0) for one in sums)),
+            matching=self.matching, half_span_s=self.rules.half_span_s,
+        )  # fmt: skip
+        assert past is not None
+        loop.nav = {name: of_runs(ready, nav[name], value) for name, value in loop.nav.items()}
+        loop.P = of_runs(ready, P, loop.P)
+        again_known = history.time >= past.time[0]
+        times = np.broadcast_to(history.time[again_known, None], (int(again_known.sum()), history.runs))
+        for name in ("v_n", "q_b2n_wxyz"):
+            kept = history.recent(name)[again_known]
+            history.recent(name)[again_known] = np.where(ready.reshape(-1, 1), past.at(name, times), kept)
+        gaps.found(ready, past.time[0])
+        self.position.begin(ready, self.time, loop.nav["position"], message.position_sigma)
+        return ready
 
     def _update(self, P: Array, R: Array, rows: Array, inputs: dict[str, Any]) -> dict[str, Innovation]:
         """Attitude first: the residual of a large turn depends on x, and that of the velocity does not."""
@@ -380,6 +431,48 @@ class Transfer:
             self.filter, self.history, self.time - back, self.rules.half_span_s, self.constants
         )
         return {**inputs, "lag": np.zeros(self.runs) if self.way == "buffer" else lag}, rate_factor
+
+    def _position(self, message: Message, taken: Array, lag: Array) -> None:
+        """The master's position, carried to now, where it fits to the slave's own way since the last one."""
+        loop = self.filter
+        said, sigma = (
+            np.broadcast_to(np.asarray(v, float), (*self.runs, 3)) for v in (message.position, message.position_sigma)
+        )
+        usable = (taken & np.isfinite(said).all(-1))[..., None]
+        way = loop.nav["v_n"] * lag[..., None] * np.array([1.0, 1.0, -1.0])
+        said = np.where(usable, moved(np.where(usable, said, 0.0), np.where(usable, way, 0.0)), np.nan)
+        box = loop.model.field["position"]
+        used = self.position.takes(
+            self.time, said, sigma, loop.nav["position"],
+            np.sqrt(np.einsum("...ii->...i", loop.P)[..., DV].max(-1)),
+            np.linalg.norm(np.broadcast_to(self._lever(), said.shape), axis=-1),
+            (np.array(box["low"]), np.array(box["high"])), self.watch.note,
+        )  # fmt: skip
+        loop.nav["position"] = np.where(used[..., None], said, loop.nav["position"])
+
+    def _lever(self) -> Array:
+        """(..., 3) m as it is believed, in the axes that it is given in."""
+        for name in ("lever_m", "lever_b"):
+            if name in self.constants:
+                return np.asarray(self.constants[name], float)
+        return self.filter.nav["lever_b"]
+
+    def _curved(self, lag: Array, inputs: dict[str, Any]) -> Array | float:
+        """(..., 6) variance of the residuals that the delay's error d makes in the second order, E[d^4] = 3 sigma^4."""
+        variance, step = self.filter.P[..., TAU, TAU], 2 * self.rules.half_span_s
+        if np.max(variance) < (step / 4) ** 2:  # 10 ms: a turn that changes by 1 rad/s^2 leaves 0.05 mrad
+            return 0.0
+        change: Any = 0.0
+        for sign in (1, -1):
+            at = {**inputs, **self._match(lag - sign * step)[0]}
+            fields = "v_m_n", self._attitude_field()
+            rows = [
+                self.filter.call(f"{name}_H", **at)[..., TAU] if field in inputs else np.zeros((*self.runs, 3))
+                for name, field in zip(self.matching, fields, strict=True)
+            ]
+            change = change + sign * np.concatenate(rows, axis=-1) / (2 * step)
+        curved: Array = 0.75 * variance[..., None] ** 2 * np.square(change)
+        return curved
 
     def _opening(self, reopen: Array, rows: Array, inputs: dict[str, Any]) -> Array:
         """(..., n, n) to add to P: velocity and attitude may be off by what the residuals are."""

@@ -86,11 +86,11 @@ class Gaps:
                 out[here] = np.mean(off**2, axis=0).reshape(self.rates.shape)[here]
         return np.asarray(out)
 
-    def lose(self, where: Array, P: Array, time: float, missing_s: float = 0.0) -> None:
-        """These runs have lost their way; P at `time`, behind which another missing_s were missing."""
+    def lose(self, where: Array, P: Array, time: float, missing_s: float = 0.0) -> Array:
+        """Which of these runs lose their way now; P at `time`, behind which another missing_s are missing."""
         new = where & ~self.lost
         if not new.any():
-            return
+            return new
         self.P = of_runs(new, P, np.broadcast_to(self.P, P.shape))
         self.lost_at = np.where(new, time, self.lost_at)
         self.back_at = np.where(new, np.inf, self.back_at)
@@ -98,9 +98,12 @@ class Gaps:
         longest = float(np.max(self.missing_s[new])) + missing_s
         self.watch.note(new, f"{longest:.3f} s of the slave are missing: the filter begins anew from the next message, "
                              "and keeps biases, mounting, lever arm and delay")  # fmt: skip
+        return new
 
-    def found(self, where: Array, known_from: Array) -> None:
+    def found(self, where: Array, known_from: float) -> None:
         """These runs have begun anew; their past is known from then on."""
+        away = float(np.max(self.watch.time - self.lost_at[where]))
+        self.watch.note(where, f"the filter has begun anew, {away:.2f} s after the slave was known last")
         self.lost = self.lost & ~where
         self.missed_at = np.where(where, known_from, self.missed_at)
 

@@ -1,6 +1,6 @@
 """The slave's last samples, at any time between them."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -43,6 +43,11 @@ class History:
 
     def clear(self) -> None:
         self.start = self.end = 0
+
+    def samples(self) -> Iterator[dict[str, Any]]:
+        """What `append` was called with."""
+        for k, time in enumerate(self.time):
+            yield {"time": time, **{name: self.recent(name)[k] for name in SIZES}}
 
     def __len__(self) -> int:
         return self.end - self.start

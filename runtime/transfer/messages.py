@@ -11,6 +11,7 @@ from boresight.runtime.filter import Innovation
 class Verdict(IntEnum):
     """What became of a message; from GATED on it was refused."""
 
+    BEGUN = -1  # taken: the filter began anew from it
     TAKEN = 0
     REOPENED = 1  # taken after several refused in a row, with velocity and attitude opened
     ABSENT = 2  # nothing came: every row is masked
@@ -34,6 +35,7 @@ class Message:
     q_m2n_wxyz: Any = None  # (..., 4)
     euler_m: Any = None  # (..., 3) rad, instead of the quaternion, for the measurement `euler`
     position: Any = None  # (..., 3) latitude, longitude, height
+    position_sigma: Any = 10.0  # m, (..., 3) of north, east, up, or one number; a plain satellite receiver's
     rows: Any = True  # (..., 6) bool, False for what is missing; all False: nothing came to this run
 
 

@@ -140,7 +140,8 @@ class Watch:
             Verdict.GATED: "message refused: it does not fit (NIS {nis:.0f} with {used} rows)",
             Verdict.INVALID: "message refused: it holds no finite value within the model's range",
             Verdict.OUT_OF_ORDER: "message refused: its time, {stamp:.3f} s, is not later than the last one's",
-            Verdict.AHEAD: "message refused: it lies {ahead:.3f} s ahead of the slave; compare the clocks",
+            Verdict.AHEAD: "message refused: it lies {ahead:.3f} s ahead of the slave; compare the clocks, or the "
+            "slave's data have stopped",
             Verdict.TOO_OLD: f"message refused: it is {{lag:.3f}} s old and the past is known for {known_s:.3f} s"
             + ("; raise buffer_s" if known_s >= self.rules.buffer_s else ", so far"),
             Verdict.SATURATED: "message refused: the slave was at full scale when it was measured, or since",

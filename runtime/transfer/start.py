@@ -1,55 +1,318 @@
-"""The slave that takes its master's velocity and attitude over."""
+"""The slave that takes its master's velocity and attitude over, at the first message or behind a gap."""
 
-from typing import Any
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from boresight import BoresightError
+from boresight import BoresightError, did_you_mean
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
-from boresight.runtime.transfer.history import PHI
+from boresight.runtime.filter import Filter
+from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
 from boresight.runtime.transfer.messages import Message
+
+LEVERS = ("lever_b", "lever_m")
+PASSES = 3  # over the increments: tilt, then velocity, and what is left is of the order of the Earth's rate
+SHORTEST = 1e-6  # s, of a step
+
+
+class Increments(NamedTuple):
+    """What the slave delivered, in order and without a gap: `Increments(*recording.imu.increments)`."""
+
+    begin: Array  # (K,) s
+    end: Array  # (K,) s
+    dtheta: Array  # (K, ..., 3) rad, biases in it
+    dv: Array  # (K, ..., 3) m/s
 
 
 def first(
     message: Message,
+    model: Any,
+    constants: Mapping[str, Any],
     *,
-    q_b2m_wxyz: Any = (1.0, 0.0, 0.0, 0.0),
-    tau: Any = 0.0,
-    mounting_sigma: Any,
-    velocity_sigma: Any,
-    gyro_bias_sigma: Any,
-    accel_bias_sigma: Any,
-    tau_sigma: Any,
-) -> tuple[dict[str, Array], Array]:
-    """nav and P (..., 16, 16) of a slave that takes the master's velocity and attitude over, through its mounting.
+    sigmas: Mapping[str, Any] | None = None,
+    P: Any = None,
+    estimates: Mapping[str, Any] | None = None,
+    increments: Increments | None = None,
+    rate_sigma: Any = None,
+    acceleration_sigma: Any = None,
+    matching: tuple[str, str] = ("velocity", "dcm"),
+    half_span_s: float = 0.02,
+) -> tuple[dict[str, Array], Array, History | None]:
+    """nav, P (..., n, n) and kept past of a slave that takes the master's velocity and attitude over, for `Transfer`.
 
-    q_b2m_wxyz: (..., 4) believed mounting, mounting_sigma: (..., 3) rad about the master's axes.  velocity_sigma:
-    (..., 3) m/s, which has to cover the lever arm's velocity.  The other sigmas: (..., 3) rad/s and m/s^2, (...,) s.
-    The attitude's own noise comes from R.  What is wrong with the mounting is wrong with the attitude: phi = C_m2n dmu.
+    constants: as of `Transfer`.  sigmas: of each quantity that `feedback` corrects, by its name: `q_b2m_wxyz` (rad,
+    about the master's axes), `gyro_bias`, `accel_bias`, `tau`, `lever_b` if it is a state, and those of a composition;
+    one number, or (..., size).  Also that of a lever arm that is a constant; without one it is exact.
+    P: (..., n, n) in place of these, of which the block behind attitude and velocity is taken.
+    estimates: where these quantities begin, by name; at zero, and the mounting straight, where not given; and what else
+    a composition carries in nav.
+    increments: the slave's, from four times `half_span_s` before the message was measured until now.  nav and P are
+    those of `increments.end[-1]`: what the master said is carried there from `message.time - tau`, and P holds what its
+    noise, the mounting, the lever arm, the biases, the delay and the gyros' noise do to it.
+    Without increments nav is as the master said, at `message.time`, and no past is kept; rate_sigma (rad/s) and
+    acceleration_sigma (m/s^2)
+    then say how the slave may move.
+    Raises BoresightError on a message without position, velocity or attitude, on a sigma that is missing, and on
+    increments with a gap, or that do not reach from the message to now.
     """
-    for name in ("position", "v_m_n", "q_m2n_wxyz"):
-        if getattr(message, name) is None:
-            raise BoresightError(f"transfer: the first message holds no {name}; wait for one that does")
-    C = rotation.matrix_from_quaternion(message.q_m2n_wxyz)
-    q = rotation.quaternion_from_matrix(C @ rotation.matrix_from_quaternion(q_b2m_wxyz))
+    fields = estimated(model)
+    given = dict(sigmas or {}) if P is None else dict.fromkeys(fields, 0.0) | dict(sigmas or {})
+    start, said = _begun(message, model, fields, given, dict(estimates or {}), matching[1])
+    if increments is None and (rate_sigma is None or acceleration_sigma is None):
+        raise BoresightError("first: without increments nothing says how the slave moves; give increments, or "
+                             "rate_sigma (rad/s) and acceleration_sigma (m/s^2)")  # fmt: skip
+    sizes = {name: model.field[name]["size"] for name in (*start, *constants)}
     runs = np.broadcast_shapes(
-        q.shape[:-1], np.shape(message.R)[:-1], np.shape(tau), np.shape(tau_sigma), np.shape(message.v_m_n)[:-1],
-        *(np.shape(s)[:-1] for s in (mounting_sigma, velocity_sigma, gyro_bias_sigma, accel_bias_sigma)),
+        np.shape(P)[:-2], np.shape(message.time), np.shape(message.R)[:-1],
+        *(np.shape(part)[1:-1] for part in (increments or ())[2:]),
+        *(_leading(value, sizes[name]) for name, value in (start | dict(constants)).items()),
+        *(_leading(value, len(fields.get(name, "xyz"))) for name, value in given.items()),
     )  # fmt: skip
-    nav = {
-        "position": np.asarray(message.position, float), "v_n": np.asarray(message.v_m_n, float), "q_b2n_wxyz": q,
-        "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3), "q_b2m_wxyz": np.asarray(q_b2m_wxyz, float),
-        "tau": np.broadcast_to(np.asarray(tau, float), runs),
-    }  # fmt: skip
-    R = np.broadcast_to(np.asarray(message.R, float), (*runs, 6))
-    P = np.zeros((*runs, 16, 16))
-    i = np.arange(3)
-    for at, sigma in ((3, velocity_sigma), (6, gyro_bias_sigma), (9, accel_bias_sigma), (12, mounting_sigma)):
-        P[..., i + at, i + at] = np.square(np.broadcast_to(np.asarray(sigma, float), (*runs, 3)))
-    P[..., 15, 15] = np.square(tau_sigma)
-    P[..., PHI, 12:15] = C @ P[..., 12:15, 12:15]
-    P[..., 12:15, PHI] = np.swapaxes(P[..., PHI, 12:15], -1, -2)
-    P[..., PHI, PHI] = C @ P[..., 12:15, PHI] + R[..., 3:, None] * np.eye(3)
-    P[..., PHI, PHI] = (P[..., PHI, PHI] + np.swapaxes(P[..., PHI, PHI], -1, -2)) / 2
-    return nav, P
+    n = len(model.states)
+    S = np.zeros((*runs, n, n))
+    if P is not None:
+        S[..., 6:, 6:] = np.asarray(P, float)[..., 6:, 6:]
+    else:
+        for name, places in fields.items():
+            S[..., places, places] = _spread(given[name], runs, len(places)) ** 2
+    nav = {name: _spread(value, runs, sizes[name]) for name, value in start.items()}
+    loop = Filter(model, {name: v if sizes[name] > 1 else v[..., 0] for name, v in nav.items()}, S)
+    then = np.broadcast_to(np.asarray(message.time, float), runs) - loop.nav["tau"]
+    history, moving = _flown(loop, increments, then, said, constants, half_span_s)
+    at, density = moving(0.0)
+
+    def H(at: dict[str, Any]) -> Array:
+        rows = [loop.call(f"{name}_H", **at, **said, lag=0.0) for name in matching]
+        return np.concatenate([np.broadcast_to(row, (*runs, *row.shape[-2:])) for row in rows], axis=-2)
+
+    # What the rates do not know, into the lever arm's velocity; and a lever arm that is no state.
+    R = _spread(message.R, runs, 6)[..., None] * np.eye(6)
+    by_rate, by_lever = _lever(loop, at)
+    rate = np.max(np.asarray(constants["gyro_noise"]), axis=-1) ** 2 * density
+    rate = rate[..., None, None] * np.eye(3)
+    if increments is None:
+        rate = rate + _spread(rate_sigma, runs, 3)[..., None] ** 2 * np.eye(3)
+    constant = next((given[name] for name in LEVERS if name in given and name not in fields), 0.0)
+    R[..., :3, :3] += _through(by_rate, rate) + _through(
+        by_lever, _spread(constant, runs, 3)[..., None] ** 2 * np.eye(3)
+    )
+    # The residual is zero, and H x = noise: the errors of attitude and velocity are D (noise - H x of all others).
+    H_then = H(at)
+    D = np.linalg.inv(H_then[..., :6])
+    by_rest, kept = -D @ H_then[..., 6:], S[..., 6:, 6:]
+    loop.P[..., :6, 6:] = by_rest @ kept
+    loop.P[..., 6:, :6] = np.swapaxes(loop.P[..., :6, 6:], -1, -2)
+    loop.P[..., :6, :6] = _through(by_rest, kept) + _through(D, R)
+    if increments is None:
+        ago = loop.nav["tau"] ** 2 + S[..., TAU, TAU]
+        for sigma, block in ((rate_sigma, PHI), (acceleration_sigma, DV)):
+            loop.P[..., block, block] += (ago[..., None] * _spread(sigma, runs, 3) ** 2)[..., None] * np.eye(3)
+        return loop.nav, loop.P, None
+    # The motion in the delay's error, of the second order: E[d^4] = 3 sigma^4.
+    step = 2 * half_span_s
+    change = (D @ (H(moving(step)[0]) - H(moving(-step)[0]))[..., TAU, None])[..., 0] / (2 * step)
+    loop.P[..., :6, :6] += 0.75 * (S[..., TAU, TAU] ** 2)[..., None, None] * change[..., None] * change[..., None, :]
+    assert history is not None
+    _carry(loop, history, then, 2 * half_span_s, constants)
+    return loop.nav, (loop.P + np.swapaxes(loop.P, -1, -2)) / 2, history
+
+
+def again(
+    message: Message,
+    model: Any,
+    constants: Mapping[str, Any],
+    nav: Mapping[str, Any],
+    P: Any,
+    *,
+    seconds: Any,
+    walk: Mapping[str, Any] | None = None,
+    **how: Any,
+) -> tuple[dict[str, Array], Array, History | None]:
+    """nav, P and kept past of a slave that begins anew from a message, and keeps what it has estimated.
+
+    nav, P (..., n, n): as they were `seconds` (...,) ago.  Of nav all is kept but position, velocity and attitude; of P
+    the block of what is kept, opened by the model's own noise and by `walk`, root densities by name, over these
+    seconds.  Its cross terms with attitude and velocity are dropped.  how: as for `first`.
+    """
+    fields = estimated(model)
+    seconds = np.asarray(seconds, float)[..., None, None]
+    noise = Filter(model, {name: np.asarray(value, float) for name, value in nav.items()}, P).call("Qc", **constants)
+    for name, density in (walk or {}).items():
+        noise[..., fields[name], fields[name]] += np.broadcast_to(np.asarray(density, float), len(fields[name])) ** 2
+    kept = np.asarray(P, float) + seconds * noise
+    estimates = {name: value for name, value in nav.items() if name not in ("position", "v_n", "q_b2n_wxyz")}
+    return first(message, model, constants, P=kept, estimates=estimates, **how)
+
+
+def estimated(model: Any) -> dict[str, list[int]]:
+    """What is estimated besides attitude and velocity: the fields of nav that `feedback` corrects, and their states."""
+    n = len(model.states)
+    x = np.vstack([np.zeros(n), 1e-3 * np.eye(n)])
+    out = model.feedback(x=x, **{name: _straight(model, name) for name in model.feedback.fields if name != "x"})
+    return {
+        name: [i for i in range(n) if np.any(value[1 + i] != value[0])]
+        for name, value in out.items()
+        if name not in ("v_n", "q_b2n_wxyz")
+    }
+
+
+def _straight(model: Any, name: str) -> Array:
+    """Nothing: zeros, or the quaternion that does not turn."""
+    size = model.field[name]["size"]
+    return np.array([1.0, 0.0, 0.0, 0.0]) if "wxyz" in name else np.zeros(size) if size > 1 else np.array(0.0)
+
+
+def _leading(value: Any, size: int) -> tuple[int, ...]:
+    """The runs of a value of so many components."""
+    shape = np.shape(value)
+    return shape[:-1] if size > 1 else shape
+
+
+def _spread(value: Any, runs: tuple[int, ...], size: int) -> Array:
+    """(*runs, size)"""
+    array = np.asarray(value, float)
+    return np.broadcast_to(array if size > 1 else array[..., None], (*runs, size))
+
+
+def _through(A: Array, S: Array) -> Array:
+    """A S A'"""
+    return A @ S @ np.swapaxes(A, -1, -2)
+
+
+def _begun(
+    message: Message,
+    model: Any,
+    fields: dict[str, list[int]],
+    sigmas: dict[str, Any],
+    estimates: dict[str, Any],
+    attitude: str,
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """nav as the message and the estimates have it, and what the message says."""
+    for name in ("position", "v_m_n"):
+        if getattr(message, name) is None:
+            raise BoresightError(f"first: the message holds no {name}; wait for one that does")
+    q, euler = message.q_m2n_wxyz, message.euler_m
+    if q is None and euler is None:
+        raise BoresightError("first: the message holds no q_m2n_wxyz; wait for one that does, or begin by `headings`")
+    for known, names in (
+        ({*fields, *LEVERS}, sigmas),
+        (set(model.field) - {"position", "v_n", "q_b2n_wxyz"}, estimates),
+    ):
+        for name in set(names) - known:
+            raise BoresightError(f"first: {model.name} estimates no {name!r}{did_you_mean(name, known)}")
+    for name in fields:
+        if name not in sigmas:
+            raise BoresightError(f"first: sigmas holds no {name!r}; it needs {', '.join(fields)}")
+    q = rotation.quaternion_from_euler(euler) if q is None else np.asarray(q, float)
+    said = {"v_m_n": np.asarray(message.v_m_n, float), "q_m2n_wxyz": q}
+    if attitude.startswith("euler"):
+        said["euler_m"] = rotation.euler_from_matrix(rotation.matrix_from_quaternion(q)) if euler is None else euler
+    start = {"position": message.position, "v_n": message.v_m_n, "q_b2n_wxyz": q}
+    return start | {name: _straight(model, name) for name in fields} | estimates, said
+
+
+def _flown(
+    loop: Filter,
+    increments: Increments | None,
+    then: Array,
+    said: dict[str, Any],
+    constants: Mapping[str, Any],
+    half_span_s: float,
+) -> tuple[History | None, Callable[[float], tuple[dict[str, Any], Any]]]:
+    """Brings loop.nav to now, so that at `then` the master is expected to say what it said.
+
+    Returns the past flown, and the slave so many seconds beside `then`, as of `moment`.  The position moves from then.
+    """
+    start = dict(loop.nav)
+    flat = then.reshape(-1)
+    history = None if increments is None else History(np.inf, len(flat))
+    parts = None if increments is None else _reaching(increments, flat, half_span_s)
+
+    def beside(seconds: float) -> tuple[dict[str, Any], Any]:
+        if history is None:
+            still = {"v_n": loop.nav["v_n"], "q_b2n_wxyz": loop.nav["q_b2n_wxyz"]}
+            return {**still, "omega_ib_b": np.zeros(3), "a_n": np.zeros(3), **constants}, 0.0
+        return moment(loop, history, flat + seconds, half_span_s, constants)
+
+    def fly() -> dict[str, Any]:
+        """Loop and past from `start` on; what was then expected of the master."""
+        nonlocal history
+        loop.nav = dict(start)
+        if parts is not None:
+            history = _past(loop, parts)
+        at = {name: value for name, value in beside(0.0)[0].items() if name != "a_n"}
+        expected: dict[str, Any] = loop.call("expected", **at)
+        return expected
+
+    matrix = rotation.matrix_from_quaternion
+    for _ in range(PASSES):
+        expected = fly()
+        turn = matrix(said["q_m2n_wxyz"]) @ np.swapaxes(matrix(expected["q_m2n_wxyz"]), -1, -2)
+        start["v_n"] = start["v_n"] + said["v_m_n"] - expected["v_m_n"]
+        start["q_b2n_wxyz"] = rotation.quaternion_from_matrix(turn @ matrix(start["q_b2n_wxyz"]))
+    fly()
+    if history is not None:
+        now, begin = history.time[-1], history.time[0]
+        part = ((now - then) / (now - begin))[..., None]
+        loop.nav["position"] = start["position"] + part * (loop.nav["position"] - start["position"])
+    return history, beside
+
+
+def _reaching(increments: Increments, then: Array, half_span_s: float) -> Increments:
+    """The increments from four half spans before the earliest `then` on; BoresightError where they do not fit."""
+    begin, end, dtheta, dv = (np.asarray(part, float) for part in increments)
+    if len(end) == 0:
+        raise BoresightError("first: increments is empty; keep the slave's last second for the first message")
+    apart = np.abs(begin[1:] - end[:-1]) > 0.5 * (end - begin)[1:]
+    if apart.any():
+        k = int(np.argmax(apart))
+        raise BoresightError(f"first: the increments have a gap from {end[k]:.4f} s to {begin[k + 1]:.4f} s; give "
+                             "those behind it, and a message from there")  # fmt: skip
+    if then.min() < begin[0] - SHORTEST:
+        raise BoresightError(f"first: the message was measured at {then.min():.4f} s, and the increments begin at "
+                             f"{begin[0]:.4f} s; keep more of them, or wait for the next message")  # fmt: skip
+    if then.max() > end[-1] + half_span_s:
+        raise BoresightError(f"first: the message was measured at {then.max():.4f} s, and the increments end at "
+                             f"{end[-1]:.4f} s; wait for the slave, or compare the clocks")  # fmt: skip
+    k = max(0, int(np.searchsorted(end, then.min() - 4 * half_span_s)) - 1)
+    return Increments(begin[k:], end[k:], dtheta[k:], dv[k:])
+
+
+def _past(loop: Filter, increments: Increments) -> History:
+    """The strapdown over the increments, which leaves loop.nav at their end."""
+    runs = loop.P.shape[:-2]
+    history = History(np.inf, int(np.prod(runs, dtype=int)))
+    angle = push = np.zeros((*runs, 3))
+    before = increments.dtheta[0], increments.dv[0]
+    history.append(increments.begin[0], v_n=loop.nav["v_n"], q_b2n_wxyz=loop.nav["q_b2n_wxyz"], angle=angle, push=push)
+    for begin, end, dtheta, dv in zip(*increments, strict=True):
+        loop.strapdown(dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=before[0], dv_before=before[1], dt=end - begin)
+        before, angle, push = (dtheta, dv), angle + dtheta, push + dv
+        history.append(end, v_n=loop.nav["v_n"], q_b2n_wxyz=loop.nav["q_b2n_wxyz"], angle=angle, push=push)
+    return history
+
+
+def _carry(loop: Filter, history: History, then: Array, shortest: float, constants: Mapping[str, Any]) -> None:
+    """The covariance from `then` to now."""
+    lag = history.time[-1] - then
+    span = np.maximum(lag, shortest).reshape(-1)
+    now = np.full(history.runs, history.time[-1])
+    f_b, omega = (history.mean(name, now - span, now).reshape((*then.shape, 3)) for name in ("push", "angle"))
+    loop.predict(
+        f_b=f_b - loop.nav["accel_bias"], omega_ib_b=omega - loop.nav["gyro_bias"], dt=np.maximum(lag, SHORTEST),
+        q_b2n_wxyz=history.at("q_b2n_wxyz", now - span / 2).reshape((*then.shape, 4)), **constants,
+    )  # fmt: skip
+
+
+def _lever(loop: Filter, at: dict[str, Any]) -> tuple[Array, Array]:
+    """How the master's expected velocity moves, linearly, with the rate and with the lever arm: (..., 3, 3) each."""
+    at = {name: value for name, value in at.items() if name != "a_n"}
+    name = "lever_m" if "lever_m" in at else "lever_b"
+    v = loop.call("expected", **at)["v_m_n"]
+    out = []
+    for field, value in (("omega_ib_b", at["omega_ib_b"]), (name, {**loop.nav, **at}[name])):
+        moved = [loop.call("expected", **{**at, field: value + 0.1 * e})["v_m_n"] - v for e in np.eye(3)]
+        out.append(np.stack(moved, axis=-1) / 0.1)
+    return out[0], out[1]

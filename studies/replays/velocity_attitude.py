@@ -16,8 +16,7 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.recording import Recording, check, thinned
-from boresight.runtime.transfer import Message, Rules, Transfer, Verdict, first
-from boresight.runtime.transfer.start import PHI
+from boresight.runtime.transfer import Increments, Message, Rules, Transfer, Verdict, first
 from boresight.runtime.units import MILLI_G, UNITS
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
 
@@ -26,7 +25,6 @@ MATCHING = ("velocity", "dcm")
 BODY = ("front", "right", "down")
 # One sigma before the first message, SI and rad: a MEMS unit screwed in by eye, on a clock that nobody has compared.
 PRIOR = {"gyro_bias": np.radians(0.2), "accel_bias": 0.5, "misalignment": np.radians(2.0), "delay": 0.05, "lever": 1.0}
-VELOCITY_START = 0.5  # m/s, one sigma; covers what a delay and an unknown lever arm do to it
 HOLD_S = 0.15  # a message is handed over so late, so that a delay that is believed negative for a while stays inside
 GATE = 1e-300  # by chance; NIS 1400 of six rows
 BAND = 1.96  # sigmas, 95 %
@@ -107,50 +105,31 @@ def fly(
         return Message(master.time[k], R, v_m_n=master.v_n[k], q_m2n_wxyz=q[k], position=master.position[k])
 
     tau = start[..., 15]
-    mount = rotation.turned(np.array([1.0, 0, 0, 0]), start[..., 12:15])
-    nav, P = first(
-        message(0), q_b2m_wxyz=mount, tau=tau, mounting_sigma=np.full(3, prior["misalignment"]),
-        velocity_sigma=np.full(3, VELOCITY_START), gyro_bias_sigma=np.full(3, prior["gyro_bias"]),
-        accel_bias_sigma=np.full(3, prior["accel_bias"]), tau_sigma=delay_sigma,
-    )  # fmt: skip
-    begin, end, dtheta, dv = imu.increments
-    i = int(np.searchsorted(end, master.time[0] - 1e-6 * imu.dt))
-    # The slave takes over what was true a delay ago and moves it on to now by its own gyros.  A delay believed too long
-    # moves it too far: phi = -omega d_tau.
-    edges, angle = np.append(begin[:1], end), np.vstack([np.zeros(3), np.cumsum(dtheta, axis=0)])
-    then, bias = master.time[0] - tau, start[..., 6:9]
-
-    def turned_until(time: Array) -> Array:
-        return np.stack([np.interp(time, edges, part) for part in angle.T], axis=-1)
-
-    omega_b = (turned_until(then + imu.dt) - turned_until(then - imu.dt)) / (2 * imu.dt) - bias
-    turn_b = turned_until(np.full(runs, end[i])) - turned_until(then) - bias * (end[i] - then)[..., None]
-    nav |= {
-        "q_b2n_wxyz": rotation.turned(nav["q_b2n_wxyz"], turn_b), "gyro_bias": bias, "accel_bias": start[..., 9:12],
-    }  # fmt: skip
-    tie = np.zeros((*runs, 16, 16)) + np.eye(16)
-    tie[..., PHI, 15] = -np.einsum("...ij,...j->...i", rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]), omega_b)
-    P = tie @ P @ np.swapaxes(tie, -1, -2)
     constants: dict[str, Any] = {
         "gyro_noise": spread[..., :3], "accel_noise": spread[..., 3:6], "gyro_bias_noise": np.zeros(3),
         "accel_bias_noise": np.zeros(3), "mu_noise": np.zeros(3), "lever_b": start[..., 16:],
         "tau_noise": np.where(np.asarray(delay_sigma) > 0, noises[..., 6], 0.0),
     }  # fmt: skip
+    estimated = {"q_b2m_wxyz": rotation.turned(np.array([1.0, 0, 0, 0]), start[..., 12:15]),
+                 "gyro_bias": start[..., 6:9], "accel_bias": start[..., 9:12], "tau": tau}  # fmt: skip
+    sigmas = {"q_b2m_wxyz": prior["misalignment"], "gyro_bias": prior["gyro_bias"], "accel_bias": prior["accel_bias"],
+              "tau": delay_sigma, "lever_b": prior["lever"]}  # fmt: skip
     if "d_lever_x" in model.states:
-        nav["lever_b"] = constants.pop("lever_b")
-        whole = np.zeros((*runs, 19, 19))
-        whole[..., :16, :16] = P
-        whole[..., range(16, 19), range(16, 19)] = prior["lever"] ** 2
-        P = whole
-
+        estimated["lever_b"] = constants.pop("lever_b")
+    else:
+        del sigmas["lever_b"]
+    begin, end, dtheta, dv = imu.increments
+    i = int(np.searchsorted(end, master.time[0] + HOLD_S - 1e-6 * imu.dt)) + 1
+    nav, P, past = first(message(0), model, constants, sigmas=sigmas, estimates=estimated, matching=MATCHING,
+                         increments=Increments(begin[:i], end[:i], dtheta[:i], dv[:i]))  # fmt: skip
     reach = HOLD_S + float(np.max(tau)) + 3 * float(np.max(delay_sigma)) + 0.1
     loop = Transfer(
-        model, nav, np.broadcast_to(P, (*runs, *P.shape[-2:])), constants, time=end[i], matching=MATCHING,
+        model, nav, P, constants, time=end[i - 1], past=past, matching=MATCHING,
         every=max(1, round(COVARIANCE_S / imu.dt)), rules=Rules(gate=GATE, buffer_s=reach),
     )  # fmt: skip
     history: dict[str, list[Array]] = {name: [] for name in ("nu", "S", "used", "estimate", "sigma", "verdict")}
     k = 1
-    for j in range(i + 1, len(end)):
+    for j in range(i, len(end)):
         loop.slave(end[j], dtheta[j], dv[j], end[j] - begin[j])
         while k < len(master.time) and end[j] >= master.time[k] + HOLD_S - 1e-6 * imu.dt:
             try:

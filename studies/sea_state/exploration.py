@@ -149,16 +149,11 @@ def beside(poses: list[hull.Pose]) -> hull.Pose:
 # ---- what a motion shows
 
 
-def initial(C_m2n: Array, scenario: Scenario) -> Array:
+def initial(model: Any, C_m2n: Array, scenario: Scenario) -> Array:
     """P0 (..., 19, 19): that of the study, and the lever arm's; the attitude is the misalignment's image."""
-    shape = C_m2n.shape[:-2]
-    message = Message(time=0.0, R=matching_variances(scenario), v_m_n=np.zeros((*shape, 3)), position=np.zeros(3),
-                      q_m2n_wxyz=rotation.quaternion_from_matrix(C_m2n))  # fmt: skip
-    _, narrow = begin(message, scenario, np.array([1.0, 0, 0, 0]), scenario.misalignment_deg * DEG)
-    P = np.zeros((*shape, 19, 19))
-    P[..., :16, :16] = narrow
-    P[..., range(16, 19), range(16, 19)] = LEVER_SIGMA_M**2
-    return P
+    message = Message(time=0.0, R=matching_variances(scenario), v_m_n=np.zeros((*C_m2n.shape[:-2], 3)),
+                      position=np.zeros(3), q_m2n_wxyz=rotation.quaternion_from_matrix(C_m2n))  # fmt: skip
+    return begin(model, message, scenario, np.array([1.0, 0, 0, 0]), scenario.misalignment_deg * DEG)[1]
 
 
 def matching_variances(scenario: Scenario) -> Array:
@@ -167,24 +162,36 @@ def matching_variances(scenario: Scenario) -> Array:
 
 
 def begin(
-    message: Message, scenario: Scenario, q_b2m_wxyz: Array, heading_sigma: Any, velocity_sigma: float | None = None
+    model: Any,
+    message: Message,
+    scenario: Scenario,
+    q_b2m_wxyz: Array,
+    heading_sigma: Any,
+    velocity_sigma: float | None = None,
 ) -> tuple[dict[str, Array], Array]:
-    """nav and P (..., 16, 16) from the master's first message, as in `sea_flight.start`, for one filter.
+    """nav and P (..., n, n) from the master's first message, as in `sea_flight.start`, for one filter.
 
     heading_sigma: (...) rad, of the mounting about the master's down axis.
     """
     s = scenario
     heading = np.asarray(heading_sigma, float)
     level = np.full_like(heading, s.level_misalignment_deg * DEG)
-    nav, P = transfer.first(
+    nav, P, _ = transfer.first(
         message,
-        q_b2m_wxyz=q_b2m_wxyz,
-        tau_sigma=s.delay_sigma_ms * 1e-3,
-        mounting_sigma=np.stack([level, level, heading], axis=-1),
-        velocity_sigma=np.full(3, velocity_sigma or s.start_velocity_m_s),
-        gyro_bias_sigma=np.full(3, s.gyro_bias_deg_h * DEG / 3600),
-        accel_bias_sigma=np.full(3, s.accel_bias_mg * MILLI_G),
+        model,
+        constants(s),
+        sigmas={
+            "q_b2m_wxyz": np.stack([level, level, heading], axis=-1),
+            "gyro_bias": s.gyro_bias_deg_h * DEG / 3600,
+            "accel_bias": s.accel_bias_mg * MILLI_G,
+            "tau": s.delay_sigma_ms * 1e-3,
+            "lever_b": LEVER_SIGMA_M,  # as the hull stands still for the hand-over, of a state alone
+        },
+        estimates={"q_b2m_wxyz": q_b2m_wxyz},
+        rate_sigma=0.0,
+        acceleration_sigma=0.0,
     )
+    P[..., 3:6, 3:6] += np.eye(3) * (velocity_sigma or s.start_velocity_m_s) ** 2
     P[..., :3, :3] += np.eye(3) * (s.start_angle_deg * DEG) ** 2
     return nav, P
 
@@ -224,7 +231,7 @@ def covariances(model: Any, master: hull.Pose, scenario: Scenario) -> Array:
             update, rest = divmod(k + 1, 2 * per_update)
             yield Moment(inputs) if rest else Moment(inputs, H[update - 1], R)
 
-    P0 = initial(rotation.matrix_from_quaternion(master.q_b2n_wxyz[0]), s)
+    P0 = initial(model, rotation.matrix_from_quaternion(master.q_b2n_wxyz[0]), s)
     history = [P0, *(P for k, P in enumerate(along(model, P0, moments()), 1) if k % per_update == 0)]
     return np.array([np.sqrt(np.diagonal(P, axis1=-2, axis2=-1)) for P in history])
 
@@ -365,7 +372,7 @@ def fly(
         )  # fmt: skip
 
     first = message(0)
-    nav, P0 = begin(first, s, believed, heading_sigma, velocity_sigma)
+    nav, P0 = begin(model, first, s, believed, heading_sigma, velocity_sigma)
     swing = np.cross(dtheta[0] / dt, s.lever_b)
     nav["v_n"] = first.v_m_n + np.einsum("...ij,...j->...i", rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]), swing)
     P0 = np.broadcast_to(P0, (*shape, 16, 16))

@@ -28,7 +28,7 @@ MOTIONS = {
     "slope": "(b) heave by (6), and roll, pitch, yaw by the slope of that wave",
     "sea": "(c) a Pierson-Moskowitz sea through the response of a 40 m hull",
 }
-PHI = slice(0, 3)
+PHI, DV = slice(0, 3), slice(3, 6)
 # Every message is taken: without compensation nothing fits, and what becomes of that is the question.
 RULES = Rules(gate=1e-300, ahead_s=0.2)
 
@@ -177,19 +177,25 @@ def truth(model: Any, motion: hull.Motion, scenario: Scenario, drawn: Drawn) -> 
 # ---- the filter
 
 
-def start(scenario: Scenario, first: Message) -> tuple[dict[str, Array], Array]:
+def start(model: Any, scenario: Scenario, first: Message) -> tuple[dict[str, Array], Array]:
     """nav and P of both filters, (2, 6, runs, ...), from the master's first message."""
     s = scenario
     sigma = np.array([s.delay_sigma_ms * 1e-3, 0.0])[:, None, None]  # without compensation the delay is known, and zero
-    nav, P = transfer.first(
+    nav, P, _ = transfer.first(
         first,
-        tau=np.zeros_like(sigma),
-        tau_sigma=sigma,
-        mounting_sigma=np.array([s.level_misalignment_deg, s.level_misalignment_deg, s.misalignment_deg]) * DEG,
-        velocity_sigma=np.full(3, s.start_velocity_m_s),
-        gyro_bias_sigma=np.full(3, s.gyro_bias_deg_h * DEG / HOUR),
-        accel_bias_sigma=np.full(3, s.accel_bias_mg * MILLI_G),
+        model,
+        constants(s),
+        sigmas={
+            "q_b2m_wxyz": np.array([s.level_misalignment_deg, s.level_misalignment_deg, s.misalignment_deg]) * DEG,
+            "gyro_bias": s.gyro_bias_deg_h * DEG / HOUR,
+            "accel_bias": s.accel_bias_mg * MILLI_G,
+            "tau": sigma,
+        },
+        rate_sigma=0.0,
+        acceleration_sigma=0.0,
     )
+    # The scenario says what the motion and the delay do to the start.
+    P[..., DV, DV] += np.eye(3) * s.start_velocity_m_s**2
     P[..., PHI, PHI] += np.eye(3) * (s.start_angle_deg * DEG) ** 2
     return nav, P
 
@@ -269,7 +275,7 @@ def fly(
         )
 
     first = message(0)
-    nav, P0 = start(s, first)
+    nav, P0 = start(model, s, first)
     swing = np.cross(true.dtheta[0] / dt, s.lever_b)
     nav["v_n"] = first.v_m_n + np.einsum("...ij,...j->...i", rotation.matrix_from_quaternion(first.q_m2n_wxyz), swing)
     given = constants(s)

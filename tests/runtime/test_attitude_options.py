@@ -249,17 +249,18 @@ def closed_loop(library, motion, extra, *, lever, seconds, update_hz, bending=No
                        position=true.position[update * every])  # fmt: skip
 
     first = message(0)
-    nav, narrow = transfer.first(first, tau_sigma=0.01, mounting_sigma=np.array([0.5, 0.5, 2.0]) * DEG,
-                                 velocity_sigma=np.full(3, 0.5), gyro_bias_sigma=np.full(3, 20 * DEG / 3600),
-                                 accel_bias_sigma=np.full(3, 0.02))  # fmt: skip
+    nothing = dict.fromkeys(("gyro_bias_noise", "accel_bias_noise", "mu_noise"), np.zeros(3))
+    walk = np.repeat([0.15 * DEG / 60, 0.05 / 60], 3)
+    constants = {"lever_b": lever, "gyro_noise": walk[:3], "accel_noise": walk[3:], "tau_noise": 0.0, **nothing}
+    sigmas = {"q_b2m_wxyz": np.array([0.5, 0.5, 2.0]) * DEG, "gyro_bias": 20 * DEG / 3600, "accel_bias": 0.02,
+              "tau": 0.01}  # fmt: skip
+    nav, narrow, _ = transfer.first(first, plain, constants, sigmas=sigmas, rate_sigma=0.0, acceleration_sigma=0.0)
     narrow[:, :3, :3] += np.eye(3) * (0.1 * DEG) ** 2  # the master's first report is late, at 0.3 rad/s
+    narrow[:, 3:6, 3:6] += np.eye(3) * 0.5**2
     k = len(extra.sigma)
     P = np.zeros((RUNS, 16 + k, 16 + k))
     P[:, :16, :16] = narrow
     P[:, range(16, 16 + k), range(16, 16 + k)] = np.square(extra.sigma)
-    nothing = dict.fromkeys(("gyro_bias_noise", "accel_bias_noise", "mu_noise"), np.zeros(3))
-    walk = np.repeat([0.15 * DEG / 60, 0.05 / 60], 3)
-    constants = {"lever_b": lever, "gyro_noise": walk[:3], "accel_noise": walk[3:], "tau_noise": 0.0, **nothing}
     constants = {name: value for name, value in constants.items() if name not in extra.start}
     loop = Transfer(library, {**nav, **extra.start, **extra.constants}, P, constants, way="extrapolate", every=5,
                     rules=Rules(gate=1e-300, ahead_s=0.2))  # fmt: skip
