@@ -21,6 +21,11 @@ EXTRAS = {
     "derive": ("sympy", "mpmath", "flint", "casadi", "jinja2", "markupsafe", "pint"),
     "replay": ("pydantic", "pandas", "matplotlib", "jinja2", "markdown_it"),
     "parquet": ("pandas", "pyarrow"),
+    "excel": ("pandas", "openpyxl"),
+    "hdf5": ("h5py",),
+    "ulog": ("pyulog",),
+    "ardupilot": ("pymavlink",),
+    "ros": ("rosbags",),
     "cli": ("typer", "rich"),
 }
 

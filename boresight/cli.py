@@ -621,25 +621,13 @@ def sea_state(
     return result, sea.report(result), written, True
 
 
-def print_template(wanted: bool) -> None:
-    if wanted:
-        from boresight.runtime import recording
-
-        sys.stdout.write((Path(recording.__file__).parent / "built_in" / "template.toml").read_text())
-        raise typer.Exit
-
-
 @app.command()
 def replay(
-    recording: Annotated[str, typer.Argument(help="A recording, or the TOML file that describes one.")],
+    recording: Annotated[
+        str | None, typer.Argument(help="A recording, or the TOML file that describes one.", show_default=False)
+    ] = None,
     template: Annotated[
-        bool,
-        typer.Option(
-            "--template",
-            help="Print a description of a recording, to be filled in, and end.",
-            callback=print_template,
-            is_eager=True,
-        ),
+        bool, typer.Option("--template", help="Print a description of it, to be filled in, and end.")
     ] = False,
     model: Annotated[
         str | None,
@@ -650,6 +638,17 @@ def replay(
         ),
     ] = None,
     check: Annotated[bool, typer.Option("--check", help="Look at the recording and fly nothing.")] = False,
+    begin: Annotated[
+        str | None, typer.Option("--from", help='Begin here: "12.5 s" as --check shows it, or a date.')
+    ] = None,
+    end: Annotated[str | None, typer.Option("--to", help="End here.")] = None,
+    bridge: Annotated[str | None, typer.Option(help='Fill up to so much missing, as "20 ms".')] = None,
+    regular_clock: Annotated[
+        bool, typer.Option("--regular-clock", help="The slave's samples are regular; only their tags scatter.")
+    ] = False,
+    allow: Annotated[
+        list[str] | None, typer.Option(help="An error of --check that is meant so, by its name; may be repeated.")
+    ] = None,
     delay_ms: Annotated[
         float, typer.Option(help="How old the master's data is; velocity-attitude begins there and estimates it.")
     ] = 0.0,
@@ -680,14 +679,23 @@ def replay(
     """
     from boresight.runtime.library import load
     from boresight.runtime.recording import read
+    from boresight.runtime.recording.check import shown
+    from boresight.runtime.recording.read import template as description
     from boresight.runtime.units import quantity
     from boresight.studies.replays import euler_matching as matched
     from boresight.studies.replays import velocity_attitude as transfer_replay
     from boresight.studies.replays import zero_velocity
 
+    if template:
+        sys.stdout.write(description(recording))
+        raise typer.Exit
+    if recording is None:
+        raise BoresightError("no recording is named; 'boresight replay --template' shows how one is described")
+    data = read(
+        recording, strict=not check, begin=begin, end=end, bridge=bridge, regular=regular_clock, allow=allow or ()
+    )
     if check:
-        raise typer.Exit(matched.main(recording, only_check=True, as_json=as_json))
-    data = read(recording)
+        raise typer.Exit(shown(data, as_json=as_json))
     master = data.master
     fits = "azimuth-hold" if master is None else "euler-matching" if master.v_n is None else "velocity-attitude"
     name = one_of(model or fits, REPLAYED, "model to replay with")
@@ -710,10 +718,10 @@ def replay(
         raise BoresightError(f"noises, biases and a lever arm are options of velocity-attitude; {name} takes none")
     folder = None if out is None else str(make(out))
     if name == "azimuth-hold":
-        raise typer.Exit(zero_velocity.main(recording, folder=folder, as_json=as_json))
+        raise typer.Exit(zero_velocity.main(data, folder=folder, as_json=as_json))
     if name == "euler-matching":
         status = matched.main(
-            recording, folder=folder, as_json=as_json, delay=delay_ms * 1e-3, rate_hz=rate_hz, measurement=measurement
+            data, folder=folder, as_json=as_json, delay=delay_ms * 1e-3, rate_hz=rate_hz, measurement=measurement
         )
         raise typer.Exit(status)
     from boresight import terminal

@@ -23,6 +23,8 @@ UNITS: dict[str, dict[str, float]] = {
     "velocity": {"m/s": 1.0, "cm/s": 0.01, "mm/s": 1e-3, "km/h": 1 / 3.6, "kn": 1852 / 3600, "g*s": STANDARD_GRAVITY},
     "length": {"m": 1.0, "cm": 0.01, "km": 1000.0, "ft": FOOT},
     "quaternion": {"1": 1.0},
+    "matrix": {"1": 1.0},
+    "scale factor": {"1": 1.0, "%": 0.01, "ppm": 1e-6},
     # White noise as datasheets say it: a random walk of the integral, or a density of the rate.
     "gyro noise": {
         "rad/sqrt(s)": 1.0,

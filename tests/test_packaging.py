@@ -162,13 +162,24 @@ def test_a_command_without_its_extra_says_in_one_line_what_to_install(monkeypatc
     assert not list(tmp_path.iterdir())
 
 
-def test_a_parquet_file_without_its_extra_says_what_to_install(monkeypatch, tmp_path):
+@pytest.mark.parametrize(
+    ("ending", "module", "extra"),
+    [
+        ("parquet", "pyarrow", "parquet"),
+        ("xlsx", "openpyxl", "excel"),
+        ("h5", "h5py", "hdf5"),
+        ("ulg", "pyulog", "ulog"),
+        ("bin", "pymavlink", "ardupilot"),
+        ("bag", "rosbags", "ros"),
+    ],
+)
+def test_a_file_whose_extra_is_missing_says_what_to_install(monkeypatch, tmp_path, ending, module, extra):
     from boresight import BoresightError
-    from boresight.runtime.recording.read import _table
+    from boresight.runtime.recording.tables import table
 
-    monkeypatch.setitem(sys.modules, "pyarrow", None)
-    with pytest.raises(BoresightError, match=r"boresight\[parquet\]"):
-        _table(tmp_path / "a.parquet", ",", True)
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(BoresightError, match=rf"boresight\[{extra}\]"):
+        table(tmp_path / f"a.{ending}")
 
 
 def test_every_module_of_an_extra_is_named_in_it():
@@ -184,7 +195,10 @@ def test_the_layers_import_nothing_that_their_extra_does_not_bring():
     """What a layer imports, at any depth, is the standard library, the base, or of its own extra."""
     from test_imports import files, imported
 
-    allowed = {"derive": ("derive",), "codegen": ("derive",), "runtime": ("replay",), "studies": ("replay",)}
+    formats = ("parquet", "excel", "hdf5", "ulog", "ardupilot", "ros")
+    allowed = {
+        "derive": ("derive",), "codegen": ("derive",), "runtime": ("replay", *formats), "studies": ("replay",)
+    }  # fmt: skip
     for layer, extras in allowed.items():
         known = {"numpy", "scipy", "platformdirs", "boresight"} | {m for extra in extras for m in EXTRAS[extra]}
         for path in files(layer):

@@ -1,23 +1,49 @@
 """What is wrong or suspicious in a recording."""
 
+import json
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
-from boresight import BoresightError
+from boresight import BoresightError, did_you_mean
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.recording.types import Finding, Inertial, Master, Recording
-from boresight.runtime.units import DEG, HOUR
+from boresight.runtime.units import ARCMIN, DEG, HOUR
 from boresight.runtime.units import STANDARD_GRAVITY as G
+
+# Judgements that may be overruled, by name.
+NAMES = {
+    "gap": "more missing between samples than is bridged",
+    "rate": "a rate that hardly any sensor has",
+    "norm": "the mean specific force is not g",
+    "down": "it points down where it must point up",
+    "fast": "turns faster than anything that is meant",
+    "bias": "a gyro bias beyond 1 deg/s",
+    "angles": "angles out of their range",
+    "place": "a latitude beyond 90 deg",
+    "path": "the position is not the sum of the velocity",
+    "gravity": "in the master's axes the specific force is not gravity",
+    "turns": "the slave does not turn as its master",
+}
 
 
 def check(recording: Recording) -> list[Finding]:
     """What is wrong or suspicious in a recording, worst first; always some notes (rates, norms, biases at rest).
 
-    Nothing here changes or repairs the data.  An empty list of "error" findings means that a replay may begin.
+    Nothing here changes or repairs the data.  An empty list of "error" findings means that a replay may begin.  What
+    the recording allows by name is a warning.
+    Raises BoresightError where it allows what is no name of a finding.
     """
-    out = _check_time("imu", recording.imu.time, gap_level="error")
+    unknown = [name for name in recording.allow if name not in NAMES]
+    if unknown:
+        close = did_you_mean(unknown[0], NAMES)
+        raise BoresightError(
+            f"{recording.name}: allow: {unknown[0]!r} is no judgement of the check{close}; there are {', '.join(NAMES)}"
+        )
+    out = [Finding("note", "recording", note) for note in recording.notes]
+    out += _check_time("imu", recording.imu.time, gap_level="error")
     out += _check_finite("imu", gyro=recording.imu.gyro, accel=recording.imu.accel)
     master = recording.master
     if master:
@@ -30,11 +56,27 @@ def check(recording: Recording) -> list[Finding]:
     parts += [part for part in vars(master).values() if part is not None] if master else []
     times = [recording.imu.time] + ([master.time] if master else [])
     if all(np.isfinite(part).all() for part in parts) and all((np.diff(time) > 0).all() for time in times):
-        out += _check_imu(recording.imu)
+        out += _check_imu(recording.imu, master)
         if master:
             out += _check_master(master)
-            out += _check_pair(recording.imu, master)
+            out += _check_pair(recording.imu, master, calibrated="gyro_bias" in recording.reference)
+    out = [
+        Finding("warning", f.where, f"{f.text} (allowed: {f.name})", f.name) if f.name in recording.allow else f
+        for f in out
+    ]
     return sorted(out, key=lambda finding: ("error", "warning", "note").index(finding.level))
+
+
+def shown(recording: Recording, *, as_json: bool = False) -> int:
+    """Print what `check` found; returns the exit status: 1 if something is wrong."""
+    findings = check(recording)
+    if as_json:
+        print(json.dumps({"findings": [vars(finding) for finding in findings]}, indent=1))
+    else:
+        for f in findings:
+            named = f"  [{f.name}]" if f.name and f.level == "error" else ""
+            print(f"{f.level:<8} {f.where:<16} {f.text}{named}")
+    return int(any(finding.level == "error" for finding in findings))
 
 
 def _listed(times: Array) -> str:
@@ -59,14 +101,22 @@ def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"])
         return out
     gap = step > 1.5 * dt
     if gap.any():
-        advice = "; cut the recording there" if gap_level == "error" else ""
-        text = f"{gap.sum()} gaps after {_listed(time[:-1][gap])}, the longest {step.max():.4f} s{advice}"
-        out.append(Finding(gap_level, where, text))
+        lost = (step.max() / dt - 1) * dt
+        advice = "; cut the recording there (from, to)"
+        if lost < 0.2:
+            advice = (
+                f'; bridge them (bridge = "{np.ceil(lost * 1e3 - 1e-6):g} ms"), or cut the recording there (from, to)'
+            )
+        # As many tags are too near as are too far: they scatter, and nothing is missing.
+        if np.sum(step < 0.5 * dt) > gap.sum() / 2 > 1:
+            advice = '; the tags scatter: if the clock is regular, say so (clock = "regular")'
+        text = f"{gap.sum()} gaps after {_listed(time[:-1][gap])}, the longest {step.max():.4f} s"
+        out.append(Finding(gap_level, where, text + (advice if gap_level == "error" else ""), "gap"))
     jitter = float(np.std(step[(step > 0) & ~gap]))
     text = f"{1 / dt:.6g} Hz, {time[0]:.3f} s to {time[-1]:.3f} s, jitter {jitter * 1e3:.3f} ms"
     out.append(Finding("note", where, text))
     if not 0.1 <= 1 / dt <= 20000:
-        out.append(Finding("error", where, f"a rate of {1 / dt:.4g} Hz: is the unit of time right?"))
+        out.append(Finding("error", where, f"a rate of {1 / dt:.4g} Hz: is the unit of time right?", "rate"))
     return out
 
 
@@ -87,7 +137,7 @@ def _windows(values: Array, length: int) -> Array:
     return values[: count * length].reshape(count, length, -1)
 
 
-def _check_imu(imu: Inertial) -> list[Finding]:
+def _check_imu(imu: Inertial, master: Master | None) -> list[Finding]:
     gyro, f = imu.rates()
     out = []
     second = max(1, round(1 / imu.dt))
@@ -102,21 +152,23 @@ def _check_imu(imu: Inertial) -> list[Finding]:
         }
         fits = [guess for guess, value in guesses.items() if 0.9 * G < value < 1.1 * G]
         text = f"the mean specific force is {norm:.4g} m/s^2, not about {G:.2f}"
-        out.append(Finding("error", "imu.accel", f"{text}: {fits[0] if fits else 'check its unit and kind'}"))
+        out.append(Finding("error", "imu.accel", f"{text}: {fits[0] if fits else 'check its unit and kind'}", "norm"))
     down = float(np.mean(f[:, 2]))
     if 0.8 * G < norm < 1.2 * G and down > 0.5 * G:
         text = f"the mean specific force along body down is {down:+.3f} m/s^2; at rest it is -{G:.2f}"
-        out.append(Finding("error", "imu.accel", text + ": check imu.body or the sign"))
+        out.append(Finding("error", "imu.accel", text + ": check imu.body or the sign", "down"))
     fastest = float(np.abs(gyro).max())
     typical = float(np.median(np.linalg.norm(gyro, axis=1)))
     if fastest > 70 or typical > 5:
         text = f"turns at {typical:.3g} rad/s (median), {fastest:.3g} (largest)"
-        out.append(Finding("error", "imu.gyro", text + ": degrees declared as radians, or rates as increments?"))
+        out.append(
+            Finding("error", "imu.gyro", text + ": degrees declared as radians, or rates as increments?", "fast")
+        )
     mean_f = ", ".join(f"{x:+.3f}" for x in f.mean(axis=0))
     out.append(Finding("note", "imu.accel", f"mean specific force [{mean_f}] m/s^2 (front, right, down)"))
     turn = ", ".join(f"{x:.3f}" for x in np.degrees(np.sqrt(np.mean(gyro**2, axis=0))))
     out.append(Finding("note", "imu.gyro", f"rms rate [{turn}] deg/s (front, right, down)"))
-    return out + _check_rest(gyro, f, second)
+    return out + _check_rest(imu, gyro, f, second, master)
 
 
 REST_GYRO = 0.5 * DEG  # rad/s, standard deviation in one second below which an IMU may be at rest
@@ -125,17 +177,41 @@ REST_GYRO = 0.5 * DEG  # rad/s, standard deviation in one second below which an 
 REST_ACCEL = 0.15  # m/s^2, the same
 
 
-def _check_rest(gyro: Array, f: Array, second: int) -> list[Finding]:
+REST_SPEED = 0.3  # m/s of the master, above which nothing rests
+
+
+REST_TURN = 0.3 * DEG  # rad/s of the master in the mean of one second, the same
+
+
+def _check_rest(imu: Inertial, gyro: Array, f: Array, second: int, master: Master | None) -> list[Finding]:
     windows_gyro, windows_f = _windows(gyro, second), _windows(f, second)
     rest = (windows_gyro.std(axis=1) < REST_GYRO).all(axis=1) & (windows_f.std(axis=1) < REST_ACCEL).all(axis=1)
+    length = windows_gyro.shape[1]
+    if master is not None and len(master.time) > 1:
+        # A vehicle that drives straight and evenly shakes no more than one that stands: only its master knows.
+        begin = imu.time[: len(rest) * length : length]
+        edges = np.stack([begin, begin + length * imu.dt])
+        known = (edges[0] >= master.time[0]) & (edges[1] <= master.time[-1])
+        if master.v_n is not None:
+            fast = np.linalg.norm(master.v_n, axis=1) > REST_SPEED
+            moving = np.concatenate([[0], np.cumsum(fast)])
+            first, last = np.searchsorted(master.time, edges)
+            known &= moving[np.minimum(last + 1, len(fast))] == moving[np.maximum(first - 1, 0)]
+        at = np.array([[np.searchsorted(master.time, t)] for t in edges]).reshape(2, -1).clip(0, len(master.time) - 1)
+        C = rotation.matrix_from_euler(master.euler)
+        turn = rotation.vector_from_matrix(np.swapaxes(C[at[0]], -1, -2) @ C[at[1]])
+        seconds = np.maximum(master.time[at[1]] - master.time[at[0]], length * imu.dt)
+        rest &= known & (np.linalg.norm(turn, axis=-1) / seconds < REST_TURN)
     if not rest.any():
         return [Finding("note", "imu", "never at rest: no norm of gravity and no static gyro bias to be had")]
     bias = windows_gyro[rest].mean(axis=(0, 1))
     norm = float(np.linalg.norm(windows_f[rest].mean(axis=1), axis=-1).mean())
     shown = ", ".join(f"{x:+.1f}" for x in np.degrees(bias) * HOUR)
-    text = f"quiet for {rest.sum()} s: specific force {norm:.4f} m/s^2, mean rate [{shown}] deg/h"
-    out = [Finding("note", "imu", text + " (static bias and Earth rate)")]
-    if np.abs(bias).max() > 1 * DEG:
+    span = rest.sum() * length * imu.dt
+    text = f"quiet for {span:.4g} s: specific force {norm:.4f} m/s^2, mean rate [{shown}] deg/h"
+    meaning = "static bias and Earth rate" if master is not None else "static bias and Earth rate, if it stood"
+    out = [Finding("note", "imu", f"{text} ({meaning})")]
+    if master is None and np.abs(bias).max() > 1 * DEG:
         text = "more than 1 deg/s while quiet: a large bias, a steady turn, or a wrong unit"
         out.append(Finding("warning", "imu.gyro", text))
     return out
@@ -146,10 +222,12 @@ def _check_master(master: Master) -> list[Finding]:
     largest = np.abs(master.euler[:, :2]).max(axis=0)
     if largest[0] > 2 * np.pi or largest[1] > np.pi / 2 + 1e-6:
         text = f"roll to {largest[0]:.3g} and pitch to {largest[1]:.3g} rad"
-        out.append(Finding("error", "master.attitude", text + ": degrees declared as radians, or another order?"))
+        out.append(
+            Finding("error", "master.attitude", text + ": degrees declared as radians, or another order?", "angles")
+        )
     elif largest[1] > 80 * DEG:
-        text = f"pitch to {np.degrees(largest[1]):.1f} deg: Euler angles are singular at 90, filters refuse 80; cut it"
-        out.append(Finding("error", "master.attitude", text))
+        text = f"pitch to {np.degrees(largest[1]):.1f} deg: models that match Euler angles refuse 80, others fly it"
+        out.append(Finding("warning", "master.attitude", text))
     turn = np.degrees(np.linalg.norm(rotation.vector_from_matrix(attitude_steps(master.euler)), axis=1))
     jump = turn > 30
     if jump.any():
@@ -169,7 +247,10 @@ def _check_master(master: Master) -> list[Finding]:
         latitude = np.abs(master.position[:, 0]).max()
         if latitude > np.pi / 2:
             text = f"latitude to {latitude:.4g} rad: degrees declared as radians, or another order of columns?"
-            out.append(Finding("error", "master.position", text))
+            out.append(Finding("error", "master.position", text, "place"))
+        elif not master.position[:, :2].all(axis=1).any():
+            text = "latitude or longitude is 0 all the time: a receiver without a fix, or an origin that nobody set?"
+            out.append(Finding("warning", "master.position", text))
         elif master.v_n is not None:
             out += _check_velocity(master)
     return out
@@ -190,7 +271,9 @@ def _check_velocity(master: Master) -> list[Finding]:
     if float(np.linalg.norm(moved - summed)) > 0.1 * path:
         shown = ["[{:.0f}, {:.0f}, {:.0f}]".format(*v) for v in (moved, summed)]
         text = f"position moved {shown[0]} m (north, east, down), velocity sums to {shown[1]}"
-        return [Finding("error", "master.velocity", text + ": check navigation, the order of columns and the units")]
+        return [
+            Finding("error", "master.velocity", text + ": check navigation, the order of columns and the units", "path")
+        ]
     return []
 
 
@@ -222,7 +305,7 @@ def attitude_increments(imu: Inertial, master: Master) -> tuple[Array, Array, Ar
     return np.array(dts), np.array(slave).reshape(-1, 3), turns[keep]
 
 
-def _check_pair(imu: Inertial, master: Master) -> list[Finding]:
+def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Finding]:
     """The slave's turns against the master's, axis by axis: the test that sees every wrong sign, unit and axis."""
     start, end = imu.intervals()
     common = min(end[-1], master.time[-1]) - max(start[0], master.time[0])
@@ -230,22 +313,81 @@ def _check_pair(imu: Inertial, master: Master) -> list[Finding]:
         spans = f"{master.time[0]:.3f} to {master.time[-1]:.3f} s, imu {start[0]:.3f} to {end[-1]:.3f} s"
         return [Finding("error", "master.time", f"master {spans}: no overlap; bring both to one clock")]
     out = [] if master.v_n is None else _check_gravity(imu, master)
-    _, slave, turn = attitude_increments(imu, master)
+    dt, slave, turn = attitude_increments(imu, master)
     if len(turn) < 10:
         return out
+    surplus = (slave - turn).sum(axis=0) / dt.sum()
     slave, turn = slave - slave.mean(axis=0), turn - turn.mean(axis=0)
     for axis, name in enumerate(("front", "right", "down")):
-        power = float(turn[:, axis] @ turn[:, axis])
         # 0.02 deg between samples: less motion than this is noise, and its slope says nothing.
-        if power < len(turn) * (0.02 * DEG) ** 2:
+        if float(turn[:, axis] @ turn[:, axis]) < len(turn) * (0.02 * DEG) ** 2:
             continue
-        slope = float(slave[:, axis] @ turn[:, axis]) / power
-        correlation = slope * np.sqrt(power / max(float(slave[:, axis] @ slave[:, axis]), 1e-300))
-        text = f"turns about {name}: slave over master {slope:.4g}, correlation {correlation:.4f}"
-        wrong = not 0.8 < slope < 1.25 or correlation < 0.8
+        found = slope_of(turn[:, axis], slave[:, axis])
+        text = f"turns about {name}: slave over master {found.slope:.4g} +- {found.sigma:.2g}"
+        text += f", correlation {found.correlation:.4f}"
+        if found.noise > 0:
+            text += f", the master's attitude noise {found.noise / ARCMIN:.2g} arcmin taken off"
+        low, high, least = found.slope - 3 * found.sigma, found.slope + 3 * found.sigma, 3 * found.spread
+        if not np.isfinite(found.slope) or found.sigma > 0.3:
+            text = f"turns about {name}: it moves too little beside the noise to be judged"
+            out.append(Finding("note", "imu.gyro", text))
+            continue
+        wrong = high < 0.8 or low > 1.25 or found.correlation + least < 0.8
         hint = "; check unit, kind, body axes and the sign of yaw" if wrong else ""
-        out.append(Finding("error" if wrong else "note", "imu.gyro", text + hint))
+        out.append(Finding("error" if wrong else "note", "imu.gyro", text + hint, "turns" if wrong else ""))
+    if np.abs(surplus).max() > 1 * DEG and not calibrated and not any(one.name == "turns" for one in out):
+        shown = ", ".join(f"{x:+.3f}" for x in np.degrees(surplus))
+        text = (
+            f"it turns by [{shown}] deg/s (front, right, down) more than its master: models take a gyro bias of up to "
+            "1 deg/s; take what is known of it off first, as [calibration] gyro_bias in the axes of imu.body"
+        )
+        out.append(Finding("error", "imu.gyro", text, "bias"))
     return out
+
+
+@dataclass(frozen=True)
+class Slope:
+    """Of what two series show without their noise: slope, correlation, and one sigma of each that noise explains.
+
+    noise: of the attitude behind the regressor, in its unit.  All nan where there is more noise than motion.
+    """
+
+    slope: float
+    correlation: float
+    sigma: float
+    spread: float
+    noise: float
+
+
+def slope_of(x: Array, y: Array) -> Slope:
+    """Slope of y, increments of a gyro, over x, increments of an attitude, (N,), with noise in both.
+
+    White noise s of an attitude is 2 s^2 in the variance of its increments, which a plain slope takes for motion and so
+    is too small.  It differs from a gyro's white noise (variance q) in what differences of y - slope x show, while
+    these take out the motion: var(first differences) = 6 s^2 + 2 q, var(second) = 20 s^2 + 6 q.
+    """
+    both = np.stack([x, y])
+    moments = [part @ part.T / part.shape[1] for part in (both, np.diff(both, 1), np.diff(both, 2))]
+    (sxx, sxy), (_, syy) = moments[0]
+    slope = sxy / sxx
+    for _ in range(50):
+        w = np.array([-slope, 1.0])
+        d1, d2 = w @ moments[1] @ w, w @ moments[2] @ w
+        s2 = max(0.0, (d2 - 3 * d1) / 2)
+        # No more than what the attitude's own differences hold, by three sigmas of these.
+        most = moments[2][0, 0] / 20 * (1 + 3 * np.sqrt(4.6 / len(x)))
+        vx = 2 * min(s2 / max(slope**2, 1e-12), most)
+        vy = max(0.0, min((d1 - 6 * s2) / 2, moments[1][1, 1] / 2))
+        if vx > 0.9 * sxx or vy > 0.9 * syy:
+            return Slope(*[np.nan] * 5)
+        slope = sxy / (sxx - vx)
+    moved, turned = sxx - vx, syy - vy
+    # Of the regression, and of s^2, which (d2 - 3 d1) / 2 of Gaussian noise knows to 3.7 s^2 / sqrt(N).
+    sigma = np.hypot(np.sqrt((vy + slope**2 * vx) * sxx), 3.7 * slope * vx) / moved / np.sqrt(len(x))
+    correlation = float(np.clip(sxy / np.sqrt(moved * turned), -1, 1))
+    return Slope(
+        float(slope), correlation, float(sigma), float(sigma * np.sqrt(moved / turned)), float(np.sqrt(vx / 2))
+    )
 
 
 def gravity_in_ned(imu: Inertial, master: Master) -> Array:
@@ -271,4 +413,4 @@ def _check_gravity(imu: Inertial, master: Master) -> list[Finding]:
     wrong = np.linalg.norm(force - [0, 0, -G]) > 0.05 * G
     text = "specific force less acceleration [{:+.3f}, {:+.3f}, {:+.3f}] m/s^2 (north, east, down)".format(*force)
     hint = f", not about [0, 0, -{G:.2f}]: check axes, signs and units of accel, attitude and velocity" if wrong else ""
-    return [Finding("error" if wrong else "note", "imu.accel", text + hint)]
+    return [Finding("error" if wrong else "note", "imu.accel", text + hint, "gravity" if wrong else "")]

@@ -1,12 +1,13 @@
 """What a recording's TOML file may say.  Imported only by `recording.read`: it needs pydantic."""
 
 import tomllib
+from datetime import datetime
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal, get_args
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from boresight import BoresightError
+from boresight import BoresightError, did_you_mean
 
 
 class Part(BaseModel):
@@ -14,10 +15,14 @@ class Part(BaseModel):
 
 
 class Column(Part):
-    """One quantity: a 2-D array by name, or one column for each component."""
+    """One quantity: a 2-D array by name, or one column for each component.
+
+    time: where it has tags of its own, their column, in the unit of its section's time.
+    """
 
     columns: str | list[str]
     unit: str
+    time: str | None = None
 
 
 class Attitude(Column):
@@ -25,10 +30,27 @@ class Attitude(Column):
     yaw_positive: Literal["clockwise", "counter-clockwise"] = "clockwise"
 
 
+class Velocity(Column):
+    """axes: of [master] navigation, or of [master] body."""
+
+    axes: Literal["navigation", "body"] = "navigation"
+
+
 class Position(Column):
-    """Latitude, longitude and height in this order; `unit` is that of the angles."""
+    """Latitude, longitude and height in this order; `unit` is that of the angles.
+
+    Where `unit` is one of length: metres in the axes of [master] navigation from [master] origin.
+    """
 
     height_unit: str = "m"
+
+
+class Origin(Part):
+    """Where local metres begin: deg and m, or a column whose first number it is."""
+
+    latitude: float | str
+    longitude: float | str = 0.0
+    height: float | str = 0.0
 
 
 class Source(Part):
@@ -39,8 +61,9 @@ class Source(Part):
 
 class ImuPart(Source):
     kind: Literal["rates", "increments"]
-    time_marks: Literal["start", "middle", "end"]
+    time_marks: Literal["start", "middle", "end", "point"]
     body: str
+    clock: Literal["as tagged", "regular"] = "as tagged"
     time: Column
     gyro: Column
     accel: Column
@@ -51,27 +74,54 @@ class MasterPart(Source):
     navigation: str
     time: Column
     attitude: Attitude
-    velocity: Column | None = None
+    velocity: Velocity | None = None
     position: Position | None = None
+    origin: Origin | None = None
+
+
+class Known(Part):
+    """Numbers in the slave's body axes as [imu] names them: an array of the file, or written here."""
+
+    columns: str | None = None
+    values: list[float] | list[list[float]] | None = None
+    unit: str
+
+
+class CalibrationPart(Source):
+    """What is taken off every sample when it is read: true = matrix @ ((delivered - bias) / (1 + scale))."""
+
+    gyro_bias: Known | None = None
+    accel_bias: Known | None = None
+    gyro_scale: Known | None = None
+    accel_scale: Known | None = None
+    gyro_matrix: Known | None = None
+    accel_matrix: Known | None = None
 
 
 class ReferencePart(Source):
-    """What is known of the slave from elsewhere, in the slave's body axes as [imu] names them."""
+    """What is known of the slave from elsewhere, to be held against what a filter estimates."""
 
-    gyro_bias: Column | None = None
-    accel_bias: Column | None = None
-    misalignment: Column | None = None
-    lever_arm: Column | None = None
+    gyro_bias: Known | None = None
+    accel_bias: Known | None = None
+    misalignment: Known | None = None
+    lever_arm: Known | None = None
 
 
 class Description(Part):
     title: str = ""
     recognised_by: list[str] = []  # all arrays of a file that this description serves without being named
+    serves: list[str] = []  # endings of logs that it serves wherever they have its topics
     file: str | None = None
     delimiter: str = ","
+    decimal: Literal[".", ","] = "."
     header: bool = True
+    begin: float | datetime | str | None = Field(None, alias="from")
+    end: float | datetime | str | None = Field(None, alias="to")
+    bridge: float | str = 0.0
+    allow: list[str] = []
     imu: ImuPart
     master: MasterPart | None = None
+    calibration: CalibrationPart | None = None
     reference: ReferencePart | None = None
 
 
@@ -84,8 +134,40 @@ def load(path: Path) -> Description:
     except OSError as error:
         raise BoresightError(f"{path}: cannot be read: {error.strerror}") from None
     except ValidationError as error:
-        first = error.errors()[0]
-        key = ".".join(str(part) for part in first["loc"] if part not in ("str", "list[str]"))
+        # A key that is not known is the cause of one that is missing.
+        first = min(error.errors(), key=lambda one: one["type"] != "extra_forbidden")
+        parts = [str(part) for part in first["loc"] if isinstance(part, int) or not part.startswith(KINDS)]
+        key = ".".join(parts)
         what = {"missing": "is missing", "extra_forbidden": "is not a key that a description has"}
         says = what.get(first["type"], f"is {first['input']!r}: {first['msg'].lower()}")
+        if first["type"] == "extra_forbidden":
+            says += did_you_mean(parts[-1], known := keys(parts[:-1])) + f"; there are {', '.join(known)}"
         raise BoresightError(f"{path}: {key} {says}; compare with 'boresight replay --template'") from None
+
+
+KINDS = ("str", "float", "list[", "datetime")  # what pydantic adds to a place where several types may stand
+
+
+def keys(place: list[str]) -> list[str]:
+    """What may stand at a place of a description, as ["imu", "gyro"]."""
+    part: Any = Description
+    for name in place:
+        kind = part.model_fields[name].annotation
+        part = next((one for one in get_args(kind) if one is not type(None)), kind)
+    return [field.alias or name for name, field in part.model_fields.items()]
+
+
+def named(part: Any) -> list[str]:
+    """Every column that a description or a part of it names."""
+    out: list[str] = []
+    if isinstance(part, Column | Known):
+        names = part.columns or []
+        out += [names] if isinstance(names, str) else names
+    if isinstance(part, Column) and part.time:
+        out.append(part.time)
+    if isinstance(part, Origin):
+        out += [value for _, value in part if isinstance(value, str)]
+    for _, inner in part:
+        if isinstance(inner, Part):
+            out += named(inner)
+    return out

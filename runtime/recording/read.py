@@ -4,37 +4,60 @@ What a description may say: docs/recordings.md.  Only NumPy is imported before a
 """
 
 import os
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from boresight import BoresightError, need
+from boresight import BoresightError, did_you_mean, need
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
+from boresight.runtime.calibration import Calibration
+from boresight.runtime.recording import times
 from boresight.runtime.recording.check import check
+from boresight.runtime.recording.mend import bridged, joined
+from boresight.runtime.recording.tables import kind_of, table
 from boresight.runtime.recording.types import Inertial, Master, Recording
-from boresight.runtime.units import UNITS
+from boresight.runtime.units import UNITS, quantity
 
 if TYPE_CHECKING:
-    from boresight.runtime.recording.description import Column, Description
+    from boresight.runtime.recording.description import Column, Description, Known
+
+BUILT_IN = Path(__file__).parent / "built_in"
 
 
 def find(path: str | Path) -> Path:
-    """The file at PATH, or of that name under the folder BORESIGHT_DATA; raises BoresightError."""
+    """The file at PATH, or of that name under the folder BORESIGHT_DATA; raises BoresightError.
+
+    A ROS 2 bag may be a folder.
+    """
     folder = os.environ.get("BORESIGHT_DATA")
     for candidate in (Path(path), *([Path(folder) / path] if folder else [])):
-        if candidate.is_file():
+        if candidate.is_file() or (candidate / "metadata.yaml").is_file():
             return candidate
     where = f"here or under {folder}" if folder else "here"
     raise BoresightError(f"{path}: no such file {where}; give its path, or set BORESIGHT_DATA to its folder")
 
 
-def read(path: str | Path, *, strict: bool = True) -> Recording:
+def read(
+    path: str | Path,
+    *,
+    strict: bool = True,
+    begin: float | str | datetime | None = None,
+    end: float | str | datetime | None = None,
+    bridge: float | str | None = None,
+    regular: bool = False,
+    allow: Sequence[str] = (),
+) -> Recording:
     """A recording from its TOML description, or from a data file that has one.
 
     A data file is described by the TOML of the same name beside it, or by a description that comes with Boresight and
-    knows all its arrays.  strict: refuse what `check` calls an error.
+    knows all its arrays, or its topics.  strict: refuse what `check` calls an error.  The rest stands above what the
+    description says: begin, end: s as `check` shows the time, "12 s", or a date.  bridge: up to this much missing, s or
+    "20 ms", is filled.  regular: the slave's clock is, whatever its tags say.  allow: names of errors that are none.
     Raises BoresightError naming the file, the column and what to do.
     """
     need("replay")
@@ -48,195 +71,474 @@ def read(path: str | Path, *, strict: bool = True) -> Recording:
     elif found.with_suffix(".toml").is_file():
         said, default = description.load(found.with_suffix(".toml")), found
     else:
-        tables[found] = _table(found, ",", True)
-        said, default = _built_in(found, set(tables[found])), found
+        columns = table(found)
+        said, default = _built_in(found, columns), found
+        tables[found] = columns
 
-    def table(section: Any) -> tuple[Path, dict[str, Array]]:
-        source = _beside(found, section.file) if section.file else default
-        if source is None:
+    def source(section: Any) -> _Source:
+        if not description.named(section):
+            return _Source(found, {})  # all numbers stand in the description
+        file = _beside(found, section.file) if section.file else default
+        if file is None:
             raise BoresightError(f'{found}: no data file is named; add file = "NAME" at the top or in each section')
-        if source not in tables:
-            tables[source] = _table(source, said.delimiter, said.header)
-        return source, tables[source]
+        if file not in tables:
+            tables[file] = table(file, delimiter=said.delimiter, decimal=said.decimal, header=said.header)
+        return _Source(file, tables[file])
 
+    at = source(said.imu)
+    since = at.epoch("imu.time", said.imu.time)
+    notes = [f"times count from {times.shown(since)}, if the file's count from 1970"] if since else []
+    imu = _imu(said, at, since, notes)
+    master = _master(said, source(said.master), since, notes) if said.master else None
+    span = [
+        times.instant(value, since, f"{found}: {key}") if value is not None else None
+        for key, value in (("from", said.begin if begin is None else begin), ("to", said.end if end is None else end))
+    ]
+    if any(value is not None for value in span):
+        low, high = (limit if value is None else value for limit, value in zip((-np.inf, np.inf), span, strict=True))
+        imu, master = _cut(found, imu, master, low, high)
+        notes.append(f"cut to {imu.time[0]:.3f} s to {imu.time[-1]:.3f} s")
+    if regular or said.imu.clock == "regular":
+        imu, line = _fitted(imu)
+        notes.append(line)
+    limit = said.bridge if bridge is None else bridge
+    imu, lines = bridged(imu, float(quantity(limit, "time")[0]) if isinstance(limit, str) else limit)
+    notes += lines
+    if said.calibration:
+        imu = _calibrated(said, source(said.calibration), imu, notes)
+    if said.imu.time_marks == "point":
+        imu = joined(imu)
+        notes.append("imu: rates at instants joined to increments between them, by cubics")
     recording = Recording(
         name=found.stem,
         title=said.title,
-        imu=_imu(said, *table(said.imu)),
-        master=_master(said, *table(said.master)) if said.master else None,
-        reference=_reference(said, *table(said.reference)) if said.reference else {},
+        imu=imu,
+        master=master,
+        reference=_reference(said, source(said.reference)) if said.reference else {},
+        epoch=since,
+        notes=tuple(notes),
+        allow=(*said.allow, *allow),
     )
     if strict:
         wrong = [finding for finding in check(recording) if finding.level == "error"]
         if wrong:
             more = f" ({len(wrong) - 1} more: --check lists them)" if len(wrong) > 1 else ""
-            raise BoresightError(f"{found}: {wrong[0].where}: {wrong[0].text}{more}")
+            meant = f"; if it is meant so: --allow {wrong[0].name}" if wrong[0].name else ""
+            raise BoresightError(f"{found}: {wrong[0].where}: {wrong[0].text}{more}{meant}")
     return recording
+
+
+def template(path: str | None = None) -> str:
+    """A description to be filled in; with the columns of a file, and as the map of its topics where there is one."""
+    if path is None:
+        return (BUILT_IN / "template.toml").read_text(encoding="utf-8")
+    need("replay")
+    from boresight.runtime.recording import description
+
+    found = find(path)
+    columns = table(found)
+    maps = [file for file in sorted(BUILT_IN.glob("*.toml")) if kind_of(found) in description.load(file).serves]
+    said = (maps[0] if maps else BUILT_IN / "template.toml").read_text(encoding="utf-8")
+    held = [f"#   {name} {'x'.join(map(str, values.shape))}" for name, values in columns.items()]
+    lines = [line for line in said.splitlines() if not line.startswith(("serves", "file"))]
+    named = [f'file = "{found.name}"', ""]
+    at = next(i for i, line in enumerate(lines) if line.startswith("["))
+    return "\n".join([*lines[:at], *named, *lines[at:], "", f"# What {found.name} holds:", *held, ""])
 
 
 def _beside(description: Path, file: str) -> Path:
     """A file that a description names stands beside the description, or where `find` looks."""
-    return description.parent / file if (description.parent / file).is_file() else find(file)
+    beside = description.parent / file
+    return beside if beside.is_file() or (beside / "metadata.yaml").is_file() else find(file)
 
 
-def _built_in(path: Path, keys: set[str]) -> "Description":
+def _built_in(path: Path, columns: dict[str, Array]) -> "Description":
+    """The description that knows all arrays of a file, or whose topics a log has."""
     from boresight.runtime.recording import description
 
-    for candidate in sorted((Path(__file__).parent / "built_in").glob("*.toml")):
+    lacking: list[str] = []
+    for candidate in sorted(BUILT_IN.glob("*.toml")):
         said = description.load(candidate)
-        if keys and set(said.recognised_by) == keys:
+        if columns and set(said.recognised_by) == set(columns):
             return said
+        if kind_of(path) in said.serves:
+            lacking = [name for name in description.named(said) if name not in columns]
+            if not lacking:
+                return said
     toml = path.with_suffix(".toml").name
+    lacks = f"it lacks {lacking[0]}" if lacking else "its columns are not described"
     raise BoresightError(
-        f"{path}: its columns are not described; write {toml} beside it, as 'boresight replay --template' shows"
+        f"{path}: {lacks}; write {toml} beside it: 'boresight replay --template {path.name}' begins it"
     )
 
 
-def _table(path: Path, delimiter: str, header: bool) -> dict[str, Array]:
-    """All columns of a file by name: arrays of any shape from npz and mat, single columns from csv and parquet."""
-    kind = path.suffix.lower()
-    try:
-        if kind == ".npz":
-            with np.load(path, allow_pickle=False) as data:
-                return dict(data)
-        if kind == ".mat":
-            from scipy.io import loadmat
-
-            data = loadmat(path, squeeze_me=True)
-            return {name: np.asarray(value) for name, value in data.items() if not name.startswith("__")}
-        if kind in (".csv", ".txt", ".dat"):
-            need("replay")
-            import pandas
-
-            first = 0 if header else None
-            frame = pandas.read_csv(path, sep=delimiter, header=first, comment="#", skipinitialspace=True)
-            return {str(name).strip(): frame[name].to_numpy() for name in frame.columns}
-        if kind == ".parquet":
-            need("parquet")
-            import pandas
-
-            frame = pandas.read_parquet(path).reset_index()
-            return {str(name): frame[name].to_numpy() for name in frame.columns}
-    except BoresightError:
-        raise
-    except NotImplementedError:
-        raise BoresightError(f"{path}: a mat file of version 7.3; save it with -v7") from None
-    except Exception as error:  # each reader fails in its own ways; the user needs one line
-        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise BoresightError(f"{path}: cannot be read as {kind[1:]}: {reason}") from None
-    raise BoresightError(f"{path}: a {kind or 'nameless'} file is not read; use npz, mat, csv, txt, dat or parquet")
+# ---------------------------------------------------------------- columns
 
 
-def _column(path: Path, table: dict[str, Array], what: str, column: "Column", quantity: str, width: int) -> Array:
-    """One quantity in SI and radians: (N,) where width is 1, else (N, width)."""
-    factor = _factor(path, what, column.unit, quantity)
-    names = [column.columns] if isinstance(column.columns, str) else column.columns
-    parts = []
-    for name in names:
+@dataclass(frozen=True)
+class _Source:
+    """A file's columns."""
+
+    path: Path
+    table: dict[str, Array]
+
+    def array(self, what: str, name: str) -> Array:
         # A column of a matrix may be named as "imu[0]": that is how mat files are usually laid out.
-        base, _, index = name.partition("[") if name not in table else (name, "", "")
-        if base not in table:
-            raise BoresightError(f"{path}: {what}: there is no column {name!r}; it has {', '.join(table)}")
-        values = table[base]
+        base, _, index = name.partition("[") if name not in self.table else (name, "", "")
+        if base not in self.table:
+            raise BoresightError(f"{self.path}: {what}: there is no column {name!r}; {self._has(name)}")
+        values = self.table[base]
         if index:
             number = index.rstrip("]")
             if values.ndim != 2 or not number.isdecimal() or int(number) >= values.shape[1]:
-                raise BoresightError(f"{path}: {what}: {name!r} does not exist: {base} has shape {values.shape}")
+                raise BoresightError(f"{self.path}: {what}: {name!r} does not exist: {base} has shape {values.shape}")
             values = values[:, int(number)]
+        return values
+
+    def _has(self, name: str) -> str:
+        """What there is: the fields of the topic, else the topics, else the columns."""
+        topic, _, field = name.rpartition("/")
+        mates = [one for one in self.table if field and one.rpartition("/")[0] == topic]
+        topics = list(dict.fromkeys(one.rpartition("/")[0] for one in self.table if field))
+        known = mates or ([one for one in topics if one] or list(self.table))
+        close = did_you_mean(name, self.table).strip(" ()").rstrip("?")
+        more = f" and {len(known) - 40} more" if len(known) > 40 else ""
+        return f"{close + '? ' if close else ''}it has {', '.join(known[:40])}{more}"
+
+    def numbers(self, what: str, name: str) -> Array:
+        values = self.array(what, name)
         if not (np.issubdtype(values.dtype, np.number) and np.isrealobj(values)):
-            raise BoresightError(f"{path}: {what}: column {name!r} is not numeric; remove the text from it")
-        parts.append(values.astype(float))
-    out = np.stack(parts, axis=-1) if len(parts) > 1 and len({p.shape for p in parts}) == 1 else parts[0]
-    wanted = "one column" if width == 1 else f"{width} columns"
-    if width == 1 and out.ndim == 2 and 1 in out.shape:
-        out = out.ravel()
-    if out.ndim != (1 if width == 1 else 2) or (width > 1 and out.shape[1] != width) or len(parts) not in (1, width):
-        shapes = ", ".join(f"{name} {part.shape}" for name, part in zip(names, parts, strict=True))
-        raise BoresightError(f"{path}: {what} needs {wanted} of one length; found {shapes}")
-    return out * factor
+            raise BoresightError(f"{self.path}: {what}: column {name!r} is not numeric; {_advice(values)}")
+        return values
+
+    def column(self, what: str, column: "Column", kind: str, width: int) -> Array:
+        """(N, width) of one quantity in SI and radians."""
+        factor = self.factor(what, column.unit, kind)
+        names = [column.columns] if isinstance(column.columns, str) else column.columns
+        parts = [self.numbers(what, name).astype(float) for name in names]
+        out = np.stack(parts, axis=-1) if len(parts) > 1 and len({p.shape for p in parts}) == 1 else parts[0]
+        if out.ndim != 2 or out.shape[1] != width or len(parts) not in (1, width):
+            shapes = ", ".join(f"{name} {part.shape}" for name, part in zip(names, parts, strict=True))
+            raise BoresightError(f"{self.path}: {what} needs {width} columns of one length; found {shapes}")
+        return out * factor
+
+    def factor(self, what: str, unit: str, kind: str) -> float:
+        if unit not in UNITS[kind]:
+            close = did_you_mean(unit, UNITS[kind])
+            known = ", ".join(UNITS[kind])
+            raise BoresightError(
+                f"{self.path}: {what}: unit {unit!r} is not known for {kind}{close}; use one of {known}"
+            )
+        return UNITS[kind][unit]
+
+    def tags(self, what: str, column: "Column") -> Array:
+        """(N,) the column of time as it stands in the file."""
+        if column.unit != times.ISO:
+            self.factor(what, column.unit, "time")
+        name = column.columns if isinstance(column.columns, str) else column.columns[0]
+        values = (self.array if column.unit == times.ISO else self.numbers)(what, name)
+        values = values.ravel() if values.ndim == 2 and 1 in values.shape else values
+        if values.ndim != 1 or not (isinstance(column.columns, str) or len(column.columns) == 1):
+            raise BoresightError(f"{self.path}: {what} needs one column of one length; found {name} {values.shape}")
+        return values
+
+    def epoch(self, what: str, column: "Column") -> int:
+        try:
+            return times.epoch(self.tags(what, column), column.unit)
+        except BoresightError as error:
+            raise self._here(what, error) from None
+
+    def time(self, what: str, column: "Column", since: int) -> Array:
+        """(N,) s since the recording's epoch."""
+        values = self.tags(what, column)
+        own = self.epoch(what, column)
+        if bool(own) != bool(since):
+            dates = (what, "imu.time") if own else ("imu.time", what)
+            raise BoresightError(
+                f"{self.path}: {dates[0]} shows dates and {dates[1]} does not; bring both to one clock"
+            )
+        return times.seconds(values, column.unit, since)
+
+    def _here(self, what: str, error: BoresightError) -> BoresightError:
+        text = str(error)
+        return error if text.startswith(str(self.path)) else BoresightError(f"{self.path}: {what}: {text}")
+
+    def same_length(self, section: str, time: Array, **parts: Array | None) -> None:
+        for name, part in parts.items():
+            if part is not None and len(part) != len(time):
+                text = f"{section}.{name} has {len(part)} rows and {section}.time {len(time)}"
+                raise BoresightError(f"{self.path}: {text}; they must agree, or {name} has a time of its own")
+        if len(time) < 2:
+            raise BoresightError(f"{self.path}: {section}.time has {len(time)} rows; at least 2 are needed")
+
+    def known(self, what: str, known: "Known", kind: str, shape: tuple[int, ...] = (3,)) -> Array:
+        """Numbers of a description, or of an array of the file, in SI and radians."""
+        factor = self.factor(what, known.unit, kind)
+        if (known.columns is None) == (known.values is None):
+            raise BoresightError(f"{self.path}: {what} needs columns or values, and not both")
+        values = self.table.get(known.columns) if known.columns is not None else np.array(known.values, object)
+        try:
+            values = None if values is None else np.array(values.tolist(), float)
+        except ValueError:  # rows of different lengths, or text
+            values = None
+        if values is None or values.shape != shape:
+            found = "no such array of numbers" if values is None else f"shape {values.shape}"
+            wanted = "3 numbers" if shape == (3,) else "3 rows of 3 numbers"
+            told = repr(known.columns) if known.columns is not None else "values"
+            raise BoresightError(f"{self.path}: {what} needs {wanted}; {told}: {found}")
+        return values * factor
 
 
-def _factor(path: Path, what: str, unit: str, quantity: str) -> float:
-    if unit not in UNITS[quantity]:
-        known = ", ".join(UNITS[quantity])
-        raise BoresightError(f"{path}: {what}: unit {unit!r} is not known for {quantity}; use one of {known}")
-    return UNITS[quantity][unit]
+def _advice(values: Array) -> str:
+    """What text in a column of numbers hints at."""
+    first = next((str(value) for value in values.ravel()[:1]), "")
+    if first.replace(",", "", 1).lstrip("+-").isdigit() and "," in first:
+        return f'it begins with {first!r}: decimal = "," reads it'
+    if first[:4].isdigit() and ("-" in first or ":" in first):
+        return f'it begins with {first!r}: unit = "iso" reads dates'
+    return "remove the text from it"
 
 
-def _same_length(path: Path, section: str, time: Array, **parts: Array | None) -> None:
-    for name, part in parts.items():
-        if part is not None and len(part) != len(time):
-            text = f"{section}.{name} has {len(part)} rows and {section}.time {len(time)}"
-            raise BoresightError(f"{path}: {text}; they must agree")
-    if len(time) < 2:
-        raise BoresightError(f"{path}: {section}.time has {len(time)} rows; at least 2 are needed")
+# ---------------------------------------------------------------- sections
 
 
-def _imu(said: "Description", path: Path, table: dict[str, Array]) -> Inertial:
+def _imu(said: "Description", at: _Source, since: int, notes: list[str]) -> Inertial:
     part = said.imu
-    quantities = ("angular rate", "acceleration") if part.kind == "rates" else ("angle", "velocity")
-    to_frd = _framed(path, "imu.body", frames.body_to_frd, part.body)
-    time = _column(path, table, "imu.time", part.time, "time", 1)
-    gyro = _column(path, table, "imu.gyro", part.gyro, quantities[0], 3)
-    accel = _column(path, table, "imu.accel", part.accel, quantities[1], 3)
-    _same_length(path, "imu", time, gyro=gyro, accel=accel)
+    kinds = ("angular rate", "acceleration") if part.kind == "rates" else ("angle", "velocity")
+    if part.kind == "increments" and part.time_marks == "point":
+        raise BoresightError(f"{at.path}: imu.time_marks: an increment has no instant; use start, middle or end")
+    to_frd = _framed(at, "imu.body", frames.body_to_frd, part.body)
+    time = at.time("imu.time", part.time, since)
+    values = {}
+    for name, column, kind in (("gyro", part.gyro, kinds[0]), ("accel", part.accel, kinds[1])):
+        values[name] = at.column(f"imu.{name}", column, kind, 3)
+        if column.time is not None:
+            if part.kind == "increments":
+                raise BoresightError(f"{at.path}: imu.{name}.time: increments cannot be moved to other tags; use rates")
+            own = _tagged(at, f"imu.{name}", column, part.time, since, values[name])
+            near = _near(own, time)
+            values[name] = np.stack([np.interp(time, own, axis) for axis in values[name].T], axis=-1)
+            values[name][~near] = np.nan
+            notes.append(f"imu.{name} has tags of its own: brought to those of imu.time")
+    if any(column.time is not None for column in (part.gyro, part.accel)):
+        both = np.isfinite(values["gyro"]).all(axis=1) & np.isfinite(values["accel"]).all(axis=1)
+        inside = slice(int(np.argmax(both)), len(both) - int(np.argmax(both[::-1])))
+        time, values = time[inside], {name: value[inside] for name, value in values.items()}
+    at.same_length("imu", time, **values)
     with np.errstate(invalid="ignore"):  # an infinite value is `check`'s to report
-        gyro, accel = gyro @ to_frd.T, accel @ to_frd.T
-    return Inertial(part.kind, part.time_marks, time, gyro, accel)
+        gyro, accel = (value @ to_frd.T for value in values.values())
+    # Samples at instants are joined once they are all there; until then only their tags count.
+    marks = "end" if part.time_marks == "point" else part.time_marks
+    return Inertial(part.kind, marks, time, gyro, accel)
 
 
-def _master(said: "Description", path: Path, table: dict[str, Array]) -> Master:
+def _tagged(at: _Source, what: str, column: "Column", of: "Column", since: int, values: Array) -> Array:
+    """(N,) s, a quantity's own tags."""
+    assert column.time is not None
+    own = at.time(f"{what}.time", of.model_copy(update={"columns": column.time}), since)
+    if len(own) != len(values):
+        raise BoresightError(f"{at.path}: {what} has {len(values)} rows and its time {len(own)}; they must agree")
+    if len(own) < 2 or not (np.diff(own) > 0).all():
+        raise BoresightError(f"{at.path}: {what}.time: the tags do not increase; sort the rows, keep one of each")
+    return own
+
+
+def _near(own: Array, time: Array) -> Array:
+    """(N,) whether neighbours of a column's own tags stand around: no more than two of its usual intervals apart."""
+    k = np.clip(np.searchsorted(own, time), 1, len(own) - 1)
+    inside = (time >= own[0]) & (time <= own[-1])
+    near: Array = inside & (own[k] - own[k - 1] <= 2 * np.median(np.diff(own)))
+    return near
+
+
+def _master(said: "Description", at: _Source, since: int, notes: list[str]) -> Master:
     part = said.master
     assert part is not None
-    to_ned = _framed(path, "master.navigation", frames.navigation_to_ned, part.navigation)
-    to_frd = _framed(path, "master.body", frames.body_to_frd, part.body)
-    time = _column(path, table, "master.time", part.time, "time", 1)
-    if part.attitude.order in ("wxyz", "xyzw"):
-        q = _column(path, table, "master.attitude", part.attitude, "quaternion", 4)
-        if np.any(np.abs(np.linalg.norm(q, axis=1) - 1) > 0.01):
-            raise BoresightError(f"{path}: master.attitude: the quaternions are not of length 1; check the columns")
-        q = q if part.attitude.order == "wxyz" else np.roll(q, 1, axis=1)
-        euler = rotation.euler_from_matrix(to_ned @ rotation.matrix_from_quaternion(q) @ to_frd.T)
-    else:
-        angles = _column(path, table, "master.attitude", part.attitude, "angle", 3)
-        try:
-            euler = frames.euler_from_angles(angles, part.attitude.order.split(), part.attitude.yaw_positive)
-        except BoresightError as error:
-            raise BoresightError(f"{path}: master.attitude: {error}; or name a quaternion, wxyz or xyzw") from None
-    v_n = position = None
-    if part.velocity:
+    to_ned = _framed(at, "master.navigation", frames.navigation_to_ned, part.navigation)
+    to_frd = _framed(at, "master.body", frames.body_to_frd, part.body)
+    time = at.time("master.time", part.time, since)
+    q = _attitude(at, part.attitude, to_ned, to_frd)
+    lost = ~np.isfinite(q).all(axis=1)  # `check`'s to report
+    q[lost] = [1.0, 0.0, 0.0, 0.0]
+    velocity = None if part.velocity is None else at.column("master.velocity", part.velocity, "velocity", 3)
+    position = None
+    if part.position is not None:
+        local = part.position.unit in UNITS["length"]
+        position = at.column("master.position", part.position, "length" if local else "angle", 3)
+        if local:
+            with np.errstate(invalid="ignore"):
+                position = _geodetic(at, part.origin, position @ to_ned.T, notes)
+        else:
+            factor = at.factor("master.position", part.position.height_unit, "length")
+            position[:, 2] *= factor / UNITS["angle"][part.position.unit]
+    whole = np.ones(len(time), dtype=bool)
+    moved = []
+    for name, column in (("attitude", part.attitude), ("velocity", part.velocity), ("position", part.position)):
+        if column is None or column.time is None:
+            continue
+        values = {"attitude": q, "velocity": velocity, "position": position}[name]
+        assert values is not None
+        own = _tagged(at, f"master.{name}", column, part.time, since, values)
+        whole &= _near(own, time)
+        if name == "attitude":
+            q, lost = _turned_between(own, values, time), np.interp(time, own, lost) > 0
+        else:
+            values = np.stack([np.interp(time, own, axis) for axis in values.T], axis=-1)
+            velocity, position = (values, position) if name == "velocity" else (velocity, values)
+        moved.append(name)
+    if moved:
+        notes.append(
+            f"master.{' and '.join(moved)}: brought to the tags of master.time, {np.sum(~whole)} rows left out"
+        )
+    at.same_length("master", time, attitude=q, velocity=velocity, position=position)
+    v_n = None
+    if velocity is not None:
+        assert part.velocity is not None
         with np.errstate(invalid="ignore"):
-            v_n = _column(path, table, "master.velocity", part.velocity, "velocity", 3) @ to_ned.T
-    if part.position:
-        position = _column(path, table, "master.position", part.position, "angle", 3)
-        height_factor = _factor(path, "master.position", part.position.height_unit, "length")
-        position[:, 2] *= height_factor / UNITS["angle"][part.position.unit]
-    _same_length(path, "master", time, attitude=euler, velocity=v_n, position=position)
-    return Master(time, euler, v_n, position)
+            if part.velocity.axes == "body":
+                v_n = np.einsum("kij,kj->ki", rotation.matrix_from_quaternion(q), velocity @ to_frd.T)
+            else:
+                v_n = velocity @ to_ned.T
+    if position is None and part.origin is not None:
+        position = np.tile(_origin(at, part.origin), (len(time), 1))
+        notes.append("master.position: taken as that of master.origin all the time")
+    euler = rotation.euler_from_matrix(rotation.matrix_from_quaternion(q))
+    euler[lost] = np.nan
+    master = Master(time, euler, v_n, position)
+    return master if whole.all() else master.cut(whole)
 
 
-def _reference(said: "Description", path: Path, table: dict[str, Array]) -> dict[str, Array]:
+def _attitude(at: _Source, column: Any, to_ned: Array, to_frd: Array) -> Array:
+    """(N, 4) quaternions FRD to NED from what the file has; nan where it has none."""
+    if column.order in ("wxyz", "xyzw"):
+        q = at.column("master.attitude", column, "quaternion", 4)
+        if np.any(np.abs(np.linalg.norm(q, axis=1) - 1) > 0.01):
+            raise BoresightError(f"{at.path}: master.attitude: the quaternions are not of length 1; check the columns")
+        q = q if column.order == "wxyz" else np.roll(q, 1, axis=1)
+        whole = np.isfinite(q).all(axis=1)
+        q[whole] = rotation.quaternion_from_matrix(to_ned @ rotation.matrix_from_quaternion(q[whole]) @ to_frd.T)
+        return q
+    angles = at.column("master.attitude", column, "angle", 3)
+    try:
+        euler = frames.euler_from_angles(angles, column.order.split(), column.yaw_positive)
+    except BoresightError as error:
+        raise BoresightError(f"{at.path}: master.attitude: {error}; or name a quaternion, wxyz or xyzw") from None
+    return rotation.quaternion_from_euler(euler)
+
+
+def _turned_between(own: Array, q: Array, time: Array) -> Array:
+    """(N, 4) attitude at `time`, turning evenly between its own tags."""
+    k = np.clip(np.searchsorted(own, time), 1, len(own) - 1)
+    before, after = rotation.matrix_from_quaternion(q[k - 1]), rotation.matrix_from_quaternion(q[k])
+    turn = rotation.vector_from_matrix(np.swapaxes(before, -1, -2) @ after)
+    part = np.clip((time - own[k - 1]) / (own[k] - own[k - 1]), 0, 1)
+    return rotation.turned(q[k - 1], turn * part[:, None])
+
+
+def _origin(at: _Source, origin: Any) -> Array:
+    """(3,) latitude, longitude (rad), height (m)."""
+    out = []
+    for name in ("latitude", "longitude", "height"):
+        value = getattr(origin, name)
+        if isinstance(value, str):
+            values = np.ravel(at.numbers(f"master.origin.{name}", value).astype(float))
+            values = values[np.isfinite(values)]
+            if len(values) == 0:
+                raise BoresightError(f"{at.path}: master.origin.{name}: {value!r} holds no number; give one")
+            value = values[0]
+        out.append(float(value))
+    if abs(out[0]) > 90:
+        raise BoresightError(f"{at.path}: master.origin.latitude is {out[0]:g} deg; it must be within +-90")
+    return np.array([*np.radians(out[:2]), out[2]])
+
+
+def _geodetic(at: _Source, origin: Any, ned: Array, notes: list[str]) -> Array:
+    """(N, 3) latitude, longitude, height of metres north, east, down of an origin, on the ellipsoid."""
+    if origin is None:
+        raise BoresightError(
+            f"{at.path}: master.position is in metres; say from where: [master] origin = {{ latitude = 47.4 }} (deg), "
+            "and longitude, height (m) if they matter"
+        )
+    lat, lon, height = _origin(at, origin)
+    far = np.nanmax(np.abs(ned[:, :2]), initial=0.0)
+    if far > 50e3:
+        raise BoresightError(
+            f"{at.path}: master.position: {far / 1e3:.0f} km from its origin; local metres end at 50 km"
+        )
+    e2 = 0.00669437999014  # WGS 84
+    root = np.sqrt(1 - e2 * np.sin(lat) ** 2)
+    meridian, normal = 6378137 * (1 - e2) / root**3 + height, 6378137 / root + height
+    notes.append(f"master.position: metres from {np.degrees(lat):.5f}, {np.degrees(lon):.5f} deg, {height:.1f} m")
+    return np.column_stack([
+        lat + ned[:, 0] / meridian, lon + ned[:, 1] / (normal * np.cos(lat)), height - ned[:, 2],
+    ])  # fmt: skip
+
+
+def _cut(path: Path, imu: Inertial, master: Master | None, low: float, high: float) -> tuple[Inertial, Master | None]:
+    """Samples from `low` to `high`, s."""
+    inside = (imu.time >= low) & (imu.time <= high)
+    within = None if master is None else (master.time >= low) & (master.time <= high)
+    fewest = min(int(part.sum()) for part in (inside, within) if part is not None)
+    if fewest < 2:
+        span = f"{imu.time[0]:.3f} s to {imu.time[-1]:.3f} s"
+        raise BoresightError(f"{path}: from and to leave {fewest} samples; the recording goes from {span}")
+    out = replace(imu, time=imu.time[inside], gyro=imu.gyro[inside], accel=imu.accel[inside])
+    return out, None if master is None else master.cut(within)
+
+
+def _fitted(imu: Inertial) -> tuple[Inertial, str]:
+    """The tags of a regular clock on their line."""
+    from boresight.runtime.clock import regular  # not every recording needs SciPy's splines
+
+    line = regular(imu.time)
+    text = f"imu: tags of a regular clock of {1 / line.interval_s:.6g} Hz, put on its line; they scattered by "
+    return replace(imu, time=line.time), text + f"{line.jitter_s * 1e3:.3f} ms"
+
+
+def _calibrated(said: "Description", at: _Source, imu: Inertial, notes: list[str]) -> Inertial:
+    """true = matrix @ ((delivered - bias) / (1 + scale)), in the body axes of the file."""
+    assert said.calibration is not None
     to_frd = frames.body_to_frd(said.imu.body)
-    quantities = {
+    done: list[str] = []
+    known: dict[str, Array] = {}
+    for sensor, kind in (("gyro", "angular rate"), ("accel", "acceleration")):
+        matrix, bias = np.eye(3), np.zeros(3)
+        for name, what, shape in (("matrix", "matrix", (3, 3)), ("scale", "scale factor", (3,)), ("bias", kind, (3,))):
+            given = getattr(said.calibration, f"{sensor}_{name}")
+            if given is None:
+                continue
+            value = at.known(f"calibration.{sensor}_{name}", given, what, shape)
+            done.append(f"{sensor}_{name}")
+            if name == "matrix":
+                matrix = value
+            elif name == "scale":
+                matrix = matrix @ np.diag(1 / (1 + value))
+            else:
+                bias = value
+        known |= {f"{sensor}_bias": to_frd @ bias, f"{sensor}_matrix": to_frd @ matrix @ to_frd.T}
+    start, end = imu.intervals()
+    seconds = np.ones(len(start)) if imu.kind == "rates" else end - start
+    gyro, accel = Calibration(**known).increments(imu.gyro, imu.accel, seconds)
+    notes.append(f"imu: {', '.join(done)} taken off")
+    return replace(imu, gyro=gyro, accel=accel)
+
+
+def _reference(said: "Description", at: _Source) -> dict[str, Array]:
+    to_frd = frames.body_to_frd(said.imu.body)
+    kinds = {
         "gyro_bias": "angular rate", "accel_bias": "acceleration", "misalignment": "angle", "lever_arm": "length"
     }  # fmt: skip
-    out = {}
-    for name, quantity in quantities.items():
-        column = getattr(said.reference, name)
-        if column:
-            factor = _factor(path, f"reference.{name}", column.unit, quantity)
-            values = table.get(column.columns) if isinstance(column.columns, str) else None
-            if values is None or values.shape != (3,):
-                found = "no such array" if values is None else f"shape {values.shape}"
-                text = f"reference.{name} needs one array of 3 numbers; {column.columns!r}: {found}"
-                raise BoresightError(f"{path}: {text}")
-            out[name] = to_frd @ values.astype(float) * factor
-    return out
+    given = {name: getattr(said.reference, name) for name in kinds}
+    return {
+        name: to_frd @ at.known(f"reference.{name}", known, kinds[name])
+        for name, known in given.items()
+        if known is not None
+    }
 
 
-def _framed(path: Path, what: str, convert: Any, frame: str) -> Array:
+def _framed(at: _Source, what: str, convert: Any, frame: str) -> Array:
     try:
         matrix: Array = convert(frame)
         return matrix
     except BoresightError as error:
-        raise BoresightError(f"{path}: {what}: {error}") from None
+        raise BoresightError(f"{at.path}: {what}: {error}") from None

@@ -17,6 +17,8 @@ class Inertial:
 
     kind: "rates" (rad/s, m/s^2: the mean over each sample's interval) or "increments" (rad, m/s over it).
     time: (N,) s; time_marks says which instant of a sample's interval its tag is: "start", "middle" or "end".
+    doubt: one sigma of what a sample that was bridged may have missed, of its angle (rad) and its velocity (m/s), each
+    axis; zero where it was measured.  Over a gap they add up as if they were independent.
     """
 
     kind: Literal["rates", "increments"]
@@ -24,6 +26,7 @@ class Inertial:
     time: Array
     gyro: Array  # (N, 3)
     accel: Array  # (N, 3)
+    doubt: Array | None = None  # (N, 2)
 
     @cached_property
     def dt(self) -> float:
@@ -65,7 +68,7 @@ class Inertial:
         if abs(missing) > 0.5 * self.dt:
             raise BoresightError(
                 f"the inertial data does not cover {t0:.4f} s to {t1:.4f} s ({missing:.4f} s are missing); "
-                "cut the recording there"
+                "bridge it (bridge), or cut the recording there (from, to)"
             )
         keep = piece > 1e-6 * self.dt  # a time tag's own rounding leaves slivers
         share = piece / (end[first:last] - start[first:last])
@@ -101,6 +104,9 @@ class Recording:
 
     reference: what is known from elsewhere, in FRD: "gyro_bias" rad/s, "accel_bias" m/s^2 (measured = true + bias),
     "misalignment" rad (mu, C_b2n = C_m2n exp([mu x])), "lever_arm" m (master to slave); each (3,).
+    epoch: s, from which the times are counted where the file has dates (since 1970, of UNIX time), else 0.
+    notes: what was done to the file's numbers: bridged, cut, converted, taken off.
+    allow: names of findings that are no errors here.
     """
 
     name: str
@@ -108,15 +114,22 @@ class Recording:
     master: Master | None = None
     reference: Mapping[str, Array] = field(default_factory=dict)
     title: str = ""
+    epoch: int = 0
+    notes: tuple[str, ...] = ()
+    allow: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that `check` saw.  An "error" stops a replay; a "warning" may be meant so; a "note" is a number."""
+    """One thing that `check` saw.  An "error" stops a replay; a "warning" may be meant so; a "note" is a number.
+
+    name: of an error, by which it can be allowed; empty where nothing can be computed with the error in it.
+    """
 
     level: Literal["note", "warning", "error"]
     where: str
     text: str
+    name: str = ""
 
 
 def shifted(recording: Recording, delay: float) -> Recording:

@@ -15,7 +15,7 @@ from boresight import BoresightError
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
-from boresight.runtime.recording import Recording, best_delay, check, read, shifted, thinned
+from boresight.runtime.recording import Recording, best_delay, shifted, thinned
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG, DEG_H
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
@@ -40,6 +40,7 @@ class Leg:
     omega_in_n: Array  # (K, 3) rad/s, held over each interval
     pieces: tuple[tuple[Array, Array], ...]  # K of: dt (J,) s, dtheta (J, 3) rad, the slave's samples, bias removed
     turns: Array  # (K, 3) rad, the same samples as one rotation vector
+    doubt: Array  # (K,) rad^2, what samples that were bridged may have missed, each axis
 
 
 def prepare(recording: Recording, model: Any, gyro_bias: Array, rate_hz: float | None = None) -> Leg:
@@ -55,6 +56,12 @@ def prepare(recording: Recording, model: Any, gyro_bias: Array, rate_hz: float |
     if len(master.time) < 3:
         count = len(master.time)
         raise BoresightError(f"{recording.name}: {count} samples of the master fall into the slave's data; it needs 3")
+    steepest = float(np.degrees(np.abs(master.euler[:, 1]).max()))
+    if steepest > 80:
+        raise BoresightError(
+            f"{recording.name}: the master pitches to {steepest:.1f} deg, and Euler angles are matched up to 80; "
+            "cut it (--from, --to), or use --model velocity-attitude"
+        )
     v_n = np.zeros((len(master.time), 3)) if master.v_n is None else master.v_n
     assert master.position is not None
     omega = model.omega_in_n(lat=master.position[:, 0], height=master.position[:, 2], v_n=v_n)
@@ -68,7 +75,9 @@ def prepare(recording: Recording, model: Any, gyro_bias: Array, rate_hz: float |
         for piece in rotation.matrix_from_vector(dtheta):
             C = C @ piece
         turns.append(rotation.vector_from_matrix(C))
-    return Leg(master.time, master.euler, omega[:-1], tuple(pieces), np.array(turns))
+    doubt = np.zeros(len(start) + 1) if imu.doubt is None else np.append(0.0, np.cumsum(imu.doubt[:, 0] ** 2))
+    doubt = np.diff(np.interp(master.time, np.append(start[0], end), doubt))
+    return Leg(master.time, master.euler, omega[:-1], tuple(pieces), np.array(turns), doubt)
 
 
 def fly(
@@ -95,7 +104,8 @@ def fly(
     history: dict[str, list[Array]] = {"mu": [], "sigma": [], "nu": [], "S": []}
     for k, (dts, dthetas) in enumerate(leg.pieces):
         omega_in_n, interval = leg.omega_in_n[k], leg.time[k + 1] - leg.time[k]
-        ekf.predict(omega_in_n=omega_in_n, gyro_noise=gyro_noise, dt=interval)
+        opened = np.sqrt(gyro_noise**2 + leg.doubt[k] / interval)
+        ekf.predict(omega_in_n=omega_in_n, gyro_noise=opened, dt=interval)
         for dt, dtheta in zip(dts, dthetas, strict=True) if every_sample else [(interval, leg.turns[k])]:
             ekf.strapdown(dtheta_ib_b=dtheta, omega_in_n=omega_in_n, dt=dt)
         euler_b = ekf.call("euler_angles")
@@ -178,6 +188,7 @@ def run(
         "title": recording.title,
         "measurement": measurement,
         "duration_s": float(leg.time[-1] - leg.time[0]),
+        "notes": list(recording.notes),
         "updates": K,
         "delay_s": delay,
         "gyro_bias_deg_h": (bias / DEG_H).tolist(),
@@ -269,6 +280,7 @@ def report(result: dict[str, Any], without_bias: dict[str, Any] | None = None) -
     lines = [
         f"{result['title'] or result['recording']}: {result['updates']} updates in {result['duration_s']:.1f} s, "
         f"measurement {result['measurement']}, master taken as {result['delay_s'] * 1e3:.1f} ms old",
+        *result["notes"],
         f"gyro bias removed ({result['gyro_bias_from']}): {_row(result['gyro_bias_deg_h'], '.1f')} deg/h",
         f"noises of greatest likelihood ({result['noise']['passes']} passes): "
         f"gyro {_row(result['noise']['gyro_deg_sqrt_h'], '.3f')} deg/sqrt(h), "
@@ -391,10 +403,9 @@ def figures(result: dict[str, Any], folder: str | Path) -> list[Path]:
 
 
 def main(
-    path: str,
+    recording: Recording,
     model_name: str = "euler-matching",
     *,
-    only_check: bool = False,
     folder: str | None = None,
     as_json: bool = False,
     delay: float = 0.0,
@@ -404,18 +415,8 @@ def main(
     """What `boresight replay` does; returns the exit status: 0 if nothing is wrong and NIS is consistent, else 1."""
     import json
 
-    if only_check:
-        findings = check(read(path, strict=False))
-        if as_json:
-            print(json.dumps({"findings": [vars(finding) for finding in findings]}, indent=1))
-        else:
-            for finding in findings:
-                print(f"{finding.level:<8} {finding.where:<16} {finding.text}")
-        return int(any(finding.level == "error" for finding in findings))
-
     if model_name != "euler-matching":
         raise BoresightError(f"no replay for the model {model_name!r}; there is one for: euler-matching")
-    recording = read(path)
     from boresight.runtime.library import load
 
     model = load(model_name)

@@ -98,7 +98,8 @@ def most_likely(
             progress(f"choosing the noises: pass {passes}, minus log likelihood {at:.1f}")
         # Settled: the step, half of whose slope is what it promises, or no step however small makes it better.
         if -gradient @ (trial - centre)[where] < enough or radius < 1e-3:
-            return np.exp(centre), passes
+            # A limit's logarithm does not come back as the limit: 9.999999999999994e-08 of 1e-7.
+            return np.where(free, np.clip(np.exp(centre), *limits), first), passes
     raise BoresightError("the choice of noises did not settle in 40 passes; give some of them, or look at --check")
 
 

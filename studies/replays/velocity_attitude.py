@@ -127,10 +127,13 @@ def fly(
         model, nav, P, constants, time=end[i - 1], past=past, matching=MATCHING,
         every=max(1, round(COVARIANCE_S / imu.dt)), rules=Rules(gate=GATE, buffer_s=reach),
     )  # fmt: skip
+    rest = P.shape[-1] - 6
     history: dict[str, list[Array]] = {name: [] for name in ("nu", "S", "used", "estimate", "sigma", "verdict")}
     k = 1
     for j in range(i, len(end)):
         loop.slave(end[j], dtheta[j], dv[j], end[j] - begin[j])
+        if imu.doubt is not None and imu.doubt[j].any():  # what a sample that was bridged may have missed
+            loop.filter.P = loop.filter.P + np.diag(np.concatenate([np.repeat(imu.doubt[j] ** 2, 3), np.zeros(rest)]))
         while k < len(master.time) and end[j] >= master.time[k] + HOLD_S - 1e-6 * imu.dt:
             try:
                 result = loop.master(message(k))
@@ -248,7 +251,7 @@ def run(
         "minus_log_likelihood": {name: float(minus_log_likelihood(part)) for name, part in both.items()},
         "states": states(model, track["time"], both, recording.reference, prior),
         "nis": {name: consistency(part["nu"] / np.sqrt(part["S"]), part["used"]) for name, part in both.items()},
-        "notes": [line for runs, line in track["notes"] if 0 in runs],
+        "notes": [*recording.notes, *(line for runs, line in track["notes"] if 0 in runs)],
         "history": history(model, track["time"], both),
     }
 

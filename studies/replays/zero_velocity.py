@@ -15,7 +15,7 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.detector import gaps
 from boresight.runtime.filter import Filter
-from boresight.runtime.recording import Recording, read
+from boresight.runtime.recording import Recording
 from boresight.runtime.simulation import inertial
 from boresight.studies.replays import stationary
 
@@ -125,6 +125,9 @@ def run(
         if breaks[k]:
             bridge(loop, max(0.0, float(time[k] - time[k - 1])), metres)
         loop.strapdown(**{name: values[k] for name, values in fields.items()}, dt=dt)
+        if recording.imu.doubt is not None:  # what a sample that was bridged may have missed
+            angle, velocity = recording.imu.doubt[k] ** 2
+            loop.P[:9, :9] += np.diag([0, 0, 0, velocity, velocity, velocity, angle, angle, angle])
         f_sum += accel[k] - loop.nav["accel_bias"]
         if (k + 1) % every == 0:
             loop.predict(f_b=f_sum / every, dt=every * dt, **noise)
@@ -210,11 +213,11 @@ def figures(result: dict[str, Any], folder: str | Path) -> list[Path]:
     return [path]
 
 
-def main(path: str, *, folder: str | None = None, as_json: bool = False) -> int:
+def main(recording: Recording, *, folder: str | None = None, as_json: bool = False) -> int:
     """What `boresight replay` does with a recording that has no master; returns the exit status, 0."""
     from boresight.runtime.library import load
 
-    recording, hold, strapdown = read(path), load("azimuth-hold"), load("strapdown")
+    hold, strapdown = load("azimuth-hold"), load("strapdown")
     result = run(recording, hold, strapdown)
     alone = run(recording, hold, strapdown, updates=False)
     written = [] if folder is None else figures(result, folder)

@@ -11,6 +11,7 @@ from real_recordings import real_recording
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.recording import best_delay, read
+from boresight.runtime.recording.check import shown
 from boresight.runtime.units import ARCMIN
 from boresight.studies.replays import euler_matching as replay
 
@@ -180,7 +181,7 @@ def test_result_is_json_and_the_report_says_it(simulated_result):
 
 def test_main_prints_one_json_document_draws_and_returns_a_status(tmp_path, capsys, library):
     toml = replay.simulate(tmp_path / "drive", seed=1, duration=20.0)
-    assert replay.main(str(toml), folder=str(tmp_path / "out"), as_json=True) == 0
+    assert replay.main(read(toml), folder=str(tmp_path / "out"), as_json=True) == 0
     out = json.loads(capsys.readouterr().out)
     assert set(out) == {"result", "without_bias", "delay_seen_s", "figures"}
     assert "history" not in out["result"]
@@ -189,12 +190,12 @@ def test_main_prints_one_json_document_draws_and_returns_a_status(tmp_path, caps
 
 def test_check_returns_one_if_something_is_wrong(tmp_path, capsys):
     toml = replay.simulate(tmp_path / "drive", seed=1, duration=20.0)
-    assert replay.main(str(toml), only_check=True) == 0
+    assert shown(read(toml, strict=False)) == 0
     toml.write_text(toml.read_text().replace('"deg" }\naccel', '"rad" }\naccel'))
-    assert replay.main(str(toml), only_check=True) == 1
+    assert shown(read(toml, strict=False)) == 1
     assert capsys.readouterr().out.splitlines()[-1].startswith("note")
-    assert replay.main(str(toml), only_check=True, as_json=True) == 1
-    assert {"level", "where", "text"} == set(json.loads(capsys.readouterr().out)["findings"][0])
+    assert shown(read(toml, strict=False), as_json=True) == 1
+    assert {"level", "where", "text", "name"} == set(json.loads(capsys.readouterr().out)["findings"][0])
 
 
 @pytest.mark.parametrize(
@@ -217,9 +218,9 @@ def test_what_cannot_be_replayed_is_one_line(simulated, library, change, options
     assert "\n" not in str(error.value)
 
 
-def test_unknown_models_and_unwritable_folders_are_one_line(simulated_result, tmp_path):
+def test_unknown_models_and_unwritable_folders_are_one_line(simulated, simulated_result, tmp_path):
     with pytest.raises(BoresightError, match="there is one for: euler-matching"):
-        replay.main("x.npz", "velocity-dcm")
+        replay.main(simulated, "velocity-dcm")
     (tmp_path / "file").write_text("")
     with pytest.raises(BoresightError, match="cannot write the figure"):
         replay.figures(simulated_result, tmp_path / "file" / "out")
