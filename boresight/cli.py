@@ -1,5 +1,6 @@
 """The command line.  Each command imports what it needs when it runs: start-up stays light."""
 
+import inspect
 import json
 import os
 import sys
@@ -11,6 +12,9 @@ from boresight import BoresightError, __version__, need
 
 try:
     import typer
+    import typer.core
+    from typer.main import get_command_from_info
+    from typer.models import CommandInfo
 except ModuleNotFoundError:
     sys.exit("boresight: the command line needs more packages; install them with pip install 'boresight[cli]'")
 
@@ -47,7 +51,6 @@ def completed(*sources: Callable[[], list[str]]) -> Callable[[str], list[str]]:
 
 
 FORMATS = ["text", "latex", "html", "pdf"]
-STUDIES = ["azimuth-hold", "euler-table", "float-covariance", "sea-state"]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document and nothing else.")]
 Out = Annotated[Path | None, typer.Option("-o", "--out", help="Folder for results.")]
 Targets = Annotated[
@@ -446,179 +449,108 @@ def export(
     print(f"{counted(len(written.files), 'file')} in {out}; try 'make -C {out} test example'")
 
 
-# What a study takes beside --seed, -o and --json; behind "--explore", what its exploration takes.
-TAKES = {
-    "azimuth-hold": {"--runs", "--seconds"},
-    "euler-table": {"--runs", "--seconds", "--switch", "--explore"},
-    "euler-table --explore": {"--runs", "--explore"},
-    "float-covariance": set(),
-    "sea-state": {"--runs", "--seconds", "--explore"},
-    "sea-state --explore": {"--runs", "--explore"},
-}
+Svg = Annotated[bool, typer.Option("--svg", help="Figures as SVG, for a paper, and not as PNG.")]
 
 
-@app.command()
-def study(
-    name: Annotated[
-        str,
-        typer.Argument(
-            help="euler-table: Table 1 of Song and Lee; azimuth-hold: the experiment of Kim; sea-state: that of Kang; "
-            "float-covariance: what single precision does to a covariance.",
-            autocompletion=completed(lambda: STUDIES),
-        ),
-    ],
-    runs: Annotated[
-        int | None, typer.Option(help="Monte Carlo runs of each case, 20 if left out; not of float-covariance.")
-    ] = None,
-    seed: Annotated[int, typer.Option(help="Of the random numbers; a run's depend on seed and run alone.")] = 0,
-    seconds: Annotated[
-        float | None,
-        typer.Option(help="Length of a run: 120 for euler-table, 3600 for azimuth-hold, 60 for sea-state."),
-    ] = None,
-    switch: Annotated[
-        list[str] | None, typer.Option(help="euler-table: a departure from the declared scenario; repeat it.")
-    ] = None,
-    explore: Annotated[
-        bool, typer.Option("--explore", help="euler-table, sea-state: everything the documentation counts; minutes.")
-    ] = False,
-    out: Out = None,
-    as_json: AsJson = False,
-) -> None:
-    """Run an experiment of a paper.
+class StudyCommand(typer.core.TyperCommand):
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        try:
+            return super().parse_args(ctx, args)
+        except Exception as error:
+            if type(error).__name__ != "NoSuchOption":
+                raise
+            known = ", ".join(option.opts[-1] for option in self.params)
+            raise BoresightError(f"study {self.name} takes no {error.option_name}; there are {known}") from None  # type: ignore[attr-defined]
 
-    euler-table exits 1 where it disagrees with the paper.
-    """
+
+class Studies(typer.core.TyperGroup):
+    """A command for each study, made of its scenario's options when it is asked for."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        from boresight.studies.known import STUDIES
+
+        return list(STUDIES)
+
+    def get_command(self, ctx: Any, name: str) -> Any:
+        from boresight.studies.known import STUDIES, study
+
+        one = study(name)
+
+        def command(out: Path | None, svg: bool, as_json: bool, seeds: int | None = None, **chosen: Any) -> None:
+            chosen = {
+                key: tuple(value or ()) if isinstance(value, list | None) else value for key, value in chosen.items()
+            }
+            fly(one, one.scenario(**chosen), out, svg, as_json, seeds)
+
+        def asked(name: str, kind: Any, default: Any) -> inspect.Parameter:
+            return inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, annotation=kind, default=default)
+
+        options = [
+            asked(
+                option.name,
+                Annotated[
+                    list[str] if option.type == tuple[str, ...] else option.type,
+                    typer.Option(help=option.metadata["help"]),
+                ],
+                option.default if option.default != () else None,
+            )
+            for option in one.options()
+        ]
+        if one.claims is not None:
+            options.append(
+                asked(
+                    "seeds",
+                    Annotated[
+                        int | None, typer.Option(help="Fly so many seeds from --seed on; print each claim as a band.")
+                    ],
+                    None,
+                )
+            )
+        parameters = [*options, asked("out", Out, None), asked("svg", Svg, False), asked("as_json", AsJson, False)]
+        command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+        command.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+        said = CommandInfo(name, cls=StudyCommand, callback=command, help=STUDIES[name], short_help=STUDIES[name])
+        return get_command_from_info(said, pretty_exceptions_short=True, rich_markup_mode=None)
+
+
+def no_study() -> None:
+    """Run an experiment of a paper, or of its own.  Exits 1 where a study's own criterion is not met."""
+
+
+app.add_typer(typer.Typer(cls=Studies, callback=no_study, no_args_is_help=True, rich_markup_mode=None), name="study")
+
+
+def fly(one: Any, scenario: Any, out: Path | None, svg: bool, as_json: bool, seeds: int | None = None) -> None:
+    """Run a study, print it, draw it; exits 0 if all is well."""
     from boresight import terminal
+    from boresight.studies import study as s
+    from boresight.studies.figures import Sheets
 
-    one_of(name, STUDIES, "study")
-    given = {"--runs": runs is not None, "--seconds": seconds is not None, "--switch": switch, "--explore": explore}
-    asked = f"{name} --explore" if explore and "--explore" in TAKES[name] else name
-    for option in (option for option, value in given.items() if value and option not in TAKES[asked]):
-        raise BoresightError(f"study {asked} takes no {option}; leave it out")
-    fly = {
-        "azimuth-hold": azimuth_hold,
-        "euler-table": euler_table,
-        "float-covariance": float_covariance,
-        "sea-state": sea_state,
-    }[name]
     if out is not None:
         need("replay")  # for the figures; said before the flight and not after it
         make(out)
     with terminal.working() as progress:
-        runs = 20 if runs is None else runs
-        result, text, written, good = fly(runs, seed, seconds, tuple(switch or ()), explore, out, progress)
+        if seeds is not None:
+            document = s.over_seeds(one, scenario, seeds, progress)
+            good, text = True, s.seeds_report(document)
+        else:
+            result = one.run(scenario, progress)
+            good, text = one.good(result), one.report(result)
+            sheets = Sheets(out or Path(), one.made_from(scenario), svg)
+            if out is not None and one.figures is not None:
+                progress("figures")
+                one.figures(result, sheets)
+            document = s.document(one, scenario, result, sheets.written)
+            if sheets.written:
+                text += f"\n{counted(len(sheets.written), 'figure')} in {out}"
     if as_json:
-        print_json(result)
+        print_json(document)
     else:
-        if written:
-            print(f"{len(written)} figures in {out}")
         terminal.page_text(text + "\n")
     raise typer.Exit(0 if good else 1)
 
 
-Flown = tuple[dict[str, Any], str, list[Path], bool]  # result, report, files written, whether all is well
-
-
-def euler_table(
-    runs: int,
-    seed: int,
-    seconds: float | None,
-    switches: tuple[str, ...],
-    explore: bool,
-    out: Path | None,
-    progress: Callable[[str], None],
-) -> Flown:
-    from boresight.runtime.library import load
-    from boresight.studies import figures
-    from boresight.studies.euler_table import exploration as euler_exploration
-    from boresight.studies.euler_table import table
-
-    library = load("euler-matching")
-    if explore:
-        result = euler_exploration.explore(library, runs=runs, seed=seed, progress=progress)
-        written = [] if out is None else figures.euler_exploration(result, out)
-        return result, euler_exploration.report(result), written, result["finished"]
-    result = table.run(
-        library,
-        runs=runs,
-        seed=seed,
-        seconds=120.0 if seconds is None else seconds,
-        switches=switches,
-        progress=progress,
-    )
-    written = [] if out is None else figures.euler_figures(result, out)
-    good = all(result[kind]["agree"] == result["cells"] for kind in ("linear", "monte_carlo"))
-    return result, table.report(result), written, good
-
-
-def azimuth_hold(
-    runs: int,
-    seed: int,
-    seconds: float | None,
-    switches: tuple[str, ...],
-    explore: bool,
-    out: Path | None,
-    progress: Callable[[str], None],
-) -> Flown:
-    from boresight.studies.azimuth_hold import figures as azimuth_figures
-    from boresight.studies.azimuth_hold import hold
-
-    result = hold.run(
-        runs=runs,
-        seed=seed,
-        seconds=3600 if seconds is None else round(seconds),
-        histories=out is not None,
-        progress=progress,
-    )
-    written = [] if out is None else azimuth_figures.azimuth_figures(result, out)
-    return result, hold.report(result), written, True
-
-
 REPLAYED = ["euler-matching", "velocity-attitude", "velocity-attitude-lever", "azimuth-hold"]
-
-
-def float_covariance(
-    runs: int,
-    seed: int,
-    seconds: float | None,
-    switches: tuple[str, ...],
-    explore: bool,
-    out: Path | None,
-    progress: Callable[[str], None],
-) -> Flown:
-    from boresight.studies.float_covariance import covariance as single
-
-    result = single.run(seed=seed, progress=progress)
-    written = [] if out is None else single.float_figures(result, out)
-    worst = result["worst"]["100 Hz"]
-    return result, single.report(result), written, worst["dies_s"] is None and worst["deviation"] < 0.005
-
-
-def sea_state(
-    runs: int,
-    seed: int,
-    seconds: float | None,
-    switches: tuple[str, ...],
-    explore: bool,
-    out: Path | None,
-    progress: Callable[[str], None],
-) -> Flown:
-    from boresight.studies.sea_state import claims as sea_claims
-    from boresight.studies.sea_state import experiment as sea
-    from boresight.studies.sea_state import exploration as sea_exploration
-    from boresight.studies.sea_state import figures as sea_figures
-    from boresight.studies.sea_state.flight import Scenario
-
-    if explore:
-        shown = sea_exploration.explore(runs=runs, seed=seed, progress=progress)
-        varied = sea_claims.explore(runs=runs, seed=seed, progress=progress)
-        written = [] if out is None else sea_exploration.exploration_figures(shown, out)
-        report = f"{sea_exploration.report(shown)}\n{sea_claims.report(varied)}"
-        return {"exploration": shown, "claims": varied}, report, written, True
-    scenario = Scenario() if seconds is None else Scenario(seconds=round(seconds))
-    result = sea.run(runs=runs, seed=seed, scenario=scenario, histories=out is not None, progress=progress)
-    written = [] if out is None else sea_figures.sea_figures(result, out)
-    return result, sea.report(result), written, True
 
 
 @app.command()

@@ -25,6 +25,12 @@ def chi_square_band(freedom: int, count: int) -> list[float]:
     return [float(2 * gammaincinv(freedom * count / 2, q) / count) for q in ((1 - SURE) / 2, (1 + SURE) / 2)]
 
 
+def nees(error: Array, P: Array) -> Array:
+    """(...,) the squared error (..., n) weighed by its covariance (..., n, n)."""
+    weighed: Array = np.einsum("...i,...i->...", error, np.linalg.solve(P, error[..., None])[..., 0])
+    return weighed
+
+
 class Consistency:
     """What a flight leaves to be judged.
 
@@ -46,7 +52,7 @@ class Consistency:
         P = np.broadcast_to(P, (*error.shape, error.shape[-1]))
         self._errors.append(error * self.factors)
         self._sigmas.append(np.sqrt(np.diagonal(P, axis1=-2, axis2=-1)) * self.factors)
-        self._nees.append(np.einsum("...i,...i->...", error, np.linalg.solve(P, error[..., None])[..., 0]))
+        self._nees.append(nees(error, P))
 
     def innovation(self, time: float, measurement: str, found: Innovation) -> None:
         """What `Filter.update` returned."""
@@ -120,7 +126,7 @@ class Consistency:
         panels = len(self.labels) + 1 + len(self._innovations)
         columns = 1 if panels <= 4 else 3
         rows = -(-panels // columns)
-        size = {"nrows": rows, "ncols": columns, "sharex": True, "squeeze": False}
+        size: dict[str, Any] = {"nrows": rows, "ncols": columns, "sharex": True, "squeeze": False}
         with figure(Path(path), 8 if columns == 1 else 12, 0.5 + 1.7 * rows, **size) as (drawing, axes):
             axes = axes.ravel()
             for i, (ax, label) in enumerate(zip(axes, self.labels, strict=False)):

@@ -107,8 +107,8 @@ def test_the_base_flies_alone(built, bare):
     (example,) = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
     done = bare("-c", example + "\nassert 'site-packages' in __import__('boresight').__file__")
     assert done.returncode == 0, done.stderr
-    studies = "from boresight.runtime.library import load; from boresight.studies.euler_table import table; "
-    done = bare("-c", studies + "print(table.run(load('euler-matching'), runs=1, seconds=2)['cells'])")
+    studies = "from boresight.studies.euler_table import table; "
+    done = bare("-c", studies + "print(table.run(table.Scenario(runs=1, seconds=2))['cells'])")
     assert done.stdout == "147\n", done.stderr
 
 

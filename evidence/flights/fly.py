@@ -69,6 +69,15 @@ def band(mean_of: int, dof: int, level: float = 0.999) -> Array:
     return limits
 
 
+def started(
+    message: transfer.Message, model: Any, constants: dict[str, Any], *, sigmas: Any, estimates: Any,
+    increments: transfer.Increments, **settings: Any,
+) -> transfer.Transfer:  # fmt: skip
+    """The loop as a user begins it."""
+    nav, P, past = transfer.first(message, model, constants, sigmas=sigmas, estimates=estimates, increments=increments)
+    return transfer.Transfer(model, nav, P, constants, time=increments.end[-1], past=past, **settings)
+
+
 def fly(
     motion: Motion,
     *,
@@ -103,8 +112,8 @@ def fly(
     hand_over: s after which a message is handed over beyond the master's own delay.
     sensed(time, dtheta, dv) changes what the slave delivers in an interval (runs, 3), or loses it by None.
     said(time, message) changes what the master says, or loses it by None.
-    start: in place of `first`, and takes what it takes; sigmas, estimates: what it is given besides.
-    settings: of `Transfer`.
+    start: makes what flies, with `slave`, `master`, nav and P, in place of `started`.
+    sigmas, estimates: what `first` is given besides.  settings: of `Transfer`.
     """
     unit = unit or Unit()
     rng = np.random.default_rng([seed, runs])
@@ -124,6 +133,8 @@ def fly(
     known = {"lever_b": lever_b, "gyro_noise": np.full(3, unit.gyro_noise), "accel_noise": np.full(3, unit.accel_noise),
              "gyro_bias_noise": np.full(3, 1e-9), "accel_bias_noise": np.full(3, 1e-9), "mu_noise": np.full(3, 1e-9),
              "tau_noise": 1e-9} | (constants or {})  # fmt: skip
+    if "lever_m" in known:
+        del known["lever_b"]
 
     def message(stamp: Array, tau: Array) -> transfer.Message:
         """What the master says that is stamped so (runs,): it saw `stamp - tau`."""
@@ -151,18 +162,18 @@ def fly(
     opening = replace(message(np.zeros(runs), delay(0.0)), rows=True)
     begun = lead + int(np.ceil(hand_over * imu_hz - 1e-9))
     known_past = [part for part in map(deliver, range(begun)) if part is not None]
-    past = np.array(known_past).swapaxes(0, 1)
     calibration = settings.get("known") or Calibration()
+    d_past, f_past = np.array(known_past).swapaxes(0, 1)
+    past = calibration.increments(d_past, f_past, dt)
     sigma = np.asarray(unit.mounting)
-    nav, P, kept = (start or transfer.first)(
-        opening, loaded, known,
+    begin: dict[str, Any] = dict(
         sigmas={"q_b2m_wxyz": sigma, "gyro_bias": unit.gyro_bias, "accel_bias": unit.accel_bias, "tau": tau_sigma}
         | (sigmas or {}),
         estimates={"q_b2m_wxyz": quaternion(turn(sigma * rng.standard_normal((runs, 3))) @ C_b2m), "tau": tau_believed}
         | (estimates or {}),
-        increments=transfer.Increments(edges[:begun], edges[1 : begun + 1], *calibration.increments(past[0], past[1], dt)),
+        increments=transfer.Increments(edges[:begun], edges[1 : begun + 1], *past),
     )  # fmt: skip
-    loop = transfer.Transfer(loaded, nav, P, known, time=edges[begun], past=kept, **settings)
+    loop = (start or started)(opening, loaded, known, **begin, **settings)
     start_errors, start_P = errors(loop.nav, edges[begun]), loop.P[..., :16, :16].copy()
     gap = 1 / master_hz
     out: dict[str, list[Any]] = {"time": [], "errors": [], "P": [], "nis": [], "verdict": []}

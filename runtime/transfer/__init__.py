@@ -10,9 +10,22 @@ their own times, run by run.  Units SI and rad, NED and front-right-down.
 """
 
 from boresight.runtime.transfer.filter import Transfer
+from boresight.runtime.transfer.headings import Headings
 from boresight.runtime.transfer.lever import LeverSeen
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
 from boresight.runtime.transfer.rules import Rules
 from boresight.runtime.transfer.start import Increments, again, first
 
-__all__ = ["Increments", "LeverSeen", "Message", "Note", "Result", "Rules", "Transfer", "Verdict", "again", "first"]
+__all__ = [
+    "Headings",
+    "Increments",
+    "LeverSeen",
+    "Message",
+    "Note",
+    "Result",
+    "Rules",
+    "Transfer",
+    "Verdict",
+    "again",
+    "first",
+]

@@ -13,6 +13,7 @@ from boresight.runtime.calibration import Calibration
 from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.transfer.gaps import Gaps, of_runs
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
+from boresight.runtime.transfer.lever import flown
 from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
@@ -22,6 +23,7 @@ from boresight.runtime.units import STANDARD_GRAVITY
 GYRO, ACCEL = slice(0, 3), slice(3, 6)  # of increments (..., 6)
 EARLIER = ("before", "second", "third")
 UNKNOWN = np.pi, 100.0  # rad, m/s: one sigma of a run that is lost
+SWING_S = 1.0
 LARGEST = 0.45  # rad in one correction; the model's own range ends at 0.5
 
 
@@ -30,7 +32,8 @@ class Transfer:
 
     model: `load("velocity-attitude")` or a composition.  nav, P: as of `Filter`, at `time`; `first` makes them.
     past: that of `first`, until `time`; without it messages that were measured before are too old.
-    constants: what else the model's functions ask for: lever_b and the root densities of the noises.
+    constants: what else the model's functions ask for: lever_b, or lever_m in the master's axes, and the root densities
+    of the noises.
     matching: the velocity's and the attitude's measurement.
     way: "buffer" holds a message against the slave as it was then, lag = 0.  "extrapolate" is Kang's: the slave as it
     is now, moved back along its rate of change by lag = tau_hat + what the message's own time says.
@@ -62,7 +65,7 @@ class Transfer:
         self.runs = np.shape(P)[:-2]
         whole = {name: np.asarray(value, float) for name, value in nav.items()}
         self.filter = Filter(
-            model,
+            flown(model, constants),
             {n: np.broadcast_to(v, (*self.runs, *v.shape[-1:])) if n != "tau" else np.broadcast_to(v, self.runs)
              for n, v in whole.items()},
             P,
@@ -286,7 +289,7 @@ class Transfer:
         # the gyros' own noise comes with the rate into the lever arm's velocity
         noise = np.max(np.asarray(self.constants["gyro_noise"]), axis=-1)
         R[..., :3] += (np.sum(np.square(self._lever()), axis=-1) * noise**2 * rate_factor)[..., None]
-        R += self._curved(lag, inputs)
+        R += self._curved(lag, inputs, stamp - self.watch.stamp)
 
         # The residual speaks of the error at the message's time: the covariance goes there and comes back.
         # Neglected is the process noise of the lag, which stands in P already.
@@ -443,7 +446,7 @@ class Transfer:
         said = np.where(usable, moved(np.where(usable, said, 0.0), np.where(usable, way, 0.0)), np.nan)
         box = loop.model.field["position"]
         used = self.position.takes(
-            self.time, said, sigma, loop.nav["position"],
+            self.time, taken, said, sigma, loop.nav["position"],
             np.sqrt(np.einsum("...ii->...i", loop.P)[..., DV].max(-1)),
             np.linalg.norm(np.broadcast_to(self._lever(), said.shape), axis=-1),
             (np.array(box["low"]), np.array(box["high"])), self.watch.note,
@@ -457,8 +460,11 @@ class Transfer:
                 return np.asarray(self.constants[name], float)
         return self.filter.nav["lever_b"]
 
-    def _curved(self, lag: Array, inputs: dict[str, Any]) -> Array | float:
-        """(..., 6) variance of the residuals that the delay's error d makes in the second order, E[d^4] = 3 sigma^4."""
+    def _curved(self, lag: Array, inputs: dict[str, Any], since: Array) -> Array | float:
+        """(..., 6) variance of the residuals by the delay's error d in the second order, E[d^4] = 3 sigma^4.
+
+        It is one error in all messages of a swing, so that SWING_S of messages weigh as one.  since: (...,) s.
+        """
         variance, step = self.filter.P[..., TAU, TAU], 2 * self.rules.half_span_s
         if np.max(variance) < (step / 4) ** 2:  # 10 ms: a turn that changes by 1 rad/s^2 leaves 0.05 mrad
             return 0.0
@@ -471,7 +477,8 @@ class Transfer:
                 for name, field in zip(self.matching, fields, strict=True)
             ]
             change = change + sign * np.concatenate(rows, axis=-1) / (2 * step)
-        curved: Array = 0.75 * variance[..., None] ** 2 * np.square(change)
+        messages = np.maximum(1.0, SWING_S / np.fmax(since, 1e-3))
+        curved: Array = 0.75 * (messages * variance**2)[..., None] * np.square(change)
         return curved
 
     def _opening(self, reopen: Array, rows: Array, inputs: dict[str, Any]) -> Array:

@@ -10,6 +10,7 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
+from boresight.runtime.transfer.lever import flown
 from boresight.runtime.transfer.messages import Message
 
 LEVERS = ("lever_b", "lever_m")
@@ -44,7 +45,8 @@ def first(
 
     constants: as of `Transfer`.  sigmas: of each quantity that `feedback` corrects, by its name: `q_b2m_wxyz` (rad,
     about the master's axes), `gyro_bias`, `accel_bias`, `tau`, `lever_b` if it is a state, and those of a composition;
-    one number, or (..., size).  Also that of a lever arm that is a constant; without one it is exact.
+    one number, or (..., size).  Also that of a lever arm that is a constant, `lever_b` or `lever_m`, else it is exact;
+    of `lever_m` where lever_b is a state: it is turned into the slave's axes.
     P: (..., n, n) in place of these, of which the block behind attitude and velocity is taken.
     estimates: where these quantities begin, by name; at zero, and the mounting straight, where not given; and what else
     a composition carries in nav.
@@ -57,6 +59,7 @@ def first(
     Raises BoresightError on a message without position, velocity or attitude, on a sigma that is missing, and on
     increments with a gap, or that do not reach from the message to now.
     """
+    model = flown(model, constants)
     fields = estimated(model)
     given = dict(sigmas or {}) if P is None else dict.fromkeys(fields, 0.0) | dict(sigmas or {})
     start, said = _begun(message, model, fields, given, dict(estimates or {}), matching[1])
@@ -76,7 +79,12 @@ def first(
         S[..., 6:, 6:] = np.asarray(P, float)[..., 6:, 6:]
     else:
         for name, places in fields.items():
+            given.setdefault(name, 0.0)  # lever_b, where lever_m is given
             S[..., places, places] = _spread(given[name], runs, len(places)) ** 2
+        if "lever_b" in fields and "lever_m" in given:
+            C_m2b = np.swapaxes(rotation.matrix_from_quaternion(start["q_b2m_wxyz"]), -1, -2)
+            lever = slice(fields["lever_b"][0], fields["lever_b"][-1] + 1)
+            S[..., lever, lever] += _through(C_m2b, _spread(given["lever_m"], runs, 3)[..., None] ** 2 * np.eye(3))
     nav = {name: _spread(value, runs, sizes[name]) for name, value in start.items()}
     loop = Filter(model, {name: v if sizes[name] > 1 else v[..., 0] for name, v in nav.items()}, S)
     then = np.broadcast_to(np.asarray(message.time, float), runs) - loop.nav["tau"]
@@ -138,6 +146,7 @@ def again(
     """
     fields = estimated(model)
     seconds = np.asarray(seconds, float)[..., None, None]
+    model = flown(model, constants)
     noise = Filter(model, {name: np.asarray(value, float) for name, value in nav.items()}, P).call("Qc", **constants)
     for name, density in (walk or {}).items():
         noise[..., fields[name], fields[name]] += np.broadcast_to(np.asarray(density, float), len(fields[name])) ** 2
@@ -203,7 +212,7 @@ def _begun(
         for name in set(names) - known:
             raise BoresightError(f"first: {model.name} estimates no {name!r}{did_you_mean(name, known)}")
     for name in fields:
-        if name not in sigmas:
+        if name not in sigmas and not (name == "lever_b" and "lever_m" in sigmas):
             raise BoresightError(f"first: sigmas holds no {name!r}; it needs {', '.join(fields)}")
     q = rotation.quaternion_from_euler(euler) if q is None else np.asarray(q, float)
     said = {"v_m_n": np.asarray(message.v_m_n, float), "q_m2n_wxyz": q}

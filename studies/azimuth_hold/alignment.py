@@ -19,12 +19,14 @@ from boresight.runtime.library import load
 from boresight.runtime.simulation import inertial, sensors
 from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, MILLI_G
 from boresight.studies.azimuth_hold import handover
+from boresight.studies.study import Seeded, option
 
 
 @dataclass(frozen=True)
-class Scenario:
+class Scenario(Seeded):
     """Everything that is chosen, for alignment and hold.  All errors are one sigma, drawn for each run."""
 
+    seconds: int = option(3600, "At rest.")
     # Table 1 of the paper.
     gyro_bias_deg_h: float = 1.0
     gyro_scale_ppm: float = 150.0
@@ -70,12 +72,14 @@ def checked(scenario: Scenario) -> Scenario:
     """The scenario; raises BoresightError for a value that has no meaning or lies outside the models' box."""
     for name, value in asdict(scenario).items():
         numbers = np.asarray(value, float)
-        signed = name in ("longitude_deg", "latitude_deg", "height_m", "roll_deg", "pitch_deg", "heading_deg")
+        signed = name in ("seed", "longitude_deg", "latitude_deg", "height_m", "roll_deg", "pitch_deg", "heading_deg")
         if not np.isfinite(numbers).all() or (not signed and (numbers < 0).any()):
             raise BoresightError(
                 f"azimuth-hold: {name} is {value}; it must be finite" + " and not negative" * (not signed)
             )
     limits = {
+        "runs": (1, np.inf),
+        "seconds": (10, 36000),
         "latitude_deg": (-85, 85),
         "height_m": (-500, 30000),
         "zupt_sigma_m_s": (1e-9, 100),
@@ -104,9 +108,11 @@ class Models:
     psi: Any
 
 
+MODELS = ("strapdown", "velocity-dcm", "azimuth-hold", "azimuth-hold-reference", "psi-error")
+
+
 def load_models() -> Models:
-    names = ("strapdown", "velocity-dcm", "azimuth-hold", "azimuth-hold-reference", "psi-error")
-    return Models(*(load(name) for name in names))
+    return Models(*map(load, MODELS))
 
 
 @dataclass(frozen=True)
@@ -148,6 +154,16 @@ def gyro_walk(scenario: Scenario) -> float:
 
 def accel_walk(scenario: Scenario) -> float:
     return scenario.accel_walk_ft_s_sqrt_h * FOOT / np.sqrt(HOUR)
+
+
+def rest_noise(scenario: Scenario) -> dict[str, Array]:
+    """Of the fifteen states; the biases are "random constants", the paper says below (8)."""
+    return {
+        "gyro_noise": np.full(3, gyro_walk(scenario)),
+        "accel_noise": np.full(3, accel_walk(scenario)),
+        "gyro_bias_noise": np.zeros(3),
+        "accel_bias_noise": np.zeros(3),
+    }
 
 
 def bias_variances(scenario: Scenario, f_b: Array) -> Array:

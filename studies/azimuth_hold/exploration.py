@@ -2,9 +2,7 @@
 zero-angular-rate updates add.  Beyond Kim (2018), around the one declared scenario of `azimuth_alignment`.
 """
 
-from collections.abc import Callable
-from dataclasses import replace
-from typing import Any
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,19 +10,20 @@ from boresight.runtime import rotation
 from boresight.runtime.filter import Filter
 from boresight.runtime.units import ARCMIN, DEG, MILLI_G
 from boresight.studies.azimuth_hold.alignment import (
+    MODELS,
     Models,
     Scenario,
-    accel_walk,
     align,
     bias_variances,
     checked,
-    gyro_walk,
     load_models,
     place,
     rest_attitude,
+    rest_noise,
     rest_specific_force,
 )
 from boresight.studies.azimuth_hold.hold import MODES, PHI, hold, root_mean_square
+from boresight.studies.study import Progress, Result, Study, option, shown, silent, table
 
 STARTS_ARCMIN = (0.1, 0.5, 1.0, 3.5, 10.0, 30.0)
 AT_S = (0, 10, 100, 1000, 3600)
@@ -68,8 +67,7 @@ def level_sigma(
     }
     loop = Filter(models.hold, nav, P)
     drift = accel_drift_ug_sqrt_h * 1e-3 * MILLI_G / 60
-    noise = {"gyro_noise": np.full(3, gyro_walk(scenario)), "accel_noise": np.full(3, accel_walk(scenario)),
-             "gyro_bias_noise": np.zeros(3), "accel_bias_noise": np.full(3, drift)}  # fmt: skip
+    noise = rest_noise(scenario) | {"accel_bias_noise": np.full(3, drift)}
     M = np.zeros(15)
     M[6], M[12:] = 1.0, -floor[0]
     level, combined = [], []
@@ -83,31 +81,27 @@ def level_sigma(
     return {"level_arcmin": level, "combined_arcmin": combined}
 
 
-def explore(
-    models: Models | None = None,
-    *,
-    runs: int = 10,
-    seed: int = 0,
-    seconds: int = 600,
-    scenario: Scenario | None = None,
-    progress: Callable[[str], None] | None = None,
-) -> dict[str, Any]:
-    """All three.  The result can be written as JSON; its fields are stable:
+@dataclass(frozen=True)
+class Asked(Scenario):
+    runs: int = option(10, "Monte Carlo runs of each case.")
+    seconds: int = option(600, "At rest, of the last two tables.")
 
-    at_s; level: start_arcmin, levelled, accel_drift_ug_sqrt_h, level_arcmin, combined_arcmin (at those times);
+
+CASES = (*((start, False, 0.0) for start in STARTS_ARCMIN), (0.5, True, 0.0), (0.5, False, 100.0), (0.5, True, 100.0))
+
+
+def run(scenario: Asked, progress: Progress = silent) -> Result:
+    """All three: runs, seconds, at_s;
+
+    level: start_arcmin, levelled, accel_drift_ug_sqrt_h, level_arcmin, combined_arcmin (at those times);
     zero: zupt_sigma_m_s, nis (mean of three rows in the second half, zupt mode), level_error_arcmin,
     level_sigma_arcmin (rms of both axes at the end), nees (of the angles, reference mode);
-    zaru: with and without, mode -> error_arcmin and sigma_arcmin (3), nees, gyro_deg_h and gyro_sigma_deg_h (rms of
-    three axes); runs, seed, seconds: of the last two.
+    zaru: on, mode, error_arcmin and sigma_arcmin (3), nees, gyro_deg_h and gyro_sigma_deg_h (rms of three axes).
     """
-    models, scenario = models or load_models(), checked(scenario or Scenario())
-    say = progress or (lambda line: None)
-    say("level: where it starts")
-    cases = [(start, False, 0.0) for start in STARTS_ARCMIN] + [
-        (0.5, True, 0.0),
-        (0.5, False, 100.0),
-        (0.5, True, 100.0),
-    ]
+    checked(scenario)
+    models = load_models()
+    runs, seed, seconds = scenario.runs, scenario.seed, scenario.seconds
+    progress("level: where it starts")
     level = [
         {
             "start_arcmin": start,
@@ -115,14 +109,14 @@ def explore(
             "accel_drift_ug_sqrt_h": drift,
             **level_sigma(models, scenario, start, levelled=levelled, accel_drift_ug_sqrt_h=drift),
         }
-        for start, levelled, drift in cases
+        for start, levelled, drift in CASES
     ]
-    zero = []
+    zero, zaru = [], []
+    zupt, reference = MODES.index("zupt"), MODES.index("reference")
     for told in ZERO_SIGMAS_M_S:
-        say(f"zero velocity to {told:g} m/s")
+        progress(f"zero velocity to {told:g} m/s")
         one = replace(scenario, zupt_sigma_m_s=told)
         held = hold(models, one, align(models, one, runs=runs, seed=seed), seconds)
-        zupt, reference = MODES.index("zupt"), MODES.index("reference")
         zero.append(
             {
                 "zupt_sigma_m_s": told,
@@ -132,13 +126,14 @@ def explore(
                 "nees": float(held.nees[-1, reference].mean()),
             }
         )
-    zaru: dict[str, Any] = {}
     for on in (False, True):
-        say(f"zero-angular-rate updates: {'on' if on else 'off'}")
+        progress(f"zero-angular-rate updates: {'on' if on else 'off'}")
         held = hold(models, scenario, align(models, scenario, runs=runs, seed=seed), seconds, zaru=on)
         sigma = np.sqrt(np.einsum("mrii->mri", held.P))
-        zaru["with" if on else "without"] = {
-            mode: {
+        zaru += [
+            {
+                "mode": mode,
+                "on": on,
                 "error_arcmin": (root_mean_square(held.phi[-1, m]) / ARCMIN).tolist(),
                 "sigma_arcmin": (root_mean_square(sigma[m, :, PHI]) / ARCMIN).tolist(),
                 "nees": float(held.nees[-1, m].mean()),
@@ -147,34 +142,26 @@ def explore(
             }
             for m, mode in enumerate(MODES)
             if mode != "inertial"
-        }
-    return {"at_s": list(AT_S), "level": level, "zero": zero, "zaru": zaru, "runs": runs, "seed": seed,
-            "seconds": seconds}  # fmt: skip
+        ]
+    return {"runs": runs, "seconds": seconds, "at_s": list(AT_S), "level": level, "zero": zero, "zaru": zaru}
 
 
-def report(result: dict[str, Any]) -> str:
+def report(result: Result) -> str:
     """Three tables."""
-    lines = [f"sigma of the level in arcmin at {', '.join(f'{at} s' for at in result['at_s'])} under zero velocity"]
-    for row in result["level"]:
-        how = "on the accelerometers" if row["levelled"] else "independent"
-        lines.append(
-            f"  start {row['start_arcmin']:4.1f} {how:22} drift {row['accel_drift_ug_sqrt_h']:4.0f} ug/sqrt(h)"
-            + "".join(f"{value:8.3f}" for value in row["level_arcmin"])
-            + "   less the floor"
-            + "".join(f"{value:8.3f}" for value in row["combined_arcmin"])
-        )
-    lines.append(f"zero velocity that is exactly zero, {result['seconds']} s, {result['runs']} runs")
-    for row in result["zero"]:
-        lines.append(
-            f"  told {row['zupt_sigma_m_s']:7.4f} m/s   NIS {row['nis']:6.3f} of 3   level error "
-            f"{row['level_error_arcmin']:.3f} sigma {row['level_sigma_arcmin']:.3f}   NEES {row['nees']:.2f} of 3"
-        )
-    lines.append("zero-angular-rate updates")
-    for on, modes in result["zaru"].items():
-        for mode, row in modes.items():
-            error, sigma = ("".join(f"{value:7.2f}" for value in row[f"{key}_arcmin"]) for key in ("error", "sigma"))
-            lines.append(
-                f"  {on:8} {mode:10} error{error}  sigma{sigma}  NEES {row['nees']:7.2f} of 3  gyro "
-                f"{row['gyro_deg_h']:.3f} sigma {row['gyro_sigma_deg_h']:.3f} deg/h"
-            )
-    return "\n".join(lines)
+    rows = [(f"{row['start_arcmin']:g}", *list(row.values())[1:]) for row in result["level"]]
+    ran = f"{result['seconds']} s, {result['runs']} runs"
+    return "\n".join([
+        f"sigma of the level in arcmin at {shown(result['at_s'], 'd').strip()} s under zero velocity",
+        *table(("start", "levelled", "ug/sqrt(h)", "level", "less the floor"), rows, ["", "", "g", ".2f", ".2f"]),
+        "",
+        f"zero velocity that is exactly zero, {ran}",
+        *table(("told, m/s", "NIS of 3", "level error", "sigma", "NEES of 3"),
+               [(f"{row['zupt_sigma_m_s']:g}", *list(row.values())[1:]) for row in result["zero"]], ".2f"),
+        "",
+        f"zero-angular-rate updates, {ran}",
+        *table(("", "on", "error", "sigma", "NEES", "deg/h", "sigma"),
+               [list(row.values()) for row in result["zaru"]], ".2f"),
+    ])  # fmt: skip
+
+
+STUDY = Study("azimuth-exploration", MODELS, Asked, run, report)

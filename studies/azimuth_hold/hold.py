@@ -8,30 +8,33 @@ Aligned on a moving bench (azimuth_alignment.py), then at rest: 100 Hz strapdown
 The four ways fly the same runs with the same noise.  ENU, body axes right-front-up; phi is computed against true.
 """
 
-from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.simulation import inertial
 from boresight.runtime.units import ARCMIN, DEG, MILLI_G
+from boresight.studies.azimuth_hold import figures
 from boresight.studies.azimuth_hold.alignment import (
+    COMPLETE,
+    MODELS,
     Aligned,
     Models,
     Scenario,
-    accel_walk,
     align,
     bias_variances,
     checked,
     gyro_walk,
     load_models,
+    rest_noise,
     rest_specific_force,
 )
+from boresight.studies.consistency import chi_square_band, nees
+from boresight.studies.study import Claim, Progress, Result, Study, claim_lines, shown, silent, table
 
 MODES = ("inertial", "zupt", "azimuth", "reference")
 AXES = ("east", "north", "up")
@@ -56,20 +59,21 @@ class Held:
     P: Array  # (4, runs, 16, 16) at the end
 
 
-def start_filter(models: Models, scenario: Scenario, start: Aligned) -> tuple[Filter, Array]:
-    """The four modes over the same runs, and the variance of the azimuth measurement, (4, runs, 1)."""
-    runs = len(start.P)
-    nav = {name: np.broadcast_to(value, (4, *value.shape)).copy() for name, value in start.nav.items()}
-    nav["reference_error"] = np.zeros((4, runs))
-    P = np.zeros((4, runs, 16, 16))
+def start_filter(models: Models, start: Aligned, state: Array) -> tuple[Filter, Array]:
+    """Ways to hold beside each other over the same runs, and the variance of the azimuth measurement, (..., runs, 1).
+
+    state: (...,) bool, of which ways the reference's error is a state; of no variance in the others.
+    """
+    shape, variance = (*state.shape, len(start.P)), start.P[:, 8, 8]
+    nav = {name: np.broadcast_to(value, (*state.shape, *value.shape)).copy() for name, value in start.nav.items()}
+    nav["reference_error"] = np.zeros(shape)
+    P = np.zeros((*shape, 16, 16))
     P[..., :15, :15] = start.P
     # The reference is the attitude of the hand-over, and in error by as much: d_ref = 0 - phi_u.
-    variance = start.P[:, 8, 8]
-    P[3, :, :15, 15] = -start.P[:, 8, :]
-    P[3, :, 15, :15] = -start.P[:, 8, :]
-    P[3, :, 15, 15] = variance
+    P[..., :15, 15] = P[..., 15, :15] = np.where(state[..., None, None], -start.P[:, 8, :], 0.0)
+    P[..., 15, 15] = np.where(state[..., None], variance, 0.0)
     # White in the paper's mode; with the state, what moves between one second and the next.
-    R = np.where(STATE[:, None], REFERENCE_SIGMA**2, variance)[..., None]
+    R = np.where(state[..., None], REFERENCE_SIGMA**2, variance)[..., None]
     return Filter(models.hold_reference, nav, P), R
 
 
@@ -80,7 +84,7 @@ def hold(
     seconds: int,
     *,
     zaru: bool = False,
-    progress: Callable[[str], None] | None = None,
+    progress: Progress = silent,
 ) -> Held:
     """At rest for so many seconds, in all modes.  Uses up the noise streams of `start`.
 
@@ -89,27 +93,21 @@ def hold(
     """
     hz, dt = scenario.strapdown_hz, 1 / scenario.strapdown_hz
     sensors = start.drawn.sensors
-    loop, R_azimuth = start_filter(models, scenario, start)
+    loop, R_azimuth = start_filter(models, start, STATE)
     q_ref = loop.nav["q_b2n_wxyz"].copy()
     earth = models.strapdown.earth(position=start.position, v_n=np.zeros(3))
     C_b2n = rotation.matrix_from_quaternion(start.q_b2n_wxyz)
     omega_b = np.einsum("rji,j->ri", C_b2n, earth["omega_ie_n"])
     f_b = rest_specific_force(models, start.position, start.q_b2n_wxyz)
     R_zupt = np.full(3, scenario.zupt_sigma_m_s**2)
-    noise = {
-        "gyro_noise": np.full(3, gyro_walk(scenario)),
-        "accel_noise": np.full(3, accel_walk(scenario)),
-        "gyro_bias_noise": np.zeros(3),  # "random constants", the paper says below (8)
-        "accel_bias_noise": np.zeros(3),
-    }
+    noise = rest_noise(scenario)
     history: list[tuple[Array, ...]] = []
     nis: list[tuple[Array, Array]] = []
 
     def keep() -> None:
         phi = rotation.attitude_error(loop.nav["q_b2n_wxyz"], start.q_b2n_wxyz)
         P = loop.P[..., PHI, PHI]
-        nees = np.einsum("...i,...i->...", phi, np.linalg.solve(P, phi[..., None])[..., 0])
-        history.append((phi, np.sqrt(np.einsum("...ii->...i", P)), loop.nav["v_n"], nees))
+        history.append((phi, np.sqrt(np.einsum("...ii->...i", P)), loop.nav["v_n"], nees(phi, P)))
 
     keep()
     before = None
@@ -129,7 +127,7 @@ def hold(
         hold_vertical(loop, start)
         nis.append((zupt.nis, azimuth.nis))
         keep()
-        if progress and second % 600 == 0:
+        if second % 600 == 0:
             progress(f"{second} of {seconds} s at rest")
 
     bias = sensors.bias_at(omega_b, f_b)
@@ -145,9 +143,7 @@ def hold(
         ],
         axis=-1,
     )
-    phi, sigma, speed, nees = (np.array(part) for part in zip(*history, strict=True))
-    nis_zupt, nis_azimuth = (np.array(part) for part in zip(*nis, strict=True))
-    return Held(phi, sigma, speed, nees, nis_zupt, nis_azimuth, error, loop.P)
+    return Held(*(np.array(part) for kept in (history, nis) for part in zip(*kept, strict=True)), error, loop.P)  # type: ignore[call-arg]
 
 
 def hold_vertical(loop: Filter, start: Aligned) -> None:
@@ -234,88 +230,54 @@ def root_mean_square(values: Array, axis: int = 0) -> Array:
     return np.sqrt(np.mean(np.square(values), axis=axis))
 
 
-def run(
-    models: Models | None = None,
-    *,
-    runs: int = 20,
-    seed: int = 0,
-    seconds: int = 3600,
-    scenario: Scenario | None = None,
-    histories: bool = True,
-    shock: bool | None = None,
-    progress: Callable[[str], None] | None = None,
-) -> dict[str, Any]:
-    """The alignment and the four ways to hold.  The result can be written as JSON; its fields are stable:
+def run(scenario: Scenario, progress: Progress = silent, models: Models | None = None) -> Result:
+    """The alignment and the four ways to hold: runs, seed, seconds, modes, axes;
 
-    study, runs, seed, seconds, scenario (every field of Scenario), modes, axes;
     alignment: complete_s (median over runs, null if never), incomplete_runs, error_arcmin and sigma_arcmin (3, phi at
     the hand-over), mu_error_arcmin (3), delay_error_ms, nis (mean of six rows), nees (of velocity and attitude, 6);
-    marks: at each of 1000 s, 3600 s and the end that was reached, second and mode -> error_arcmin, sigma_arcmin (3,
-    rms over runs), largest_arcmin (3), nees (of three angles, mean), speed_m_s (3, rms), and for the inertial mode
-    budget_arcmin (rms of the closed form, run by run), beside_budget_arcmin (rms of the difference) and walk_arcmin
-    (the random walk that the closed form leaves out), all (3);
+    marks: at each of 1000 s, 3600 s and the end that was reached, second and mode -> error_arcmin, change_arcmin (since
+    the hand-over, as the paper's Figures 4 and 6 plot it), sigma_arcmin (3, rms over runs), largest_arcmin (3), nees
+    (of three angles, mean), speed_m_s (3, rms), and for the inertial mode budget_arcmin (rms of the closed form, run by
+    run), beside_budget_arcmin (rms of the difference) and walk_arcmin (the random walk that the closed form leaves
+    out), all (3);
     floor: sigma_arcmin (one sigma of 1 mg and what belongs to it), rms_arcmin (of these runs), beside_arcmin: mode ->
     rms of the level error less the tilt that cancels what is left of the accelerometer error, 2 axes;
     bias: mode -> gyro_deg_h, gyro_sigma_deg_h, accel_mg, accel_sigma_mg (3, body axes) at the end;
     nees: mode -> of all fifteen states (sixteen for reference) at the end, mean; nis: mode -> zupt (of 3 rows) and
     azimuth (of 1), mean over the last half;
-    histories (if asked): time_s, and for each mode error_arcmin (3 runs, T, 3), rms_arcmin, sigma_arcmin (T, 3);
-    shock (if asked, and by default where 1000 s or more are flown): what azimuth_shock.run says of 5 runs.
+    history: time_s; error_arcmin (T, modes, runs, 3), sigma_arcmin (T, modes, 3), rms over the runs.
     """
-    from boresight.studies.azimuth_hold import shock as azimuth_shock  # which builds on this module
-
-    if runs < 1 or not np.isfinite(seconds) or seconds != int(seconds) or not 10 <= seconds <= 36000:
-        raise BoresightError(
-            f"azimuth-hold needs at least 1 run and a whole number of seconds from 10 to 36000; got {runs} runs, "
-            f"{seconds} seconds"
-        )
-    seconds = int(seconds)
-    models, scenario = models or load_models(), checked(scenario or Scenario())
-    say = progress or (lambda line: None)
-    say(f"transfer alignment: {runs} runs of {scenario.align_s:g} s")
-    start = align(models, scenario, runs=runs, seed=seed)
-    say(f"hold: {len(MODES)} modes of {runs} runs, {seconds} s")
+    scenario, models = checked(scenario), models or load_models()
+    runs, seconds = scenario.runs, scenario.seconds
+    progress(f"transfer alignment: {runs} runs of {scenario.align_s:g} s")
+    start = align(models, scenario, runs=runs, seed=scenario.seed)
+    progress(f"hold: {len(MODES)} modes of {runs} runs, {seconds} s")
     held = hold(models, scenario, start, seconds, progress=progress)
     theory = budget(models, scenario, start, np.arange(seconds + 1))
-    marks = sorted({second for second in MARKS_S if second <= seconds} | {seconds})
-    result = {
-        "study": "azimuth-hold",
+    every = max(1, seconds // 720)
+    return {
         "runs": runs,
-        "seed": seed,
+        "seed": scenario.seed,
         "seconds": seconds,
-        "scenario": {name: list(v) if isinstance(v, tuple) else v for name, v in asdict(scenario).items()},
         "modes": list(MODES),
         "axes": list(AXES),
         "alignment": aligned_summary(start),
         "marks": [
             {"second": second, **{mode: marked(held, theory, second, m) for m, mode in enumerate(MODES)}}
-            for second in marks
+            for second in sorted({second for second in MARKS_S if second <= seconds} | {seconds})
         ],
         **ended_summary(models, scenario, start, held, theory),
+        "history": {
+            "time_s": np.arange(0, seconds + 1, every),
+            "error_arcmin": held.phi[::every] / ARCMIN,
+            "sigma_arcmin": root_mean_square(held.sigma[::every], 2) / ARCMIN,
+        },
     }
-    if histories:
-        every = max(1, seconds // 720)
-        result["histories"] = {
-            "time_s": np.arange(0, seconds + 1, every).tolist(),
-            **{
-                mode: {
-                    "error_arcmin": np.moveaxis(held.phi[::every, m, :3] / ARCMIN, 1, 0).round(4).tolist(),
-                    "rms_arcmin": (root_mean_square(held.phi[::every, m], 1) / ARCMIN).round(4).tolist(),
-                    "sigma_arcmin": (root_mean_square(held.sigma[::every, m], 1) / ARCMIN).round(4).tolist(),
-                }
-                for m, mode in enumerate(MODES)
-            },
-        }
-    if shock if shock is not None else seconds >= 1000:
-        say("disturbances at 500 s")
-        result["shock"] = azimuth_shock.run(models, seed=seed, scenario=scenario, progress=progress)
-    return result
 
 
 def aligned_summary(start: Aligned) -> dict[str, Any]:
     phi = rotation.attitude_error(start.nav["q_b2n_wxyz"], start.q_b2n_wxyz)
     error = np.concatenate([start.nav["v_n"], phi], axis=-1)
-    nees = np.einsum("ri,ri->r", error, np.linalg.solve(start.P[:, 3:9, 3:9], error[..., None])[..., 0])
     met = start.complete_s[np.isfinite(start.complete_s)]
     return {
         "complete_s": float(np.median(met)) if len(met) else None,
@@ -325,7 +287,7 @@ def aligned_summary(start: Aligned) -> dict[str, Any]:
         "mu_error_arcmin": (root_mean_square(start.mu_error) / ARCMIN).tolist(),
         "delay_error_ms": float(root_mean_square(start.delay_error) * 1e3),
         "nis": float(start.nis.mean()),
-        "nees": float(nees.mean()),
+        "nees": float(nees(error, start.P[:, 3:9, 3:9]).mean()),
     }
 
 
@@ -333,6 +295,7 @@ def marked(held: Held, theory: dict[str, Array], second: int, mode: int) -> dict
     phi = held.phi[second, mode]
     out: dict[str, Any] = {
         "error_arcmin": (root_mean_square(phi) / ARCMIN).tolist(),
+        "change_arcmin": (root_mean_square(phi - held.phi[0, mode]) / ARCMIN).tolist(),
         "sigma_arcmin": (root_mean_square(held.sigma[second, mode]) / ARCMIN).tolist(),
         "largest_arcmin": (np.abs(phi).max(axis=0) / ARCMIN).tolist(),
         "nees": float(held.nees[second, mode].mean()),
@@ -374,7 +337,7 @@ def ended_summary(
             "accel_mg": (root_mean_square(held.error[m, :, 12:15]) / MILLI_G).tolist(),
             "accel_sigma_mg": (root_mean_square(sigma[m, :, 12:15]) / MILLI_G).tolist(),
         }
-        out["nees"][mode] = float(np.einsum("ri,ri->r", e, np.linalg.solve(P, e[..., None])[..., 0]).mean())
+        out["nees"][mode] = float(nees(e, P).mean())
         out["nis"][mode] = {
             "zupt": float(held.nis_zupt[half:, m].mean()),
             "azimuth": float(held.nis_azimuth[half:, m].mean()),
@@ -382,57 +345,83 @@ def ended_summary(
     return out
 
 
-def report(result: dict[str, Any]) -> str:
-    """The four modes at each mark, the budget beside them, consistency, and a one-line verdict at the end."""
+def claims(result: Result) -> list[Claim]:
+    """What the paper concludes, at the end of this run.
 
-    def three(values: Any, digits: int = 2) -> str:
-        return " ".join(f"{value:8.{digits}f}" for value in values)
+    An axis is held where the attitude has changed since the hand-over by less than what an alignment must reach to be
+    complete: 1 arcmin in the level, 2 about up (rms over the runs).
+    """
+    last, first = result["marks"][-1], np.array(result["alignment"]["sigma_arcmin"])
+    limit = np.array([COMPLETE.level_sigma, COMPLETE.level_sigma, COMPLETE.azimuth_sigma]) / ARCMIN
 
+    def changes(mode: str) -> Array:
+        return np.array(last[mode]["change_arcmin"])
+
+    def by_axis(values: Any, what: str = "") -> dict[str, float | None]:
+        return {f"{what}{axis}": float(value) for axis, value in zip(AXES, values, strict=True)}
+
+    inertial, zupt, azimuth = (changes(mode) for mode in ("inertial", "zupt", "azimuth"))
+    sigma = np.array(last["azimuth"]["sigma_arcmin"])
+    out = [
+        Claim("pure inertial drifts in all three axes, arcmin", bool((inertial > limit).all()), by_axis(inertial)),
+        Claim("zero velocity holds the level and not the azimuth, arcmin",
+              bool((zupt < limit)[:2].all() and zupt[2] > limit[2]), by_axis(zupt)),
+        Claim("with the azimuth all three axes hold, arcmin", bool((azimuth < limit).all()), by_axis(azimuth)),
+        Claim("with the azimuth all three sigmas fall from the hand-over on, arcmin", bool((sigma < first).all()),
+              by_axis(first, "first ") | by_axis(sigma, "last ")),
+    ]  # fmt: skip
+    low, high = chi_square_band(3, result["runs"])
+    for mode, says in (("azimuth", "taken for white"), ("reference", "a state")):
+        got = last[mode]
+        numbers = {"NEES of 3": got["nees"], "error up": got["error_arcmin"][2], "sigma up": got["sigma_arcmin"][2],
+                   "change up": got["change_arcmin"][2]}  # fmt: skip
+        says = f"its error {says}, the hold is consistent: NEES of the angles in its 95 % band"
+        out.append(Claim(says, low <= got["nees"] <= high, numbers))
+    return out
+
+
+def report(result: Result) -> str:
+    """The four modes at each mark, the budget beside them, consistency, and the paper's conclusions."""
     a = result["alignment"]
     never = f", {a['incomplete_runs']} never" if a["incomplete_runs"] else ""
     when = f"after {a['complete_s']:g} s (median){never}" if a["complete_s"] is not None else "never"
     lines = [
-        "Azimuth hold of Kim (2018): attitude errors and the filter's sigma about east, north, up, in arcmin, rms",
-        "",
-        f"alignment: complete {when}; delay to {a['delay_error_ms']:.2f} ms, misalignment to"
-        f" {three(a['mu_error_arcmin']).strip()}",
-        f"at the hand-over      error {three(a['error_arcmin'])}   sigma {three(a['sigma_arcmin'])}   "
-        f"NEES {a['nees']:.1f} of 6, NIS {a['nis']:.1f} of 6",
+        f"Azimuth hold of Kim (2018): {result['runs']} runs, seed {result['seed']}; east, north, up in arcmin, rms",
+        f"alignment: complete {when}; delay to {a['delay_error_ms']:.2f} ms, misalignment to "
+        f"{shown(a['mu_error_arcmin'], '.2f').strip()}; NEES {a['nees']:.1f} of 6, NIS {a['nis']:.1f} of 6",
     ]
-    for mark in result["marks"]:
-        lines += ["", f"after {mark['second']} s at rest"]
-        for mode in result["modes"]:
-            got = mark[mode]
-            lines.append(
-                f"  {mode:18}  error {three(got['error_arcmin'])}   sigma {three(got['sigma_arcmin'])}   "
-                f"NEES {got['nees']:.1f} of 3"
-            )
-        got = mark["inertial"]
-        lines.append(
-            f"  inertial by theory  error {three(got['budget_arcmin'])}   beside it "
-            f"{three(got['beside_budget_arcmin']).strip()}; random walk {three(got['walk_arcmin']).strip()}"
-        )
+    head = ("", "error", "change", "sigma", "NEES of 3")
+    for mark in [{"second": 0}, *result["marks"]]:
+        rows = [
+            (mode, *(mark[mode][f"{key}_arcmin"] for key in ("error", "change", "sigma")), mark[mode]["nees"])
+            for mode in result["modes"] if mode in mark
+        ] or [("hand-over", a["error_arcmin"], None, a["sigma_arcmin"], None)]  # fmt: skip
+        lines += ["", f"after {mark['second']} s at rest: error, its change since the hand-over, and sigma"]
+        lines += table(head, rows, ".2f")
+        if "inertial" in mark:
+            names = (("theory", "budget"), ("beside it", "beside_budget"), ("random walk", "walk"))
+            got = mark["inertial"]
+            cells = (f"{name} {shown(got[key + '_arcmin'], '.2f').strip()}" for name, key in names)
+            lines.append("  inertial by " + "; ".join(cells))
     floor = result["floor"]
     lines += [
         "",
-        f"accelerometer floor of the level: {floor['sigma_arcmin']:.2f} (one sigma); the level less the tilt that "
-        f"cancels what is left of the bias: {three(floor['beside_arcmin']['zupt']).strip()} with zupt",
-    ]
-    for mode in result["modes"]:
-        bias, nis = result["bias"][mode], result["nis"][mode]
-        lines.append(
-            f"  {mode:10} NEES {result['nees'][mode]:6.1f} of {16 if mode == 'reference' else 15}; NIS zupt "
-            f"{nis['zupt']:.2f} of 3, azimuth {nis['azimuth']:.3f} of 1; gyro to {three(bias['gyro_deg_h']).strip()} "
-            "deg/h"
-        )
-    if "shock" in result:
-        from boresight.studies.azimuth_hold import shock as azimuth_shock
-
-        lines += ["", azimuth_shock.report(result["shock"]), ""]
-    last = result["marks"][-1]
-    says = "; ".join(f"{mode} {last[mode]['error_arcmin'][2]:.1f}" for mode in result["modes"])
-    lines.append(
-        f"azimuth-hold: azimuth error after {last['second']} s in arcmin: {says} "
-        f"({result['runs']} runs, seed {result['seed']})"
-    )
+        f"accelerometer floor of the level: {floor['sigma_arcmin']:.2f} (one sigma); the level less the tilt that",
+        f"cancels what is left of the bias: {shown(floor['beside_arcmin']['zupt'], '.2f').strip()} with zupt",
+        *table(
+            ("at the end", "NEES", "of", "NIS zupt of 3", "azimuth of 1", "gyro, deg/h"),
+            [
+                (mode, result["nees"][mode], 16 if mode == "reference" else 15, *result["nis"][mode].values(),
+                 result["bias"][mode]["gyro_deg_h"])
+                for mode in result["modes"]
+            ],
+            ["", ".1f", "d", ".2f", ".3f", ".2f"],
+        ),
+        "",
+        f"the paper's conclusions, after {result['marks'][-1]['second']} s",
+        *claim_lines(claims(result)),
+    ]  # fmt: skip
     return "\n".join(lines)
+
+
+STUDY = Study("azimuth-hold", MODELS, Scenario, run, report, figures.draw, claims)

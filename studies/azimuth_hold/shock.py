@@ -13,7 +13,7 @@ The rules, beside the filter's own:
   acquire   later a fresh azimuth is given to those whose reference is stale.
 """
 
-from collections.abc import Callable
+import itertools
 from dataclasses import dataclass
 from typing import Any
 
@@ -26,7 +26,9 @@ from boresight.runtime.filter import Filter
 from boresight.runtime.simulation import inertial
 from boresight.runtime.status import Status
 from boresight.runtime.units import ARCMIN, DEG, MILLI_G
+from boresight.studies.azimuth_hold import figures
 from boresight.studies.azimuth_hold.alignment import (
+    MODELS,
     Aligned,
     Models,
     Scenario,
@@ -35,8 +37,11 @@ from boresight.studies.azimuth_hold.alignment import (
     checked,
     gyro_walk,
     load_models,
+    rest_noise,
 )
-from boresight.studies.azimuth_hold.hold import AXES, PHI, REFERENCE_SIGMA, root_mean_square
+from boresight.studies.azimuth_hold.hold import PHI, root_mean_square, start_filter
+from boresight.studies.consistency import nees
+from boresight.studies.study import Claim, Progress, Result, Study, claim_lines, option, silent, table
 
 EVENTS = {
     "none": "nothing happens",
@@ -118,53 +123,42 @@ SHOWN = {"turn_plain": ("turn", False), "turn_guarded": ("turn", True), "shock_g
 SAYS_MOTION = ("gyro_mean", "gyro_std", "accel_mean", "accel_std")
 
 
-def run(
-    models: Models | None = None,
-    *,
-    runs: int = 5,
-    seed: int = 0,
-    times_s: tuple[int, int, int] = TIMES_S,
-    scenario: Scenario | None = None,
-    progress: Callable[[str], None] | None = None,
-) -> dict[str, Any]:
-    """The table of what each catches.  The result can be written as JSON; its fields are stable:
+@dataclass(frozen=True)
+class Disturbed(Scenario):
+    runs: int = option(5, "Monte Carlo runs of each event and configuration.")
+    times_s: tuple[int, int, int] = TIMES_S
 
-    study, runs, seed, event_s, acquire_s, end_s, events (name -> what happens), axes, modes (of the histories);
+
+def run(scenario: Disturbed, progress: Progress = silent, models: Models | None = None) -> Result:
+    """The table of what each catches: runs, seed, event_s, acquire_s, end_s, modes (of the history);
+
     rows: event, azimuth ("white", "state"), detector, gate; before_arcmin (at event_s), after_arcmin (a second before
     acquire_s), end_arcmin: [error rms, sigma] about up; level_arcmin and level_largest_arcmin, rms and largest of both
     level axes from the event to acquire_s; stopped_s: seconds in the 20 from the event on without a velocity update,
     mean over runs; stale: runs in which the filter said that its reference is stale; resets: of velocity and level,
     mean; nees: of the three angles, a second before acquire_s, mean; silent: runs then more than 4 of their own sigmas
     wrong about up, of which the filter said nothing;
-    histories: time_s, and for turn_plain, turn_guarded and shock_guarded (the azimuth's error white, without and with
-    detector and gate): error_arcmin (3 runs, T, 3), rms_arcmin and sigma_arcmin (T, 3); what moves during the event is
-    left out (null).
+    history: time_s, and for turn_plain, turn_guarded and shock_guarded (the azimuth's error white, without and with
+    detector and gate): error_arcmin (T, modes, runs, 3), sigma_arcmin (T, modes, 3); what moves during the event is
+    left out (nan).
     """
-    models, scenario = models or load_models(), checked(scenario or Scenario())
+    checked(scenario)
+    models = models or load_models()
+    runs, times_s = scenario.runs, scenario.times_s
     event_s, acquire_s, end_s = times_s
-    if runs < 1 or not 20 <= event_s < event_s + 25 < acquire_s < end_s <= 36000:
+    if not 20 <= event_s < event_s + 25 < acquire_s < end_s <= 36000:
         raise BoresightError(
-            f"azimuth-shock needs at least 1 run, 20 s before the event, 26 s from it to the fresh azimuth, and an end "
-            f"after that; got {runs} runs, {times_s}"
+            f"azimuth-shock needs 20 s before the event, 26 s from it to the fresh azimuth, and an end after that; "
+            f"got {times_s}"
         )
-    say = progress or (lambda line: None)
-    start = align(models, scenario, runs=runs, seed=seed)
+    start = align(models, scenario, runs=runs, seed=scenario.seed)
     names, events, configs = list(EVENTS), len(EVENTS), len(CONFIGS)
     truths = [event(models, scenario, start, name) for name in names]
     shape = (configs, events, runs)
     white = np.array([c[0] == "white" for c in CONFIGS])[:, None, None]
     has_detector = np.array([c[1] for c in CONFIGS])[:, None, None]
     gate = np.where([c[2] for c in CONFIGS], GATE, np.inf)[:, None, None]
-
-    nav = {name: np.broadcast_to(value, (*shape[:2], *value.shape)).copy() for name, value in start.nav.items()}
-    nav["reference_error"] = np.zeros(shape)
-    P = np.zeros((*shape, 16, 16))
-    P[..., :15, :15] = start.P
-    variance = np.broadcast_to(start.P[:, 8, 8], shape).copy()
-    coupled = np.where(white[..., None], 0.0, -start.P[:, 8, :])
-    P[..., :15, 15] = P[..., 15, :15] = coupled
-    P[..., 15, 15] = np.where(white, 0.0, variance)
-    loop = Filter(models.hold_reference, nav, P)
+    loop, R_azimuth = start_filter(models, start, np.broadcast_to(~white[..., 0], (configs, events)))
     q_ref = loop.nav["q_b2n_wxyz"].copy()
 
     hz, dt = scenario.strapdown_hz, 1 / scenario.strapdown_hz
@@ -173,14 +167,13 @@ def run(
     settings = thresholds(models, scenario, start)
     dll = detector.library()
     R_zupt = np.full(3, scenario.zupt_sigma_m_s**2)
-    noise = {"gyro_noise": np.full(3, gyro_walk(scenario)), "accel_noise": np.full(3, accel_walk(scenario)),
-             "gyro_bias_noise": np.zeros(3), "accel_bias_noise": np.zeros(3)}  # fmt: skip
+    noise = rest_noise(scenario)
     q_true = np.broadcast_to(start.q_b2n_wxyz, (events, runs, 4)).copy()
     kept, before, tail = [], None, None
     quiet = np.full((events, runs), WAIT_S)
     rejected_azimuth, rejected_zupt = np.zeros(shape, int), np.zeros(shape, int)
     stale, resets, stopped = np.zeros(shape, bool), np.zeros(shape, int), np.zeros(shape, int)
-    generator = np.random.default_rng([seed, 77])
+    generator = np.random.default_rng([scenario.seed, 77])
 
     for second in range(1, end_s + 1):
         k = second - 1 - event_s
@@ -221,7 +214,6 @@ def run(
         zupt_rows = gated(loop, "zupt", R_zupt, rest, gate)
         loop.update("zupt", R_zupt, rows=zupt_rows[..., None])
         rejected_zupt = np.where(rest & ~zupt_rows, rejected_zupt + 1, 0)
-        R_azimuth = np.where(white, variance, REFERENCE_SIGMA**2)[..., None]
         wanted = rest & ~stale
         azimuth_rows = gated(loop, "azimuth", R_azimuth, wanted, gate, q_ref_wxyz=q_ref)
         loop.update("azimuth", R_azimuth, rows=azimuth_rows[..., None], q_ref_wxyz=q_ref)
@@ -240,22 +232,36 @@ def run(
         if second == acquire_s - 1:
             P3 = loop.P[..., PHI, PHI]
             phi_now = rotation.attitude_error(loop.nav["q_b2n_wxyz"], q_true)
-            nees = np.einsum("...i,...i->...", phi_now, np.linalg.solve(P3, phi_now[..., None])[..., 0])
+            weighed = nees(phi_now, P3)
         if second == acquire_s:
             said_stale = stale.copy()
             error = FRESH_SIGMA * generator.standard_normal(runs)
             q_fresh = rotation.turned(q_true, np.einsum("erji,j->eri", C, [0.0, 0.0, 1.0]) * error[:, None])
             acquire(loop, q_ref, q_fresh, stale, white)
-            variance = np.where(stale, FRESH_SIGMA**2, variance)
+            R_azimuth = np.where((stale & white)[..., None], FRESH_SIGMA**2, R_azimuth)
             rejected_azimuth[stale], stale = 0, np.zeros(shape, bool)
         phi_now = rotation.attitude_error(loop.nav["q_b2n_wxyz"], q_true)
         # During the event the platform moves: the truth of these seconds is not kept
         sigma = np.sqrt(np.einsum("...ii->...i", loop.P)[..., PHI])
         kept.append((np.where(in_event, np.nan, phi_now), sigma))
         if second % 200 == 0:
-            say(f"{second} of {end_s} s")
+            progress(f"{second} of {end_s} s")
     phi, sigma = (np.array(part) for part in zip(*kept, strict=True))
-    return result_of(runs, seed, times_s, phi, sigma, nees, said_stale, resets, stopped)
+    kinds = [(CONFIGS.index(("white", guard, guard)), names.index(happens)) for happens, guard in SHOWN.values()]
+    return {
+        "runs": runs,
+        "seed": scenario.seed,
+        "event_s": event_s,
+        "acquire_s": acquire_s,
+        "end_s": end_s,
+        "modes": list(SHOWN),
+        "rows": rows_of(times_s, phi, sigma, weighed, said_stale, resets, stopped),
+        "history": {
+            "time_s": np.arange(1, end_s + 1),
+            "error_arcmin": np.stack([phi[:, c, e] for c, e in kinds], axis=1) / ARCMIN,
+            "sigma_arcmin": np.stack([root_mean_square(sigma[:, c, e], 1) for c, e in kinds], axis=1) / ARCMIN,
+        },
+    }
 
 
 def disturbed(sensors: Any, dtheta: Array, dv: Array, dt: float) -> tuple[Array, Array]:
@@ -297,98 +303,56 @@ def acquire(loop: Filter, q_ref: Array, q_fresh: Array, now: Array, white: Array
     loop.P[..., 15, 15] = np.where(now & ~white, FRESH_SIGMA**2, loop.P[..., 15, 15])
 
 
-def result_of(
-    runs: int,
-    seed: int,
-    times_s: tuple[int, int, int],
-    phi: Array,
-    sigma: Array,
-    nees: Array,
-    stale: Array,
-    resets: Array,
-    stopped: Array,
-) -> dict[str, Any]:
+def rows_of(
+    times_s: tuple[int, int, int], phi: Array, sigma: Array, weighed: Array, stale: Array, resets: Array, stopped: Array
+) -> list[dict[str, Any]]:
     event_s, acquire_s, end_s = times_s
     rows = []
-    for c, (azimuth, has_detector, gate) in enumerate(CONFIGS):
-        for e, name in enumerate(EVENTS):
-            at = {
-                key: [
-                    float(root_mean_square(phi[second - 1, c, e, :, 2]) / ARCMIN),
-                    float(root_mean_square(sigma[second - 1, c, e, :, 2]) / ARCMIN),
-                ]
-                for key, second in (("before", event_s), ("after", acquire_s - 1), ("end", end_s))
-            }
-            late = phi[event_s + LENGTH_S : acquire_s - 1, c, e]
-            wrong = np.abs(phi[acquire_s - 2, c, e, :, 2]) > 4 * sigma[acquire_s - 2, c, e, :, 2]
-            rows.append(
-                {
-                    "event": name,
-                    "azimuth": azimuth,
-                    "detector": has_detector,
-                    "gate": gate,
-                    **{f"{key}_arcmin": value for key, value in at.items()},
-                    "level_arcmin": float(root_mean_square(late[..., :2].ravel()) / ARCMIN),
-                    "level_largest_arcmin": float(np.abs(late[..., :2]).max() / ARCMIN),
-                    "stopped_s": float(stopped[c, e].mean()),
-                    "stale": int(stale[c, e].sum()),
-                    "resets": float(resets[c, e].mean()),
-                    "nees": float(nees[c, e].mean()),
-                    "silent": int((wrong & ~stale[c, e]).sum()),
-                }
-            )
-    return {
-        "study": "azimuth-shock",
-        "runs": runs,
-        "seed": seed,
-        "event_s": event_s,
-        "acquire_s": acquire_s,
-        "end_s": end_s,
-        "events": EVENTS,
-        "rows": rows,
-        "axes": list(AXES),
-        "modes": list(SHOWN),
-        "histories": histories(phi, sigma),
-    }
+    for (e, name), (c, config) in itertools.product(enumerate(EVENTS), enumerate(CONFIGS)):
+        late = phi[event_s + LENGTH_S : acquire_s - 1, c, e, :, :2] / ARCMIN
+        wrong = np.abs(phi[acquire_s - 2, c, e, :, 2]) > 4 * sigma[acquire_s - 2, c, e, :, 2]
+        row = {"event": name, **dict(zip(("azimuth", "detector", "gate"), config, strict=True))}
+        for key, second in (("before", event_s), ("after", acquire_s - 1), ("end", end_s)):
+            both = (root_mean_square(part[second - 1, c, e, :, 2]) / ARCMIN for part in (phi, sigma))
+            row[f"{key}_arcmin"] = [float(value) for value in both]
+        rows.append(row | {
+            "level_arcmin": float(root_mean_square(late.ravel())),
+            "level_largest_arcmin": float(np.abs(late).max()),
+            "stopped_s": float(stopped[c, e].mean()),
+            "stale": int(stale[c, e].sum()),
+            "silent": int((wrong & ~stale[c, e]).sum()),
+            "resets": float(resets[c, e].mean()),
+            "nees": float(weighed[c, e].mean()),
+        })  # fmt: skip
+    return rows
 
 
-def histories(phi: Array, sigma: Array) -> dict[str, Any]:
-    """In the place of the paper's Figures 6 and 7, which show one shock: that, and a turn."""
-    out: dict[str, Any] = {"time_s": np.arange(1, len(phi) + 1).tolist()}
-    for name, (happens, guarded) in SHOWN.items():
-        c, e = CONFIGS.index(("white", guarded, guarded)), list(EVENTS).index(happens)
-        error = phi[:, c, e] / ARCMIN
-        out[name] = {
-            "error_arcmin": nulls(np.moveaxis(error[:, :3], 1, 0)),
-            "rms_arcmin": nulls(root_mean_square(error, 1)),
-            "sigma_arcmin": (root_mean_square(sigma[:, c, e], 1) / ARCMIN).round(4).tolist(),
-        }
-    return out
+def claims(result: Result) -> list[Claim]:
+    """That a turned platform is pulled back silently without the gate, and that with it none is."""
+    silent = {gate: sum(row["silent"] for row in result["rows"] if row["gate"] == gate) for gate in (False, True)}
+    stopped = [row["stopped_s"] for row in result["rows"] if row["detector"] and row["event"] != "none"]
+    turned = [row for row in result["rows"] if row["event"] == "turn" and row["gate"]]
+    return [
+        Claim("the detector stops the updates in every event", min(stopped) > 0, {"least, s": min(stopped)}),
+        Claim("without the gate some runs are silently wrong", silent[False] > 0, {"runs": silent[False]}),
+        Claim("with the gate none is", silent[True] == 0, {"runs": silent[True]}),
+        Claim("with the gate every turn is called stale", all(row["stale"] == result["runs"] for row in turned),
+              {"error after 300 s, arcmin": max(row["after_arcmin"][0] for row in turned)}),
+    ]  # fmt: skip
 
 
-def nulls(values: Array) -> Any:
-    """Lists for JSON, which has no NaN."""
-    out = values.round(4).astype(object)
-    out[np.isnan(values)] = None
-    return out.tolist()
-
-
-def report(result: dict[str, Any]) -> str:
+def report(result: Result) -> str:
     """One line for each event and configuration, and what was silently wrong."""
-    lines = [
+    head = ("event", "azimuth", "detector", "gate", "before", "after", "end", "level", "max", "stopped", "stale",
+            "silent", "resets", "NEES")  # fmt: skip
+    return "\n".join([
         f"azimuth hold disturbed at {result['event_s']} s: error and sigma about up in arcmin, rms of "
         f"{result['runs']} runs, before, at {result['acquire_s']} s and at {result['end_s']} s",
-        "event      azimuth detector gate      before          after            end       level, max    stopped "
-        "stale silent resets    NEES",
-    ]
-    for row in sorted(
-        result["rows"], key=lambda r: (list(result["events"]).index(r["event"]), r["azimuth"] != "white")
-    ):
-        times = "  ".join(f"{row[key][0]:6.2f} {row[key][1]:6.2f}" for key in ("before_arcmin", "after_arcmin",
-                                                                            "end_arcmin"))  # fmt: skip
-        lines.append(
-            f"{row['event']:10} {row['azimuth']:7} {'yes' if row['detector'] else '-':8} "
-            f"{'yes' if row['gate'] else '-':4} {times}  {row['level_arcmin']:6.2f} {row['level_largest_arcmin']:7.2f}"
-            f"  {row['stopped_s']:6.1f} {row['stale']:5} {row['silent']:6} {row['resets']:6.1f} {row['nees']:7.1f}"
-        )
-    return "\n".join(lines)
+        *table(head, [list(row.values()) for row in result["rows"]],
+               [*[""] * 4, *[".2f"] * 5, ".1f", "d", "d", ".1f", ".1f"]),
+        "",
+        *claim_lines(claims(result)),
+    ])  # fmt: skip
+
+
+STUDY = Study("azimuth-shock", MODELS, Disturbed, run, report, figures.draw_shock, claims)

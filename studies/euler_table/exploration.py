@@ -5,16 +5,18 @@ declared scenario of `euler_table`, with a count of cells for each choice; then 
 its errors, with misalignments from 0.1 to 3 degrees, and beyond the paper with an exact residual.
 """
 
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
+from boresight.runtime.library import load
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
+from boresight.studies.euler_table import figures
 from boresight.studies.euler_table.table import (
     CHOSEN,
     NAMES,
@@ -29,8 +31,7 @@ from boresight.studies.euler_table.table import (
     ratios,
     switched,
 )
-
-Progress = Callable[[str], None]
+from boresight.studies.study import Progress, Result, Seeded, Study, option, silent, table
 
 # Departures in what the paper does not say, one line of the report each.
 ALTERNATIVES: dict[str, dict[str, Any]] = {
@@ -65,13 +66,16 @@ CONSISTENCY_DEG = (0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0)
 PLAIN = Scenario(misalignment="normal", filter_angle_arcmin=1.0, filter_offset_arcmin=1.0)  # the paper's own numbers
 
 
+SUMMARY = ("agree", "largest_estimated", "smallest_not_estimated")
+
+
 def counted(model: Any, scenario: Scenario, seconds: float, runs: int, seed: int) -> dict[str, Any]:
     """Cells out of 147 and the nearest cell's factor, by linear covariance and by Monte Carlo."""
     flight = fly(model, scenario, seconds, runs=runs, seed=seed)
     out: dict[str, Any] = {"seconds": seconds, "seed": seed, "lost_runs": int(flight.lost.sum())}
     for part, history in (("linear", covariance(model, scenario, seconds)), ("monte_carlo", flight.error)):
         verdict = judged(ratios(history), scenario.threshold)
-        out[part] = {key: verdict[key] for key in ("agree", "largest_estimated", "smallest_not_estimated")}
+        out[part] = {key: verdict[key] for key in SUMMARY}
         out[part]["margin"] = verdict["margin"]["factor"]
     return out
 
@@ -209,64 +213,6 @@ def consistency(
     return out
 
 
-def explore(
-    model: Any,
-    *,
-    runs: int = 20,
-    seed: int = 0,
-    drawn: int = 12,
-    scenario: Scenario | None = None,
-    progress: Progress | None = None,
-) -> dict[str, Any]:
-    """Everything that docs/euler-matching.md counts.  The result can be written as JSON:
-
-    study, runs, seed; seeds, durations_monte_carlo, drawn, drawn_text_noises, alternatives, switches: lists of
-    {name, ..., linear, monte_carlo} as `counted` gives them; durations, durations_text_noises, second_order,
-    consistency: lists, as the functions give them; finished: false if it was interrupted, and then
-    later parts are missing.
-    """
-    say, declared = progress or (lambda line: None), scenario or Scenario()
-    result: dict[str, Any] = {"study": "euler-table", "runs": runs, "seed": seed, "finished": False}
-
-    def count(part: str, name: str, case: Scenario, seconds: float = 120.0, key: int = seed, using: Any = None) -> None:
-        say(f"{part}: {name}")
-        counts = counted(using or model, case, seconds, runs, key)
-        result.setdefault(part, []).append({"name": name, **counts})
-
-    try:
-        for key in range(seed, seed + 3):
-            count("seeds", f"seed {key}", declared, key=key)
-        for seconds in (30.0, 60.0, 120.0, 200.0, 300.0):
-            count("durations_monte_carlo", f"{seconds:g} s", declared, seconds)
-        say("durations, to an hour")
-        result["durations"] = durations(model, declared)
-        as_text = replace(declared, **SWITCHES["text-noises"].changes)
-        result["durations_text_noises"] = durations(model, as_text, 1800.0)
-        for number in range(drawn):
-            drawn_set = drawn_motion(number)
-            count("drawn", f"set {number}", replace(declared, **drawn_set))
-            result["drawn"][-1].update(drawn_set)
-        for number in range(drawn):  # the noises as the text has them
-            told = {**SWITCHES["text-noises"].changes, **drawn_motion(number)}
-            count("drawn_text_noises", f"set {number}", replace(declared, **told))
-        for name, changes in ALTERNATIVES.items():
-            count("alternatives", name, replace(declared, **changes))
-        for names in [(name,) for name in SWITCHES] + list(COMBINED):
-            other, case = switched(model, declared, names)
-            count("switches", " ".join(names), case, using=other)
-        say("consistency")
-        result["second_order"] = [
-            {"misalignment_deg": size, **second_order(model, PLAIN, size)} for size in CONSISTENCY_DEG
-        ]
-        result["consistency"] = []
-        for case_of in consistency_cases():
-            result["consistency"].append(consistency(model, seed=seed, **case_of))
-        result["finished"] = True
-    except KeyboardInterrupt:
-        say("interrupted")
-    return result
-
-
 def consistency_cases() -> Sequence[dict[str, Any]]:
     cases: list[dict[str, Any]] = []
     for bias in (False, True):
@@ -281,74 +227,118 @@ def consistency_cases() -> Sequence[dict[str, Any]]:
     return cases
 
 
-def report(result: dict[str, Any]) -> str:
-    """The exploration as text, section by section."""
-    lines = [f"{'':46}{'(a) linear':>22}{'(b) Monte Carlo':>24}"]
-    head = f"{'':46}{'cells':>7}{'O <=':>8}{'X >=':>7}{'cells':>9}{'O <=':>8}{'X >=':>7}   lost"
-    titles = {
-        "seeds": "Seeds, 120 s",
-        "durations_monte_carlo": "Duration",
-        "drawn": "Drawn periods and phases, 120 s",
-        "drawn_text_noises": "The same, filter told 1' and 1'",
-        "alternatives": "What the paper leaves open, 120 s",
-        "switches": "Switches, 120 s",
+@dataclass(frozen=True)
+class Asked(Seeded):
+    drawn: int = option(12, "Drawn sets of periods and phases.")
+
+
+def run(asked: Asked, progress: Progress = silent, model: Any = None) -> Result:
+    """Everything that docs/euler-matching.md counts:
+
+    seeds, durations_monte_carlo, drawn, drawn_text_noises, alternatives, switches: lists of
+    {name, ..., linear, monte_carlo} as `counted` gives them; durations, durations_text_noises, second_order,
+    consistency: lists, as the functions give them; finished: false if it was interrupted, and then
+    later parts are missing.
+    """
+    model, declared = model or load("euler-matching"), Scenario()
+    result: Result = {"runs": asked.runs, "seed": asked.seed, "finished": False}
+    as_text = SWITCHES["text-noises"].changes
+    motions = [(f"set {number}", drawn_motion(number)) for number in range(asked.drawn)]
+    varied: dict[str, list[tuple[str, dict[str, Any]]]] = {
+        "seeds": [(f"seed {key}", {"seed": key}) for key in range(asked.seed, asked.seed + 3)],
+        "durations_monte_carlo": [
+            (f"{seconds:g} s", {"seconds": seconds}) for seconds in (30.0, 60.0, 120.0, 200.0, 300.0)
+        ],
+        "drawn": motions,
+        "drawn_text_noises": [(name, {**as_text, **drawn}) for name, drawn in motions],
+        "alternatives": list(ALTERNATIVES.items()),
+        "switches": [(" ".join(names), {"switch": names}) for names in [(name,) for name in SWITCHES] + list(COMBINED)],
     }
-    lines.append(head)
-    for part, title in titles.items():
-        if part not in result:
-            continue
-        lines.append(title)
-        for row in result[part]:
-            cells = [
-                f"{row[way]['agree']:7d}{row[way]['largest_estimated']:8.3f}{row[way]['smallest_not_estimated']:7.3f}"
-                for way in ("linear", "monte_carlo")
-            ]
-            lines.append(f"  {row['name']:44}" + "  ".join(cells) + f"{row['lost_runs']:7d}")
-    for part, title in (
-        ("durations", "All 147 cells by linear covariance, up to an hour"),
-        ("durations_text_noises", "The same, filter told 1' and 1', up to half an hour"),
-    ):
-        if part in result:
-            lines += ["", title]
-        for row in result.get(part, []):
-            parts = [
-                f"{word} {'on ' if row[key] else 'off'}"
-                for word, key in (
-                    ("process noise", "process_noise"),
-                    ("Earth rate", "earth_rate"),
-                    ("second-order motion", "second_order"),
-                )
-            ]
-            then = f"; then {row['first_more']}" if row["first_more"] else ""
-            lines.append(f"  {', '.join(parts)}: from {row['from_s']:g} s to {row['to_s']:g} s{then}")
-    if "second_order" in result:
-        lines += ["", "What (15), (18) drop [arcmin, rms]    constant  varying   substitution adds: constant  varying"]
-        for row in result["second_order"]:
-            lines.append(
-                f"  misalignment {row['misalignment_deg']:4g} deg {row['constant_arcmin']:22.3f}"
-                f"{row['varying_arcmin']:9.3f}{row['substitution_constant_arcmin']:29.3f}{row['substitution_varying_arcmin']:9.3f}"
-            )
-    if "consistency" in result:
-        lines += [
-            "",
-            f"{'Consistency, 50 runs':52}{'NEES inside/above/below':>26}{'mean':>9}{'max':>9}   NIS in/above  max",
+    try:
+        for part, cases in varied.items():
+            for name, changes in cases:
+                progress(f"{part}: {name}")
+                case = replace(declared, **{"seed": asked.seed, **changes})
+                other, case = switched(model, case, case.switch)
+                counts = counted(other, case, case.seconds, asked.runs, case.seed)
+                result.setdefault(part, []).append({"name": name, **counts})
+        progress("durations, to an hour")
+        result["durations"] = durations(model, declared)
+        result["durations_text_noises"] = durations(model, replace(declared, **as_text), 1800.0)
+        progress("consistency")
+        result["second_order"] = [
+            {"misalignment_deg": size, **second_order(model, PLAIN, size)} for size in CONSISTENCY_DEG
         ]
-        for row in result["consistency"]:
-            name = f"{row['misalignment_deg']:g} deg, " + ("1 deg/h and its Q" if row["bias"] else "no bias, Q = 0")
-            if row["told_arcmin"] != [1.0, 1.0]:
-                name += f", told {row['told_arcmin'][0]:g}' and {row['told_arcmin'][1]:g}'"
-            if row["exact"]:
-                name += f", exact x{row['iterations']}" + ("" if row["turn_covariance"] else ", P not turned")
-            nees, nis = row["nees"], row["nis"]
-            lines.append(
-                f"  {name:50}{nees['inside']:12d}/{nees['above']:2d}/{nees['below']:2d}{nees['mean']:17.2f}"
-                f"{nees['largest']:9.2f}   {nis['inside']:6d}/{nis['above']:2d} {nis['largest']:7.3f}"
-            )
-            if row["exact"]:
-                lines.append(
-                    "      of 7 motions inside (above): "
-                    + "; ".join(f"{m} {n} ({nees['above_by_match'][m]})" for m, n in nees["inside_by_match"].items())
-                )
+        result["consistency"] = [consistency(model, seed=asked.seed, **case) for case in consistency_cases()]
+        result["finished"] = True
+    except KeyboardInterrupt:
+        progress("interrupted")
+    return result
+
+
+TITLES = {
+    "seeds": "Seeds, 120 s",
+    "durations_monte_carlo": "Duration",
+    "drawn": "Drawn periods and phases, 120 s",
+    "drawn_text_noises": "The same, filter told 1' and 1'",
+    "alternatives": "What the paper leaves open, 120 s",
+    "switches": "Switches, 120 s",
+}
+UNTIL = {
+    "durations": "All 147 cells by linear covariance, up to an hour",
+    "durations_text_noises": "The same, filter told 1' and 1', up to half an hour",
+}
+CAUSES = {"process_noise": "process noise", "earth_rate": "Earth rate", "second_order": "second-order motion"}
+
+
+def report(result: Result) -> str:
+    """The exploration as text, section by section."""
+    head: tuple[str, ...]
+    lines = ["Cells out of 147; largest ratio of the paper's estimated, smallest of the others"]
+    for part in (part for part in TITLES if part in result):
+        rows = [
+            (row["name"], *(row[way][key] for way in ("linear", "monte_carlo") for key in SUMMARY), row["lost_runs"])
+            for row in result[part]
+        ]
+        head = (TITLES[part], "(a)", "O <=", "X >=", "(b)", "O <=", "X >=", "lost")
+        lines += ["", *table(head, rows, ["", "d", ".3f", ".3f", "d", ".3f", ".3f", "d"])]
+    for part in (part for part in UNTIL if part in result):
+        rows = [
+            (*(row[key] for key in CAUSES), row["from_s"], row["to_s"], row["first_more"] or "nothing")
+            for row in result[part]
+        ]
+        lines += ["", UNTIL[part], *table((*CAUSES.values(), "from, s", "to, s", "then"), rows, "g")]
+    if "second_order" in result:
+        head = ("", "constant", "varying", "substitution adds: constant", "varying")
+        rows = [(f"misalignment {size:g} deg", *values) for size, *values in map(dict.values, result["second_order"])]
+        lines += ["", "What (15), (18) drop, arcmin, rms", *table(head, rows, ".3f")]
+    if "consistency" in result:
+        head = ("Consistency, 50 runs", "NEES inside", "above", "below", "mean", "max", "NIS inside", "above", "max")
+        keys = [("nees", key) for key in ("inside", "above", "below", "mean", "largest")]
+        keys += [("nis", key) for key in ("inside", "above", "largest")]
+        formats = ["", "d", "d", "d", ".2f", ".2f", "d", "d", ".3f"]
+        rows = [(says(row), *(row[part][key] for part, key in keys)) for row in result["consistency"]]
+        lines += ["", *table(head, rows, formats)]
+        exact = [row for row in result["consistency"] if row["exact"]]
+        head = ("of 7 motions inside (above)", *(name.replace(", ", "+") for name in NAMES))
+        lines += table(head, [
+            (says(row), *(f"{row['nees']['inside_by_match'][m]} ({row['nees']['above_by_match'][m]})" for m in NAMES))
+            for row in exact
+        ])  # fmt: skip
     if not result["finished"]:
         lines.append("interrupted: what follows is missing")
     return "\n".join(lines)
+
+
+def says(row: dict[str, Any]) -> str:
+    """What was flown in a row of the consistency."""
+    name = f"{row['misalignment_deg']:g} deg, " + ("1 deg/h and its Q" if row["bias"] else "no bias, Q = 0")
+    if row["told_arcmin"] != [1.0, 1.0]:
+        name += f", told {row['told_arcmin'][0]:g}' and {row['told_arcmin'][1]:g}'"
+    if row["exact"]:
+        name += f", exact x{row['iterations']}" + ("" if row["turn_covariance"] else ", P not turned")
+    return name
+
+
+STUDY = Study("euler-exploration", ("euler-matching",), Asked, run, report, figures.explored,
+              good=lambda result: result["finished"])  # fmt: skip

@@ -6,7 +6,7 @@ judged twice, by one criterion under one motion: (a) from the filter's covarianc
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -15,9 +15,12 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
+from boresight.runtime.library import load
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
+from boresight.studies.euler_table import figures
 from boresight.studies.observability import Moment, Replaced, along, with_fields
+from boresight.studies.study import Claim, Progress, Result, Seeded, Study, claim_lines, option, silent, table
 
 ANGLES = ("roll", "pitch", "yaw")
 ERRORS = ("eps_n", "eps_e", "eps_d")
@@ -42,9 +45,11 @@ PAPER = np.array(
 
 
 @dataclass(frozen=True)
-class Scenario:
+class Scenario(Seeded):
     """The one motion, the one filter and the one criterion of all 147 cells."""
 
+    seconds: float = option(120.0, "Length of a run.")
+    switch: tuple[str, ...] = option((), "A departure from the declared scenario; repeat it.")
     # The paper's: "sinusoidal motion of 2 to 3 degrees", 1 deg/h, 1 arcmin, 3 degrees, 1 s.
     motion_amplitude_deg: tuple[float, float, float] = (2.5, 2.5, 2.5)
     gyro_bias_deg_h: float = 1.0  # constant in a run, N(0, this) on each axis; sets the filter's Q too
@@ -351,100 +356,88 @@ def cell_name(cell: Any) -> str:
     return f"{NAMES[i]} match; {NAMES[j]} motion; {ERRORS[k]}"
 
 
-def run(
-    model: Any,
-    *,
-    runs: int = 20,
-    seed: int = 0,
-    seconds: float = 120.0,
-    switches: Sequence[str] = (),
-    scenario: Scenario | None = None,
-    histories: bool = True,
-    progress: Callable[[str], None] | None = None,
-) -> dict[str, Any]:
-    """Table 1 twice.  The result can be written as JSON; its fields are stable:
+def run(scenario: Scenario, progress: Progress = silent, model: Any = None) -> Result:
+    """Table 1 twice: cells (147), runs, seconds, threshold, lost_runs;
 
-    study, cells (147), runs, seed, seconds, switches, threshold, scenario (every field of Scenario);
     matchings, motions, errors: the names along the three axes of each table; paper: (7, 7, 3) bool;
     linear, monte_carlo: agree (cells out of 147), margin (of the nearest cell: factor from the threshold, above 1 on
     the paper's side; its name and ratio), largest_estimated and smallest_not_estimated (the extreme ratios of the
-    paper's two kinds), disagree (names), ratio (7, 7, 3); monte_carlo also has lost_runs and claimed, the ratio by the
-    filter's own sigmas;
-    histories (if asked): time_s, and for the nine cases of Figures 2 to 10, (3 matchings, 3 motions, ...), the errors
-    of three runs error_deg (.., 3 runs, T+1, 3); over all runs their rms rms_deg, and sigma_deg, that of the filter's
-    sigma; linear_sigma_deg, the sigma of (a); all (.., T+1, 3).
+    paper's two kinds), disagree (names), ratio (7, 7, 3); of monte_carlo also claimed, by the filter's sigmas.
+    history: of the nine cases of Figures 2 to 10, (T+1, 3 matchings, 3 motions, ...).
     """
+    runs, seconds = scenario.runs, scenario.seconds
     if runs < 1 or not np.isfinite(seconds) or seconds < 2:
         raise BoresightError(f"euler-table needs at least 1 run and 2 seconds; got {runs} runs, {seconds} seconds")
-    model, scenario = switched(model, scenario or Scenario(), switches)
-    say = progress or (lambda line: None)
-    say("linear covariance")
+    model, scenario = switched(model or load("euler-matching"), scenario, scenario.switch)
+    progress("linear covariance")
     linear = covariance(model, scenario, seconds)
-    say(f"Monte Carlo: 49 cases of {runs} runs, {seconds:g} s")
-    flight = fly(model, scenario, seconds, runs=runs, seed=seed)
-    result = {
-        "study": "euler-table",
+    progress(f"Monte Carlo: 49 cases of {runs} runs, {seconds:g} s")
+    flight = fly(model, scenario, seconds, runs=runs, seed=scenario.seed)
+    error, sigma = flight.error[:, :3, :3] / DEG, flight.sigma[:, :3, :3] / DEG
+    return {
         "cells": PAPER.size,
         "runs": runs,
-        "seed": seed,
+        "seed": scenario.seed,
         "seconds": seconds,
-        "switches": list(switches),
+        "switches": list(scenario.switch),
         "threshold": scenario.threshold,
-        "scenario": {name: list(v) if isinstance(v, tuple) else v for name, v in asdict(scenario).items()},
         "matchings": list(NAMES),
         "motions": list(NAMES),
         "errors": list(ERRORS),
         "paper": PAPER.tolist(),
+        "lost_runs": int(flight.lost.sum()),
         "linear": judged(ratios(linear), scenario.threshold),
         "monte_carlo": {
             **judged(ratios(flight.error), scenario.threshold),
-            "lost_runs": int(flight.lost.sum()),
             "claimed": ratios(flight.sigma).tolist(),
         },
+        "history": {
+            "time_s": np.arange(len(error)) * scenario.update_s,
+            "error_deg": error[..., :3, :],
+            "rms_deg": np.sqrt(np.mean(error**2, axis=-2)),
+            "sigma_deg": np.sqrt(np.mean(sigma**2, axis=-2)),
+            "linear_sigma_deg": linear[:, :3, :3] / DEG,
+        },
     }
-    if histories:
-        error, sigma = flight.error[:, :3, :3] / DEG, flight.sigma[:, :3, :3] / DEG
-        result["histories"] = {
-            "time_s": (np.arange(len(error)) * scenario.update_s).tolist(),
-            "error_deg": np.moveaxis(error[..., :3, :], 0, -2).round(5).tolist(),
-            "rms_deg": np.moveaxis(np.sqrt(np.mean(error**2, axis=-2)), 0, -2).round(5).tolist(),
-            "linear_sigma_deg": np.moveaxis(linear[:, :3, :3] / DEG, 0, -2).round(5).tolist(),
-            "sigma_deg": np.moveaxis(np.sqrt(np.mean(sigma**2, axis=-2)), 0, -2).round(5).tolist(),
-        }
-    return result
 
 
-def report(result: dict[str, Any]) -> str:
-    """The paper's table, the cells of (a) and (b) that disagree with it, and a one-line verdict at the end."""
-    threshold, paper = result["threshold"], np.array(result["paper"])
+def claims(result: Result) -> list[Claim]:
+    """That the table is the paper's, twice, and that the filter's own sigma is no witness."""
+    out = []
+    for part, says in (("linear", "by linear covariance"), ("monte_carlo", "by Monte Carlo")):
+        got = result[part]
+        numbers = {"cells": got["agree"], "nearest cell, factor": got["margin"]["factor"]}
+        numbers |= {name.replace("_", " "): got[name] for name in ("largest_estimated", "smallest_not_estimated")}
+        out.append(Claim(f"all 147 cells are as in the paper {says}", got["agree"] == result["cells"], numbers))
+    claimed = (np.array(result["monte_carlo"]["claimed"]) < result["threshold"]) & ~np.array(result["paper"])
+    says = "the filter's sigma calls estimated what the paper calls not estimable"
+    return [*out, Claim(says, bool(claimed.any()), {"cells": float(claimed.sum())})]
+
+
+def report(result: Result) -> str:
+    """The paper's table, the cells of (a) and (b) that disagree with it, and the claims."""
     lines = [
         "Table 1 of Song and Lee (2001): O where eps_n, eps_e, eps_d can be estimated,",
         "x where not.  A row is named by the angles matched, a column by those that move.",
     ]
-    short = [name.replace("roll", "r").replace("pitch", "p").replace("yaw", "y").replace(", ", "") for name in NAMES]
-    lines.append("  " + " " * 18 + " ".join(f"{name:4}" for name in short).rstrip())
-    for name, row in zip(NAMES, paper, strict=True):
-        lines.append(f"  {name:18}" + "  ".join("".join("xO"[int(k)] for k in case) for case in row))
-    lines.append("")
-    how = f"{result['runs']} runs of {result['seconds']:g} s, seed {result['seed']}"
-    titles = [("(a) linear covariance", "linear"), (f"(b) Monte Carlo, {how}", "monte_carlo")]
-    for title, part in titles:
-        got, margin = result[part], result[part]["margin"]
-        lines.append(f"{title}: {got['agree']} of {result['cells']} cells are as in the paper.")
-        lines.append(
-            f"    The largest estimated ratio to the start is {got['largest_estimated']:.3f}, "
-            f"the smallest other {got['smallest_not_estimated']:.3f}."
-        )
-        lines.append(f"    Nearest to {threshold:.3f}: {margin['cell']}, {margin['ratio']:.3f}.")
+    short = ["".join(angle[0] for angle in name.split(", ")) for name in NAMES]
+    cells = [["".join("xO"[int(k)] for k in case) for case in row] for row in result["paper"]]
+    lines += table(("", *short), [(name, *row) for name, row in zip(NAMES, cells, strict=True)])
+    lines += ["", f"{result['runs']} runs of {result['seconds']:g} s, seed {result['seed']}"]
+    for part in ("linear", "monte_carlo"):
+        got = result[part]
+        lines.append(f"  {part.replace('_', ' ')}: nearest to {result['threshold']:.3f} is {got['margin']['cell']}")
         lines += [f"    differs from the paper: {cell}" for cell in got["disagree"][:12]]
         if len(got["disagree"]) > 12:
             lines.append(f"    ... and {len(got['disagree']) - 12} more")
-    claimed = int(np.sum((np.array(result["monte_carlo"]["claimed"]) < threshold) & ~paper))
-    lines.append(f"    The filter's sigma calls {claimed} of the {np.sum(~paper)} others estimated: it is no witness.")
-    if result["monte_carlo"]["lost_runs"]:
-        lines.append(f"    {result['monte_carlo']['lost_runs']} of {49 * result['runs']} runs left the model's box")
+    if result["lost_runs"]:
+        lines.append(f"  {result['lost_runs']} of {49 * result['runs']} runs left the model's box")
     if result["switches"]:
-        lines.append(f"flown with {', '.join(result['switches'])}")
-    linear, monte_carlo = result["linear"]["agree"], result["monte_carlo"]["agree"]
-    lines.append(f"euler-table: {linear} of 147 cells as in the paper by covariance, {monte_carlo} by Monte Carlo")
-    return "\n".join(lines)
+        lines.append(f"  flown with {', '.join(result['switches'])}")
+    return "\n".join([*lines, *claim_lines(claims(result))])
+
+
+STUDY = Study(
+    "euler-table", ("euler-matching",), Scenario, run, report, figures.draw, claims,
+    good=lambda result: all(claim.holds for claim in claims(result)[:2]),
+)  # fmt: skip

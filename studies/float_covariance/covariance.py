@@ -8,7 +8,6 @@ second by zero velocity and by the azimuth.  docs/float.md says what came out.
 import ctypes
 import itertools
 import json
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from pathlib import Path
@@ -25,7 +24,9 @@ from boresight.runtime.manifest import folder_of, read_manifest
 from boresight.runtime.simulation.inertial import increments
 from boresight.runtime.simulation.sensors import generator
 from boresight.runtime.units import DEG, DEG_H, FOOT, MILLI_G, STANDARD_GRAVITY
-from boresight.studies.figures import BLUE, GREY, ORANGE, figure
+from boresight.studies.consistency import nees
+from boresight.studies.figures import BLUE, GREY, ORANGE, Sheets
+from boresight.studies.study import Progress, Result, Study, option, silent, table
 
 STEP_S, UPDATE_S = 0.01, 1.0
 POSITION = np.array([0.2, 45 * DEG, 100.0])  # lon lat height
@@ -288,7 +289,7 @@ def estimates(start: Start, form: str, seed: int, runs: int) -> dict[str, Any]:
 
 
 def mean_nees(error: Array, P: Array) -> float:
-    return float(np.einsum("ti,ti->t", error, np.linalg.solve(P, error[..., None])[..., 0]).mean())
+    return float(nees(error, P).mean())
 
 
 def navigations(start: Start, seed: int) -> list[dict[str, Any]]:
@@ -349,25 +350,29 @@ def navigations(start: Start, seed: int) -> list[dict[str, Any]]:
     return found
 
 
-def run(
-    seed: int = 0, runs: int = 3, seconds: int | None = None, progress: Callable[[str], None] = lambda line: None
-) -> dict[str, Any]:
-    """Everything; seconds: at most so long each.  runs: of the estimates.
+@dataclass(frozen=True)
+class Asked:
+    seed: int = option(0, "Of the errors that the estimates are flown with.")
+    estimates: int = option(3, "Runs of each flight of an estimate.")
+    longest_s: int = 3600  # of any flight, for a quick look
 
-    Returns a JSON-ready dict: covariances, corners and limits (rows of `compare`; limits with `noise`, the part of the
-    process noise), estimates, navigations, and the worst deviation of UD at 100 and 10 Hz over covariances and corners.
+
+def run(asked: Asked, progress: Progress = silent) -> Result:
+    """Everything: covariances, corners and limits (rows of `compare`; limits with `noise`, the part of the process
+
+    noise), estimates, navigations, starts, and worst, the worst deviation of UD at 100 and 10 Hz over covariances and
+    corners; history: start -> rows of `compare` with theirs, at rest.
     """
 
     def cut(start: Start) -> Start:
-        return start if seconds is None else replace(start, seconds=min(seconds, start.seconds))
+        return replace(start, seconds=min(asked.longest_s, start.seconds))
 
     covariances, corners, limits = [], [], []
-    for start in map(cut, (*GENTLE, *COARSE)):
+    for start, kind in itertools.product(map(cut, (*GENTLE, *COARSE)), ("rest", "circle")):
+        progress(f"{start.name}, {kind}")
         # over an hour made symmetric or not is the same; it is left out for time
         forms = tuple(one for one in ALL if start.seconds <= 600 or one[1] != "symmetrized")
-        for kind, wanted in (("rest", forms), ("circle", SHORT)):
-            progress(f"{start.name}, {kind}")
-            covariances += compare(start, kind, wanted, keep=kind == "rest")
+        covariances += compare(start, kind, forms if kind == "rest" else SHORT, keep=kind == "rest")
     for start, kind in itertools.product(map(cut, CORNERS), ("rest", "circle")):
         progress(f"{start.name}, {kind}")
         corners += compare(start, kind, SHORT)
@@ -378,9 +383,8 @@ def run(
     found = []
     for start, form in ((GENTLE[2], "ud"), *((start, "ud") for start in COARSE), (COARSE[1], "joseph")):
         progress(f"{start.name}, estimates in {form}")
-        found.append(estimates(cut(start), form, seed, runs))
+        found.append(estimates(cut(start), form, asked.seed, asked.estimates))
     progress("navigation")
-    flown = navigations(cut(GENTLE[1]), seed)
 
     def worst(rate_hz: float) -> dict[str, Any]:
         return max(
@@ -388,79 +392,67 @@ def run(
             key=lambda r: np.inf if r["dies_s"] is not None else r["deviation"],
         )
 
+    history = [(row, row.pop("history")) for row in covariances if "history" in row]
     return {
-        "seed": seed,
         "starts": [vars(start) for start in (*GENTLE, *COARSE, *CORNERS)],
         "covariances": covariances,
         "corners": corners,
         "limits": limits,
         "estimates": found,
-        "navigations": flown,
-        "worst": {
-            f"{rate:g} Hz": {k: v for k, v in worst(rate).items() if k != "history"} for rate in (100.0, 10.0)
-        },
-    }  # fmt: skip
+        "navigations": navigations(cut(GENTLE[1]), asked.seed),
+        "worst": {f"{rate:g} Hz": worst(rate) for rate in (100.0, 10.0)},
+        "history": history,
+    }
 
 
-def verdict(row: dict[str, Any]) -> str:
-    """How a cell of the table reads: the worst deviation of a sigma, or when it died and the deviation until then."""
-    if row["dies_s"] is None:
-        return f"{100 * row['deviation']:.3g} %"
-    return f"dies, {row['dies_s']:g} s"
+def verdict(row: dict[str, Any] | None) -> str:
+    """How a cell of the table reads: the worst deviation of a sigma, or when it died."""
+    if row is None:
+        return ""
+    return f"{100 * row['deviation']:.3g} %" if row["dies_s"] is None else f"dies, {row['dies_s']:g} s"
 
 
-def report(result: dict[str, Any]) -> str:
+def report(result: Result) -> str:
     """The table of starts by forms, corners, limits, estimates and navigations; the last line sums up."""
-    lines = [
-        "Single precision at 100 Hz, updated each second: worst deviation of a sigma from double, or when it died",
-        "",
-        f"{'start':10} {'motion':7}" + "".join(f"{name:>16}" for name in (*FORMS, "ud, 10 Hz", "joseph double")),
-    ]
-    table: dict[tuple[str, str], dict[tuple[str, str, float], str]] = {}
+    cells: dict[tuple[str, str], dict[Any, Any]] = {}
     for row in result["covariances"]:
-        cell = table.setdefault((row["start"], row["motion"]), {})
-        cell[row["precision"], row["form"], row["rate_hz"]] = verdict(row)
-    for (start, kind), cell in table.items():
-        lines.append(f"{start:10} {kind:7}" + "".join(f"{cell.get(one, ''):>16}" for one in ALL))
-    ud = [r["deviation"] for r in result["corners"] if r["form"] == "ud" and r["rate_hz"] == 100]
-    slow = [r["deviation"] for r in result["corners"] if r["form"] == "ud" and r["rate_hz"] == 10]
+        key = row["precision"], row["form"], row["rate_hz"]
+        cells.setdefault((row["start"], row["motion"]), {})[key] = row
+    named = [(f"{start}, {kind}", *(verdict(of.get(one)) for one in ALL)) for (start, kind), of in cells.items()]
+    ud, slow = ([r["deviation"] for r in result["corners"] if r["form"] == "ud" and r["rate_hz"] == rate]
+                for rate in (100, 10))  # fmt: skip
     dead = [r["dies_s"] for r in result["corners"] if r["form"] == "joseph"]
     died = [d for d in dead if d is not None]
-    lines += [
+    limits = [result["limits"][k : k + 3] for k in range(0, len(result["limits"]), 3)]
+    names = ("north_m", "speed_mm_s", "level_arcsec", "azimuth_arcsec", "gyro_bias_deg_h", "nees", "apart_sigmas")
+    worst = result["worst"]
+    return "\n".join([
+        "Single precision at 100 Hz, updated each second: worst deviation of a sigma from double, or when it died",
+        *table(("", *FORMS, "ud, 10 Hz", "joseph double"), named),
         "",
         f"16 corners at rest and in a circle: UD {100 * max(ud):.2g} % at most, at 10 Hz {100 * max(slow):.2g} %; "
         f"joseph died in {len(died)} of {len(dead)}, after {max(died, default=np.nan):g} s at the latest",
         "",
-        "less process noise, at rest: ud at 100 Hz, at 10 Hz, joseph in double",
-    ]
-    limits = result["limits"]
-    for k in range(0, len(limits), 3):
-        cells = "".join(f"{verdict(row):>16}" for row in limits[k : k + 3])
-        lines.append(f"  {limits[k]['start']:10} {limits[k]['noise']:5g} of it {cells}")
-    lines += ["", "estimates in float beside double, largest difference in sigmas; NEES of 15, double and float"]
-    for row in result["estimates"]:
-        lines.append(
-            f"  {row['start']:10} {row['form']:7} first 10 s {number(row['first_10_s'])}  later {number(row['later'])}"
-            f"  NEES {number(row['nees_double'])} {number(row['nees_float'])}"
-        )
-    lines += ["", "an hour of navigation at rest: rms of the last half, and NEES of 15"]
-    for row in result["navigations"]:
-        lines.append(
-            f"  {row['says']:38} north {row['north_m']:5.2f} m  velocity {row['speed_mm_s']:6.3f} mm/s  level "
-            f"{row['level_arcsec']:6.1f} arcsec  azimuth {row['azimuth_arcsec']:6.1f} arcsec  gyros "
-            f"{row['gyro_bias_deg_h']:.3f} deg/h  NEES {row['nees']:8.2f}  {row['apart_sigmas']:.2g} sigmas from double"
-        )
-    worst = result["worst"]
-    lines.append(
+        *table(("less process noise, at rest", "ud", "ud, 10 Hz", "joseph double"),
+               [(f"{rows[0]['start']}, {rows[0]['noise']:g} of it", *map(verdict, rows)) for rows in limits]),
+        "",
+        "estimates in float beside double, largest difference in sigmas; NEES of 15; '-': lost",
+        *table(("", "first 10 s", "later", "NEES double", "float"),
+               [(f"{row['start']}, {row['form']}", *list(row.values())[3:]) for row in result["estimates"]], ".3g"),
+        "",
+        "an hour of navigation at rest: rms of the last half",
+        *table(("", "north, m", "mm/s", "level, arcsec", "azimuth", "gyros, deg/h", "NEES of 15", "sigmas apart"),
+               [(row["says"], *(row[name] for name in names)) for row in result["navigations"]], ".3g"),
+        "",
         "float-covariance: UD in float within "
         + ", ".join(f"{100 * row['deviation']:.2f} % at {rate}" for rate, row in worst.items())
-        + f"; worst in {worst['100 Hz']['start']} ({worst['100 Hz']['motion']}), {worst['100 Hz']['deviation_state']}"
-    )
-    return "\n".join(lines)
+        + f"; worst in {worst['100 Hz']['start']} ({worst['100 Hz']['motion']}), {worst['100 Hz']['deviation_state']}",
+    ])  # fmt: skip
 
 
-def number(value: float | None) -> str:
-    return f"{'lost':>8}" if value is None else f"{value:8.2g}" if value < 1 else f"{value:8.1f}"
+def good(result: Result) -> bool:
+    worst = result["worst"]["100 Hz"]
+    return worst["dies_s"] is None and worst["deviation"] < 0.005
 
 
 # How the forms look: what is shipped for float is blue, what loses is orange and grey; and where their crosses stand.
@@ -473,29 +465,37 @@ LOOK: dict[tuple[str, str, float], tuple[str, Any, float, str]] = {
 }
 
 
-def histories(result: dict[str, Any], starts: tuple[str, ...], path: Path) -> None:
+def draw(result: Result, sheets: Sheets) -> None:
+    """Gentle and coarse starts at rest, in float."""
+    histories(result, ("gentle 1", "gentle 3", "middle 2"), "gentle", sheets)
+    histories(result, ("coarse 1", "coarse 2", "coarse 4"), "coarse", sheets)
+
+
+def histories(result: Result, starts: tuple[str, ...], name: str, sheets: Sheets) -> None:
     """Smallest eigenvalue of the correlations, and below the worst deviation of a sigma; a column a start."""
     from matplotlib.lines import Line2D
 
     told = {start["name"]: start for start in result["starts"]}
-    with figure(path, 9.0, 5.6, nrows=2, ncols=len(starts), sharex=True, sharey="row") as (drawing, axes):
-        for (above, below), name in zip(axes.T, starts, strict=True):
-            for row in result["covariances"]:
+    lived = set()
+    with sheets(f"float-{name}", 9.0, 5.6, nrows=2, ncols=len(starts), sharex=True, sharey="row") as (drawing, axes):
+        for (above, below), start in zip(axes.T, starts, strict=True):
+            for row, history in result["history"]:
                 key = (row["precision"], row["form"], row["rate_hz"])
-                if row["start"] != name or row["motion"] != "rest" or key not in LOOK:
+                if row["start"] != start or key not in LOOK:
                     continue
                 colour, line, height, _ = LOOK[key]
-                time = np.array(row["history"]["time_s"])
+                time = np.array(history["time_s"])
                 lives = time < (row["dies_s"] or np.inf)
-                for ax, values in ((above, row["history"]["eigenvalue"]), (below, row["history"]["deviation"])):
+                lived |= {key} if lives.any() else set()
+                for ax, values in ((above, history["eigenvalue"]), (below, history["deviation"])):
                     ax.plot(time[lives], np.array(values)[lives], color=colour, linestyle=line)
                     if row["dies_s"] is not None:
                         y = 1 - height if ax is below else height  # towards zero, and away from double
                         ax.plot(row["dies_s"], y, "x", color=colour, transform=ax.get_xaxis_transform(), clip_on=False)
             below.axhline(0.005, color="0.3", linewidth=0.8, linestyle=(0, (1, 1.5)))
-            one = told[name]
+            one = told[start]
             above.set_title(
-                f"{name}: {one['position_m']:g} m, {one['azimuth_deg']:g} deg, {one['gyro_bias_deg_h']:g} deg/h\n"
+                f"{start}: {one['position_m']:g} m, {one['azimuth_deg']:g} deg, {one['gyro_bias_deg_h']:g} deg/h\n"
                 f"measured to {one['zupt_m_s'] * 1e3:g} mm/s, {one['hold_rad'] * 1e6:g} microrad",
                 loc="left", fontsize=8,
             )  # fmt: skip
@@ -504,17 +504,15 @@ def histories(result: dict[str, Any], starts: tuple[str, ...], path: Path) -> No
             below.set_xlabel("time [s]")
         axes[0, 0].set_ylabel("smallest eigenvalue of\nthe correlations")
         axes[1, 0].set_ylabel("worst |sigma / double - 1|")
-        shown = {label: Line2D([], [], color=colour, linestyle=line) for colour, line, _, label in LOOK.values()}
+        shown = {
+            label: Line2D(
+                [], [], color=colour, linestyle=line if key in lived else "", marker="" if key in lived else "x"
+            )
+            for key, (colour, line, _, label) in LOOK.items()
+        }
         shown["no covariance any more"] = Line2D([], [], color="0.3", linestyle="", marker="x")
         shown["0.5 %"] = Line2D([], [], color="0.3", linewidth=0.8, linestyle=(0, (1, 1.5)))
         drawing.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=4)
 
 
-def float_figures(result: dict[str, Any], folder: str | Path) -> list[Path]:
-    """Gentle and coarse starts at rest, in float.  Returns the files written."""
-    chosen = {"gentle": ("gentle 1", "gentle 3", "middle 2"), "coarse": ("coarse 1", "coarse 2", "coarse 4")}
-    written = []
-    for name, starts in chosen.items():
-        written.append(Path(folder) / f"float-{name}.png")
-        histories(result, starts, written[-1])
-    return written
+STUDY = Study("float-covariance", ("azimuth-hold", "strapdown"), Asked, run, report, draw, good=good)

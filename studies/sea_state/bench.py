@@ -11,6 +11,7 @@ import numpy as np
 from boresight.runtime.simulation import hull
 from boresight.runtime.units import DEG
 from boresight.studies.sea_state.flight import FILTERS, Scenario, fly
+from boresight.studies.study import table
 
 AMPLITUDE_DEG = (0.0, 0.45, 0.78, 1.18)  # at rest, and the paper's three cases
 CASES = ("at rest", "case 1", "case 2", "case 3")
@@ -28,14 +29,14 @@ def bench(frequency_hz: float = FREQUENCY_HZ) -> hull.Motion:
 
 def experiment(
     model: Any, scenario: Scenario, *, runs: int, seed: int, frequency_hz: float = FREQUENCY_HZ
-) -> dict[str, Any]:
+) -> tuple[dict[str, Any], dict[str, Any]]:
     """Heading in deg after a minute, case by case, with gyros of right axes and with those of a MEMS unit.
 
     Returns cases, amplitude_deg, paper_deg, frequency_hz, gyro_axes_mrad, runs; `right` and `askew` (gyro axes):
     mean_deg, worst_deg, sigma_deg (the filter's own) at the end, below_s (mean error for good below the paper's 0.15
-    deg, null if never), nis (of six rows, after 10 s); history, of right axes: time_s, roll_deg (3, T), heading_deg (4,
-    runs, T), sigma_deg (4, T); rest: sigma_deg after a minute at rest, and reported_deg, what noise in H would make
-    of it, 1 / sqrt(1 / sigma_0^2 + 2 updates).
+    deg, null if never), nis (of six rows, after 10 s); rest: sigma_deg after a minute at rest, and reported_deg, what
+    noise in H would make of it, 1 / sqrt(1 / sigma_0^2 + 2 updates); and the history, of right axes: time_s, roll_deg
+    (T, 4), heading_deg (T, 4, runs), sigma_deg (T, 4).
     """
     motion = bench(frequency_hz)
     number = len(CASES)
@@ -70,12 +71,12 @@ def experiment(
             "below_s": [float(n.argmax() / one.update_hz) if n.any() else None for n in inside[:, part].T],
             "nis": nis[part].tolist(),
         }
-    time = np.arange(0, one.seconds + 0.05, 0.1)
-    out["history"] = {
-        "time_s": time.round(1).tolist(),
-        "roll_deg": (motion.freedoms.at(time)[:, 1:, 0, 3] / DEG).T.round(4).tolist(),
-        "heading_deg": np.moveaxis(heading[:, :number], 0, -1).round(4).tolist(),
-        "sigma_deg": sigma[:, :number].T.round(4).tolist(),
+    time = np.arange(len(heading)) / one.update_hz
+    history = {
+        "time_s": time,
+        "roll_deg": motion.freedoms.at(time)[:, :, 0, 3] / DEG,
+        "heading_deg": heading[:, :number],
+        "sigma_deg": sigma[:, :number],
     }
     # An H that held the reported attitude would take its noise for motion: two rows whose noise over their own sigma
     # adds 1 each to 1 / sigma^2 of the heading, update for update, however small the noise.
@@ -83,28 +84,21 @@ def experiment(
         "sigma_deg": out["right"]["sigma_deg"][0],
         "reported_deg": float(1 / np.sqrt((one.misalignment_deg * DEG) ** -2 + 2 * one.seconds * one.update_hz) / DEG),
     }
-    return out
+    return out, history
 
 
-def report(result: dict[str, Any]) -> str:
+def report(result: dict[str, Any]) -> list[str]:
     """One line a case."""
-    lines = [
-        f"bench: slave at 400 Hz, master at 10 Hz, roll at {result['frequency_hz']:g} Hz, {result['runs']} runs; "
-        "heading in deg after 60 s",
-        "  case       roll   mean   worst  sigma   below 0.15 from | gyro axes askew by "
-        f"{result['gyro_axes_mrad']:g} mrad: mean   worst | paper",
-    ]
     right, askew = result["right"], result["askew"]
-    for i, name in enumerate(result["cases"]):
-        at = right["below_s"][i]
-        lines.append(
-            f"  {name:8}{result['amplitude_deg'][i]:7.2f}{right['mean_deg'][i]:8.3f}{right['worst_deg'][i]:8.3f}"
-            f"{right['sigma_deg'][i]:8.3f}   {'never' if at is None else f'{at:.1f} s':>8}        |"
-            f"{askew['mean_deg'][i]:26.3f}{askew['worst_deg'][i]:8.3f}     | {result['paper_deg'][i]:.2f}"
-        )
+    keys = ("mean_deg", "worst_deg", "sigma_deg", "below_s")
+    columns = [result["cases"], result["amplitude_deg"], *(right[key] for key in keys), askew["mean_deg"],
+               askew["worst_deg"], result["paper_deg"]]  # fmt: skip
+    head = ("", "roll", "mean", "worst", "sigma", "below 0.15, s", "askew: mean", "worst", "paper")
     rest = result["rest"]
-    lines.append(
-        f"  at rest the filter's own sigma is {rest['sigma_deg']:.2f} deg of the 2 at the start; with the reported "
-        f"attitude in H its noise alone would make it {rest['reported_deg']:.2f}"
-    )
-    return "\n".join(lines)
+    return [
+        f"bench: slave at 400 Hz, master at 10 Hz, roll at {result['frequency_hz']:g} Hz, {result['runs']} runs;",
+        f"heading in deg after 60 s; askew: gyro axes by {result['gyro_axes_mrad']:g} mrad",
+        *table(head, zip(*columns, strict=True), ["", ".2f", ".3f", ".3f", ".3f", ".1f", ".3f", ".3f", ".2f"]),
+        f"  at rest the filter's own sigma is {rest['sigma_deg']:.2f} deg of the 2 at the start; with the reported",
+        f"  attitude in H its noise alone would make it {rest['reported_deg']:.2f}",
+    ]

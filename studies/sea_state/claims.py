@@ -9,9 +9,10 @@ import numpy as np
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull
 from boresight.runtime.units import DEG, MIL
-from boresight.studies.sea_state import delay as sea_delay
-from boresight.studies.sea_state.experiment import claims, table
+from boresight.studies.sea_state import delay
+from boresight.studies.sea_state.experiment import claims_of, table_of
 from boresight.studies.sea_state.flight import FILTERS, HEIGHT_M, Scenario, draw, fly, motion_of
+from boresight.studies.study import Claim, Progress, Result, Seeded, Study, option, silent, table
 
 MIDDLE_M = (0.05, 0.3, 0.875, 1.875, 3.25, 5.0)  # of the heights in the WMO's code 3700
 
@@ -64,51 +65,61 @@ VARIANTS = (
 )
 
 
-def explore(
-    model: Any = None, *, runs: int = 10, seed: int = 0, progress: Callable[[str], None] | None = None
-) -> dict[str, Any]:
-    """Every variant.  The result can be written as JSON: runs, seed, rows: says, with_30_mil and without_60_mil (mean
-    error, 6 states), predicted_mil (6), holds (6 claims, as in `sea_state.claims`), nees (6)."""
-    model = model or load("velocity-attitude")
-    say = progress or (lambda line: None)
+@dataclass(frozen=True)
+class Asked(Seeded):
+    runs: int = option(10, "Monte Carlo runs of each state and variant.")
+
+
+def run(asked: Asked, progress: Progress = silent) -> Result:
+    """Every variant: runs, seed, rows: says, with_30_mil and without_60_mil (mean error, 6 states), predicted_mil (6),
+    holds (6 claims, as in `experiment.claims_of`), nees (6).
+    """
+    model = load("velocity-attitude")
     rows = []
     for variant in VARIANTS:
-        say(variant.says)
+        progress(variant.says)
         scenario = replace(Scenario(), **variant.changes)
-        if isinstance(variant.kind, str):
-            motion = motion_of(variant.kind, scenario, draw(scenario, seed, runs).streams)
-        else:
-            motion = variant.kind(scenario)
-        kind = variant.kind if isinstance(variant.kind, str) else motion
-        flight = fly(model, kind, scenario, runs=runs, seed=seed, way=variant.way, matching=variant.matching)
-        one = table(flight, scenario)
+        kind = variant.kind if isinstance(variant.kind, str) else variant.kind(scenario)
+        flight = fly(
+            model, kind, scenario, runs=asked.runs, seed=asked.seed, way=variant.way, matching=variant.matching
+        )
+        streams = draw(scenario, asked.seed, asked.runs).streams
+        motion = motion_of(kind, scenario, streams) if isinstance(kind, str) else kind
+        one = table_of(flight, scenario)
         rows.append(
             {
                 "says": variant.says,
                 "with_30_mil": one[FILTERS[0]]["mean_mil"][0],
                 "without_60_mil": one[FILTERS[1]]["mean_mil"][1],
-                "predicted_mil": (sea_delay.predicted_heading(motion, flight.delay) / MIL).mean(-1).tolist(),
-                "holds": [claim["holds"] for claim in claims(one, scenario)],
+                "predicted_mil": (delay.predicted_heading(motion, flight.delay) / MIL).mean(-1).tolist(),
+                "holds": [claim.holds for claim in claims_of(one, scenario, "")],
                 "nees": one[FILTERS[0]]["nees"],
             }
         )
-    return {"study": "sea-state", "runs": runs, "seed": seed, "rows": rows}
+    return {"runs": asked.runs, "seed": asked.seed, "rows": rows}
 
 
-def report(result: dict[str, Any]) -> str:
+def report(result: Result) -> str:
     """One line a variant."""
-    lines = [
+    rows = [
+        (row["says"], [row["with_30_mil"][g] for g in (1, 2, 5)], [row["without_60_mil"][g] for g in (2, 3, 5)],
+         row["predicted_mil"][5], "".join(str(i + 1) if holds else "-" for i, holds in enumerate(row["holds"])))
+        for row in result["rows"]
+    ]  # fmt: skip
+    head = ("", "with, 30 s: 2, 3, 6", "without, 60 s: 3, 4, 6", "closed form 6", "claims")
+    return "\n".join([
         f"what the claims depend on: mean heading error in mil, {result['runs']} runs, seed {result['seed']}",
-        "claims: 1 no convergence up to state 2; 2 under 2 mil in 30 s from 3 on; 3 above 2 mil without, in 4 to 6 "
-        "only;",
-        "        4 rougher is faster; 5 compensation matters more; 6 more oscillation without",
-        f"{'':38} with, 30 s, states 2, 3, 6    without, 60 s, 3, 4, 6   closed form 6   claims",
-    ]
-    for row in result["rows"]:
-        first, last = row["with_30_mil"], row["without_60_mil"]
-        held = "".join(str(i + 1) if holds else "-" for i, holds in enumerate(row["holds"]))
-        lines.append(
-            f"{row['says']:38}{first[1]:9.2f}{first[2]:9.2f}{first[5]:9.2f}  {last[2]:9.2f}{last[3]:9.2f}{last[5]:9.2f}"
-            f"  {row['predicted_mil'][5]:9.2f}       {held}"
-        )
-    return "\n".join(lines)
+        "claims: 1 no convergence up to state 2; 2 under 2 mil in 30 s from 3 on; 3 above 2 mil without, in 4 to 6",
+        "        only; 4 rougher is faster; 5 compensation matters more; 6 more oscillation without",
+        *table(head, rows, ".2f"),
+    ])  # fmt: skip
+
+
+def claims(result: Result) -> list[Claim]:
+    """How many variants each of the six holds under."""
+    counts = np.sum([row["holds"] for row in result["rows"]], axis=0)
+    numbers = {f"claim {i + 1}": float(count) for i, count in enumerate(counts)}
+    return [Claim("each of the six claims holds under some variant", bool(counts.all()), numbers)]
+
+
+STUDY = Study("sea-claims", ("velocity-attitude",), Asked, run, report, claims=claims)

@@ -13,6 +13,7 @@ from boresight.runtime.array import Array
 from boresight.runtime.simulation import hull, sea
 from boresight.runtime.units import DEG, MIL
 from boresight.studies.sea_state.flight import FILTERS, GRADES, HEIGHT_M, Scenario, fly
+from boresight.studies.study import table
 
 # What is varied, one at a time, about the first of each.
 VARIED: dict[str, tuple[float, ...]] = {
@@ -92,6 +93,7 @@ def against_simulation(model: Any, scenario: Scenario, seed: int = 0) -> dict[st
     }
 
 
+KEYS = ("heading_mil", "delay_error_ms", "nis")
 WAYS: dict[str, Literal["extrapolate", "buffer"]] = {"the paper's": "extrapolate", "by a buffer": "buffer"}
 
 
@@ -105,7 +107,7 @@ def ways(model: Any, scenario: Scenario, *, runs: int, seed: int) -> dict[str, A
     out: dict[str, Any] = {"grades": list(GRADES), "delay_ms": [list(delay) for delay in delays]}
     i = FILTERS.index("with")
     for name, way in WAYS.items():
-        part: dict[str, list] = {"heading_mil": [], "delay_error_ms": [], "nis": []}
+        part: dict[str, list] = {key: [] for key in KEYS}
         for delay in delays:
             one = replace(scenario, delay_ms=delay, delay_sigma_ms=delay[1])
             flight = fly(model, "slope", one, runs=runs, seed=seed, way=way)
@@ -116,27 +118,24 @@ def ways(model: Any, scenario: Scenario, *, runs: int, seed: int) -> dict[str, A
     return out
 
 
-def report(closed: dict[str, Any], two: dict[str, Any]) -> str:
+def report(closed: dict[str, Any], two: dict[str, Any]) -> list[str]:
     """The closed form variable by variable, and the two ways side by side."""
-    lines = [
-        "an unknown delay, closed form and simulation: yaw_hat - yaw in mil; sea state 5, no yaw, "
-        + ", ".join(f"{name} {values[0]:g}" for name, values in VARIED.items() if name != "grade")
-    ]
-    base = closed["cases"][0]
-    lines.append(f"  as declared   closed {base['closed_mil']:.3f}  flown {base['flown_mil']:.3f}")
+    base, rows = closed["cases"][0], []
     for name, values in VARIED.items():
-        chosen = [row for row in closed["cases"][1:] if row[name] != values[0]]
-        cells = (f"{row[name]:g}: {row['closed_mil']:.2f} {row['flown_mil']:.2f}" for row in chosen)
-        lines.append(f"  {name:13} " + ",  ".join(cells))
+        chosen = [row for row in closed["cases"] if all(row[other] == base[other] for other in VARIED if other != name)]
+        for row in (row for row in chosen if row is not base):
+            rows.append((f"{name} {row[name]:g}, not {values[0]:g}", row["closed_mil"], row["flown_mil"]))
+    ways = [
+        (f"{low:g} to {high:g} ms {name}", *([two[name][key][row][g] for key in KEYS] for g in range(2, 6)))
+        for row, (low, high) in enumerate(two["delay_ms"])
+        for name in WAYS
+    ]
     verdict = "all" if closed["all_good"] else "NOT all"
-    lines.append(f"  {verdict} within 5 % or 0.1 mil; the farthest by {closed['worst_mil']:.3f} mil")
-    lines.append("a delay compensated, after 60 s in states 3 to 6 under slope: heading in mil, delay in ms, NIS of 6")
-    for row, delay in enumerate(two["delay_ms"]):
-        for name in WAYS:
-            cells = (
-                f"{two[name]['heading_mil'][row][g]:6.2f}{two[name]['delay_error_ms'][row][g]:6.2f}"
-                f"{two[name]['nis'][row][g]:6.2f}"
-                for g in range(2, 6)
-            )
-            lines.append(f"  {delay[0]:g} to {delay[1]:g} ms {name:12}" + "  |".join(cells))
-    return "\n".join(lines) + "\n"
+    return [
+        "an unknown delay: yaw_hat - yaw in mil; sea state 5, no yaw",
+        *table(("", "closed form", "flown"), [("as declared", base["closed_mil"], base["flown_mil"]), *rows], ".2f"),
+        f"  {verdict} within 5 % or 0.1 mil; the farthest by {closed['worst_mil']:.3f} mil",
+        "",
+        "a delay compensated, after 60 s under slope: heading in mil, delay in ms, NIS of 6",
+        *table(("", *(f"state {g}" for g in range(3, 7))), ways, ".2f"),
+    ]

@@ -4,8 +4,6 @@
 against the simulation, and the bench.  docs/sea-state.md tells the story; `sea_flight` flies.
 """
 
-from collections.abc import Callable, Sequence
-from dataclasses import asdict
 from itertools import pairwise
 from time import perf_counter
 from typing import Any
@@ -15,10 +13,10 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime.library import load
 from boresight.runtime.units import MIL
-from boresight.studies.consistency import chi_square_band
-from boresight.studies.sea_state import bench as sea_bench
-from boresight.studies.sea_state import delay as sea_delay
+from boresight.studies.consistency import chi_square_band, nees
+from boresight.studies.sea_state import bench, delay, figures
 from boresight.studies.sea_state.flight import FILTERS, GRADES, MOTIONS, Flight, Scenario, checked, draw, fly, motion_of
+from boresight.studies.study import Claim, Progress, Result, Study, claim_lines, silent, table
 
 LIMIT_MIL = 2.0  # the paper's
 SETTLED_S = 10  # NIS counts from here on: at first the filter makes use of a start that is better than it was told
@@ -29,7 +27,7 @@ def marks_s(scenario: Scenario) -> tuple[int, int]:
     return scenario.seconds // 2, scenario.seconds
 
 
-def table(flight: Flight, scenario: Scenario) -> dict[str, Any]:
+def table_of(flight: Flight, scenario: Scenario) -> dict[str, Any]:
     """What `run` says of one motion, filter by filter and sea state by sea state."""
     h, sigma = flight.heading / MIL, flight.heading_sigma / MIL
     marks = [mark * scenario.update_hz for mark in marks_s(scenario)]
@@ -59,99 +57,73 @@ def table(flight: Flight, scenario: Scenario) -> dict[str, Any]:
     for i, name in enumerate(FILTERS):
         part = slice(None) if name == "with" else known
         e_i, P_i = e[i][..., part], P[i][..., part, part]
-        nees = np.einsum("...i,...i->...", e_i, np.linalg.solve(P_i, e_i[..., None])[..., 0])
-        out[name]["nees"] = nees.mean(-1).tolist()
+        out[name]["nees"] = nees(e_i, P_i).mean(-1).tolist()
         out[name]["nees_of"] = e_i.shape[-1]
     return out
 
 
-def claims(result: dict[str, Any], scenario: Scenario) -> list[dict[str, Any]]:
-    """The paper's six, judged for one motion.  Each: claim, holds, numbers (a sentence with those that decide)."""
+def claims_of(one: dict[str, Any], scenario: Scenario, motion: str) -> list[Claim]:
+    """The paper's six, judged for one motion."""
     half, end = marks_s(scenario)
-    w, o = (result[name] for name in FILTERS)
+    w, o = (one[name] for name in FILTERS)
     at_half, at_end = (np.array(w["mean_mil"][i]) for i in (0, 1))
     bare_end = np.array(o["mean_mil"][1])
     since = [np.inf if at is None else at for at in w["below_limit_s"]]
     gain = bare_end - at_end
     wander, steady = np.array(o["wander_mil"])[2:], np.array(w["wander_mil"])[2:]
-
-    def numbers(values: Any) -> str:
-        return ", ".join("never" if not np.isfinite(v) else f"{v:.2f}" if v < 99.5 else f"{v:.0f}" for v in values)
-
     rough = slice(2, None)
-    return [
-        {
-            "claim": "up to state 2 it does not converge",
-            "holds": bool((at_end[:2] > LIMIT_MIL).all()),
-            "numbers": f"states 1, 2 after {end} s: {numbers(at_end[:2])} mil",
-        },
-        {
-            "claim": "from state 3 on under 2 mil within about 30 s with compensation",
-            "holds": bool((at_half[rough] < LIMIT_MIL).all() and (at_end[rough] < LIMIT_MIL).all()),
-            "numbers": f"states 3 to 6 after {half} s: {numbers(at_half[rough])} mil, worst run "
-            f"{numbers(w['worst_mil'][0][rough])}",
-        },
-        {
-            "claim": "states 4 to 6 exceed 2 mil without, state 3 does not",
-            "holds": bool((bare_end[3:] > LIMIT_MIL).all() and bare_end[2] <= LIMIT_MIL),
-            "numbers": f"states 3 to 6 after {end} s: {numbers(bare_end[rough])} mil",
-        },
-        {
-            "claim": "the rougher, the faster",
-            "holds": bool(all(a >= b for a, b in pairwise(since[2:])) and since[2] > since[-1]),
-            "numbers": f"states 3 to 6 for good below 2 mil from {numbers(since[2:])} s on",
-        },
-        {
-            "claim": "compensation matters more as the sea grows",
-            "holds": bool((np.diff(gain[rough]) > 0).all() and gain[-1] > LIMIT_MIL / 10),
-            "numbers": f"states 3 to 6: {numbers(gain[rough])} mil less, that is by the factors "
-            f"{numbers(bare_end[rough] / at_end[rough])}",
-        },
-        {
-            "claim": "uncompensated the estimate oscillates more with grade",
-            "holds": bool((np.diff(wander) > 0).all() and (np.diff(wander / steady) > 0).all()),
-            "numbers": f"states 3 to 6 about a line, {half} to {end} s: {numbers(wander)} mil, with compensation "
-            f"{numbers(steady)}",
-        },
-    ]
+
+    def states(values: Any, first: int = 3, what: str = "") -> dict[str, float | None]:
+        numbers = (float(value) if np.isfinite(value) else None for value in values)
+        return {f"{what}state {first + i}": value for i, value in enumerate(numbers)}
+
+    judged: list[tuple[str, Any, dict[str, float | None]]] = [
+        (f"up to state 2 it does not converge, mil after {end} s", (at_end[:2] > LIMIT_MIL).all(),
+         states(at_end[:2], 1)),
+        (f"from state 3 on under 2 mil within about 30 s with compensation, mil after {half} s",
+         (at_half[rough] < LIMIT_MIL).all() and (at_end[rough] < LIMIT_MIL).all(), states(at_half[rough])),
+        (f"states 4 to 6 exceed 2 mil without, state 3 does not, mil after {end} s",
+         (bare_end[3:] > LIMIT_MIL).all() and bare_end[2] <= LIMIT_MIL, states(bare_end[rough])),
+        ("the rougher, the faster, s until for good below 2 mil",
+         all(a >= b for a, b in pairwise(since[2:])) and since[2] > since[-1], states(since[2:])),
+        ("compensation matters more as the sea grows, mil less",
+         (np.diff(gain[rough]) > 0).all() and gain[-1] > LIMIT_MIL / 10, states(gain[rough])),
+        ("uncompensated the estimate oscillates more with grade, mil about a line",
+         (np.diff(wander) > 0).all() and (np.diff(wander / steady) > 0).all(),
+         states(wander) | states(steady, what="with, ")),
+    ]  # fmt: skip
+    return [Claim(f"{motion}: {says}", bool(holds), numbers) for says, holds, numbers in judged]
 
 
-def run(
-    model: Any = None,
-    *,
-    runs: int = 20,
-    seed: int = 0,
-    scenario: Scenario | None = None,
-    motions: Sequence[str] = tuple(MOTIONS),
-    bench_runs: int = 10,
-    histories: bool = True,
-    progress: Callable[[str], None] | None = None,
-) -> dict[str, Any]:
-    """The experiment under each motion.  The result can be written as JSON; its fields are stable:
+def claims(result: Result) -> list[Claim]:
+    """Of every motion."""
+    return [Claim(**claim) for one in result["motions"].values() for claim in one["claims"]]
 
-    study, runs, seed, scenario (every field of Scenario), grades, filters, limit_mil, marks_s;
+
+def run(scenario: Scenario, progress: Progress = silent, model: Any = None) -> Result:
+    """The experiment under each motion: runs, seed, grades, filters, limit_mil, marks_s;
+
     nees_band, nis_band: 95 % bands of the means below, of 16 and of 6 degrees of freedom;
     motions: NAME -> says; with, without: mean_mil, worst_mil, signed_mil, sigma_mil (2 marks, 6 states) of the heading
     error, below_limit_s (6, null where never), wander_mil (6, deviation from a straight line after half), nis (6, of
     six rows, after 10 s), nees (6, at the end) of nees_of states; predicted_mil (6, what an unknown delay does by the
-    closed form, mean over the runs); claims: claim, holds, numbers; seconds: what it took;
-    with histories also history: time_s, heading_mil (2, 6, runs, T), sigma_mil (2, 6, T);
-    closed_form: of `sea_delay.against_simulation`; bench: of `sea_bench.experiment` (null with no bench_runs);
-    ways: of `sea_delay.ways`, under the motion "slope".
+    closed form, mean over the runs); claims; seconds: what it took;
+    closed_form: of `delay.against_simulation`; ways: of `delay.ways`, under the motion "slope"; bench: of
+    `bench.experiment` (null with no bench_runs);
+    history: time_s; NAME -> heading_mil (T, 2, 6, runs), sigma_mil (T, 2, 6); bench.
     """
-    scenario = checked(scenario or Scenario())
+    scenario = checked(scenario)
+    runs, seed = scenario.runs, scenario.seed
     if scenario.seconds < 2 * SETTLED_S:
         raise BoresightError(f"sea-state: seconds is {scenario.seconds}; it must be at least {2 * SETTLED_S}")
     if runs < 2:
         raise BoresightError(f"sea-state needs at least 2 runs; got {runs}")
     model = model or load("velocity-attitude")
-    say = progress or (lambda line: None)
     updates = scenario.seconds * scenario.update_hz
-    result: dict[str, Any] = {
-        "study": "sea-state",
+    history: dict[str, Any] = {"time_s": np.arange(updates + 1) / scenario.update_hz}
+    result: Result = {
         "runs": runs,
         "seed": seed,
-        "scenario": {name: list(v) if isinstance(v, tuple) else v for name, v in asdict(scenario).items()},
         "grades": list(GRADES),
         "filters": list(FILTERS),
         "limit_mil": LIMIT_MIL,
@@ -159,69 +131,53 @@ def run(
         "nees_band": chi_square_band(16, runs),
         "nis_band": chi_square_band(6, runs * (updates - SETTLED_S * scenario.update_hz)),
         "motions": {},
+        "history": history,
     }
-    for kind in motions:
-        say(f"{MOTIONS[kind]}: {2 * len(GRADES) * runs} runs of {scenario.seconds} s")
+    for kind in scenario.motions:
+        progress(f"{MOTIONS[kind]}: {2 * len(GRADES) * runs} runs of {scenario.seconds} s")
         begun = perf_counter()
         flight = fly(model, kind, scenario, runs=runs, seed=seed)
-        one = {"says": MOTIONS[kind], **table(flight, scenario)}
+        one = {"says": MOTIONS[kind], **table_of(flight, scenario)}
         motion = motion_of(kind, scenario, draw(scenario, seed, runs).streams)
-        one["predicted_mil"] = (sea_delay.predicted_heading(motion, flight.delay) / MIL).mean(-1).tolist()
-        one["claims"] = claims(one, scenario)
+        one["predicted_mil"] = (delay.predicted_heading(motion, flight.delay) / MIL).mean(-1).tolist()
+        one["claims"] = [vars(claim) for claim in claims_of(one, scenario, kind)]
         one["seconds"] = round(perf_counter() - begun, 1)
-        if histories:
-            one["history"] = {
-                "time_s": (np.arange(updates + 1) / scenario.update_hz).tolist(),
-                "heading_mil": np.moveaxis(flight.heading / MIL, 0, -1).round(3).tolist(),
-                "sigma_mil": np.moveaxis(flight.heading_sigma.mean(-1) / MIL, 0, -1).round(3).tolist(),
-            }
+        sigma = flight.heading_sigma.mean(-1) / MIL
+        history[kind] = {"heading_mil": flight.heading / MIL, "sigma_mil": sigma}
         result["motions"][kind] = one
-    say("closed form of an unknown delay")
-    result["closed_form"] = sea_delay.against_simulation(model, scenario)
-    say("two ways to handle a delay")
-    result["ways"] = sea_delay.ways(model, scenario, runs=runs, seed=seed)
+    progress("closed form of an unknown delay")
+    result["closed_form"] = delay.against_simulation(model, scenario)
+    progress("two ways to handle a delay")
+    result["ways"] = delay.ways(model, scenario, runs=runs, seed=seed)
     result["bench"] = None
-    if bench_runs:
-        say(f"bench: {bench_runs} runs of {scenario.seconds} s, 400 Hz")
-        result["bench"] = sea_bench.experiment(model, scenario, runs=bench_runs, seed=seed)
-    if not histories and result["bench"]:
-        del result["bench"]["history"]
+    if scenario.bench_runs:
+        progress(f"bench: {scenario.bench_runs} runs of {scenario.seconds} s, 400 Hz")
+        result["bench"], history["bench"] = bench.experiment(model, scenario, runs=scenario.bench_runs, seed=seed)
     return result
 
 
-def report(result: dict[str, Any]) -> str:
-    """The sea-state table of each motion and the paper's claims under it; closed form, ways, bench; a verdict."""
-    lines = []
+def report(result: Result) -> str:
+    """The sea-state table of each motion and the paper's claims under it; closed form, ways, bench."""
     half, end = result["marks_s"]
+    head = ["state", *(f"{mark} s {name}" for name in FILTERS for mark in (half, end)), "closed form",
+            "NIS of 6", "w/o", "NEES of 16"]  # fmt: skip
+    lines = [f"transfer alignment at sea: {result['runs']} runs a state, seed {result['seed']}"]
     for one in result["motions"].values():
-        lines += [
-            f"{one['says']}  ({one['seconds']:g} s)",
-            "  heading error in mil, mean and worst of the runs" + " " * 27 + "closed form      NIS of 6     NEES",
-            f"  state   {half} s with    {end} s with   | {half} s without {end} s without   "
-            "unknown delay    with  w/o     with",
-        ]
         w, o = (one[name] for name in FILTERS)
-        for g, grade in enumerate(result["grades"]):
-            cells = [f"{part['mean_mil'][i][g]:6.2f}{part['worst_mil'][i][g]:7.2f}" for part in (w, o) for i in (0, 1)]
-            lines.append(
-                f"  {grade:3}  {cells[0]} {cells[1]} |{cells[2]} {cells[3]}   {one['predicted_mil'][g]:8.2f}      "
-                f"{w['nis'][g]:7.2f}{o['nis'][g]:7.2f}  {w['nees'][g]:6.1f}"
-            )
-        for claim in one["claims"]:
-            lines.append(f"  {'holds  ' if claim['holds'] else 'not so '} {claim['claim']}: {claim['numbers']}")
-        lines.append("")
-    lines.append(sea_delay.report(result["closed_form"], result["ways"]))
+        cells = [list(zip(part["mean_mil"][i], part["worst_mil"][i], strict=True)) for part in (w, o) for i in (0, 1)]
+        rows = zip(map(str, result["grades"]), *cells, one["predicted_mil"], w["nis"], o["nis"], w["nees"], strict=True)
+        lines += [
+            "",
+            f"{one['says']}  ({one['seconds']:g} s)",
+            "  heading error in mil, mean and worst of the runs",
+            *table(head, rows, [*[".2f"] * 8, ".1f"]),
+            *claim_lines(Claim(**claim) for claim in one["claims"]),
+        ]
+    lines += ["", *delay.report(result["closed_form"], result["ways"])]
     if result["bench"]:
-        lines.append(sea_bench.report(result["bench"]))
-    held = {kind: sum(claim["holds"] for claim in one["claims"]) for kind, one in result["motions"].items()}
-    low, high = result["nees_band"]
-    lines.append(
-        f"95 % bands: NEES of 16 states {low:.1f} to {high:.1f}, NIS {result['nis_band'][0]:.2f} to "
-        f"{result['nis_band'][1]:.2f}"
-    )
-    lines.append(
-        "sea-state: of the paper's six claims "
-        + ", ".join(f"{count} hold under {kind}" for kind, count in held.items())
-        + f" ({result['runs']} runs a state, seed {result['seed']})"
-    )
-    return "\n".join(lines)
+        lines += ["", *bench.report(result["bench"])]
+    bands = ("{} {:.2f} to {:.2f}".format(name, *result[f"{name.lower()}_band"]) for name in ("NEES", "NIS"))
+    return "\n".join([*lines, f"95 % bands: {', '.join(bands)}"])
+
+
+STUDY = Study("sea-state", ("velocity-attitude",), Scenario, run, report, figures.draw, claims)

@@ -11,31 +11,38 @@ Axes of arrays: time, then cases or motions, then runs; then components.
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import rotation, transfer
+from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.library import load
-from boresight.runtime.simulation import hull, inertial, sensors
-from boresight.runtime.transfer import Message, Transfer
-from boresight.runtime.units import DEG, MIL, MILLI_G, STANDARD_GRAVITY
+from boresight.runtime.simulation import hull, sensors
+from boresight.runtime.transfer import Message
+from boresight.runtime.units import DEG, MIL, STANDARD_GRAVITY
 from boresight.studies.consistency import chi_square_band
-from boresight.studies.figures import BLUE, ORANGE, figure
+from boresight.studies.figures import BLUE, ORANGE, Sheets
 from boresight.studies.observability import Moment, Replaced, along, shown_after, with_fields
-from boresight.studies.sea_state.flight import GRADES, RULES, Scenario, constants, draw, motion_of
-
-Progress = Callable[[str], None]
+from boresight.studies.sea_state.flight import (
+    GRADES,
+    Belief,
+    Flight,
+    Scenario,
+    begin,
+    constants,
+    fly,
+    matching_variances,
+    motion_of,
+)
+from boresight.studies.study import Claim, Progress, Result, Seeded, Study, option, silent, table
 
 DECLARED = Scenario()
 STATES = ("phi_n", "phi_e", "phi_d", "dv_n", "dv_e", "dv_d", "gyro x", "gyro y", "gyro z", "accel x", "accel y",
           "accel z", "mu_x", "mu_y", "mu_z", "delay", "lever x", "lever y", "lever z")  # fmt: skip
 HEADING = 2
 THRESHOLD = 1 / 3  # as in Table 1 of Song and Lee
-LEVER_SIGMA_M = 0.1
 RULE_MIL_M_S = 7.0  # heading sigma times the change of velocity in a calm, as `manoeuvres` finds it
 SEAS = 5  # random seas of one grade, of which the median is told
 
@@ -153,47 +160,7 @@ def initial(model: Any, C_m2n: Array, scenario: Scenario) -> Array:
     """P0 (..., 19, 19): that of the study, and the lever arm's; the attitude is the misalignment's image."""
     message = Message(time=0.0, R=matching_variances(scenario), v_m_n=np.zeros((*C_m2n.shape[:-2], 3)),
                       position=np.zeros(3), q_m2n_wxyz=rotation.quaternion_from_matrix(C_m2n))  # fmt: skip
-    return begin(model, message, scenario, np.array([1.0, 0, 0, 0]), scenario.misalignment_deg * DEG)[1]
-
-
-def matching_variances(scenario: Scenario) -> Array:
-    """(6,) of the master's velocity and attitude."""
-    return np.repeat([scenario.velocity_noise_m_s, scenario.attitude_noise_deg * DEG], 3) ** 2
-
-
-def begin(
-    model: Any,
-    message: Message,
-    scenario: Scenario,
-    q_b2m_wxyz: Array,
-    heading_sigma: Any,
-    velocity_sigma: float | None = None,
-) -> tuple[dict[str, Array], Array]:
-    """nav and P (..., n, n) from the master's first message, as in `sea_flight.start`, for one filter.
-
-    heading_sigma: (...) rad, of the mounting about the master's down axis.
-    """
-    s = scenario
-    heading = np.asarray(heading_sigma, float)
-    level = np.full_like(heading, s.level_misalignment_deg * DEG)
-    nav, P, _ = transfer.first(
-        message,
-        model,
-        constants(s),
-        sigmas={
-            "q_b2m_wxyz": np.stack([level, level, heading], axis=-1),
-            "gyro_bias": s.gyro_bias_deg_h * DEG / 3600,
-            "accel_bias": s.accel_bias_mg * MILLI_G,
-            "tau": s.delay_sigma_ms * 1e-3,
-            "lever_b": LEVER_SIGMA_M,  # as the hull stands still for the hand-over, of a state alone
-        },
-        estimates={"q_b2m_wxyz": q_b2m_wxyz},
-        rate_sigma=0.0,
-        acceleration_sigma=0.0,
-    )
-    P[..., 3:6, 3:6] += np.eye(3) * (velocity_sigma or s.start_velocity_m_s) ** 2
-    P[..., :3, :3] += np.eye(3) * (s.start_angle_deg * DEG) ** 2
-    return nav, P
+    return begin(model, message, scenario, Belief())[1]
 
 
 def covariances(model: Any, master: hull.Pose, scenario: Scenario) -> Array:
@@ -299,131 +266,14 @@ def manoeuvres(model: Any, scenario: Scenario, seconds: float = 60.0) -> dict[st
 # ---- closed loops
 
 
-@dataclass(frozen=True)
-class Flight:
-    """error (U + 1, ..., runs, 16); P (..., runs, 16, 16) at the end; sigma (U + 1, ..., runs, 16); nis (U, ..., runs);
-    log_likelihood (U, ..., runs) of the residuals up to each update; rows: how many scalars an update had."""
-
-    error: Array
-    P: Array
-    sigma: Array
-    nis: Array
-    log_likelihood: Array
-    rows: int
-
-    @property
-    def nees(self) -> Array:
-        """(..., runs) of all sixteen states at the end."""
-        e = self.error[-1]
-        value: Array = np.einsum("...i,...i->...", e, np.linalg.solve(self.P, e[..., None])[..., 0])
-        return value
-
-    @property
-    def heading_mil(self) -> Array:
-        """(U + 1, ..., runs) error of the slave's heading."""
-        return wrapped(-self.error[..., HEADING]) / MIL
-
-
-def wrapped(angle: Array) -> Array:
-    return (angle + np.pi) % (2 * np.pi) - np.pi
-
-
-def fly(
-    model: Any,
-    motion: hull.Motion,
-    scenario: Scenario,
-    *,
-    mounting: Array,
-    believed: Array,
-    heading_sigma: Any,
-    attitude: str = "dcm",
-    rows: Any = True,
-    velocity_sigma: float | None = None,
-    runs: int,
-    seed: int,
-) -> Flight:
-    """Closed loops, delay compensated.  motion: of shape (cases, 1) or (cases, runs), or (1, 1) for all.
-
-    mounting, believed: q_b2m_wxyz, true and as the filter starts, (cases, runs, 4) as they broadcast; `believed` may
-    have axes before these.  attitude: measurement; rows: (3,) bool of its rows.  A run's numbers are keyed by
-    [seed, run] as in `sea_state`, in every case.
-    """
-    s = scenario
-    dt, per_update = 1 / s.navigation_hz, s.navigation_hz // s.update_hz
-    drawn = draw(s, seed, runs)
-    time = np.arange(s.seconds * s.navigation_hz + 1) * dt
-    slave = hull.carried(hull.ride(motion, time), np.array(s.lever_b), mounting)
-    place = np.array([s.latitude_deg * DEG, 0.0, 0.0])
-    dtheta, dv, true = inertial.increments(model.strapdown, place, slave.v_n, slave.q_b2n_wxyz, dt)
-    master = hull.ride(motion, time[::per_update, None, None] - drawn.delay)
-    shape = np.broadcast_shapes(master.v_n.shape[1:-1], slave.v_n.shape[1:-1], np.shape(believed)[:-1])
-    R, said = matching_variances(s), np.concatenate([np.ones(3, bool), np.broadcast_to(rows, 3)])
-
-    def message(update: int) -> Message:
-        n = np.array([stream.standard_normal(6) for stream in drawn.streams])
-        turn = s.attitude_noise_deg * DEG * n[:, 3:]
-        q = rotation.turned(master.q_b2n_wxyz[update], turn)
-        euler = rotation.euler_from_matrix(rotation.matrix_from_quaternion(q))
-        return Message(
-            time=update / s.update_hz, R=R, v_m_n=np.broadcast_to(master.v_n[update] + s.velocity_noise_m_s * n[:, :3],
-                                                                  (*shape, 3)),
-            q_m2n_wxyz=q, euler_m=euler if attitude == "euler" else None,
-            position=np.broadcast_to(true.position[update * per_update], (*shape, 3)), rows=said,
-        )  # fmt: skip
-
-    first = message(0)
-    nav, P0 = begin(model, first, s, believed, heading_sigma, velocity_sigma)
-    swing = np.cross(dtheta[0] / dt, s.lever_b)
-    nav["v_n"] = first.v_m_n + np.einsum("...ij,...j->...i", rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]), swing)
-    P0 = np.broadcast_to(P0, (*shape, 16, 16))
-    given = constants(s)
-    loop = Transfer(model, nav, P0, given, way="extrapolate", matching=("velocity", attitude),
-                    every=s.navigation_hz // s.covariance_hz, rules=RULES)  # fmt: skip
-    walk = np.repeat([given["gyro_noise"][0], given["accel_noise"][0]], 3) * np.sqrt(dt)
-    error, sigma, nis, likelihood = [], [], [], []
-
-    def keep(update: int) -> None:
-        at, now = update * per_update, loop.nav
-        parts = (
-            rotation.attitude_error(now["q_b2n_wxyz"], true.q_b2n_wxyz[at]),
-            now["v_n"] - true.v_n[at],
-            now["gyro_bias"] - drawn.gyro_bias,
-            now["accel_bias"] - drawn.accel_bias,
-            rotation.attitude_error(now["q_b2m_wxyz"], mounting),
-            (now["tau"] - drawn.delay)[..., None],
-        )
-        error.append(np.concatenate([np.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1))
-        sigma.append(np.sqrt(np.diagonal(loop.P, axis1=-2, axis2=-1)))
-
-    keep(0)
-    for update in range(1, s.seconds * s.update_hz + 1):
-        n = walk * np.array([stream.standard_normal((per_update, 6)) for stream in drawn.streams])
-        for k in range(per_update):
-            at = (update - 1) * per_update + k
-            loop.slave((at + 1) * dt, dtheta[at] + drawn.gyro_bias * dt + n[:, k, :3],
-                       dv[at] + drawn.accel_bias * dt + n[:, k, 3:], dt)  # fmt: skip
-        taken = loop.master(message(update))
-        nis.append(taken.nis)
-        likelihood.append(
-            sum(-np.sum(np.where(one.used, one.nu**2 / one.S + np.log(one.S), 0.0), axis=-1) / 2
-                for one in taken.innovations.values())
-        )  # fmt: skip
-        # a filter that is lost refuses the messages, and would sink
-        loop.nav["position"] = np.broadcast_to(true.position[update * per_update], (*shape, 3)).copy()
-        keep(update)
-    return Flight(
-        np.array(error), loop.P, np.array(sigma), np.array(nis), np.cumsum(likelihood, axis=0), int(said.sum())
-    )
-
-
 def summary(flight: Flight, case: Any = ()) -> dict[str, Any]:
     """What the tables say of the runs of one case."""
-    h, nees = np.abs(flight.heading_mil[-1][case]), flight.nees[case]
-    nis = flight.nis.mean(0)[case] / flight.rows
+    h, nees = np.abs(flight.heading[-1][case]) / MIL, flight.nees[case]
+    nis = flight.nis.sum(-1).mean(0)[case] / flight.rows
     return {
         "heading_rms_mil": float(np.sqrt(np.mean(h**2))),
         "heading_worst_mil": float(h.max()),
-        "heading_sigma_mil": float(np.mean(flight.sigma[-1][case][..., HEADING]) / MIL),
+        "heading_sigma_mil": float(np.mean(flight.heading_sigma[-1][case]) / MIL),
         "nees": float(nees.mean()),
         "nees_band": chi_square_band(16, nees.size),
         "nis": float(nis.mean()),
@@ -480,8 +330,9 @@ def matchings(model: Any, *, runs: int, seed: int) -> list[dict[str, Any]]:
         for group in (np.flatnonzero(~steep), np.flatnonzero(steep)):
             told = [{"way": name, "place": list(PLACES)[i], "refused": None} for i in group]
             try:
-                flight = fly(model, pitched(pitch[group]), QUICK, mounting=mounting[group], believed=believed[group],
-                             heading_sigma=2 * DEG, attitude=attitude, rows=rows, runs=runs, seed=seed)  # fmt: skip
+                flight = fly(model, pitched(pitch[group]), QUICK, mounting=mounting[group],
+                             belief=Belief(believed[group], 2 * DEG), matching=("velocity", attitude), rows=rows,
+                             runs=runs, seed=seed)  # fmt: skip
                 out += [{**one, **summary(flight, case)} for case, one in enumerate(told)]
             except BoresightError as error:
                 out += [{**one, "refused": str(error)} for one in told]
@@ -509,25 +360,24 @@ def starts(model: Any, *, runs: int, seed: int, grade: int = 5) -> dict[str, Any
     i = GRADES.index(grade)
     motion = replace(six, freedoms=replace(six.freedoms, omega=six.freedoms.omega[i : i + 1],
                                            amplitude=six.freedoms.amplitude[i : i + 1]))  # fmt: skip
-    level = np.array([1.0, 0, 0, 0])
     side = np.where(np.arange(runs) % 2, 1.0, -1.0)
     out: dict[str, Any] = {"grade": grade, "single": []}
     unknown = np.array(UNKNOWN_DEG)[:, None]
     for attitude in SINGLE:
         flight = fly(model, motion, QUICK, mounting=turned_about_down(np.minimum(unknown, 179.0) * DEG * side),
-                     believed=level, heading_sigma=unknown * DEG, attitude=attitude,
-                     velocity_sigma=0.5, runs=runs, seed=seed)  # fmt: skip
+                     belief=Belief(heading_sigma=unknown * DEG, velocity_sigma=0.5), matching=("velocity", attitude),
+                     runs=runs, seed=seed)  # fmt: skip
         out["single"] += [{"way": attitude, "unknown_deg": degrees, **summary(flight, case), **converged(flight, case)}
                           for case, degrees in enumerate(UNKNOWN_DEG)]  # fmt: skip
     offset = np.pi * (2 * (np.arange(runs) + 0.5) / runs - 1)
     centres = np.arange(-180.0, 180.0, SPACING_DEG) * DEG
     flight = fly(model, motion, QUICK, mounting=turned_about_down(offset)[None],
-                 believed=turned_about_down(centres)[:, None, None], heading_sigma=SPACING_DEG / 2 * DEG,
-                 velocity_sigma=0.5, runs=runs, seed=seed)  # fmt: skip
+                 belief=Belief(turned_about_down(centres)[:, None, None], SPACING_DEG / 2 * DEG, 0.5),
+                 runs=runs, seed=seed)  # fmt: skip
     run = np.arange(runs)
     best = np.argmax(flight.log_likelihood[:, :, 0], axis=1)  # (U, runs)
     update = np.arange(1, len(flight.error))[:, None]
-    right = np.abs(flight.heading_mil[update, best, 0, run]) < CONVERGED_MIL
+    right = np.abs(flight.heading[update, best, 0, run]) < CONVERGED_MIL * MIL
     last_out = np.where(right.all(0), 0, len(right) - np.argmin(np.flip(right, axis=0), axis=0))
     case = (best[-1], np.zeros(runs, int), run)
     out["bank"] = {
@@ -563,110 +413,129 @@ def kept_inside(model: Any) -> Replaced:
 
 
 def converged(flight: Flight, case: Any) -> dict[str, Any]:
-    return {"converged": float(np.mean(np.abs(flight.heading_mil[-1][case]) < CONVERGED_MIL))}
+    return {"converged": float(np.mean(np.abs(flight.heading[-1][case]) < CONVERGED_MIL * MIL))}
 
 
 # ---- all of it
 
 
-def explore(
-    *, runs: int = 20, seed: int = 0, seconds: float = 600.0, progress: Progress | None = None
-) -> dict[str, Any]:
-    """The four questions.  The result can be written as JSON: study, runs, seed, finished, and what `shown`,
-    `manoeuvres`, `matchings` and `starts` return, under these names; interrupted, what follows is missing.
+@dataclass(frozen=True)
+class Asked(Seeded):
+    seconds: float = option(600.0, "Longest time for a motion to show an error.")
+
+
+def run(asked: Asked, progress: Progress = silent) -> Result:
+    """The four questions: what `shown`, `manoeuvres`, `matchings` and `starts` return, under these names, runs, and
+    finished; interrupted, what follows is missing.
     """
-    say = progress or (lambda line: None)
     wide, model = load("velocity-attitude-lever"), load("velocity-attitude")
-    result: dict[str, Any] = {"study": "sea-state", "runs": runs, "seed": seed, "finished": False}
+    given = {"runs": asked.runs, "seed": asked.seed}
+    parts: dict[str, tuple[str, Callable[[], Any]]] = {
+        "shown": ("observability: 24 motions", lambda: shown(wide, DECLARED, asked.seconds, asked.seed)),
+        "manoeuvres": ("manoeuvres in a calm", lambda: manoeuvres(wide, DECLARED)),
+        "matchings": (f"attitude matching: {len(WAYS)} ways, {len(PLACES)} places", lambda: matchings(model, **given)),
+        "starts": (f"unknown heading: {len(SINGLE)} filters and a bank", lambda: starts(model, **given)),
+    }
+    result: Result = {"runs": asked.runs, "finished": False}
     try:
-        say("observability: 24 motions")
-        result["shown"] = shown(wide, DECLARED, seconds, seed)
-        say("manoeuvres in a calm")
-        result["manoeuvres"] = manoeuvres(wide, DECLARED)
-        say(f"attitude matching: {len(WAYS)} ways, {len(PLACES)} places, {runs} runs")
-        result["matchings"] = matchings(model, runs=runs, seed=seed)
-        say(f"unknown heading: {len(SINGLE)} filters and a bank, {runs} runs")
-        result["starts"] = starts(model, runs=runs, seed=seed)
+        for name, (says, do) in parts.items():
+            progress(says)
+            result[name] = do()
         result["finished"] = True
     except KeyboardInterrupt:
-        say("interrupted")
+        progress("interrupted")
     return result
 
 
-def report(result: dict[str, Any]) -> str:
+SUMMARY = ("heading_rms_mil", "heading_sigma_mil", "nees", "nis")
+HEAD = ("heading rms, mil", "sigma", "NEES of 16", "NIS a row")
+
+
+def report(result: Result) -> str:
     """The exploration as text, section by section."""
     lines = []
     if "shown" in result:
         part = result["shown"]
+        keys = ("motions", "seconds_to_third", "heading_mil_60_s", "heading_mil_end")
+        rows = [(name, *times, *heading) for name, times, *heading in zip(*(part[key] for key in keys), strict=True)]
+        formats = ["", *["g"] * len(part["states"]), ".2f", ".2f"]
+        head = ("", *(name.replace(" ", "_") for name in part["states"]), "heading, mil, 60 s", "at the end")
         lines += [
             f"Seconds until a sigma is below a third of what it was, for good; '-': not within {part['seconds']:g} s",
-            f"{'':28}" + "".join(f"{name.replace(' ', '_'):>8}" for name in part["states"])
-            + "   heading, mil, after 60 s and at the end",
-        ]  # fmt: skip
-        for name, times, sixty, end in zip(
-            part["motions"], part["seconds_to_third"], part["heading_mil_60_s"], part["heading_mil_end"], strict=True
-        ):
-            cells = "".join(f"{'-' if t is None else f'{t:g}':>8}" for t in times)
-            lines.append(f"{name:28}{cells}{sixty:10.2f}{end:8.2f}")
+            *table(head, rows, formats),
+        ]
     if "manoeuvres" in result:
         part = result["manoeuvres"]
-        lines += ["", f"One manoeuvre in a calm: heading sigma after {part['seconds']:g} s"]
-        for row in part["turns"]:
-            lines.append(f"  turn of {row['angle_deg']:3g} deg in 20 s at {row['speed_m_s']:4g} m/s: velocity change "
-                         f"{row['velocity_change_m_s']:5.2f} m/s, {row['heading_mil']:6.2f} mil")  # fmt: skip
-        for row in part["surges"]:
-            lines.append(f"  {row['acceleration_m_s2']:g} m/s^2 for {row['length_s']:2g} s: velocity change "
-                         f"{row['velocity_change_m_s']:5.2f} m/s, {row['heading_mil']:6.2f} mil")  # fmt: skip
+        rows = [(f"turn of {row['angle_deg']:g} deg in 20 s at {row['speed_m_s']:g} m/s",
+                 row["velocity_change_m_s"], row["heading_mil"]) for row in part["turns"]]  # fmt: skip
+        rows += [(f"{row['acceleration_m_s2']:g} m/s^2 for {row['length_s']:g} s",
+                  row["velocity_change_m_s"], row["heading_mil"]) for row in part["surges"]]  # fmt: skip
+        head = ("", "velocity change, m/s", "heading sigma, mil")
+        lines += ["", f"One manoeuvre in a calm, after {part['seconds']:g} s", *table(head, rows, ".2f")]
     if "matchings" in result:
-        lines += ["", f"{'Matching of the attitude, after 60 s':56}{'heading rms':>12}{'sigma':>8}{'NEES of 16':>12}"
-                  f"{'NIS a row':>11}"]  # fmt: skip
-        for row in result["matchings"]:
-            name = f"  {row['way']}; {row['place']}"
-            lines.append(f"{name:56}" + (f"refused: {row['refused'].split(';')[0]}" if row["refused"] else
-                         f"{row['heading_rms_mil']:12.2f}{row['heading_sigma_mil']:8.2f}{row['nees']:12.1f}"
-                         f"{row['nis']:11.2f}"))  # fmt: skip
+        rows = [
+            (f"{row['way']}; {row['place']}", *(["refused"] * 4 if row["refused"] else [row[key] for key in SUMMARY]))
+            for row in result["matchings"]
+        ]
+        lines += ["", *table(("Matching of the attitude, after 60 s", *HEAD), rows, ["", ".2f", ".2f", ".1f", ".2f"])]
+        refused = {row["refused"] for row in result["matchings"] if row["refused"]}
+        lines += [f"  refused: {reason}" for reason in sorted(refused)]
     if "starts" in result:
         part = result["starts"]
-        title = f"Heading unknown at the start, (c) sea state {part['grade']}, after 60 s"
-        head = f"{'heading rms':>12}{'sigma':>8}{'NEES of 16':>12}{'NIS a row':>11}"
-        lines += ["", f"{title:56}{head}  within {CONVERGED_MIL:g} mil"]
         bank = part["bank"]
-        named = [(f"  {row['way']}, off by {row['unknown_deg']:g} deg", row) for row in part["single"]]
-        for name, row in [
-            *named,
-            (f"  {bank['filters']} filters {bank['spacing_deg']:g} deg apart, any heading", bank),
-        ]:
-            lines.append(f"{name:56}{row['heading_rms_mil']:12.2f}{row['heading_sigma_mil']:8.2f}{row['nees']:12.4g}"
-                         f"{row['nis']:11.4g}{100 * row['converged']:9.0f} %")  # fmt: skip
+        named = [(f"{row['way']}, off by {row['unknown_deg']:g} deg", row) for row in part["single"]]
+        named.append((f"{bank['filters']} filters {bank['spacing_deg']:g} deg apart, any heading", bank))
+        rows = [(name, *(row[key] for key in (*SUMMARY, "converged"))) for name, row in named]
+        head = (f"Heading unknown, (c) sea state {part['grade']}, after 60 s", *HEAD, f"within {CONVERGED_MIL:g} mil")
         right = np.array(bank["within_after_s"])
-        lines.append(
+        lines += [
+            "",
+            *table(head, rows, ["", ".2f", ".2f", ".4g", ".4g", ".0%"]),
             f"  the likeliest is within {CONVERGED_MIL:g} mil from {np.median(right):g} s on (median), "
-            f"{right.max():g} s (worst)"
-        )
+            f"{right.max():g} s (worst)",
+        ]
     if not result["finished"]:
         lines.append("interrupted: what follows is missing")
     return "\n".join(lines)
 
 
+def claims(result: Result) -> list[Claim]:
+    """What can be said of a heading in a calm, of the ways to match, and of a heading that is not known."""
+    product = [row["velocity_change_m_s"] * row["heading_mil"]
+               for kind in ("turns", "surges") for row in result["manoeuvres"][kind]]  # fmt: skip
+    level = {row["way"]: row for row in result["matchings"] if row["place"] == "level"}
+    whole = [level[way]["nees"] for way in ("DCM", "quaternion", "Euler angles")]
+    bank = result["starts"]["bank"]
+    low, high = bank["nees_band"]
+    return [
+        Claim("in a calm, heading sigma times the change of velocity is 7 mil m/s, within a quarter",
+              min(product) > 0.75 * RULE_MIL_M_S and max(product) < 1.25 * RULE_MIL_M_S,
+              {"least": min(product), "largest": max(product)}),
+        Claim("all three ways of matching are consistent: NEES of 16 in its 95 % band",
+              all(low < one < high for one in whole), {"least": min(whole), "largest": max(whole)}),
+        Claim(f"a bank of filters finds any heading to {CONVERGED_MIL:g} mil", bank["converged"] == 1.0,
+              {"part": bank["converged"], "within, s": max(bank["within_after_s"]), "NEES of 16": bank["nees"]}),
+    ]  # fmt: skip
+
+
 # ---- figures
 
 
-def exploration_figures(result: dict[str, Any], folder: Path) -> list[Path]:
-    """The pictures of a finished exploration.  Returns the files written."""
-    written = [Path(folder) / "sea_observability.png", Path(folder) / "sea_heading.png"]
-    observability_figure(result["shown"], written[0])
-    heading_figure(result["manoeuvres"], result["starts"], written[1])
-    return written
+def draw_all(result: Result, sheets: Sheets) -> None:
+    """The pictures of a finished exploration."""
+    if result["finished"]:
+        observability_figure(result["shown"], sheets)
+        heading_figure(result["manoeuvres"], result["starts"], sheets)
 
 
-def observability_figure(part: dict[str, Any], path: Path) -> None:
+def observability_figure(part: dict[str, Any], sheets: Sheets) -> None:
     """States by motions; the tint is the time to a third of the initial sigma."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import LogNorm
 
     time = np.array([[np.nan if t is None else t for t in row] for row in part["seconds_to_third"]]).T
     last = part["seconds"]
-    with figure(path, 9.6, 6.6) as (drawing, ax):
+    with sheets("sea_observability", 9.6, 6.6) as (drawing, ax):
         scale = ScalarMappable(LogNorm(1.0, last), "YlGnBu_r")
         image = scale.to_rgba(time)
         image[np.isnan(time)] = (0.97, 0.88, 0.80, 1.0)
@@ -694,9 +563,9 @@ def observability_figure(part: dict[str, Any], path: Path) -> None:
         bar.set_label(f"seconds until sigma stays below a third of its start; pale: not within {last:g} s")
 
 
-def heading_figure(manoeuvre: dict[str, Any], start: dict[str, Any], path: Path) -> None:
+def heading_figure(manoeuvre: dict[str, Any], start: dict[str, Any], sheets: Sheets) -> None:
     """What a manoeuvre in a calm leaves of the heading, and how far the heading may be unknown."""
-    with figure(path, 9.0, 3.6, ncols=2) as (_, axes):
+    with sheets("sea_heading", 9.0, 3.6, ncols=2) as (_, axes):
         for kind, color, marker in (("turns", BLUE, "o"), ("surges", ORANGE, "s")):
             change, left = (np.array([row[key] for row in manoeuvre[kind]]) for key in ("velocity_change_m_s",
                                                                                         "heading_mil"))  # fmt: skip
@@ -726,11 +595,5 @@ def heading_figure(manoeuvre: dict[str, Any], start: dict[str, Any], path: Path)
         axes[1].set_title(f"unknown heading, (c) sea state {start['grade']}", loc="left")
 
 
-def main(runs: int = 20, seed: int = 0, folder: str | None = None) -> int:
-    """Explore, print, and draw into `folder`."""
-    result = explore(runs=runs, seed=seed)
-    print(report(result))
-    if folder is not None and result["finished"]:
-        for path in exploration_figures(result, Path(folder)):
-            print(f"wrote {path}")
-    return 0 if result["finished"] else 1
+STUDY = Study("sea-exploration", ("velocity-attitude", "velocity-attitude-lever"), Asked, run, report, draw_all, claims,
+              good=lambda result: result["finished"])  # fmt: skip

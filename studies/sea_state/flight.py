@@ -8,7 +8,7 @@ Axes of arrays: time, then filter (with compensation, without), sea state, run; 
 """
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -19,6 +19,8 @@ from boresight.runtime.array import Array
 from boresight.runtime.simulation import hull, inertial, sea, sensors
 from boresight.runtime.transfer import Message, Rules, Transfer
 from boresight.runtime.units import DEG, HOUR, MILLI_G
+from boresight.studies.consistency import nees
+from boresight.studies.study import Seeded, option
 
 GRADES = (1, 2, 3, 4, 5, 6)
 HEIGHT_M = (0.01, 0.1, 0.5, 1.25, 2.5, 4.0)  # the paper's Table 1: the lower ends of the WMO's code 3700
@@ -29,14 +31,18 @@ MOTIONS = {
     "sea": "(c) a Pierson-Moskowitz sea through the response of a 40 m hull",
 }
 PHI, DV = slice(0, 3), slice(3, 6)
+LEVER_SIGMA_M = 0.1
 # Every message is taken: without compensation nothing fits, and what becomes of that is the question.
 RULES = Rules(gate=1e-300, ahead_s=0.2)
 
 
 @dataclass(frozen=True)
-class Scenario:
+class Scenario(Seeded):
     """One experiment.  What is random is one sigma, drawn for each run and constant in it."""
 
+    seconds: int = option(60, "Length of a run.")
+    bench_runs: int = option(10, "Runs on the bench; 0 leaves it out.")
+    motions: tuple[str, ...] = tuple(MOTIONS)
     # The paper's: Tables 1 and 2, and its text.
     height_m: tuple[float, ...] = HEIGHT_M
     frequency_hz: float = 0.1
@@ -44,7 +50,6 @@ class Scenario:
     delay_ms: tuple[float, float] = (5.0, 10.0)
     navigation_hz: int = 100
     update_hz: int = 1
-    seconds: int = 60
     # How the wave moves the hull, which the paper leaves open.
     slope_ratio: tuple[float, float, float] = (1.0, 0.5, 0.1)  # roll, pitch, yaw, of the wave's slope
     slope_phase_deg: tuple[float, float, float] = (0.0, 90.0, 45.0)  # ahead of the elevation: roll near its resonance
@@ -77,8 +82,10 @@ class Scenario:
 def checked(scenario: Scenario) -> Scenario:
     """The scenario; raises BoresightError for a value that has no meaning."""
     signed = ("slope_ratio", "slope_phase_deg", "waves_deg", "heading_deg", "latitude_deg", "lever_b", "speed_m_s",
-              "misalignment_deg")  # fmt: skip
+              "misalignment_deg", "seed")  # fmt: skip
     for name, value in asdict(scenario).items():
+        if name == "motions":
+            continue
         numbers = np.asarray(value, float)
         if not np.isfinite(numbers).all() or (name not in signed and (numbers < 0).any()):
             raise BoresightError(
@@ -156,13 +163,14 @@ class Truth:
     q_b2m_wxyz: Array  # (U + 1, 1, 1 or runs, 4) at the updates
 
 
-def truth(model: Any, motion: hull.Motion, scenario: Scenario, drawn: Drawn) -> Truth:
-    """The slave's ideal increments and the master's late reports."""
+def truth(model: Any, motion: hull.Motion, scenario: Scenario, drawn: Drawn, mounting: Array | None = None) -> Truth:
+    """The slave's ideal increments and the master's late reports.  mounting: q_b2m_wxyz; the scenario's if left out."""
     s = scenario
     dt, per_update = 1 / s.navigation_hz, s.navigation_hz // s.update_hz
     time = np.arange(s.seconds * s.navigation_hz + 1) * dt
-    mounting = rotation.quaternion_from_euler(np.array([0.0, 0.0, s.misalignment_deg]) * DEG)
-    bending, q_b2m = None, np.broadcast_to(mounting, (len(time[::per_update]), 1, 1, 4))
+    if mounting is None:
+        mounting = rotation.quaternion_from_euler(np.array([0.0, 0.0, s.misalignment_deg]) * DEG)
+    bending, q_b2m = None, np.broadcast_to(mounting, (len(time[::per_update]), *np.shape(mounting)))
     if s.bending_mrad:
         bending = hull.bending(np.full(3, s.bending_mrad * 1e-3), s.bending_s, hull.phases(drawn.streams, 3 * 40)[None])
         bent = rotation.matrix_from_vector(bending.at(time[::per_update]))
@@ -177,25 +185,47 @@ def truth(model: Any, motion: hull.Motion, scenario: Scenario, drawn: Drawn) -> 
 # ---- the filter
 
 
-def start(model: Any, scenario: Scenario, first: Message) -> tuple[dict[str, Array], Array]:
-    """nav and P of both filters, (2, 6, runs, ...), from the master's first message."""
+def matching_variances(scenario: Scenario) -> Array:
+    """(6,) of the master's velocity and attitude."""
+    return np.repeat([scenario.velocity_noise_m_s, scenario.attitude_noise_deg * DEG], 3) ** 2
+
+
+@dataclass(frozen=True)
+class Belief:
+    """How a filter begins; leading axes are filters beside each other over the same flights.
+
+    q_b2m_wxyz: (..., 4) mounting.  heading_sigma: (...,) rad, of the mounting about the master's down axis, and
+    velocity_sigma, m/s: the scenario's where they are None.  compensated: (...,) bool, whether the delay is a state;
+    otherwise it is known, and zero.
+    """
+
+    q_b2m_wxyz: Array = field(default_factory=lambda: np.array([1.0, 0, 0, 0]))
+    heading_sigma: Any = None
+    velocity_sigma: float | None = None
+    compensated: Any = True
+
+
+def begin(model: Any, message: Message, scenario: Scenario, belief: Belief) -> tuple[dict[str, Array], Array]:
+    """nav and P (..., n, n) from the master's first message; the scenario says what motion and delay do to it."""
     s = scenario
-    sigma = np.array([s.delay_sigma_ms * 1e-3, 0.0])[:, None, None]  # without compensation the delay is known, and zero
+    heading = np.asarray(s.misalignment_deg * DEG if belief.heading_sigma is None else belief.heading_sigma, float)
+    level = np.full_like(heading, s.level_misalignment_deg * DEG)
     nav, P, _ = transfer.first(
-        first,
+        message,
         model,
         constants(s),
         sigmas={
-            "q_b2m_wxyz": np.array([s.level_misalignment_deg, s.level_misalignment_deg, s.misalignment_deg]) * DEG,
+            "q_b2m_wxyz": np.stack([level, level, heading], axis=-1),
             "gyro_bias": s.gyro_bias_deg_h * DEG / HOUR,
             "accel_bias": s.accel_bias_mg * MILLI_G,
-            "tau": sigma,
+            "tau": np.asarray(belief.compensated, float) * s.delay_sigma_ms * 1e-3,
+            "lever_b": LEVER_SIGMA_M,  # as the hull stands still for the hand-over, of a state alone
         },
+        estimates={"q_b2m_wxyz": belief.q_b2m_wxyz},
         rate_sigma=0.0,
         acceleration_sigma=0.0,
     )
-    # The scenario says what the motion and the delay do to the start.
-    P[..., DV, DV] += np.eye(3) * s.start_velocity_m_s**2
+    P[..., DV, DV] += np.eye(3) * (belief.velocity_sigma or s.start_velocity_m_s) ** 2
     P[..., PHI, PHI] += np.eye(3) * (s.start_angle_deg * DEG) ** 2
     return nav, P
 
@@ -215,21 +245,29 @@ def constants(scenario: Scenario) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Flight:
-    """(U + 1, 2 filters, 6 states of the sea, runs, ...); nis, of an update, is U long."""
+    """(U + 1, filters, cases, runs, ...); what belongs to an update is U long."""
 
     error: Array  # (U + 1, ..., 16) computed - true, in the order of the model's states
     P: Array  # (U + 1, ..., 16, 16)
-    nis: Array  # (U, ..., 2): velocity and attitude, three rows each
+    nis: Array  # (U, ..., 2): velocity and attitude
+    log_likelihood: Array  # (U, ...) of the residuals up to each update
     delay: Array  # (runs,) s, true
+    rows: int  # of an update
 
     @property
     def heading(self) -> Array:
         """yaw_hat - yaw of the slave, rad: minus the third part of phi."""
-        return -self.error[..., 2]
+        wrapped: Array = (np.pi - self.error[..., 2]) % (2 * np.pi) - np.pi
+        return wrapped
 
     @property
     def heading_sigma(self) -> Array:
         return np.sqrt(self.P[..., 2, 2])
+
+    @property
+    def nees(self) -> Array:
+        """Of all sixteen states at the end."""
+        return nees(self.error[-1], self.P[-1])
 
 
 def fly(
@@ -242,14 +280,19 @@ def fly(
     first_run: int = 0,
     way: Literal["extrapolate", "buffer"] = "extrapolate",
     matching: tuple[str, str] = ("velocity", "dcm"),
+    rows: Any = True,
+    mounting: Array | None = None,
+    belief: Belief | None = None,
     delay_s: Any = None,
     noise: float = 1.0,
 ) -> Flight:
-    """Both filters in every sea state, each run with its own delay, biases and noise, keyed by [seed, run].
+    """Closed loops, each run with its own delay, biases and noise, keyed by [seed, run] in every case.
 
-    kind: one of MOTIONS, or a motion of shape (states, 1) or (states, runs) in the place of the six sea states.
-    way, matching: of `transfer.Transfer`; "extrapolate" and "dcm" are the paper's.  delay_s: instead of the drawn one,
-    as (states, runs) broadcasts.  noise: a factor on all that is drawn but the delay; the filter is told the same.
+    kind: one of MOTIONS, or a motion of shape (cases, 1) or (cases, runs) in the place of the six sea states.
+    way, matching: of `transfer.Transfer`; "extrapolate" and "dcm" are the paper's.  rows: (3,) bool, of the attitude's.
+    mounting: true q_b2m_wxyz, (cases, runs, 4) as it broadcasts; the scenario's if left out.  belief: how the filters
+    begin: the paper's two, FILTERS, if left out.  delay_s: instead of the drawn one, as (cases, runs) broadcasts.
+    noise: a factor on all that is drawn but the delay; the filter is told the same.
     """
     s = checked(scenario)
     dt, per_update = 1 / s.navigation_hz, s.navigation_hz // s.update_hz
@@ -257,34 +300,40 @@ def fly(
     if delay_s is not None:
         drawn = replace(drawn, delay=np.asarray(delay_s, float))
     motion = motion_of(kind, s, drawn.streams) if isinstance(kind, str) else kind
-    true = truth(model, motion, s, drawn)
-    q_late = true.master.q_b2n_wxyz
-    R = np.repeat([s.velocity_noise_m_s, s.attitude_noise_deg * DEG], 3) ** 2
+    true = truth(model, motion, s, drawn, mounting)
+    q_late, R = true.master.q_b2n_wxyz, matching_variances(s)
+    came = np.concatenate([np.ones(3, bool), np.broadcast_to(rows, 3)])
 
     def message(update: int) -> Message:
         n = noise * np.array([stream.standard_normal(6) for stream in drawn.streams])
         # a turn in level axes, as the master's axes see it
         C = rotation.matrix_from_quaternion(q_late[update])
         turn = np.einsum("...ji,...j->...i", C, s.attitude_noise_deg * DEG * n[:, 3:])
+        q = rotation.turned(q_late[update], turn)
         return Message(
             time=update / s.update_hz,  # when it arrives
             R=R,
+            rows=came,
             v_m_n=true.master.v_n[update] + s.velocity_noise_m_s * n[:, :3],
-            q_m2n_wxyz=rotation.turned(q_late[update], turn),
+            q_m2n_wxyz=q,
+            euler_m=rotation.euler_from_matrix(rotation.matrix_from_quaternion(q)) if "euler" in matching else None,
             position=true.slave.position[update * per_update],  # 3 m from the master's
         )
 
     first = message(0)
-    nav, P0 = start(model, s, first)
+    nav, P0 = begin(model, first, s, belief or Belief(compensated=np.array([True, False])[:, None, None]))
     swing = np.cross(true.dtheta[0] / dt, s.lever_b)
-    nav["v_n"] = first.v_m_n + np.einsum("...ij,...j->...i", rotation.matrix_from_quaternion(first.q_m2n_wxyz), swing)
+    nav["v_n"] = first.v_m_n + np.einsum("...ij,...j->...i", rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]), swing)
+    shape = np.broadcast_shapes(nav["v_n"].shape[:-1], P0.shape[:-2])
     given = constants(s)
     every = s.navigation_hz // s.covariance_hz
+    P0 = np.broadcast_to(P0, (*shape, 16, 16))
     loop = Transfer(model, nav, P0, given, way=way, matching=matching, every=every, rules=RULES)
     walk = np.repeat([given["gyro_noise"][0], given["accel_noise"][0]], 3) * np.sqrt(dt) * noise
     bias_g, bias_a = noise * drawn.gyro_bias, noise * drawn.accel_bias
     gain = np.eye(3) + noise * (drawn.gyro_gain - np.eye(3))
-    error, P, nis = [], [], []
+    kept: list[tuple[Array, Array]] = []
+    said: list[tuple[Array, Array]] = []
 
     def keep(update: int) -> None:
         at, now = update * per_update, loop.nav
@@ -296,8 +345,8 @@ def fly(
             rotation.attitude_error(now["q_b2m_wxyz"], true.q_b2m_wxyz[update]),
             (now["tau"] - drawn.delay)[..., None],
         )
-        error.append(np.concatenate(parts, axis=-1))
-        P.append(loop.P)
+        error = np.concatenate([np.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
+        kept.append((error, loop.P))
 
     keep(0)
     for update in range(1, s.seconds * s.update_hz + 1):
@@ -306,7 +355,11 @@ def fly(
             at = (update - 1) * per_update + k
             dtheta = np.einsum("...ij,...j->...i", gain, true.dtheta[at]) + bias_g * dt + n[:, k, :3]
             loop.slave((at + 1) * dt, dtheta, true.dv[at] + bias_a * dt + n[:, k, 3:], dt)
-        taken = loop.master(message(update))
-        nis.append(np.stack([one.nis for one in taken.innovations.values()], axis=-1))
+        taken = loop.master(message(update)).innovations.values()
+        likelihood = (np.where(one.used, one.nu**2 / one.S + np.log(one.S), 0.0).sum(-1) / -2 for one in taken)
+        said.append((np.stack([one.nis for one in taken], axis=-1), sum(likelihood)))  # type: ignore[arg-type]
+        # a filter that is lost refuses the messages, and would sink
+        loop.nav["position"] = np.broadcast_to(true.slave.position[update * per_update], (*shape, 3)).copy()
         keep(update)
-    return Flight(np.array(error), np.array(P), np.array(nis), drawn.delay)
+    (error, P), (nis, gained) = (map(np.array, zip(*part, strict=True)) for part in (kept, said))
+    return Flight(error, P, nis, np.cumsum(gained, axis=0), drawn.delay, int(came.sum()))

@@ -17,6 +17,7 @@ from boresight.studies.float_covariance.covariance import (
     estimates,
     fly,
 )
+from tests.drawing import drawn
 
 pytestmark = pytest.mark.usefixtures("compiled_once")
 
@@ -122,10 +123,10 @@ def test_what_stopped_being_a_covariance_is_seen():
 
 def test_report_and_figures(tmp_path, monkeypatch):
     monkeypatch.setattr(study, "CORNERS", CORNERS[:1])
-    result = study.run(seed=1, runs=1, seconds=5)
+    result = study.run(study.Asked(seed=1, estimates=1, longest_s=5))
     text = study.report(result)
     assert text.splitlines()[-1].startswith("float-covariance: UD in float within")
     assert "dies, 1 s" in text
-    written = study.float_figures(result, tmp_path)
+    written = drawn(study.STUDY, result, tmp_path)
     assert [path.name for path in written] == ["float-gentle.png", "float-coarse.png"]
     assert all(path.stat().st_size > 10_000 for path in written)

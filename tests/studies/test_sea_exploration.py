@@ -9,8 +9,10 @@ from boresight.runtime import rotation
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, sensors
 from boresight.runtime.units import MIL
+from boresight.studies.consistency import chi_square_band
 from boresight.studies.observability import Moment, along, shown_after
 from boresight.studies.sea_state import exploration as study
+from tests.drawing import drawn
 
 DEG = np.pi / 180
 
@@ -122,21 +124,20 @@ def test_closed_loops_have_the_errors_that_the_covariance_along_the_truth_forete
     runs, scenario = 40, study.QUICK
     wrong = sensors.standard_normals(1, np.arange(runs), 1)[:, 0] * 2 * DEG
     mounting = study.turned_about_down(wrong)[None]
-    level = np.array([1.0, 0, 0, 0])
     for name, size in (("roll", 3.0), ("heave", 1.0)):
         amplitude = np.array([size * (DEG if name == "roll" else 1.0) * (part == name) for part in hull.FREEDOMS])
         motion = hull.sinusoids(amplitude[None, None], np.zeros((1, 1, 6)), np.array([[1 / 8]]))
-        flight = study.fly(model, motion, scenario, mounting=mounting, believed=level, heading_sigma=2 * DEG, runs=runs,
-                           seed=0)  # fmt: skip
+        belief = study.Belief(heading_sigma=2 * DEG)
+        flight = study.fly(model, motion, scenario, mounting=mounting, belief=belief, runs=runs, seed=0)
         foretold = study.covariances(wide, study.swinging(study.sampled(60.0, scenario), **{name: size}), scenario)
         foretold_mil = foretold[-1, 0, study.HEADING] / MIL
-        rms = np.sqrt(np.mean(flight.heading_mil[-1] ** 2))
+        rms = np.sqrt(np.mean((flight.heading[-1] / MIL) ** 2))
         assert 0.75 < rms / foretold_mil < 1.3, (name, rms, foretold_mil)  # forty runs: 11 %, and the level error
         if name == "roll":
-            low, high = study.chi_square_band(16, runs)
+            low, high = chi_square_band(16, runs)
             assert low < flight.nees.mean() < high
         else:  # the filter's own sigma feigns a little: H at estimates that change while nothing corrects them
-            assert flight.sigma[-1, ..., study.HEADING].min() > 0.9 * foretold[0, 0, study.HEADING]
+            assert flight.heading_sigma[-1].min() > 0.9 * foretold[0, 0, study.HEADING]
 
 
 def test_every_way_of_matching_is_consistent_where_it_is_possible_and_euler_angles_are_not_near_the_vertical(
@@ -177,11 +178,8 @@ def test_the_exploration_can_be_read_and_drawn(tmp_path, monkeypatch):
     monkeypatch.setattr(study, "WAYS", {"DCM": study.WAYS["DCM"], "Euler angles": study.WAYS["Euler angles"]})
     monkeypatch.setattr(study, "SPACING_DEG", 90.0)
     monkeypatch.setattr(study, "QUICK", study.replace(study.QUICK, seconds=5))
-    import json
-
-    result = study.explore(runs=2, seed=0, seconds=60.0)
-    assert json.loads(json.dumps(result)) == result
+    result = study.run(study.Asked(runs=2, seconds=60.0))
     text = study.report(result)
-    assert "refused" in text and "turn of  90 deg" in text and text.count("\n") > 60
-    for path in study.exploration_figures(result, tmp_path):
+    assert "refused" in text and "turn of 90 deg" in text and text.count("\n") > 60
+    for path in drawn(study.STUDY, result, tmp_path):
         assert path.stat().st_size > 20000
