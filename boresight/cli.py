@@ -595,6 +595,25 @@ def replay(
     velocity_noise: Annotated[str | None, typer.Option(help='Master: level and vertical, as "2, 4 mm/s".')] = None,
     attitude_noise: Annotated[str | None, typer.Option(help='Master: level and heading, as "0.1, 0.3 deg".')] = None,
     delay_noise: Annotated[str | None, typer.Option(help='Random walk of the delay, as "0.03 ms/sqrt(s)".')] = None,
+    with_: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--with",
+            help='What the filter carries beside, as "scale 1000 ppm", "axes 1 mrad" or "bending 2 mrad 0.1 Hz".',
+        ),
+    ] = None,
+    grade: Annotated[
+        str | None,
+        typer.Option(help="Sizes of scale factors, axes and instability: mems, industrial, tactical, navigation."),
+    ] = None,
+    estimate: Annotated[
+        bool, typer.Option("--estimate", help="Estimate scale factors and axes, which else are considered.")
+    ] = False,
+    gyro_instability: Annotated[
+        str | None, typer.Option(help='Of the gyro biases, as "3 deg/h"; if not given, chosen as a random walk.')
+    ] = None,
+    accel_instability: Annotated[str | None, typer.Option(help='Of the accelerometer biases, as "50 ug".')] = None,
+    correlation: Annotated[str | None, typer.Option(help='Correlation time of both instabilities, as "300 s".')] = None,
     lever_arm: Annotated[
         str | None, typer.Option(help='From master to slave: front, right, down, as "-8, -2, 12 cm".')
     ] = None,
@@ -648,6 +667,20 @@ def replay(
     )
     if (noise or prior or lever_arm) and not name.startswith("velocity-attitude"):
         raise BoresightError(f"noises, biases and a lever arm are options of velocity-attitude; {name} takes none")
+    options = (with_, grade, gyro_instability, accel_instability, correlation)
+    if (estimate or any(options)) and not name.startswith("velocity-attitude"):
+        raise BoresightError(f"sizes of the sensors' errors are options of velocity-attitude; {name} takes none")
+    sensors = None
+    if estimate or any(options):
+        import numpy as np
+
+        from boresight.runtime.transfer.sensors import MODEL, Sensors, sized
+
+        sensors = sized(with_ or (), grade, gyro_instability, accel_instability, correlation, estimated=estimate)
+        # what is told of an instability, if only that there is none, is not looked for
+        told = (("gyro_walk", gyro_instability), ("accel_walk", accel_instability))
+        noise |= {walk: np.zeros(1) for walk, text in told if text}
+        sensors, name = (None, name) if sensors == Sensors() else (sensors, MODEL)
     folder = None if out is None else str(make(out))
     if name == "azimuth-hold":
         raise typer.Exit(zero_velocity.main(data, folder=folder, as_json=as_json))
@@ -662,7 +695,7 @@ def replay(
         result = transfer_replay.run(
             data, load(name), noise=noise, prior={key: float(value[0]) for key, value in prior.items()},
             lever_b=None if lever_arm is None else quantity(lever_arm, "length", 3), delay=delay_ms * 1e-3,
-            rate_hz=rate_hz, progress=progress,
+            rate_hz=rate_hz, sensors=sensors, progress=progress,
         )  # fmt: skip
     raise typer.Exit(transfer_replay.finish(result, folder=folder, as_json=as_json))
 

@@ -25,6 +25,7 @@ UNITS: dict[str, dict[str, float]] = {
     "quaternion": {"1": 1.0},
     "matrix": {"1": 1.0},
     "scale factor": {"1": 1.0, "%": 0.01, "ppm": 1e-6},
+    "frequency": {"Hz": 1.0},
     # White noise as datasheets say it: a random walk of the integral, or a density of the rate.
     "gyro noise": {
         "rad/sqrt(s)": 1.0,
@@ -39,6 +40,13 @@ UNITS: dict[str, dict[str, float]] = {
         "m/s^2/sqrt(Hz)": 1.0,
         "mg/sqrt(Hz)": MILLI_G,
         "ug/sqrt(Hz)": STANDARD_GRAVITY / 1e6,
+    },
+    "gyro bias walk": {"rad/s/sqrt(s)": 1.0, "deg/h/sqrt(s)": DEG_H, "deg/h/sqrt(h)": DEG_H / 60},
+    "accelerometer bias walk": {
+        "m/s^2/sqrt(s)": 1.0,
+        "ug/sqrt(s)": STANDARD_GRAVITY / 1e6,
+        "mg/sqrt(h)": MILLI_G / 60,
+        "ug/sqrt(h)": STANDARD_GRAVITY / 6e7,
     },
     "delay noise": {"s/sqrt(s)": 1.0, "ms/sqrt(s)": 1e-3, "ms/sqrt(h)": 1e-3 / 60},
 }

@@ -7,11 +7,13 @@ from typing import Any
 import numpy as np
 from scipy.stats import chi2
 
+from boresight.evidence.flights import imperfect
 from boresight.evidence.flights.motion import Motion, matrix, quaternion, turn, turn_between
 from boresight.runtime import transfer
 from boresight.runtime.array import Array
 from boresight.runtime.calibration import Calibration
 from boresight.runtime.library import load
+from boresight.runtime.transfer.sensors import MODEL, Sensors, carried
 from boresight.runtime.units import DEG, HOUR, STANDARD_GRAVITY
 
 
@@ -33,23 +35,28 @@ class Flown:
     """Of K messages handed over to so many runs."""
 
     loop: transfer.Transfer
-    start_errors: Array  # (runs, 16) before the first message after the hand-over
+    start_errors: Array  # (runs, n) before the first message after the hand-over
     start_P: Array
     time: Array  # (K,) s
-    errors: Array  # (K, runs, 16) estimated - true, after each message
-    P: Array  # (K, runs, 16, 16)
+    errors: Array  # (K, runs, n) estimated - true, after each message; n is 16, or 46 of a filter that carries sensors
+    P: Array  # (K, runs, n, n)
     nis: Array  # (K, runs) of the messages taken, else nan
     verdict: Array  # (K, runs)
 
     @property
     def nees(self) -> Array:
-        """(K, runs)"""
-        return nees(self.errors, self.P)
+        """(K, runs) of the states that have a variance."""
+        return self.nees_of(self.states)
 
     @property
     def start_nees(self) -> Array:
         """(runs,)"""
-        return nees(self.start_errors, self.start_P)
+        return nees(self.start_errors[..., self.states], self.start_P[..., self.states, :][..., self.states])
+
+    @property
+    def states(self) -> list[int]:
+        """Those that have a variance."""
+        return [int(i) for i in np.flatnonzero(np.diagonal(self.start_P, axis1=-2, axis2=-1).min(0) > 0)]
 
     def nees_of(self, states: list[int]) -> Array:
         """(K, runs) of these states alone."""
@@ -71,11 +78,17 @@ def band(mean_of: int, dof: int, level: float = 0.999) -> Array:
 
 def started(
     message: transfer.Message, model: Any, constants: dict[str, Any], *, sigmas: Any, estimates: Any,
-    increments: transfer.Increments, **settings: Any,
+    increments: transfer.Increments, carrying: Sensors | None = None, **settings: Any,
 ) -> transfer.Transfer:  # fmt: skip
     """The loop as a user begins it."""
-    nav, P, past = transfer.first(message, model, constants, sigmas=sigmas, estimates=estimates, increments=increments)
-    return transfer.Transfer(model, nav, P, constants, time=increments.end[-1], past=past, **settings)
+    begin, considered = {"sigmas": sigmas}, None
+    if carrying is not None:
+        constants, widened, estimates, considered = carried(carrying, constants, sigmas, estimates)
+        begin = {"P": widened}
+    nav, P, past = transfer.first(message, model, constants, **begin, estimates=estimates, increments=increments)
+    loop = transfer.Transfer(model, nav, P, constants, time=increments.end[-1], past=past, **settings)
+    loop.filter.considered = considered
+    return loop
 
 
 def fly(
@@ -100,6 +113,9 @@ def fly(
     sensed: Callable[..., Any] | None = None,
     said: Callable[..., Any] | None = None,
     start: Callable[..., Any] | None = None,
+    sensors: Sensors | None = None,
+    sine: bool = False,
+    carrying: Sensors | None = None,
     sigmas: dict[str, Any] | None = None,
     estimates: dict[str, Any] | None = None,
     constants: dict[str, Any] | None = None,
@@ -113,11 +129,13 @@ def fly(
     sensed(time, dtheta, dv) changes what the slave delivers in an interval (runs, 3), or loses it by None.
     said(time, message) changes what the master says, or loses it by None.
     start: makes what flies, with `slave`, `master`, nav and P, in place of `started`.
+    sensors: how far those of the slave and its seat are from ideal; sine: the seat bends as one.  carrying: what the
+    filter carries of that, which flies the model with states for it.
     sigmas, estimates: what `first` is given besides.  settings: of `Transfer`.
     """
     unit = unit or Unit()
     rng = np.random.default_rng([seed, runs])
-    loaded = load(model) if isinstance(model, str) else model
+    loaded = load(MODEL if carrying else model) if isinstance(model, str) else model
     C_b2m = matrix(np.array([0.4, -0.3, 2.0]) * DEG) if C_b2m is None else np.asarray(C_b2m)
     lever_b = np.asarray(lever_b, float)
 
@@ -129,6 +147,8 @@ def fly(
     lead = round((0.3 + abs(tau_believed)) * imu_hz)  # what the slave delivered before the first message's stamp, 0
     edges = np.arange(-lead, steps + 1) * dt
     dtheta, dv = motion.increments(edges)
+    truth = imperfect.drawn(sensors or Sensors(), np.random.default_rng([seed, runs, 1]), runs, edges[1:], sine=sine)
+    C_b2m_true, lever_true = C_b2m @ np.swapaxes(truth.Q, -1, -2), truth.Q @ lever_b
     bias_g, bias_a = unit.gyro_bias * rng.standard_normal((runs, 3)), unit.accel_bias * rng.standard_normal((runs, 3))
     known = {"lever_b": lever_b, "gyro_noise": np.full(3, unit.gyro_noise), "accel_noise": np.full(3, unit.accel_noise),
              "gyro_bias_noise": np.full(3, 1e-9), "accel_bias_noise": np.full(3, 1e-9), "mu_noise": np.full(3, 1e-9),
@@ -138,7 +158,8 @@ def fly(
 
     def message(stamp: Array, tau: Array) -> transfer.Message:
         """What the master says that is stamped so (runs,): it saw `stamp - tau`."""
-        v, C = motion.master(stamp - tau, lever_b, C_b2m)
+        bend, rate = truth.bend(stamp - tau), truth.bend_rate(stamp - tau)
+        v, C = motion.master(stamp - tau, lever_b, turn(bend) @ C_b2m, rate @ C_b2m)
         v = v + unit.velocity * rng.standard_normal((runs, 3))
         C = turn(unit.attitude * rng.standard_normal((runs, 3))) @ C
         return transfer.Message(stamp, R, v_m_n=v, q_m2n_wxyz=quaternion(C), position=motion.position(stamp - tau),
@@ -146,17 +167,28 @@ def fly(
 
     def deliver(k: int) -> tuple[Array, Array] | None:
         """What the slave delivers in its k-th interval, (runs, 3) each."""
-        d = dtheta[k] + bias_g * dt + unit.gyro_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
-        f = dv[k] + bias_a * dt + unit.accel_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
+        (turned, drift_g), (pushed, drift_a) = (
+            (shown @ part[k], drift[k])
+            for shown, part, drift in zip((truth.gyro, truth.accel), (dtheta, dv), truth.drift, strict=True)
+        )
+        d = turned + (bias_g + drift_g) * dt + unit.gyro_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
+        f = pushed + (bias_a + drift_a) * dt + unit.accel_noise * np.sqrt(dt) * rng.standard_normal((runs, 3))
         out: tuple[Array, Array] | None = (d, f) if sensed is None else sensed(edges[k + 1], d, f)
         return out
 
     def errors(nav: dict[str, Array], time: float) -> Array:
-        """(runs, 16) estimated - true."""
+        """(runs, n) estimated - true, in the axes of the accelerometers."""
         now = np.array(time)
-        parts = [turn_between(nav["q_b2n_wxyz"], motion.C_b2n(now)), nav["v_n"] - motion.velocity(now)[0],
-                 nav["gyro_bias"] - bias_g, nav["accel_bias"] - bias_a, turn_between(nav["q_b2m_wxyz"], C_b2m),
-                 (nav["tau"] - delay(time))[:, None]]  # fmt: skip
+        C_b2n = motion.C_b2n(now) @ np.swapaxes(truth.Q, -1, -2)
+        drift_g, drift_a = (part[round(time * imu_hz) + lead - 1] for part in truth.drift)
+        parts = [turn_between(nav["q_b2n_wxyz"], C_b2n), nav["v_n"] - motion.velocity(now)[0],
+                 nav["gyro_bias"] - bias_g - drift_g, nav["accel_bias"] - bias_a - drift_a,
+                 turn_between(nav["q_b2m_wxyz"], C_b2m_true), (nav["tau"] - delay(time))[:, None]]  # fmt: skip
+        if carrying is not None:
+            shown = [nav[name] for name in ("gyro_scale", "accel_scale", "gyro_axes", "accel_axes")]
+            parts += [nav["lever_b"] - lever_true, nav["flexure"] - truth.bend(now),
+                      nav["flexure_rate"] - truth.bend_rate(now), np.concatenate(shown, axis=-1) - truth.calibration,
+                      nav["gyro_turn_on"] - bias_g, nav["accel_turn_on"] - bias_a]  # fmt: skip
         return np.concatenate(parts, axis=-1)
 
     opening = replace(message(np.zeros(runs), delay(0.0)), rows=True)
@@ -173,8 +205,11 @@ def fly(
         | (estimates or {}),
         increments=transfer.Increments(edges[:begun], edges[1 : begun + 1], *past),
     )  # fmt: skip
+    if carrying is not None:
+        begin["carrying"] = carrying
     loop = (start or started)(opening, loaded, known, **begin, **settings)
-    start_errors, start_P = errors(loop.nav, edges[begun]), loop.P[..., :16, :16].copy()
+    start_errors = errors(loop.nav, edges[begun])
+    start_P = loop.P[..., : start_errors.shape[-1], : start_errors.shape[-1]].copy()
     gap = 1 / master_hz
     out: dict[str, list[Any]] = {"time": [], "errors": [], "P": [], "nis": [], "verdict": []}
     due = 1
@@ -192,7 +227,7 @@ def fly(
             result = loop.master(given)
             out["time"].append(time)
             out["errors"].append(errors(loop.nav, loop.time))
-            out["P"].append(loop.P[..., :16, :16].copy())
+            out["P"].append(loop.P[..., : start_P.shape[-1], : start_P.shape[-1]].copy())
             out["nis"].append(np.where(result.taken, result.nis, np.nan))
             out["verdict"].append(result.verdict)
     return Flown(loop, start_errors, start_P, **{name: np.array(value) for name, value in out.items()})

@@ -161,9 +161,12 @@ class Motion:
         omega, force, _ = self.rates(t)
         return np.einsum("kq,kqi->ki", half * WEIGHTS, omega), np.einsum("kq,kqi->ki", half * WEIGHTS, force)
 
-    def master(self, t: Any, lever_b: Any, C_b2m: Array) -> tuple[Array, Array]:
-        """What a master reports that sees time t: v_m_n (..., 3), C_m2n (..., 3, 3).  lever_b: master to slave, m."""
-        C, omega_eb = self.C_b2n(t), self.rates(t)[2]
+    def master(self, t: Any, lever_b: Any, C_b2m: Array, bend_rate_b: Any = 0.0) -> tuple[Array, Array]:
+        """What a master reports that sees time t: v_m_n (..., 3), C_m2n (..., 3, 3).  lever_b: master to slave, m.
+
+        bend_rate_b: (..., 3) rad/s at which the slave turns against the master, in the slave's axes.
+        """
+        C, omega_eb = self.C_b2n(t), self.rates(t)[2] - bend_rate_b
         v = self.velocity(t)[0] - np.einsum("...ij,...j->...i", C, np.cross(omega_eb, lever_b))
         return v, C @ np.swapaxes(C_b2m, -1, -2)
 

@@ -191,7 +191,7 @@ class Transfer:
             used = np.concatenate([made["dtheta_ib_b"], made["dv_b"]], axis=-1) + bias
         self.filter.strapdown(
             dtheta_ib_b=used[..., GYRO], dv_b=used[..., ACCEL],
-            dtheta_before=earlier[0][..., GYRO], dv_before=earlier[0][..., ACCEL], dt=dt,
+            dtheta_before=earlier[0][..., GYRO], dv_before=earlier[0][..., ACCEL], dt=dt, **self.constants,
         )  # fmt: skip
         if self.gaps.lost.any():  # they stand still, and what they have estimated stays
             self.filter.nav.update(

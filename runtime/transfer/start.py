@@ -250,7 +250,7 @@ def _flown(
         nonlocal history
         loop.nav = dict(start)
         if parts is not None:
-            history = _past(loop, parts)
+            history = _past(loop, parts, constants)
         at = {name: value for name, value in beside(0.0)[0].items() if name != "a_n"}
         expected: dict[str, Any] = loop.call("expected", **at)
         return expected
@@ -289,7 +289,7 @@ def _reaching(increments: Increments, then: Array, half_span_s: float) -> Increm
     return Increments(begin[k:], end[k:], dtheta[k:], dv[k:])
 
 
-def _past(loop: Filter, increments: Increments) -> History:
+def _past(loop: Filter, increments: Increments, constants: Mapping[str, Any]) -> History:
     """The strapdown over the increments, which leaves loop.nav at their end."""
     runs = loop.P.shape[:-2]
     history = History(np.inf, int(np.prod(runs, dtype=int)))
@@ -297,7 +297,8 @@ def _past(loop: Filter, increments: Increments) -> History:
     before = increments.dtheta[0], increments.dv[0]
     history.append(increments.begin[0], v_n=loop.nav["v_n"], q_b2n_wxyz=loop.nav["q_b2n_wxyz"], angle=angle, push=push)
     for begin, end, dtheta, dv in zip(*increments, strict=True):
-        loop.strapdown(dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=before[0], dv_before=before[1], dt=end - begin)
+        shown = {"dtheta_ib_b": dtheta, "dv_b": dv, "dtheta_before": before[0], "dv_before": before[1]}
+        loop.strapdown(**shown, dt=end - begin, **constants)
         before, angle, push = (dtheta, dv), angle + dtheta, push + dv
         history.append(end, v_n=loop.nav["v_n"], q_b2n_wxyz=loop.nav["q_b2n_wxyz"], angle=angle, push=push)
     return history

@@ -17,6 +17,7 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.recording import Recording, check, thinned
 from boresight.runtime.transfer import Increments, Message, Rules, Transfer, Verdict, first
+from boresight.runtime.transfer.sensors import ADDED, CALIBRATION, Sensors, calibration, carried
 from boresight.runtime.units import MILLI_G, UNITS
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
 
@@ -49,7 +50,12 @@ NOISES = {
     "attitude": Noise("angle", "arcmin", ("level", "heading"), 1e-3, (1e-7, 0.03)),
     # two clocks run apart by 1e-5 of the time or so
     "delay": Noise("delay noise", "ms/sqrt(s)", ("random walk",), 3e-5, (1e-7, 0.01)),
+    # of the biases, and so small at least that a bias stays where it is; an instability sigma over T is a walk of
+    # sigma sqrt(2 / T) for times that are shorter, and less than that for longer ones
+    "gyro_walk": Noise("gyro bias walk", "deg/h/sqrt(h)", ("each axis",), 1e-6, (1e-10, 1e-3)),
+    "accel_walk": Noise("accelerometer bias walk", "mg/sqrt(h)", ("each axis",), 1e-4, (1e-8, 0.1)),
 }
+LEAST = {"gyro_walk": 1e-10, "accel_walk": 1e-8}  # what constant biases are given
 PARTS = tuple(one for one in NOISES.values() for _ in one.parts)
 ENOUGH = 0.5  # of minus the log likelihood: the noises are then within one of their own sigmas
 # Of NOISES one after the other: which number serves which of the gyros, accelerometers, rows of velocity and attitude.
@@ -74,6 +80,11 @@ GROUPS = (
     Group("accelerometer bias", "accel_bias", "dba_x", "mg", MILLI_G),
     Group("delay", "delay", "d_tau", "ms", 1e-3, ("",)),
     Group("lever arm", "lever", "d_lever_x", "cm", 0.01),
+    Group("bending", "flexure", "d_bend_x", "mrad", 1e-3),
+    Group("gyro scale factor", "gyro_scale", "dkg_x", "ppm", 1e-6),
+    Group("accelerometer scale factor", "accel_scale", "dka_x", "ppm", 1e-6),
+    Group("gyro axes", "gyro_axes", "dkg_xy", "mrad", 1e-3, ("xy", "xz", "yx", "yz", "zx", "zy")),
+    Group("accelerometer axes", "accel_axes", "dka_yx", "mrad", 1e-3, ("yx", "zx", "zy")),
 )
 
 
@@ -81,12 +92,19 @@ GROUPS = (
 
 
 def fly(
-    recording: Recording, model: Any, noises: Array, start: Array, prior: Mapping[str, float], delay_sigma: Any
+    recording: Recording,
+    model: Any,
+    noises: Array,
+    start: Array,
+    prior: Mapping[str, float],
+    delay_sigma: Any,
+    sensors: Sensors | None = None,
 ) -> dict[str, Any]:
     """One pass of the filter over a recording whose master lies inside the slave's data, by HOLD_S at both ends.
 
-    noises: (..., 7) in SI and rad, in the order of NOISES; leading axes are runs side by side.  start: (..., 19) where
+    noises: (..., 9) in SI and rad, in the order of NOISES; leading axes are runs side by side.  start: (..., 19) where
     the estimates begin, as `estimates` has them.  prior: one sigma of each by name; delay_sigma: (...,) s, the delay's.
+    sensors: what a model with states for it carries of scale factors, axes, instability, bending and the lever arm.
     Returns, first axis the K messages: time (K,) s, nu, S and used (K, ..., 6), estimate and sigma (K, ..., n), verdict
     (K, ...); and notes, pairs of run numbers and a line.  A message whose numbers can be read is refused where its NIS
     is beyond GATE only, which no filter that is nearly right comes to, or where the master repeats itself: what one in
@@ -106,27 +124,35 @@ def fly(
 
     tau = start[..., 15]
     constants: dict[str, Any] = {
-        "gyro_noise": spread[..., :3], "accel_noise": spread[..., 3:6], "gyro_bias_noise": np.zeros(3),
-        "accel_bias_noise": np.zeros(3), "mu_noise": np.zeros(3), "lever_b": start[..., 16:],
+        "gyro_noise": spread[..., :3], "accel_noise": spread[..., 3:6], "mu_noise": np.zeros(3),
+        "gyro_bias_noise": np.repeat(noises[..., 7:8], 3, axis=-1), "lever_b": start[..., 16:],
+        "accel_bias_noise": np.repeat(noises[..., 8:9], 3, axis=-1),
         "tau_noise": np.where(np.asarray(delay_sigma) > 0, noises[..., 6], 0.0),
     }  # fmt: skip
     estimated = {"q_b2m_wxyz": rotation.turned(np.array([1.0, 0, 0, 0]), start[..., 12:15]),
                  "gyro_bias": start[..., 6:9], "accel_bias": start[..., 9:12], "tau": tau}  # fmt: skip
     sigmas = {"q_b2m_wxyz": prior["misalignment"], "gyro_bias": prior["gyro_bias"], "accel_bias": prior["accel_bias"],
               "tau": delay_sigma, "lever_b": prior["lever"]}  # fmt: skip
-    if "d_lever_x" in model.states:
+    how: dict[str, Any] = {"sigmas": sigmas}
+    considered = None
+    if sensors is not None:
+        del sigmas["lever_b"]
+        constants, P, estimated, considered = carried(sensors, constants, sigmas, estimated)
+        how = {"P": P}
+    elif "d_lever_x" in model.states:
         estimated["lever_b"] = constants.pop("lever_b")
     else:
         del sigmas["lever_b"]
     begin, end, dtheta, dv = imu.increments
     i = int(np.searchsorted(end, master.time[0] + HOLD_S - 1e-6 * imu.dt)) + 1
-    nav, P, past = first(message(0), model, constants, sigmas=sigmas, estimates=estimated, matching=MATCHING,
+    nav, P, past = first(message(0), model, constants, **how, estimates=estimated, matching=MATCHING,
                          increments=Increments(begin[:i], end[:i], dtheta[:i], dv[:i]))  # fmt: skip
     reach = HOLD_S + float(np.max(tau)) + 3 * float(np.max(delay_sigma)) + 0.1
     loop = Transfer(
         model, nav, P, constants, time=end[i - 1], past=past, matching=MATCHING,
         every=max(1, round(COVARIANCE_S / imu.dt)), rules=Rules(gate=GATE, buffer_s=reach),
     )  # fmt: skip
+    loop.filter.considered = considered
     rest = P.shape[-1] - 6
     history: dict[str, list[Array]] = {name: [] for name in ("nu", "S", "used", "estimate", "sigma", "verdict")}
     k = 1
@@ -156,11 +182,12 @@ def fly(
 
 
 def estimates(nav: dict[str, Array], start: Array) -> Array:
-    """(..., 19) in the order of the error states: zeros for attitude and velocity, then what is estimated or given."""
+    """(..., 19 or 46) in the order of the error states: zeros for attitude and velocity, then what is estimated."""
     mu = rotation.vector_from_matrix(rotation.matrix_from_quaternion(nav["q_b2m_wxyz"]))
     none = np.zeros((*mu.shape[:-1], 6))
     lever = nav.get("lever_b", start[..., 16:])
-    return np.concatenate([none, nav["gyro_bias"], nav["accel_bias"], mu, nav["tau"][..., None], lever], axis=-1)
+    more = [nav[name] for name in ADDED if name != "lever_b"] if "gyro_scale" in nav else []
+    return np.concatenate([none, nav["gyro_bias"], nav["accel_bias"], mu, nav["tau"][..., None], lever, *more], axis=-1)
 
 
 # ---------------------------------------------------------------- one replay
@@ -195,6 +222,7 @@ def run(
     lever_b: Any = None,
     delay: float = 0.0,
     rate_hz: float | None = None,
+    sensors: Sensors | None = None,
     progress: Callable[[str], None] = lambda line: None,
 ) -> dict[str, Any]:
     """Replay a recording with the delay as a state and without it; what came out, as a dict that json can write.
@@ -206,16 +234,23 @@ def run(
     linear about it.  Fields: docs/recordings.md.  Raises BoresightError if the recording cannot be replayed.
     """
     prior = {**PRIOR, **(prior or {})}
+    given = dict(noise or {})
+    if sensors is not None:
+        if lever_b is None:
+            sensors = replace(sensors, lever=prior["lever"])
+        prior |= sizes_of(sensors)
+        # what is told of an instability is not looked for
+        given |= {f"{n}_walk": LEAST[f"{n}_walk"] for n in ("gyro", "accel") if getattr(sensors, f"{n}_instability")}
     cut = prepare(recording, rate_hz)
-    noises, free = noise_vector(noise or {})
+    noises, free = noise_vector(given)
     low, high = (np.array([one.limits[i] for one in PARTS]) for i in (0, 1))
     start = np.zeros((2, 19))
     start[:, 16:] = 0.0 if lever_b is None else lever_b
     start[0, 15] = delay
     delay_sigma = np.array([prior["delay"], 0.0])
     progress("first pass")
-    track = fly(cut, model, noises, start, prior, delay_sigma)
-    start = track["estimate"][-1]
+    track = fly(cut, model, noises, start, prior, delay_sigma, sensors)
+    start = track["estimate"][-1, :, :19]
     # A noise that is far too large comes down slowly; what is white in the innovations' scatter is near.
     late = slice(len(track["nu"]) // 2, None)
     whole = track["used"][late, 0].all(-1)
@@ -223,15 +258,15 @@ def run(
         said = ", ".join(f"{name} {count}" for name, count in refused(track["verdict"][late, 0]).items())
         raise BoresightError(f"{recording.name}: hardly a message of its second half was used; refused: {said}")
     scatter = np.std(np.diff(track["nu"][late, 0][whole], axis=0), axis=0) / np.sqrt(2)
-    near = np.array([*noises[:2], scatter[:2].max(), scatter[2], scatter[3:5].max(), scatter[5], noises[6]])
+    near = np.array([*noises[:2], scatter[:2].max(), scatter[2], scatter[3:5].max(), scatter[5], *noises[6:]])
     noises = np.where(free, np.clip(near, low, high), noises)
 
     def flown(noises: Array) -> dict[str, Any]:
-        return fly(cut, model, noises, start[0], prior, prior["delay"])
+        return fly(cut, model, noises, start[0], prior, prior["delay"], sensors)
 
     noises, passes = most_likely(flown, noises, free, (low, high), enough=ENOUGH, progress=progress)
     progress("last pass")
-    track = fly(cut, model, noises, start, prior, delay_sigma)
+    track = fly(cut, model, noises, start, prior, delay_sigma, sensors)
     both = {
         name: {part: values[:, i] for part, values in track.items() if part not in ("time", "notes")}
         for i, name in enumerate(("with", "without"))
@@ -248,6 +283,7 @@ def run(
         "refused": refused(track["verdict"][:, 0]),
         "lever_given_m": None if lever_b is None else np.asarray(lever_b, float).tolist(),
         "noise": said_noise(noises, free, passes),
+        "sensors": None if sensors is None else asdict(sensors),
         "minus_log_likelihood": {name: float(minus_log_likelihood(part)) for name, part in both.items()},
         "states": states(model, track["time"], both, recording.reference, prior),
         "nis": {name: consistency(part["nu"] / np.sqrt(part["S"]), part["used"]) for name, part in both.items()},
@@ -256,8 +292,18 @@ def run(
     }
 
 
+def sizes_of(sensors: Sensors) -> dict[str, float]:
+    """One sigma of each group that is estimated, as PRIOR has them; of the axes the first one's."""
+    sizes = {"lever": sensors.lever, "flexure": sensors.bending}
+    if sensors.estimated:
+        sigma = np.sqrt(np.diag(calibration(sensors)))
+        for name in ("gyro_scale", "accel_scale", "gyro_axes", "accel_axes"):
+            sizes[name] = float(sigma[ADDED[name].start - CALIBRATION.start])
+    return sizes
+
+
 def noise_vector(given: Mapping[str, Any]) -> tuple[Array, Array]:
-    """(7,) noises where a search begins, or as given, and (7,) whether each is to be searched for."""
+    """(9,) noises where a search begins, or as given, and (9,) whether each is to be searched for."""
     unknown = set(given) - set(NOISES)
     if unknown:
         raise BoresightError(f"no noise {sorted(unknown)[0]!r}; there are {', '.join(NOISES)}")
@@ -265,6 +311,7 @@ def noise_vector(given: Mapping[str, Any]) -> tuple[Array, Array]:
     for name, one in NOISES.items():
         said = given.get(name)
         value = np.resize(np.asarray(one.first if said is None else said, float), len(one.parts))
+        value = np.where(value == 0, LEAST.get(name, 0.0), value)
         if not ((value >= one.limits[0]) & (value <= one.limits[1])).all():
             low, high = (f"{limit / UNITS[one.kind][one.unit]:.2g}" for limit in one.limits)
             shown = ", ".join(f"{v / UNITS[one.kind][one.unit]:.3g}" for v in value)
@@ -295,8 +342,8 @@ def states(
     """One entry for each quantity: what it is at the end, with and without the delay state, and what else is known."""
     out = []
     for group in GROUPS:
-        if group.first not in model.states:
-            continue
+        if group.first not in model.states or not prior.get(group.key):
+            continue  # a state that is left out, or considered
         at = model.states.index(group.first)
         known = reference.get({"lever": "lever_arm"}.get(group.key, group.key))
         for i, axis in enumerate(group.axes):
@@ -412,6 +459,7 @@ def report(result: Mapping[str, Any]) -> str:
         f"{_used(result)}; nothing calibrated beforehand.",
         "Lever arm (front, right, down): "
         + ("estimated." if any(s["state"] == "lever arm" for s in result["states"]) else f"{_lever(result)}."),
+        *([] if result["sensors"] is None else [f"Sensors: {described(Sensors(**result['sensors']))}."]),
         "",
         f"**The master is {number(delay['estimate'], delay['sigma'])} +- {number(delay['sigma'], delay['sigma'])} ms "
         f"old.**  Mean NIS with this delay {nis['with']['mean']:.3f}, without it at the same noises "
@@ -455,6 +503,26 @@ def _used(result: Mapping[str, Any]) -> str:
         return "all of them used"
     reasons = ", ".join(f"{name} {count}" for name, count in result["refused"].items())
     return f"of which {result['used']} used; refused: {reasons}"
+
+
+def described(sensors: Sensors) -> str:
+    """What is carried of the sensors, with its sizes, for the report."""
+    how = "estimated" if sensors.estimated else "considered"
+    parts = []
+    for names, unit, scale in (("scale", "ppm", 1e-6), ("axes", "mrad", 1e-3)):
+        gyro, accel = (getattr(sensors, f"{sensor}_{names}") / scale for sensor in ("gyro", "accel"))
+        if gyro or accel:
+            parts.append(f"{names} {gyro:.3g} and {accel:.3g} {unit} of gyros and accelerometers, {how}")
+    for name, unit, size in (
+        ("gyro", "deg/h", UNITS["angular rate"]["deg/h"]),
+        ("accelerometer", "ug", UNITS["acceleration"]["ug"]),
+    ):
+        sigma = sensors.gyro_instability if name == "gyro" else sensors.accel_instability
+        if sigma:
+            parts.append(f"{name} instability {sigma / size:.3g} {unit} over {sensors.correlation_s:g} s")
+    if sensors.bending:
+        parts.append(f"bending {sensors.bending * 1e3:.3g} mrad at {sensors.bending_hz:g} Hz")
+    return "; ".join(parts)
 
 
 def _noise(name: str, one: Mapping[str, Any]) -> str:

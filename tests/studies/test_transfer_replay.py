@@ -26,10 +26,12 @@ DELAY = 0.03
 LEVER_B = np.array([-0.3, 0.2, 0.5])
 MU = np.array([0.2, -0.3, 0.8]) * DEG
 BIAS_G, BIAS_A = np.array([200.0, -300.0, 100.0]) * DEG / 3600, np.array([-0.07, 0.03, 0.05])
-NOISE = {"gyro": 0.2 * DEG / 60, "accel": 0.002, "velocity": [0.003, 0.004], "attitude": [1e-4, 2e-4], "delay": 1e-7}
+NOISE = {"gyro": 0.2 * DEG / 60, "accel": 0.002, "velocity": [0.003, 0.004], "attitude": [1e-4, 2e-4], "delay": 1e-7,
+         "gyro_walk": 0.0, "accel_walk": 0.0}  # fmt: skip
 # of the real recording, as the fit of docs/recordings.md finds them
 FOG_MEMS = {"gyro": "0.148 deg/sqrt(h)", "accel": "0.1 m/s/sqrt(h)", "velocity": "1.1, 2.1 mm/s",
-            "attitude": "0.115, 0.042 arcmin", "delay": "0.03 ms/sqrt(s)"}  # fmt: skip
+            "attitude": "0.115, 0.042 arcmin", "delay": "0.03 ms/sqrt(s)",
+            "gyro_walk": "0 deg/h/sqrt(h)", "accel_walk": "0 ug/sqrt(h)"}  # fmt: skip
 
 
 def simulate(seed, seconds=14.0, lever_b=LEVER_B):
@@ -122,7 +124,7 @@ def test_lever_arm_of_the_wrong_sign_shows_in_the_nis(simulated, model):
 def test_noises_are_found(model):
     """10 s: 100 messages know a measurement's noise to 6 % at best; the gyros' is found within a half."""
     short = simulate(2, seconds=10.0, lever_b=np.zeros(3))
-    found = tr.run(short, model, noise={"delay": 1e-7})
+    found = tr.run(short, model, noise={name: NOISE[name] for name in ("delay", "gyro_walk", "accel_walk")})
     assert found["noise"]["passes"] > 0
     np.testing.assert_allclose(found["noise"]["velocity"]["value"], [3.0, 4.0], rtol=0.25)
     expected = np.array(NOISE["attitude"]) / DEG * 60
