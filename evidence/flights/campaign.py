@@ -40,7 +40,7 @@ def flown(condition: Condition, runs: int = RUNS) -> dict[str, Any]:
         "states": n,
         "band": [round(float(low), 3), round(float(high), 3)],
         "nees": {
-            "start": round(float(nees[0].mean()), 3),
+            "start": round(float(flight.start_nees.mean()), 3),
             "second half": round(float(late.mean()), 3),
             "worst": round(float(late.mean(axis=1).max()), 3),
             "end": round(float(nees[-1].mean()), 3),

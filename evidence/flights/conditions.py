@@ -7,13 +7,14 @@ from typing import Any
 import numpy as np
 
 from boresight.evidence.flights.fly import Unit
-from boresight.evidence.flights.motion import DEG, Motion, after, parked, quaternion, swinging, turn, waves
+from boresight.evidence.flights.motion import DEG, Motion, after, matrix, parked, quaternion, swinging, turn, waves
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
-from boresight.runtime.transfer import Message
+from boresight.runtime.transfer import Headings, Message
 
 Change = Callable[[float, Message], Message | None]
 Sensed = Callable[[float, Array, Array], tuple[Array, Array] | None]
+MOUNTING = matrix(np.array([0.4, -0.3, 2.0]) * DEG)  # of `fly`
 MEMS = Unit(gyro_bias=0.2 * DEG, accel_bias=0.2, gyro_noise=1e-4, accel_noise=2e-3)
 
 
@@ -35,6 +36,14 @@ class Condition:
 
 def moving(seconds: float = 42.0, **more: Any) -> Callable[[], Motion]:
     return lambda: swinging(seconds=seconds, **more)
+
+
+def rolling() -> Motion:
+    """Roll of 6 deg/s."""
+    return Motion(
+        swing=waves(([6 * DEG / (2 * np.pi * 0.17), 0, 0], 0.17, [0, 0, 0])), steady=np.array([7.0, 4.0, 0]),
+        sway=waves(([1.5, 1.2, 0.8], 0.13, [0.1, 0.9, 2.5])),
+    )  # fmt: skip
 
 
 def at(lat_deg: float, lon_deg: float = 11.0) -> Array:
@@ -66,6 +75,12 @@ def with_field(**fields: Callable[[Any], Any]) -> Change:
     return lambda time, message: replace(
         message, **{n: f(np.array(getattr(message, n), float)) for n, f in fields.items()}
     )
+
+
+def without_heading(time: float, message: Message) -> Message:
+    """Roll and pitch alone."""
+    euler = rotation.euler_from_matrix(rotation.matrix_from_quaternion(message.q_m2n_wxyz))
+    return replace(message, q_m2n_wxyz=None, euler_m=euler * [1, 1, np.nan])
 
 
 def turned(euler_deg: Any) -> Change:
@@ -167,6 +182,7 @@ def spike(d: Array) -> None:
 
 
 RUNS = 100
+NORMAL = np.random.default_rng(7).standard_normal(RUNS)
 FAST, NORTH = np.array([3.0, 0, 0]), np.array([DEG, 0, 0])
 CRUISE = np.array([160.0, 120.0, 0.0])
 # A hull at pitch 85 +- 4 deg; one that rolls after 100 s at rest.
@@ -329,6 +345,27 @@ CONDITIONS = (
         settings={"said": lambda: bent([2e-3, 2e-3, 2e-3], 0.1), "constants": {"mu_noise": np.full(3, 1e-3)}},
     ),
     Condition("lever arm of 30 m", moving(), settings={"lever_b": (20.0, -10.0, 20.0)}),
+    Condition(
+        "lever arm of 30 m, known in the master's axes",
+        moving(),
+        settings={"lever_b": (20.0, -10.0, 20.0), "constants": {"lever_m": MOUNTING @ (20.0, -10.0, 20.0)}},
+    ),
+    Condition(
+        "first message late by a delay that is known, 6 deg/s",
+        rolling,
+        settings={"tau": 0.035 + 1e-3 * NORMAL, "tau_believed": 0.035, "tau_sigma": 1e-3, "hand_over": 0.2},
+    ),
+    Condition(
+        "delay unknown to 50 ms, 6 deg/s",
+        rolling,
+        settings={"tau": 0.05 * NORMAL, "hand_over": 0.2},
+    ),
+    Condition(
+        "master without a heading",
+        moving(),
+        told="the heading is known to",
+        settings={"start": Headings, "said": lambda: without_heading},
+    ),
     Condition("coning 0.5 deg at 5 Hz", coning, "told"),
     Condition(
         "coning 0.5 deg at 5 Hz, delay known to 3 ms",

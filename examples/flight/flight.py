@@ -10,7 +10,7 @@ import numpy as np
 from make_recording import MASTER, Setup, read
 
 from boresight import BoresightError
-from boresight.runtime import rotation, transfer
+from boresight.runtime import rotation
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 from boresight.runtime.units import DEG, MIL
@@ -40,23 +40,17 @@ class Flight:
 
     def start(self, message: np.ndarray) -> None:
         s = self.setup
-        R = np.repeat([0.0, s.attitude_sigma], 3) ** 2
-        nav, P, _ = transfer.first(
-            transfer.Message(0.0, R, position=message[1:4], v_m_n=message[4:7], q_m2n_wxyz=message[7:11]),
-            self.model,
-            self.constants,
-            sigmas={
-                "q_b2m_wxyz": s.mounting_sigma,
-                "gyro_bias": s.gyro_bias_sigma,
-                "accel_bias": s.accel_bias_sigma,
-                "tau": s.tau_sigma,
-            },
-            rate_sigma=0.0,
-            acceleration_sigma=0.0,
-        )
-        # What the motion and the delay do to the start is the setup's to say.
-        P[3:6, 3:6] += s.start_velocity_sigma**2 * np.eye(3)
-        P[:3, :3] += s.start_angle_sigma**2 * np.eye(3)
+        # As flight.c: the master's velocity and attitude as they are; the setup says what motion and delay do to them.
+        C_m2n = rotation.matrix_from_quaternion(message[7:11])
+        nav = {"position": message[1:4], "v_n": message[4:7], "q_b2n_wxyz": message[7:11], "gyro_bias": np.zeros(3),
+        # As flight.c: the master's velocity and attitude as they are; the setup says how wrong they are as the slave's.
+        sigmas = (s.start_velocity_sigma, s.gyro_bias_sigma, s.accel_bias_sigma, s.mounting_sigma)
+        variances = np.concatenate([np.broadcast_to(np.square(sigma), 3) for sigma in sigmas])
+        P = np.diag([0.0, 0.0, 0.0, *variances, s.tau_sigma**2])
+        P[:3, 12:15] = C_m2n @ P[12:15, 12:15]
+        P[12:15, :3] = P[:3, 12:15].T
+        P[:3, :3] = C_m2n @ P[12:15, :3] + (s.attitude_sigma**2 + s.start_angle_sigma**2) * np.eye(3)
+        P[:3, :3] = (P[:3, :3] + P[:3, :3].T) / 2
         self.loop = Filter(self.model, nav, P)
         self.dtheta[self.now] = self.dv[self.now] = 0.0
         self.predicted = self.corrected = self.now

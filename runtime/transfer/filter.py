@@ -12,9 +12,10 @@ from boresight.runtime.array import Array
 from boresight.runtime.calibration import Calibration
 from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.transfer.gaps import Gaps, of_runs
+from boresight.runtime.transfer.guard import Guard, mixed, outside
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
 from boresight.runtime.transfer.lever import flown
-from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
+from boresight.runtime.transfer.messages import Heard, Message, Note, Result, Verdict, heard
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
 from boresight.runtime.transfer.start import Increments, again
@@ -24,7 +25,7 @@ GYRO, ACCEL = slice(0, 3), slice(3, 6)  # of increments (..., 6)
 EARLIER = ("before", "second", "third")
 UNKNOWN = np.pi, 100.0  # rad, m/s: one sigma of a run that is lost
 SWING_S = 1.0
-LARGEST = 0.45  # rad in one correction; the model's own range ends at 0.5
+LARGEST = 0.9  # of the model's range for the error state, in one correction
 
 
 class Transfer:
@@ -64,8 +65,9 @@ class Transfer:
         self.every = every
         self.runs = np.shape(P)[:-2]
         whole = {name: np.asarray(value, float) for name, value in nav.items()}
+        self.guard = Guard(flown(model, constants), self.runs)
         self.filter = Filter(
-            flown(model, constants),
+            self.guard,
             {n: np.broadcast_to(v, (*self.runs, *v.shape[-1:])) if n != "tau" else np.broadcast_to(v, self.runs)
              for n, v in whole.items()},
             P,
@@ -91,6 +93,10 @@ class Transfer:
         )
         self.gaps = Gaps(self.watch, np.concatenate([np.zeros_like(standing), standing], axis=-1))
         self._left_out = 0
+        self.lost = np.zeros(self.runs, bool)  # runs whose slave left the model's range: they stand still
+        where, why = outside(model, self.filter.nav, self.runs)
+        if where.any():
+            raise BoresightError(f"transfer: the slave's {why}")
 
     @property
     def notes(self) -> list[Note]:
@@ -193,17 +199,25 @@ class Transfer:
             dtheta_ib_b=used[..., GYRO], dv_b=used[..., ACCEL],
             dtheta_before=earlier[0][..., GYRO], dv_before=earlier[0][..., ACCEL], dt=dt, **self.constants,
         )  # fmt: skip
-        if self.gaps.lost.any():  # they stand still, and what they have estimated stays
-            self.filter.nav.update(
-                {name: of_runs(self.gaps.lost, held[name], value) for name, value in self.nav.items()}
-            )
         self._earlier = [increments, *self._earlier[:2]]
         self.time = self.watch.time = float(time)
+        self._range(held)
         self._angle, self._push = self._angle + increments[..., GYRO], self._push + increments[..., ACCEL]
         self._keep()
         self._steps += 1
         if self._steps >= self.every:
             self._covariance()
+
+    def _range(self, held: Mapping[str, Array]) -> None:
+        """Hold the runs that are lost where they were, those too that are lost from now on, at the range's edge."""
+        left, why = self.guard.taken()
+        if left.any():
+            text = f"the slave is beyond the model's range and stands still from now on: {why}"
+            self.watch.note(left & ~self.lost, text)
+            self.lost = self.lost | left
+            held = self.guard.clipped(held)
+        if (still := self.lost | self.gaps.lost).any():
+            self.filter.nav = mixed(still, held, self.filter.nav)
 
     def _keep(self) -> None:
         nav = self.filter.nav
@@ -229,6 +243,7 @@ class Transfer:
         if dt <= 0:
             return
         self.filter.predict(**self._over(np.full(self.history.runs, dt)), dt=dt, **self.constants)
+        self.guard.taken()  # a rate beyond the range is in the slave's own step, if it is
         self._predicted = self.time
         self.watch.silence()
 
@@ -246,16 +261,26 @@ class Transfer:
         """Hold a message against the slave and correct the slave by it, its past included."""
         self._covariance()
         loop, rules, runs = self.filter, self.rules, self.runs
-        stamp = np.broadcast_to(np.asarray(message.time, float), runs)
-        came = np.broadcast_to(np.asarray(message.rows), (*runs, 6)).any(-1)
-        said, rows = self._usable(message)
+        attitude = self._attitude_field()
+        steepest = loop.model.field["euler_m"]["high"][1]
+        given = heard(message, runs, attitude, steepest)
+        stamp, rows, came = given.time, given.rows, given.came
+        self.watch.partly(given, attitude)
+        faults = list(given.faults)
 
         # A message that lies ahead is the clocks' fault; an estimate of the delay that says so is the filter's to mend.
         lag = self.time - stamp + loop.nav["tau"]
         lag = np.where(stamp <= self.time + rules.ahead_s, np.maximum(lag, -rules.ahead_s), lag)
         oldest = self.time - self.history.time[0]
+        copied = came & (given.count == self.watch.count)
+        if copied.any():
+            count = given.count[copied].flat[0]
+            faults.append((copied, f"its counter, {count:.0f}, is that of the last one"))
+        if self.lost.any():
+            faults.append((self.lost, "the slave stands still, beyond the model's range"))
         verdict = np.full(runs, int(Verdict.TAKEN))
         for code, where in (
+            (Verdict.REPEATED, copied),
             (Verdict.OUT_OF_ORDER, stamp <= self.watch.stamp),
             (Verdict.TOO_OLD, lag > oldest),
             (Verdict.AHEAD, ~(lag >= -rules.ahead_s)),
@@ -265,27 +290,24 @@ class Transfer:
                 (self.gaps.missing_s > 0) | (self.gaps.missed_at > self.time - lag - 3 * rules.half_span_s),
             ),
             (Verdict.SATURATED, self.watch.saturated_at.max(-1) > self.time - lag - 3 * rules.half_span_s),
-            (Verdict.INVALID, ~rows.any(-1) | ~np.isfinite(stamp)),
             (Verdict.MISSED, self.gaps.lost),
+            (Verdict.BEYOND, self.lost),
+            (Verdict.INVALID, ~rows.any(-1)),
             (Verdict.ABSENT, ~came),
         ):
             verdict[where] = code
-        begun = self._begin_anew(message, stamp, lag, rows)
+        begun = self._begin_anew(given, lag)
         verdict[begun] = Verdict.BEGUN
         if len(self.history) < 2:
             verdict[came & ~self.gaps.lost] = Verdict.TOO_OLD
-            return self.watch.result(verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, stamp, oldest)
+            return self.watch.result(verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, given, oldest, faults)
         believed, lag = lag, np.where(verdict == Verdict.TAKEN, lag, 0.0)
 
         inputs, rate_factor = self._match(lag)
         expected = loop.call("expected", **inputs)
-        said = self._filled(said, rows, expected)
-        verdict[self.watch.repeats(said, rows & (verdict == Verdict.TAKEN)[..., None], expected, message)] = (
-            Verdict.REPEATED
-        )
-        rows = rows & (verdict == Verdict.TAKEN)[..., None]
+        said = self._filled(given.said, rows, expected)
         inputs |= said
-        R = np.broadcast_to(np.asarray(message.R, float), (*runs, 6)).copy()
+        R = given.R.copy()
         # the gyros' own noise comes with the rate into the lever arm's velocity
         noise = np.max(np.asarray(self.constants["gyro_noise"]), axis=-1)
         R[..., :3] += (np.sum(np.square(self._lever()), axis=-1) * noise**2 * rate_factor)[..., None]
@@ -300,6 +322,11 @@ class Transfer:
         there, back = eye - A + half, eye + A + half
         P_now = loop.P
         P = there @ P_now @ np.swapaxes(there, -1, -2)
+        rows = rows & (verdict == Verdict.TAKEN)[..., None]
+        repeated = self.watch.repeats(said, rows, expected, self._expected_variance(P, inputs), R)
+        verdict[repeated] = Verdict.REPEATED
+        faults.append((repeated, "the master repeats its last one while the slave moves"))
+        rows = rows & ~repeated[..., None]
         innovations = self._update(P, R, rows, inputs)
         used = rows.sum(-1)
         # The gate presumes residuals that are linear in the errors: until angles and delay are known it is open.
@@ -318,39 +345,50 @@ class Transfer:
             self.watch.gated = np.where(reopen, 0, self.watch.gated)
         verdict[gated] = Verdict.GATED
         verdict[reopen] = Verdict.REOPENED
-        taken = verdict <= Verdict.REOPENED
-
+        beyond, why = self.guard.taken()
         # A correction beyond the model's range is made in part, and the covariance stays as wide as it was.
-        turn = np.abs(loop.x[..., self._angles()]).max(-1)
-        part = np.where(taken, np.minimum(1.0, LARGEST / np.maximum(turn, 1e-300)), 0.0)
-        x = part[..., None] * loop.x
+        reach = np.max(np.abs(loop.x) / np.array(loop.model.field["x"]["high"]), axis=-1)
+        part = np.where(
+            beyond | (verdict > Verdict.REOPENED), 0.0, np.minimum(1.0, LARGEST / np.maximum(reach, 1e-300))
+        )
         carried = back @ loop.P @ np.swapaxes(back, -1, -2)
         opened = back @ P @ np.swapaxes(back, -1, -2)
         whole = (part == 1.0)[..., None, None]
-        loop.P = np.where(whole, carried, np.where(reopen[..., None, None], opened, P_now))
+        corrected = np.where(whole, carried, np.where(reopen[..., None, None], opened, P_now))
+        loop.x = np.einsum("...ij,...j->...i", back, part[..., None] * loop.x)
+        nav = loop.call("feedback")
+        for where, reason in (self.guard.taken(), outside(loop.model, nav, runs)):
+            beyond, why = beyond | where, why or reason
+        faults.append((beyond, f"the slave, or what the message makes of it, is beyond the model's range: {why}"))
+        verdict[beyond & (verdict <= Verdict.REOPENED)] = Verdict.BEYOND
+        taken = verdict <= Verdict.REOPENED
+        loop.P = np.where(taken[..., None, None], corrected, P_now)
         loop.P = (loop.P + np.swapaxes(loop.P, -1, -2)) / 2
-        loop.x = np.einsum("...ij,...j->...i", back, x)
+        loop.x = np.where(taken[..., None], loop.x, 0.0)
         self._correct_past(F)
-        loop.feedback()
-        if message.position is not None:
-            self._position(message, taken & ~begun, believed)
-        return self.watch.result(verdict, innovations, nis, used, believed, stamp, oldest)
+        self.guard.taken()
+        loop.nav = loop.nav | mixed(taken, nav, {name: loop.nav[name] for name in nav})
+        loop.x = np.zeros_like(loop.x)
+        if given.position is not None:
+            self._position(given.position, given.position_sigma, taken & ~begun, believed)
+        return self.watch.result(verdict, innovations, nis, used, believed, given, oldest, faults)
 
-    def _begin_anew(self, message: Message, stamp: Array, lag: Array, rows: Array) -> Array:
+    def _begin_anew(self, given: Heard, lag: Array) -> Array:
         """(...,) bool: the lost runs that have begun anew from this message, which is used up by it."""
         gaps, loop, history, span = self.gaps, self.filter, self.history, 4 * self.rules.half_span_s
-        attitude = self._attitude_field()
-        said = {name: getattr(message, name) for name in ("position", "v_m_n", attitude)}
-        ready = gaps.lost & rows.all(-1) & (stamp > self.watch.stamp) & (lag >= 0)
+        said = {"position": given.position, **given.said}
+        ready = gaps.lost & ~self.lost & given.rows.all(-1) & (given.time > self.watch.stamp) & (lag >= 0)
         ready = ready & (self.time - lag - span >= gaps.back_at)
-        if any(value is None for value in said.values()) or not ready.any():
+        if given.position is None or len(given.said) < 2:
             return np.zeros(self.runs, bool)
-        ready = ready & np.isfinite(said["position"]).all(-1)
+        ready = ready & np.isfinite(given.position).all(-1)
+        if not ready.any():
+            return ready
         # what the other runs are given is finite, and what comes of it is not used
         place = {"position": loop.nav["position"], "v_m_n": loop.nav["v_n"], "q_m2n_wxyz": loop.nav["q_b2n_wxyz"],
                  "euler_m": np.zeros((*self.runs, 3))}  # fmt: skip
         whole = Message(
-            np.where(ready, stamp, np.min(stamp[ready])), of_runs(ready, message.R, np.ones((*self.runs, 6))),
+            np.where(ready, given.time, np.min(given.time[ready])), of_runs(ready, given.R, np.ones((*self.runs, 6))),
             **{name: of_runs(ready, value, place[name]) for name, value in said.items()},
         )  # fmt: skip
         sums = [history.recent(name).reshape((len(history), *self.runs, 3)) for name in ("angle", "push")]
@@ -360,6 +398,7 @@ class Transfer:
             increments=Increments(history.time[:-1], history.time[1:], *(np.diff(one, axis=0) for one in sums)),
             matching=self.matching, half_span_s=self.rules.half_span_s,
         )  # fmt: skip
+        self.guard.taken()  # of runs that do not begin
         assert past is not None
         loop.nav = {name: of_runs(ready, nav[name], value) for name, value in loop.nav.items()}
         loop.P = of_runs(ready, P, loop.P)
@@ -369,7 +408,7 @@ class Transfer:
             kept = history.recent(name)[again_known]
             history.recent(name)[again_known] = np.where(ready.reshape(-1, 1), past.at(name, times), kept)
         gaps.found(ready, past.time[0])
-        self.position.begin(ready, self.time, loop.nav["position"], message.position_sigma)
+        self.position.begin(ready, self.time, loop.nav["position"], given.position_sigma)
         return ready
 
     def _update(self, P: Array, R: Array, rows: Array, inputs: dict[str, Any]) -> dict[str, Innovation]:
@@ -392,27 +431,11 @@ class Transfer:
         names = getattr(self.filter.model, "states", ())
         return [i for i, name in enumerate(names) if name.startswith(("phi", "dmu"))] or [0, 1, 2]
 
-    def _usable(self, message: Message) -> tuple[dict[str, Array], Array]:
-        """What a message says, and which of its rows can be used: given, finite and within the model's range."""
-        rows = np.broadcast_to(np.asarray(message.rows, bool), (*self.runs, 6)).copy()
-        said = {}
-        attitude = self._attitude_field()
-        for name, part in (("v_m_n", slice(0, 3)), (attitude, slice(3, 6))):
-            value = getattr(message, name)
-            if value is None:
-                rows[..., part] = False
-                continue
-            value = np.asarray(value, float)
-            said[name] = np.broadcast_to(value, (*self.runs, value.shape[-1]))
-            if name == "q_m2n_wxyz":
-                rows[..., part] &= (np.abs(np.linalg.norm(value, axis=-1) - 1) < 1e-3)[..., None]
-            else:
-                rows[..., part] &= np.abs(value) < (1000.0 if name == "v_m_n" else 2 * np.pi)
-        if not said:
-            raise BoresightError(
-                f"transfer: the message holds neither v_m_n nor {attitude}, which {self.matching[1]} needs"
-            )
-        return said, rows
+    def _expected_variance(self, P: Array, inputs: dict[str, Any]) -> Array:
+        """(..., 6) of the velocity and the attitude (about the axes n) that are expected of the master."""
+        H = np.concatenate([self.filter.call(f"{name}_H", **inputs) for name in ("velocity", "dcm")], axis=-2)
+        variance: Array = np.einsum("...ij,...jk,...ik->...i", H, P, H)
+        return variance
 
     def _filled(self, said: dict[str, Array], rows: Array, expected: dict[str, Array]) -> dict[str, Array]:
         """Where rows are missing, the expected values: masked, but within the model's range."""
@@ -421,7 +444,9 @@ class Transfer:
             if name == "q_m2n_wxyz":
                 out[name] = np.where(rows[..., 3:].any(-1, keepdims=True), value, expected[name])
             elif name == "euler_m":
+                box = self.filter.model.field[name]
                 euler = rotation.euler_from_matrix(rotation.matrix_from_quaternion(expected["q_m2n_wxyz"]))
+                euler = np.clip(euler, box["low"], box["high"])
                 out[name] = np.where(rows[..., 3:], value, euler)
             else:
                 out[name] = np.where(rows[..., :3], value, expected[name])
@@ -435,12 +460,9 @@ class Transfer:
         )
         return {**inputs, "lag": np.zeros(self.runs) if self.way == "buffer" else lag}, rate_factor
 
-    def _position(self, message: Message, taken: Array, lag: Array) -> None:
+    def _position(self, said: Array, sigma: Array, taken: Array, lag: Array) -> None:
         """The master's position, carried to now, where it fits to the slave's own way since the last one."""
         loop = self.filter
-        said, sigma = (
-            np.broadcast_to(np.asarray(v, float), (*self.runs, 3)) for v in (message.position, message.position_sigma)
-        )
         usable = (taken & np.isfinite(said).all(-1))[..., None]
         way = loop.nav["v_n"] * lag[..., None] * np.array([1.0, 1.0, -1.0])
         said = np.where(usable, moved(np.where(usable, said, 0.0), np.where(usable, way, 0.0)), np.nan)

@@ -1,10 +1,12 @@
-"""What a master says, and what became of it."""
+"""What a master says, how it is read, and what became of it."""
 
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any
 
-from boresight.runtime.array import Array
+import numpy as np
+
+from boresight.runtime.array import Array, wrapped
 from boresight.runtime.filter import Innovation
 
 
@@ -20,9 +22,10 @@ class Verdict(IntEnum):
     OUT_OF_ORDER = 5  # not newer than the last one
     AHEAD = 6  # measured later than the slave's newest sample
     TOO_OLD = 7  # measured before the oldest sample kept
-    REPEATED = 8  # the same numbers again although the slave has moved
+    REPEATED = 8  # the same numbers again although the slave has moved, or the same count
     SATURATED = 9  # measured while the slave was at full scale, or just before
-    MISSED = 10  # measured while samples of the slave were missing, or before, or they still are
+    BEYOND = 10  # the slave, or the slave as the message would correct it, is beyond the model's range
+    MISSED = 11  # measured while samples of the slave were missing, or before, or they still are
 
 
 @dataclass(frozen=True)
@@ -37,6 +40,7 @@ class Message:
     position: Any = None  # (..., 3) latitude, longitude, height
     position_sigma: Any = 10.0  # m, (..., 3) of north, east, up, or one number; a plain satellite receiver's
     rows: Any = True  # (..., 6) bool, False for what is missing; all False: nothing came to this run
+    count: Any = None  # (...,) the master's own counter, if it has one: a message with the last one's is its copy
 
 
 @dataclass(frozen=True)
@@ -66,3 +70,85 @@ class Note:
 
     def __str__(self) -> str:
         return f"{self.time:.3f} s: {self.text}"
+
+
+@dataclass(frozen=True)
+class Heard:
+    """A message as arrays of all runs, and what in it cannot be used."""
+
+    time: Array  # (...,) s, nan where it is no number
+    R: Array  # (..., 6), above zero: 1 where it cannot be used
+    said: dict[str, Array]  # velocity and attitude, as far as they are there
+    rows: Array  # (..., 6) bool: given, finite, within the model's range, and of a message that is not refused
+    came: Array  # (...,) bool
+    masked: Array  # (..., 6) bool: not given, in a message that came
+    spoilt: Array  # (..., 6) bool: given, but not finite or beyond the model's range
+    position: Array | None  # (..., 3), nan where it cannot be used
+    position_sigma: Array  # (..., 3) m
+    count: Array  # (...,), nan where there is none
+    faults: list[tuple[Array, str]]  # (...,) bool, the runs whose message is refused, and why
+
+
+def heard(message: Message, runs: tuple[int, ...], attitude: str, steepest: float) -> Heard:
+    """A message read so that nothing it holds raises.
+
+    attitude: the field that holds it.  steepest: rad, the pitch up to which Euler angles are used.
+    """
+    everywhere = np.ones(runs, bool)
+    faults: list[tuple[Array, str]] = []
+
+    def array(name: str, *size: int) -> Array:
+        """(..., *size) as given; nan and a fault where that is impossible."""
+        try:
+            return np.broadcast_to(np.asarray(getattr(message, name), float), (*runs, *size))
+        except (TypeError, ValueError):
+            shape = ", ".join(("...", *map(str, size))) + ("" if size else ",")
+            faults.append((everywhere, f"its {name} is no array of numbers ({shape})"))
+            return np.full((*runs, *size), np.nan)
+
+    time, R, mask = array("time"), array("R", 6), array("rows", 6)
+    given = np.where(np.isnan(mask), 1.0, mask) != 0
+    came = given.any(-1)
+    fine = np.zeros((*runs, 6), bool)
+    said = {}
+    for name, part in (("v_m_n", slice(0, 3)), (attitude, slice(3, 6))):
+        if getattr(message, name) is None:
+            given = given.copy()
+            given[..., part] = False
+            continue
+        value = array(name, 4 if name == "q_m2n_wxyz" else 3)
+        if name == "q_m2n_wxyz":
+            norm = np.linalg.norm(np.clip(np.where(np.isfinite(value), value, 2.0), -2.0, 2.0), axis=-1)
+            fine[..., part] = (np.abs(norm - 1) < 1e-3)[..., None]
+        elif name == "euler_m":
+            value = np.where(np.abs(value) < 1e6, value, np.nan)
+            value = np.stack([wrapped(value[..., 0]), value[..., 1], wrapped(value[..., 2])], axis=-1)
+            # roll and yaw of a hull that points up are no two angles
+            fine[..., part] = np.isfinite(value) & (np.abs(value[..., 1:2]) <= steepest)
+        else:
+            fine[..., part] = np.abs(value) < 1000.0
+        said[name] = value
+    if not said:
+        faults.append((everywhere, f"it holds neither v_m_n nor {attitude}"))
+    sound = np.isfinite(R) & (R > 0)
+    bad = ~sound & given & fine
+    if bad.any():
+        first = R[tuple(np.argwhere(bad)[0])]
+        faults.append((bad.any(-1), f"a variance in R is {first:.3g}; each must be finite and above zero"))
+    untimed = came & ~np.isfinite(time)
+    if untimed.any():
+        faults.append((untimed, f"its time is {time[untimed].flat[0]}"))
+    empty = came & ~(given & fine).any(-1)
+    faults.append((empty, "it holds no finite value within the model's range"))
+    refused = np.any([where for where, _ in faults], axis=0)
+    position, position_sigma = None, array("position_sigma", 3)
+    if message.position is not None:
+        usable = np.isfinite(position_sigma) & (position_sigma > 0) & (position_sigma < 1e9)
+        position = np.where(usable.all(-1, keepdims=True), array("position", 3), np.nan)
+        position_sigma = np.where(usable, position_sigma, 1.0)
+    count = np.full(runs, np.nan) if message.count is None else array("count")
+    whole, faults = came & ~refused, [(where & came, why) for where, why in faults]
+    return Heard(
+        time, np.where(sound, R, 1.0), said, given & fine & whole[..., None], came, whole[..., None] & ~given,
+        whole[..., None] & given & ~fine, position, position_sigma, count, faults,
+    )  # fmt: skip

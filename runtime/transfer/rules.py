@@ -10,7 +10,16 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Innovation
 from boresight.runtime.transfer.lever import LeverSeen
-from boresight.runtime.transfer.messages import Message, Note, Result, Verdict
+from boresight.runtime.transfer.messages import Heard, Note, Result, Verdict
+
+AXES = {
+    "v_m_n": ("north", "east", "down"),
+    "q_m2n_wxyz": ("north", "east", "down"),
+    "euler_m": ("roll", "pitch", "yaw"),
+}
+RATE_KNOWN_S = 10.0  # before two messages have come, their rate is not known: silence is told after so long
+INTERVALS = 3.5  # of the master, without a message taken, are silence
+STILL = 5.0  # sigmas: chance moves one of six numbers so far once in 300 000 messages
 
 
 @dataclass(frozen=True)
@@ -25,7 +34,7 @@ class Rules:
     coarse_s: float = 0.05  # or that of the delay above this,
     settle_s: float = 5.0  # and so long after that
     reopen_after: int = 5  # messages gated in a row
-    silent_s: float = 1.0  # without a message taken, after which a note says so
+    silent_s: float = 1.0  # without a message taken, after which a note says so; of a slow master 3.5 of its intervals
     full_scale: tuple[float, float] | None = None  # of the slave: rad/s, m/s^2
     overshoot: float = 0.5  # one sigma of what a saturated axis misses, as a part of full scale
     bridge_s: float = 0.1  # of the slave's data may be missing and is bridged
@@ -62,7 +71,12 @@ class Watch:
         self.open = np.zeros(runs, bool)  # a refusal was told, its end not yet
         self.seen = LeverSeen.nothing(runs)
         self.lever_told = np.zeros(runs, bool)
-        self.last: dict[str, Array] = {}  # what the last message said, and what was expected of it
+        self.last: dict[str, Array] = {}  # what the last message said, and what was expected of it, with its variance
+        self.count = np.full(runs, np.nan)  # of the last message looked at
+        self.interval = np.full(runs, np.nan)  # s between messages, mean of the last ones
+        self.came_at = np.full(runs, np.nan)
+        self.absent = {kind: np.zeros((*runs, 7), bool) for kind in ("masked", "spoilt")}  # told, and its end not yet
+        self.absent_at = np.full((*runs, 7), -np.inf)
 
     def saturation(self, dtheta: Array, dv: Array, dt: float) -> Array | None:
         """(..., 6) rad^2 and (m/s)^2 that P gains where an axis is at full scale: of one sign while it lasts."""
@@ -88,13 +102,63 @@ class Watch:
         return variance
 
     def silence(self) -> None:
-        """Write down that no message was taken for a while."""
-        silent = self.time - self.taken_at > self.rules.silent_s
-        self.note(
-            silent & ~self.silent,
-            f"no message of the master was taken for {self.rules.silent_s:g} s; the slave goes on alone",
+        """Write down that no message was taken for a while, as the master's own rate has it."""
+        patience = np.fmax(
+            self.rules.silent_s, np.where(np.isnan(self.interval), RATE_KNOWN_S, INTERVALS * self.interval)
         )
+        silent = self.time - self.taken_at > patience
+        new = silent & ~self.silent
+        if new.any():
+            seconds = float(patience[new].max())
+            self.note(new, f"no message of the master was taken for {seconds:.3g} s; the slave goes on alone")
         self.silent = silent
+
+    def came(self, some: Array) -> None:
+        """Learn the master's rate.  some: (...,) bool, the runs to which a message came."""
+        longest = np.where(np.isnan(self.interval), np.inf, np.fmax(self.rules.silent_s, INTERVALS * self.interval))
+        gap = np.minimum(self.time - self.came_at, longest)  # a pause is no rate
+        known = np.where(np.isnan(self.interval), gap, self.interval + (gap - self.interval) / 8)
+        self.interval = np.where(some, known, self.interval)
+        self.came_at = np.where(some, self.time, self.came_at)
+
+    def partly(self, heard: Heard, attitude: str) -> None:
+        """Write down which parts of the messages are not there, once until they have been there for a while."""
+        names = [f"velocity {axis}" for axis in AXES["v_m_n"]] + [f"attitude {axis}" for axis in AXES[attitude]]
+        names.append("position")
+        whole = heard.rows.any(-1, keepdims=True)
+        no_place = whole & ~np.isfinite(np.zeros(3) if heard.position is None else heard.position).all(
+            -1, keepdims=True
+        )
+        masked = np.concatenate([whole & heard.masked, np.zeros_like(whole)], axis=-1)
+        spoilt = np.concatenate([whole & heard.spoilt, no_place], axis=-1)
+
+        def each(where: Array, text: str) -> None:
+            """One line for each set of names."""
+            for which in np.unique(where.reshape(-1, 7), axis=0):
+                if which.any():
+                    listed = ", ".join(name for name, one in zip(names, which, strict=True) if one)
+                    for kind in ("velocity", "attitude"):
+                        listed = listed.replace(", ".join(n for n in names if n.startswith(kind)), kind)
+                    self.note((where == which).all(-1), text.format(what=listed))
+
+        for kind, where, text in (
+            ("masked", masked, "the master's messages come without {what}"),
+            (
+                "spoilt",
+                spoilt,
+                "of the master's message {what} is not finite or beyond the model's range, and is left out",
+            ),
+        ):
+            if (new := where & ~self.absent[kind]).any():
+                each(new, text)
+            self.absent[kind] |= where
+        self.absent_at = np.where(masked | spoilt, self.time, self.absent_at)
+        told = self.absent["masked"] | self.absent["spoilt"]
+        if told.any():
+            again = told & whole & (self.time - self.absent_at > self.rules.quiet_s)
+            each(again, "the master's message holds {what} again")
+            for kind in self.absent:
+                self.absent[kind] &= ~again
 
     def fine(self, coarse: Array, some: Array) -> Array:
         """(...,) bool: whether the gate works.  coarse: angles or delay are not known yet; some: a row was used."""
@@ -111,10 +175,16 @@ class Watch:
                    "hull: compare the lever arm and its sign (from master to slave, in the slave's axes)")  # fmt: skip
         self.lever_told |= suspect
 
-    def repeats(self, said: dict[str, Array], rows: Array, expected: dict[str, Array], message: Message) -> Array:
-        """(...,) bool: the same numbers as in the last message, while what was expected has moved by 3 sigma."""
+    def repeats(
+        self, said: dict[str, Array], rows: Array, expected: dict[str, Array], variance: Array, R: Array
+    ) -> Array:
+        """(...,) bool: the same numbers as in the last message, while the hull has moved.
+
+        It has moved where what is expected did so by more than its errors, then and now, and the master's noise allow.
+        variance: (..., 6) of what is expected.  As it grows a refusal ends: a master that stands still is believed.
+        """
         seen = rows.any(-1)
-        new = said | {f"expected {name}": expected[name] for name in ("v_m_n", "q_m2n_wxyz")}
+        new = said | {f"expected {name}": expected[name] for name in ("v_m_n", "q_m2n_wxyz")} | {"variance": variance}
         last = self.last if self.last.keys() == new.keys() else {n: np.full_like(v, np.nan) for n, v in new.items()}
         same = seen & np.all([(value == last[name]).all(-1) for name, value in said.items()], axis=0)
         # what was expected when these numbers came first is kept, so that a slow motion shows too
@@ -122,15 +192,21 @@ class Watch:
         self.last = {name: np.where(fresh, value, last[name]) for name, value in new.items()}
         if not same.any():
             return same
-        sigma = np.sqrt(np.broadcast_to(np.asarray(message.R, float), (*self.runs, 6)))
         turn = np.zeros_like(expected["v_m_n"])
         turn[same] = rotation.attitude_error(last["expected q_m2n_wxyz"][same], expected["q_m2n_wxyz"][same])
         change = np.concatenate([expected["v_m_n"] - last["expected v_m_n"], turn], axis=-1)
-        return same & (rows & (np.abs(change) > 3 * sigma)).any(-1)
+        # two errors that are not independent differ by no more than the sum of their sigmas
+        most = (np.sqrt(variance) + np.sqrt(last["variance"])) ** 2 + 2 * R
+        return same & (rows & (change**2 > STILL**2 * most)).any(-1)
 
     def result(self, verdict: Array, innovations: dict[str, Innovation], nis: Array, used: Array, lag: Array,
-               stamp: Array, known_s: float) -> Result:  # fmt: skip
-        """What a message did, written down.  known_s: how far back the slave's past is known."""
+               heard: Heard, known_s: float, faults: list[tuple[Array, str]]) -> Result:  # fmt: skip
+        """What a message did, written down.
+
+        known_s: how far back the slave's past is known.  faults: (...,) bool and why, of runs that the text of a
+        verdict alone does not explain.
+        """
+        stamp = heard.time
         taken, came = verdict <= Verdict.REOPENED, verdict != Verdict.ABSENT
         for code in Verdict:
             self.counts[code] += verdict == code
@@ -138,7 +214,8 @@ class Watch:
             Verdict.REOPENED: f"{self.rules.reopen_after} messages in a row did not fit; the master has jumped, or the "
             "slave: velocity and attitude are opened and follow it",
             Verdict.GATED: "message refused: it does not fit (NIS {nis:.0f} with {used} rows)",
-            Verdict.INVALID: "message refused: it holds no finite value within the model's range",
+            Verdict.INVALID: "message refused: {why}",
+            Verdict.BEYOND: "message refused: {why}",
             Verdict.OUT_OF_ORDER: "message refused: its time, {stamp:.3f} s, is not later than the last one's",
             Verdict.AHEAD: "message refused: it lies {ahead:.3f} s ahead of the slave; compare the clocks, or the "
             "slave's data have stopped",
@@ -146,16 +223,20 @@ class Watch:
             + ("; raise buffer_s" if known_s >= self.rules.buffer_s else ", so far"),
             Verdict.SATURATED: "message refused: the slave was at full scale when it was measured, or since",
             Verdict.MISSED: "message refused: samples of the slave were missing when it was measured, or since",
-            Verdict.REPEATED: "message refused: the master repeats its last one while the slave moves",
+            Verdict.REPEATED: "message refused: {why}",
         }  # fmt: skip
         for code, text in saying.items():
             where = (verdict == code) & (self.time - self.told_at[code] >= self.rules.quiet_s)
-            if where.any():
-                first = np.unravel_index(np.argmax(where), where.shape)
-                self.note(where, text.format(nis=float(nis[first]), used=int(used[first]), lag=float(lag[first]),
-                                              ahead=-float(lag[first]), stamp=float(stamp[first])))  # fmt: skip
-                self.told_at[code] = np.where(where, self.time, self.told_at[code])
-                self.open |= where & (verdict > Verdict.REOPENED)
+            if not where.any():
+                continue
+            self.told_at[code] = np.where(where, self.time, self.told_at[code])
+            self.open |= where & (verdict > Verdict.REOPENED)
+            for which, why in faults if "{why}" in text else [(where, "")]:
+                now, where = where & which, where & ~which
+                if now.any():
+                    first = np.unravel_index(np.argmax(now), now.shape)
+                    numbers = {"nis": nis, "used": used, "lag": lag, "ahead": -lag, "stamp": stamp}
+                    self.note(now, text.format(why=why, **{name: value[first] for name, value in numbers.items()}))
         returned = taken & self.silent
         if returned.any():
             longest = float(np.max(np.where(returned, self.time - self.taken_at, 0.0)))
@@ -168,6 +249,8 @@ class Watch:
         self.refused = np.where(taken, 0, self.refused + came)
         looked_at = came & (verdict != Verdict.AHEAD) & (verdict != Verdict.INVALID)
         self.stamp = np.where(looked_at, np.fmax(stamp, self.stamp), self.stamp)
+        self.count = np.where(looked_at, heard.count, self.count)
+        self.came(came)
         self.taken_at = np.where(taken, self.time, self.taken_at)
         self.silent = self.silent & ~taken
         entered = {name: replace(part, used=part.used & taken[..., None]) for name, part in innovations.items()}

@@ -9,6 +9,7 @@ from boresight import BoresightError, did_you_mean
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
+from boresight.runtime.transfer.guard import outside
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
 from boresight.runtime.transfer.lever import flown
 from boresight.runtime.transfer.messages import Message
@@ -219,6 +220,9 @@ def _begun(
     if attitude.startswith("euler"):
         said["euler_m"] = rotation.euler_from_matrix(rotation.matrix_from_quaternion(q)) if euler is None else euler
     start = {"position": message.position, "v_n": message.v_m_n, "q_b2n_wxyz": q}
+    _, why = outside(model, {name: np.asarray(value, float) for name, value in start.items()})
+    if why:
+        raise BoresightError(f"first: of the message {why}")
     return start | {name: _straight(model, name) for name in fields} | estimates, said
 
 
