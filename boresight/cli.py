@@ -542,7 +542,7 @@ def fly(one: Any, scenario: Any, out: Path | None, svg: bool, as_json: bool, see
                 one.figures(result, sheets)
             document = s.document(one, scenario, result, sheets.written)
             if sheets.written:
-                text += f"\n{counted(len(sheets.written), 'figure')} in {out}"
+                text += "".join(f"\nwrote {path}" for path in sheets.written)
     if as_json:
         print_json(document)
     else:
@@ -618,6 +618,7 @@ def replay(
         str | None, typer.Option(help='From master to slave: front, right, down, as "-8, -2, 12 cm".')
     ] = None,
     out: Out = None,
+    svg: Svg = False,
     as_json: AsJson = False,
 ) -> None:
     """Fly a filter on a recording.
@@ -628,7 +629,6 @@ def replay(
     detection and zero-velocity updates.  With --check: norms, gaps, rates and suspicious units; exits 1 if something is
     wrong.
     """
-    from boresight.runtime.library import load
     from boresight.runtime.recording import read
     from boresight.runtime.recording.check import shown
     from boresight.runtime.recording.read import template as description
@@ -636,6 +636,7 @@ def replay(
     from boresight.studies.replays import euler_matching as matched
     from boresight.studies.replays import velocity_attitude as transfer_replay
     from boresight.studies.replays import zero_velocity
+    from boresight.studies.study import Replay
 
     if template:
         sys.stdout.write(description(recording))
@@ -681,23 +682,20 @@ def replay(
         told = (("gyro_walk", gyro_instability), ("accel_walk", accel_instability))
         noise |= {walk: np.zeros(1) for walk, text in told if text}
         sensors, name = (None, name) if sensors == Sensors() else (sensors, MODEL)
-    folder = None if out is None else str(make(out))
+    settings: dict[str, Any] = {}
     if name == "azimuth-hold":
-        raise typer.Exit(zero_velocity.main(data, folder=folder, as_json=as_json))
-    if name == "euler-matching":
-        status = matched.main(
-            data, folder=folder, as_json=as_json, delay=delay_ms * 1e-3, rate_hz=rate_hz, measurement=measurement
-        )
-        raise typer.Exit(status)
-    from boresight import terminal
-
-    with terminal.working() as progress:
-        result = transfer_replay.run(
-            data, load(name), noise=noise, prior={key: float(value[0]) for key, value in prior.items()},
-            lever_b=None if lever_arm is None else quantity(lever_arm, "length", 3), delay=delay_ms * 1e-3,
-            rate_hz=rate_hz, sensors=sensors, progress=progress,
-        )  # fmt: skip
-    raise typer.Exit(transfer_replay.finish(result, folder=folder, as_json=as_json))
+        one = zero_velocity.STUDY
+    elif name == "euler-matching":
+        one = matched.STUDY
+        settings = {"delay": delay_ms * 1e-3, "rate_hz": rate_hz, "measurement": measurement}
+    else:
+        one = transfer_replay.study(name)
+        settings = {
+            "noise": noise, "prior": {key: float(value[0]) for key, value in prior.items()},
+            "lever_b": None if lever_arm is None else quantity(lever_arm, "length", 3), "delay": delay_ms * 1e-3,
+            "rate_hz": rate_hz, "sensors": sensors,
+        }  # fmt: skip
+    fly(one, Replay(data, settings), out, svg, as_json)
 
 
 def make(folder: Path) -> Path:

@@ -60,6 +60,8 @@ def figure(
         drawing.text(0.995, 0.2 * part, made_from, ha="right", va="bottom", fontsize=6, color="0.45")
         axes = drawing.subplots(**subplots)
         yield drawing, axes
+        for legend in drawing.legends:  # which stands outside the layout's own rectangle
+            legend.set_bbox_to_anchor((0, part, 1, 1 - part), drawing.transFigure)
         # No software name or date inside: the file is the same from one run to the next.
         nothing = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}
         try:
@@ -83,3 +85,12 @@ class Sheets:
         with figure(path, width_in, height_in, made_from=self.made_from, **subplots) as drawn:
             yield drawn
         self.written.append(path)
+
+    def text(self, name: str, content: str) -> None:
+        """A file that is no figure, beside them."""
+        try:
+            (self.folder / name).write_text(content, encoding="utf-8")
+        except OSError as error:
+            reason = f"cannot write {self.folder / name} ({error.strerror}); choose another folder with -o"
+            raise BoresightError(reason) from None
+        self.written.append(self.folder / name)

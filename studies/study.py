@@ -5,7 +5,7 @@ is a recording.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
 from textwrap import wrap
 from typing import Any
 
@@ -69,16 +69,27 @@ class Seeded:
     seed: int = option(0, "Of the random numbers; a run's depend on seed and run alone.")
 
 
+@dataclass(frozen=True)
+class Replay:
+    """The scenario of a replay: a recording, and what the replay's `run` takes by name."""
+
+    recording: Any
+    settings: Mapping[str, Any] = field(default_factory=dict)
+
+
 def silent(line: str) -> None:
     """Progress of which nobody wants to know."""
 
 
-def plain(scenario: Any) -> dict[str, Any]:
-    """A scenario's fields for JSON: arrays and tuples as lists."""
-    return {
-        name: value if isinstance(value, str | int | float | None) else np.array(value).tolist()
-        for name, value in vars(scenario).items()
-    }
+def plain(value: Any) -> Any:
+    """For JSON: arrays and tuples as lists, a scenario by its fields, a recording by its name."""
+    if isinstance(value, Mapping):
+        return {name: plain(one) for name, one in value.items()}
+    if isinstance(value, np.ndarray | np.generic | tuple | list):
+        return [plain(one) for one in value] if np.ndim(value) else value.item()  # type: ignore[union-attr]
+    if hasattr(value, "imu"):
+        return value.name
+    return plain(vars(value)) if is_dataclass(value) else value
 
 
 def document(one: Study, scenario: Any, result: Result, figures: Iterable[Any] = ()) -> dict[str, Any]:

@@ -40,10 +40,15 @@ class Flight:
 
     def start(self, message: np.ndarray) -> None:
         s = self.setup
-        # As flight.c: the master's velocity and attitude as they are; the setup says what motion and delay do to them.
-        C_m2n = rotation.matrix_from_quaternion(message[7:11])
-        nav = {"position": message[1:4], "v_n": message[4:7], "q_b2n_wxyz": message[7:11], "gyro_bias": np.zeros(3),
-        # As flight.c: the master's velocity and attitude as they are; the setup says how wrong they are as the slave's.
+        # As flight.c: the master's velocity and attitude as they are; the setup says how wrong they are.
+        C_m2n, zero = rotation.matrix_from_quaternion(message[7:11]), np.zeros(3)
+        nav = {"position": message[1:4], "v_n": message[4:7], "q_b2n_wxyz": message[7:11]}
+        nav |= {
+            "gyro_bias": zero,
+            "accel_bias": zero,
+            "q_b2m_wxyz": np.array([1.0, 0.0, 0.0, 0.0]),
+            "tau": np.array(0.0),
+        }
         sigmas = (s.start_velocity_sigma, s.gyro_bias_sigma, s.accel_bias_sigma, s.mounting_sigma)
         variances = np.concatenate([np.broadcast_to(np.square(sigma), 3) for sigma in sigmas])
         P = np.diag([0.0, 0.0, 0.0, *variances, s.tau_sigma**2])

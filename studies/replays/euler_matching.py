@@ -15,10 +15,13 @@ from boresight import BoresightError
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
+from boresight.runtime.library import load
 from boresight.runtime.recording import Recording, best_delay, shifted, thinned
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG, DEG_H
+from boresight.studies.figures import BLUE, ORANGE, Sheets
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
+from boresight.studies.study import Progress, Replay, Study
 
 DEG_SQRT_H = DEG / 60  # rad/sqrt(s) of 1 deg/sqrt(h)
 AXES = ("roll", "pitch", "yaw")
@@ -275,8 +278,8 @@ def observability(leg: Leg, P: Array, q_b2n_wxyz: Array) -> dict[str, Any]:
 # ---------------------------------------------------------------- saying it
 
 
-def report(result: dict[str, Any], without_bias: dict[str, Any] | None = None) -> str:
-    """The result as a text for a terminal; without_bias: the same run with gyro_bias zero, to be set beside it."""
+def report(result: dict[str, Any]) -> str:
+    """The result as a text for a terminal, and the same without the bias calibration if that was flown."""
     lines = [
         f"{result['title'] or result['recording']}: {result['updates']} updates in {result['duration_s']:.1f} s, "
         f"measurement {result['measurement']}, master taken as {result['delay_s'] * 1e3:.1f} ms old",
@@ -295,9 +298,9 @@ def report(result: dict[str, Any], without_bias: dict[str, Any] | None = None) -
         "",
         _observability(result),
     ]
+    without_bias = result.get("without_bias")
     if without_bias is not None:
-        final = result["misalignment"]["estimate_arcmin"]
-        off, t, axis, claimed = worst_excursion(without_bias, final)
+        off, t, axis, claimed = without_bias["excursion"]
         # Noises that were fitted again hide a bias by calling it noise; their NIS is near one and proves nothing.
         noises = "noises chosen anew" if without_bias["noise"]["passes"] else "same noises"
         lines += [
@@ -357,99 +360,62 @@ def _observability(result: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def figures(result: dict[str, Any], folder: str | Path) -> list[Path]:
-    """Draw the motion, the three estimates with their sigmas, and the innovations; returns the files written."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    folder = Path(folder)
+def figures(result: dict[str, Any], sheets: Sheets) -> None:
+    """Draw the motion, the three estimates with their sigmas, and the innovations."""
     history = {name: np.array(values) for name, values in result["history"].items()}
     t, reference = history["time_s"], result["misalignment"]["reference_arcmin"]
-    figure = Figure(figsize=(12, 8), layout="constrained")
-    FigureCanvasAgg(figure)
-    axes = figure.subplots(3, 3, sharex=True)
-    for i, name in enumerate(AXES):
-        motion, estimate, innovation = axes[:, i]
-        motion.plot(t, history["master_deg"][:, i], color="0.3", lw=1)
-        motion.set_title(name)
-        mu, sigma = history["mu_arcmin"][:, i], history["sigma_arcmin"][:, i]
-        estimate.fill_between(t, mu - sigma, mu + sigma, color="C0", alpha=0.25, lw=0, label="1 sigma")
-        estimate.plot(t, mu, color="C0", lw=1.2, label="estimate")
-        centre = mu[-1]
-        if reference is not None:
-            estimate.axhline(reference[i], color="C3", lw=1.2, ls="--", label="reference")
-            centre = (mu[-1] + reference[i]) / 2
-        # The first seconds are off the scale by design: the prior is a degree.
-        reach = max(6 * sigma[-1], 3.0) + abs(mu[-1] - centre)
-        estimate.set_ylim(centre - reach, centre + reach)
-        innovation.plot(t, history["normalised_innovation"][:, i], ".", ms=2, color="C0")
-        for bound in (-2, 2):
-            innovation.axhline(bound, color="0.5", lw=0.8, ls=":")
-        innovation.set_ylim(-6, 6)
-        innovation.set_xlabel("time [s]")
-    for row, label in enumerate(("master's angle [deg]", "misalignment [arcmin]", "innovation / sigma")):
-        axes[row, 0].set_ylabel(label)
-    axes[1, 0].legend(loc="upper right", fontsize=8)
-    nis_text = f"mean NIS {result['nis']['mean']:.2f} for each row"
-    figure.suptitle(f"{result['title'] or result['recording']}; delay {result['delay_s'] * 1e3:.1f} ms; {nis_text}")
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        path = folder / f"replay_{result['recording']}.png"
-        figure.savefig(path, dpi=110)
-    except OSError as error:
-        text = f"{folder}: cannot write the figure: {error.strerror}; choose another folder with -o"
-        raise BoresightError(text) from None
-    return [path]
+    with sheets(f"replay_{result['recording']}", 11, 7.5, nrows=3, ncols=3, sharex=True) as (drawing, axes):
+        for i, name in enumerate(AXES):
+            motion, estimate, innovation = axes[:, i]
+            motion.plot(t, history["master_deg"][:, i], color="0.3", lw=1)
+            motion.set_title(name)
+            mu, sigma = history["mu_arcmin"][:, i], history["sigma_arcmin"][:, i]
+            estimate.fill_between(t, mu - sigma, mu + sigma, color=BLUE, alpha=0.25, lw=0, label="1 sigma")
+            estimate.plot(t, mu, color=BLUE, lw=1.2, label="estimate")
+            centre = mu[-1]
+            if reference is not None:
+                estimate.axhline(reference[i], color=ORANGE, lw=1.2, ls="--", label="reference")
+                centre = (mu[-1] + reference[i]) / 2
+            # The first seconds are off the scale by design: the prior is a degree.
+            reach = max(6 * sigma[-1], 3.0) + abs(mu[-1] - centre)
+            estimate.set_ylim(centre - reach, centre + reach)
+            innovation.plot(t, history["normalised_innovation"][:, i], ".", ms=2, color=BLUE)
+            for bound in (-2, 2):
+                innovation.axhline(bound, color="0.5", lw=0.8, ls=":")
+            innovation.set_ylim(-6, 6)
+            innovation.set_xlabel("time [s]")
+        for row, label in enumerate(("master's angle [deg]", "misalignment [arcmin]", "innovation / sigma")):
+            axes[row, 0].set_ylabel(label)
+        axes[1, 0].legend(loc="upper right", fontsize=8)
+        nis_text = f"mean NIS {result['nis']['mean']:.2f} for each row"
+        says = f"{result['title'] or result['recording']}; delay {result['delay_s'] * 1e3:.1f} ms; {nis_text}"
+        drawing.suptitle(says, fontsize=9)
 
 
-def main(
-    recording: Recording,
-    model_name: str = "euler-matching",
-    *,
-    folder: str | None = None,
-    as_json: bool = False,
-    delay: float = 0.0,
-    rate_hz: float | None = None,
-    measurement: str = "euler_exact",
-) -> int:
-    """What `boresight replay` does; returns the exit status: 0 if nothing is wrong and NIS is consistent, else 1."""
-    import json
-
-    if model_name != "euler-matching":
-        raise BoresightError(f"no replay for the model {model_name!r}; there is one for: euler-matching")
-    from boresight.runtime.library import load
-
-    model = load(model_name)
-    result = run(recording, model, delay=delay, rate_hz=rate_hz, measurement=measurement)
-    without_bias = None
+def flown(asked: Replay, progress: Progress) -> dict[str, Any]:
+    """`run`, and beside it the delay that the turns show and, where a bias was removed, the same without that."""
+    recording, model = asked.recording, load("euler-matching")
+    result = run(recording, model, **asked.settings)
+    result["delay_seen_s"], result["delay_gain"] = best_delay(recording.imu, recording.master)
+    result["without_bias"] = None
     if any(result["gyro_bias_deg_h"]):
-        noise = result["noise"]
-        without_bias = run(
-            recording,
-            model,
-            gyro_bias=np.zeros(3),
-            gyro_noise=np.array(noise["gyro_deg_sqrt_h"]) * DEG_SQRT_H,
-            angle_noise=np.array(noise["angle_arcmin"]) * ARCMIN,
-            delay=delay,
-            rate_hz=rate_hz,
-            measurement=measurement,
-        )
-    written = figures(result, folder) if folder else []
-    assert recording.master is not None
-    seen, gain = best_delay(recording.imu, recording.master)
-    if as_json:
-        out = {"result": _short(result), "without_bias": without_bias and _short(without_bias)}
-        print(json.dumps({**out, "delay_seen_s": seen, "figures": [str(file) for file in written]}, indent=1))
-    else:
-        print(report(result, without_bias))
-        print(f"\nThe turns fit best if the master is {seen * 1e3:.1f} ms old: {gain:.1f} times better than at 0 ms.")
-        for file in written:
-            print(f"figure: {file}")
-    return int(not result["nis"]["consistent"])
+        progress("without the bias calibration")
+        gyro, angle = result["noise"]["gyro_deg_sqrt_h"], result["noise"]["angle_arcmin"]
+        noises = {"gyro_noise": np.array(gyro) * DEG_SQRT_H, "angle_noise": np.array(angle) * ARCMIN}
+        other = run(recording, model, **{**asked.settings, "gyro_bias": np.zeros(3), **noises})
+        other["excursion"] = worst_excursion(other, result["misalignment"]["estimate_arcmin"])
+        result["without_bias"] = {name: value for name, value in other.items() if name != "history"}
+    return result
 
 
-def _short(result: dict[str, Any]) -> dict[str, Any]:
-    return {name: value for name, value in result.items() if name != "history"}
+def whole_report(result: dict[str, Any]) -> str:
+    seen, gain = result["delay_seen_s"] * 1e3, result["delay_gain"]
+    fit = f"The turns fit best if the master is {seen:.1f} ms old: {gain:.1f} times better than at 0 ms."
+    return f"{report(result)}\n\n{fit}"
+
+
+STUDY = Study("replay euler-matching", ("euler-matching",), Replay, flown, whole_report, figures,
+              good=lambda result: result["nis"]["consistent"])  # fmt: skip
 
 
 # ---------------------------------------------------------------- a recording whose truth is known

@@ -4,7 +4,6 @@ The noise comes from a rest that the user states; the thresholds from that noise
 holds a mask for each sample and detector, for zero-velocity updates to use.  Nothing here looks ahead or at a filter.
 """
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,6 +13,7 @@ from boresight.runtime import detector as d
 from boresight.runtime.array import Array
 from boresight.runtime.recording import Inertial, Recording
 from boresight.runtime.status import Status
+from boresight.studies.figures import BLUE, GREY, ORANGE, Sheets
 
 KIM = "kim-2018"  # the paper's decision: accel_std and gyro_mean both say rest
 NAMES = (*d.DETECTORS, KIM)
@@ -176,40 +176,34 @@ def report(result: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def figures(result: dict[str, Any], folder: str | Path) -> list[Path]:
-    """Draw the signals, each statistic over its threshold, and what each detector says; returns the files written."""
-    from boresight.studies.figures import BLUE, GREY, ORANGE, figure
-
+def figures(result: dict[str, Any], sheets: Sheets) -> None:
+    """Draw the signals, each statistic over its threshold, and what each detector says."""
     history = result["history"]
-    t, path = history["time_s"], Path(folder) / f"stationary_{result['recording']}.png"
-    try:
-        with figure(path, 9.0, 8.0, nrows=4, ncols=1, sharex=True, gridspec_kw={"height_ratios": [1, 1, 1.6, 1.2]}) as (
-            _,
-            axes,
-        ):
-            axes[0].plot(t, history["specific_force"], color=BLUE, lw=0.6)
-            axes[0].set_ylabel("specific force\n[m/s²]")
-            axes[0].set_title(result["title"] or result["recording"], loc="left")
-            axes[1].plot(t, history["rate"], color=BLUE, lw=0.6)
-            axes[1].set_ylabel("angular rate\n[rad/s]")
-            # steps of lightness as well as of hue, for readers who see two primaries only
-            colours = {"gyro_mean": "#9ecae1", "gyro_std": BLUE, "accel_mean": "#fdd0a2", "accel_std": ORANGE}
-            for name in d.DETECTORS:
-                ratio = history["statistic"][name] / result["detectors"][name]["threshold"]
-                axes[2].semilogy(t, ratio, lw=0.8, color=colours.get(name, "black"), label=name.replace("_", " "))
-            axes[2].axhline(1.0, color=GREY, lw=0.8, ls="--")
-            axes[2].set_ylabel("statistic / threshold")
-            axes[2].legend(loc="upper left")
-            for row, name in enumerate(reversed(NAMES)):
-                at = np.where(history["rest"][name], float(row), np.nan)
-                colour = colours.get(name, GREY if name == KIM else "black")
-                axes[3].plot(t, at, color=colour, lw=5, solid_capstyle="butt", marker="|", ms=5, mew=0.5)
-            axes[3].set_yticks(range(len(NAMES)), [name.replace("_", " ") for name in reversed(NAMES)])
-            axes[3].set_ylim(-0.6, len(NAMES) - 0.4)
-            axes[3].set_xlim(t[0], t[-1])
-            axes[3].set_title(f"declared at rest; false alarms {result['false_alarm_rate']:g} a window", loc="left")
-            axes[3].set_xlabel("time [s]")
-    except OSError as error:
-        text = f"{folder}: cannot write the figure: {error.strerror}; choose another folder with -o"
-        raise BoresightError(text) from None
-    return [path]
+    t = history["time_s"]
+    heights = [1, 1, 1.6, 1.2]
+    with sheets(f"stationary_{result['recording']}", 9.0, 8.0, nrows=4, sharex=True, height_ratios=heights) as (
+        _,
+        axes,
+    ):
+        axes[0].plot(t, history["specific_force"], color=BLUE, lw=0.6)
+        axes[0].set_ylabel("specific force\n[m/s²]")
+        axes[0].set_title(result["title"] or result["recording"], loc="left")
+        axes[1].plot(t, history["rate"], color=BLUE, lw=0.6)
+        axes[1].set_ylabel("angular rate\n[rad/s]")
+        # steps of lightness as well as of hue, for readers who see two primaries only
+        colours = {"gyro_mean": "#9ecae1", "gyro_std": BLUE, "accel_mean": "#fdd0a2", "accel_std": ORANGE}
+        for name in d.DETECTORS:
+            ratio = history["statistic"][name] / result["detectors"][name]["threshold"]
+            axes[2].semilogy(t, ratio, lw=0.8, color=colours.get(name, "black"), label=name.replace("_", " "))
+        axes[2].axhline(1.0, color=GREY, lw=0.8, ls="--")
+        axes[2].set_ylabel("statistic / threshold")
+        axes[2].legend(loc="upper left")
+        for row, name in enumerate(reversed(NAMES)):
+            at = np.where(history["rest"][name], float(row), np.nan)
+            colour = colours.get(name, GREY if name == KIM else "black")
+            axes[3].plot(t, at, color=colour, lw=5, solid_capstyle="butt", marker="|", ms=5, mew=0.5)
+        axes[3].set_yticks(range(len(NAMES)), [name.replace("_", " ") for name in reversed(NAMES)])
+        axes[3].set_ylim(-0.6, len(NAMES) - 0.4)
+        axes[3].set_xlim(t[0], t[-1])
+        axes[3].set_title(f"declared at rest; false alarms {result['false_alarm_rate']:g} a window", loc="left")
+        axes[3].set_xlabel("time [s]")

@@ -4,10 +4,8 @@ The slave takes over its master's velocity and attitude and knows of itself only
 not given are those under which the innovations are most likely.  What is found on a real recording: docs/recordings.md.
 """
 
-import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,11 +13,14 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
+from boresight.runtime.library import load
 from boresight.runtime.recording import Recording, check, thinned
 from boresight.runtime.transfer import Increments, Message, Rules, Transfer, Verdict, first
 from boresight.runtime.transfer.sensors import ADDED, CALIBRATION, Sensors, calibration, carried
 from boresight.runtime.units import MILLI_G, UNITS
+from boresight.studies.figures import Sheets
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
+from boresight.studies.study import Progress, Replay, Study
 
 ROWS = ("velocity north", "velocity east", "velocity down", "attitude north", "attitude east", "attitude down")
 MATCHING = ("velocity", "dcm")
@@ -622,44 +623,32 @@ def legend_of(ax: Any) -> dict[str, Any]:
     return dict(zip(labels, handles, strict=True))
 
 
-def write(result: Mapping[str, Any], folder: str | Path) -> list[Path]:
-    """One page of HTML that holds the report, its pictures and its numbers, and the pictures; returns the files."""
-    from boresight.studies.figures import figure
+def write(result: Mapping[str, Any], sheets: Sheets) -> None:
+    """One page of HTML that holds the report, its pictures and its numbers, and the pictures."""
     from boresight.studies.page import page
 
-    base = Path(folder) / f"transfer-replay-{result['recording']}"
-    shown = {part: base.with_name(f"{base.name}-{part}.png") for part in ("innovations", "states")}
-    html = base.with_name(f"{base.name}.html")
+    base = f"transfer-replay-{result['recording']}"
     rows = len(result["states"]) // 3 + 1
-    try:
-        with figure(shown["innovations"], 11, 5.5, nrows=2, ncols=3, sharex=True) as (drawing, axes):
-            legend = draw_innovations(result, axes)
-            drawing.legend(legend.values(), legend.keys(), loc="outside lower center", ncols=3, markerscale=4)
-        with figure(shown["states"], 11, 2.2 * rows, nrows=rows, ncols=3) as (drawing, axes):
-            legend = draw_states(result, axes)
-            drawing.legend(legend.values(), legend.keys(), loc="outside lower center", ncols=4)
-        captions = {
-            "innovations": "Innovations within their 95 % bands, with the delay a state, and without it",
-            "states": "Estimates within their 95 % bands",
-        }
-        pictures = [(captions[part], path) for part, path in shown.items()]
-        numbers = {name: value for name, value in result.items() if name != "history"}
-        title = result["title"] or result["recording"]
-        html.write_text(page(title, report(result), pictures, numbers), encoding="utf-8")
-    except OSError as error:
-        reason = f"{folder}: cannot write the report: {error.strerror}; choose another folder with -o"
-        raise BoresightError(reason) from None
-    return [html, *shown.values()]
+    with sheets(f"{base}-innovations", 11, 5.5, nrows=2, ncols=3, sharex=True) as (drawing, axes):
+        legend = draw_innovations(result, axes)
+        drawing.legend(legend.values(), legend.keys(), loc="outside lower center", ncols=3, markerscale=4)
+    with sheets(f"{base}-states", 11, 2.2 * rows, nrows=rows, ncols=3) as (drawing, axes):
+        legend = draw_states(result, axes)
+        drawing.legend(legend.values(), legend.keys(), loc="outside lower center", ncols=4)
+    captions = (
+        "Innovations within their 95 % bands, with the delay a state, and without it",
+        "Estimates within their 95 % bands",
+    )
+    pictures = list(zip(captions, sheets.written, strict=True))
+    numbers = {name: value for name, value in result.items() if name != "history"}
+    sheets.text(f"{base}.html", page(result["title"] or result["recording"], report(result), pictures, numbers))
 
 
-def finish(result: Mapping[str, Any], *, folder: str | None = None, as_json: bool = False) -> int:
-    """Print and, with a folder, write the result; returns the exit status: 1 if NIS with the delay is inconsistent."""
-    written = [] if folder is None else write(result, folder)
-    if as_json:
-        short = {name: value for name, value in result.items() if name != "history"}
-        print(json.dumps({"result": short, "figures": [str(file) for file in written]}, indent=1))
-    else:
-        print(report(result))
-        for file in written:
-            print(f"wrote {file}")
-    return int(not result["nis"]["with"]["consistent"])
+def study(model: str) -> Study:
+    """The replay by this model.  Good: NIS with the delay is consistent."""
+
+    def flown(asked: Replay, progress: Progress) -> dict[str, Any]:
+        return run(asked.recording, load(model), **asked.settings, progress=progress)
+
+    return Study(f"replay {model}", (model,), Replay, flown, report, write,
+                 good=lambda result: result["nis"]["with"]["consistent"])  # fmt: skip

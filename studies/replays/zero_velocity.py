@@ -4,8 +4,6 @@ When it rests is the detector's business (studies/stationary.py), which sees the
 no heading, no position, no reference track.  Every stop shows what the filter's velocity had become before the update.
 """
 
-import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,9 +13,12 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.detector import gaps
 from boresight.runtime.filter import Filter
+from boresight.runtime.library import load
 from boresight.runtime.recording import Recording
 from boresight.runtime.simulation import inertial
+from boresight.studies.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.studies.replays import stationary
+from boresight.studies.study import Progress, Replay, Study
 
 TO_RFU = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]])  # front-right-down to right-front-up
 EARTH_RADIUS_M = 6.371e6  # for a track of some metres in the figure; the filter's own Earth is the ellipsoid
@@ -185,52 +186,47 @@ def report(result: dict[str, Any], inertial: dict[str, Any] | None = None) -> st
     return "\n".join(lines)
 
 
-def figures(result: dict[str, Any], folder: str | Path) -> list[Path]:
-    """Draw the track from above and the speed; returns the files written."""
-    from boresight.studies.figures import BLUE, GREY, ORANGE, figure
-
-    history, path = result["history"], Path(folder) / f"zero_velocity_{result['recording']}.png"
-    try:
-        with figure(path, 11.0, 4.5, nrows=1, ncols=2) as (_, (above, beside)):
-            track = history["track_m"]
-            above.plot(track[:, 0], track[:, 1], color=BLUE, lw=1)
-            still = history["rest"]
-            above.plot(track[still, 0], track[still, 1], ".", color=ORANGE, ms=4, label="declared at rest")
-            above.set_aspect("equal", "datalim")
-            above.set_xlabel("right of the first heading [m]")
-            above.set_ylabel("ahead of it [m]")
-            above.legend(loc="best")
-            t = history["time_s"]
-            beside.plot(t, history["speed_m_s"], color=BLUE, lw=0.8)
-            top = float(history["speed_m_s"].max())
-            beside.fill_between(t, 0, top, where=still, color=GREY, alpha=0.25, lw=0, label="declared at rest")
-            beside.set_xlabel("time [s]")
-            beside.set_ylabel("speed [m/s]")
-            beside.legend(loc="upper left")
-    except OSError as error:
-        text = f"{folder}: cannot write the figure: {error.strerror}; choose another folder with -o"
-        raise BoresightError(text) from None
-    return [path]
+def figures(result: dict[str, Any], sheets: Sheets) -> None:
+    """Draw the track from above and the speed."""
+    history = result["history"]
+    with sheets(f"zero_velocity_{result['recording']}", 11.0, 4.5, nrows=1, ncols=2) as (_, (above, beside)):
+        track = history["track_m"]
+        above.plot(track[:, 0], track[:, 1], color=BLUE, lw=1)
+        still = history["rest"]
+        above.plot(track[still, 0], track[still, 1], ".", color=ORANGE, ms=4, label="declared at rest")
+        above.set_aspect("equal", "datalim")
+        above.set_xlabel("right of the first heading [m]")
+        above.set_ylabel("ahead of it [m]")
+        above.legend(loc="best")
+        t = history["time_s"]
+        beside.plot(t, history["speed_m_s"], color=BLUE, lw=0.8)
+        top = float(history["speed_m_s"].max())
+        beside.fill_between(t, 0, top, where=still, color=GREY, alpha=0.25, lw=0, label="declared at rest")
+        beside.set_xlabel("time [s]")
+        beside.set_ylabel("speed [m/s]")
+        beside.legend(loc="upper left")
 
 
-def main(recording: Recording, *, folder: str | None = None, as_json: bool = False) -> int:
-    """What `boresight replay` does with a recording that has no master; returns the exit status, 0."""
-    from boresight.runtime.library import load
-
+def flown(asked: Replay, progress: Progress) -> dict[str, Any]:
+    """`run` with updates and, beside it, without."""
     hold, strapdown = load("azimuth-hold"), load("strapdown")
-    result = run(recording, hold, strapdown)
-    alone = run(recording, hold, strapdown, updates=False)
-    written = [] if folder is None else figures(result, folder)
-    if folder is not None:
-        written += stationary.figures({**result["detection"], "history": result["history"]["detection"]}, folder)
-    if as_json:
-        parts = {"result": result, "without_updates": alone}
-        short = {name: {k: v for k, v in part.items() if k != "history"} for name, part in parts.items()}
-        print(json.dumps({**short, "figures": [str(file) for file in written]}, indent=1))
-    else:
-        print(stationary.report({**result["detection"], "history": result["history"]["detection"]}))
-        print()
-        print(report(result, alone))
-        for file in written:
-            print(f"figure: {file}")
-    return 0
+    result = run(asked.recording, hold, strapdown, **asked.settings)
+    progress("without updates")
+    alone = run(asked.recording, hold, strapdown, **{**asked.settings, "updates": False})
+    return {**result, "without_updates": {name: value for name, value in alone.items() if name != "history"}}
+
+
+def detected(result: dict[str, Any]) -> dict[str, Any]:
+    """What `stationary.run` returned."""
+    return {**result["detection"], "history": result["history"]["detection"]}
+
+
+def draw(result: dict[str, Any], sheets: Sheets) -> None:
+    figures(result, sheets)
+    stationary.figures(detected(result), sheets)
+
+
+STUDY = Study(
+    "replay azimuth-hold", ("azimuth-hold", "strapdown"), Replay, flown,
+    lambda result: f"{stationary.report(detected(result))}\n\n{report(result, result['without_updates'])}", draw,
+)  # fmt: skip

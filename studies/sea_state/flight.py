@@ -18,6 +18,7 @@ from boresight.runtime import rotation, transfer
 from boresight.runtime.array import Array
 from boresight.runtime.simulation import hull, inertial, sea, sensors
 from boresight.runtime.transfer import Message, Rules, Transfer
+from boresight.runtime.transfer.headings import log_likelihood
 from boresight.runtime.units import DEG, HOUR, MILLI_G
 from boresight.studies.consistency import nees
 from boresight.studies.study import Seeded, option
@@ -355,9 +356,8 @@ def fly(
             at = (update - 1) * per_update + k
             dtheta = np.einsum("...ij,...j->...i", gain, true.dtheta[at]) + bias_g * dt + n[:, k, :3]
             loop.slave((at + 1) * dt, dtheta, true.dv[at] + bias_a * dt + n[:, k, 3:], dt)
-        taken = loop.master(message(update)).innovations.values()
-        likelihood = (np.where(one.used, one.nu**2 / one.S + np.log(one.S), 0.0).sum(-1) / -2 for one in taken)
-        said.append((np.stack([one.nis for one in taken], axis=-1), sum(likelihood)))  # type: ignore[arg-type]
+        taken = loop.master(message(update)).innovations
+        said.append((np.stack([one.nis for one in taken.values()], axis=-1), log_likelihood(taken)))
         # a filter that is lost refuses the messages, and would sink
         loop.nav["position"] = np.broadcast_to(true.slave.position[update * per_update], (*shape, 3)).copy()
         keep(update)

@@ -9,11 +9,13 @@ import pytest
 from real_recordings import real_recording
 
 from boresight import BoresightError
+from boresight.cli import main
 from boresight.runtime import rotation
 from boresight.runtime.recording import best_delay, read
 from boresight.runtime.recording.check import shown
 from boresight.runtime.units import ARCMIN
 from boresight.studies.replays import euler_matching as replay
+from tests.drawing import drawn
 
 FOG_MEMS = "fog_mems_transfer.npz"
 
@@ -174,17 +176,22 @@ def test_fog_mems_without_bias_calibration_fails_loudly(fog_mems, fog_mems_resul
 
 def test_result_is_json_and_the_report_says_it(simulated_result):
     again = json.loads(json.dumps(simulated_result))
-    text = replay.report(again, again)
+    beside = {**again, "excursion": replay.worst_excursion(again, again["misalignment"]["estimate_arcmin"])}
+    text = replay.report({**again, "without_bias": beside})
     for word in ("roll", "pitch", "yaw", "NIS", "95 % band", "deg/sqrt(h)", "Without the bias"):
         assert word in text
 
 
-def test_main_prints_one_json_document_draws_and_returns_a_status(tmp_path, capsys, library):
+def test_a_replay_is_printed_and_drawn_as_every_study_is(tmp_path, capsys, library):
     toml = replay.simulate(tmp_path / "drive", seed=1, duration=20.0)
-    assert replay.main(read(toml), folder=str(tmp_path / "out"), as_json=True) == 0
+    with pytest.raises(SystemExit) as ended:
+        main(["replay", str(toml), "--model", "euler-matching", "--json", "-o", str(tmp_path / "out")])
     out = json.loads(capsys.readouterr().out)
-    assert set(out) == {"result", "without_bias", "delay_seen_s", "figures"}
-    assert "history" not in out["result"]
+    assert set(out) == {"study", "made_from", "scenario", "good", "claims", "result", "figures"}
+    assert (out["study"], out["good"], ended.value.code) == ("replay euler-matching", True, 0)
+    assert out["scenario"] == {"recording": "drive", "settings": {"delay": 0.0, "rate_hz": None,
+                                                                  "measurement": "euler_exact"}}  # fmt: skip
+    assert "history" not in out["result"] and {"without_bias", "delay_seen_s"} <= set(out["result"])
     assert (tmp_path / "out" / "replay_drive.png").stat().st_size > 10000
 
 
@@ -218,9 +225,7 @@ def test_what_cannot_be_replayed_is_one_line(simulated, library, change, options
     assert "\n" not in str(error.value)
 
 
-def test_unknown_models_and_unwritable_folders_are_one_line(simulated, simulated_result, tmp_path):
-    with pytest.raises(BoresightError, match="there is one for: euler-matching"):
-        replay.main(simulated, "velocity-dcm")
+def test_a_folder_that_cannot_be_written_to_is_one_line(simulated_result, tmp_path):
     (tmp_path / "file").write_text("")
-    with pytest.raises(BoresightError, match="cannot write the figure"):
-        replay.figures(simulated_result, tmp_path / "file" / "out")
+    with pytest.raises(BoresightError, match="cannot write"):
+        drawn(replay.STUDY, simulated_result, tmp_path / "file" / "out")

@@ -10,6 +10,7 @@ from real_recordings import real_recording
 from boresight import BoresightError
 from boresight.runtime import detector as d
 from boresight.runtime.recording import Inertial, Recording, read
+from boresight.studies.figures import Sheets
 from boresight.studies.replays import stationary
 
 DT, SW, SA = 0.01, 8e-4, 4e-3
@@ -191,9 +192,10 @@ def test_report_and_figure(result, tmp_path):
     text = stationary.report(result)
     for name in stationary.NAMES:
         assert name in text
-    (path,) = stationary.figures(result, tmp_path / "out")
-    assert path.stat().st_size > 20_000
+    sheets = Sheets(tmp_path / "out")
+    stationary.figures(result, sheets)
+    assert sheets.written[0].stat().st_size > 20_000
     (tmp_path / "file").write_text("")
-    with pytest.raises(BoresightError, match="cannot write the figure"):
-        stationary.figures(result, tmp_path / "file")
+    with pytest.raises(BoresightError, match="cannot write"):
+        stationary.figures(result, Sheets(tmp_path / "file"))
     json.dumps({key: value for key, value in result.items() if key != "history"}, allow_nan=False)

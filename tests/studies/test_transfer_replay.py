@@ -1,11 +1,9 @@
 """Replay by velocity and attitude: a recording with analytic truth gives it back, the real one its delay."""
 
 import base64
-import json
 import re
 from dataclasses import replace
 from html import escape
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,6 +18,8 @@ from boresight.runtime.units import STANDARD_GRAVITY as G
 from boresight.runtime.units import quantity
 from boresight.studies.page import numbers_of
 from boresight.studies.replays import velocity_attitude as tr
+from boresight.studies.study import Replay, document
+from tests.drawing import drawn
 
 DEG = np.pi / 180
 DELAY = 0.03
@@ -190,12 +190,13 @@ def test_what_was_refused_is_counted_and_in_no_figure(simulated, model, result):
     assert_truth(said)
 
 
-def test_the_page_holds_the_report_its_pictures_and_its_numbers_and_nothing_beside_it(result, tmp_path, capsys):
+def test_the_page_holds_the_report_its_pictures_and_its_numbers_and_nothing_beside_it(result, tmp_path):
     assert "all of them used" in tr.report(result)
-    assert tr.finish(result, folder=str(tmp_path), as_json=True) == 0
-    out = json.loads(capsys.readouterr().out)
+    one = tr.study(result["model"])
+    *pictures, html = drawn(one, result, tmp_path)
+    out = document(one, Replay(None), result, [*pictures, html])
+    assert out["good"] and out["figures"] == [str(path) for path in (*pictures, html)]
     assert "history" not in out["result"]
-    html, *pictures = (Path(name) for name in out["figures"])
     assert html.suffix == ".html" and len(pictures) == 2
     text = html.read_text()
     assert numbers_of(text) == out["result"]
@@ -203,11 +204,11 @@ def test_the_page_holds_the_report_its_pictures_and_its_numbers_and_nothing_besi
     assert [base64.b64decode(part) for part in re.findall(r"image/png;base64,([^\"]+)", text)] == [
         picture.read_bytes() for picture in pictures
     ]
-    assert tr.finish({**result, "nis": {**result["nis"], "with": result["nis"]["without"]}}) == 1
+    assert not one.good({**result, "nis": {**result["nis"], "with": result["nis"]["without"]}})
 
 
 def test_what_the_page_shows_of_the_states_is_what_was_found(result, tmp_path):
-    html = tr.write(result, tmp_path)[0].read_text()
+    html = drawn(tr.study(result["model"]), result, tmp_path)[-1].read_text()
     table = next(part for part in re.findall(r"<table>(.*?)</table>", html, re.DOTALL) if "of the prior" in part)
     rows = [re.findall(r"<td>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", table, re.DOTALL)[1:]]
     assert [row[0] for row in rows] == [f"{s['state']} {s['axis']}".strip() for s in result["states"]]
@@ -221,7 +222,7 @@ def test_what_the_page_shows_of_the_states_is_what_was_found(result, tmp_path):
 
 def test_a_name_cannot_break_the_page(result, tmp_path):
     spoilt = {**result, "title": "</script><b>&", "recording": "sea"}
-    html = tr.write(spoilt, tmp_path)[0].read_text()
+    html = drawn(tr.study(result["model"]), spoilt, tmp_path)[-1].read_text()
     assert "<b>" not in html and numbers_of(html)["title"] == spoilt["title"]
 
 
