@@ -236,6 +236,8 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
         "x_low": ", ".join(map(number, x.low)),
         "x_high": ", ".join(map(number, x.high)),
         "x_beyond": beyond(x),
+        "x_low_numbers": ", ".join(map(repr, map(float, x.low))),
+        "x_high_numbers": ", ".join(map(repr, map(float, x.high))),
         "places": {name: places(name) for name in (("Phi", "Q") if f["total"] else ("F", "Qc"))},
     }
 

@@ -13,6 +13,7 @@ from boresight.runtime import transfer
 from boresight.runtime.array import Array
 from boresight.runtime.calibration import Calibration
 from boresight.runtime.library import load
+from boresight.runtime.transfer.score import Score
 from boresight.runtime.transfer.sensors import MODEL, Sensors, carried
 from boresight.runtime.units import DEG, HOUR, STANDARD_GRAVITY
 
@@ -88,6 +89,7 @@ def started(
     nav, P, past = transfer.first(message, model, constants, **begin, estimates=estimates, increments=increments)
     loop = transfer.Transfer(model, nav, P, constants, time=increments.end[-1], past=past, **settings)
     loop.filter.considered = considered
+    loop.score = Score(loop.runs) if carrying is not None and carrying.probed else None
     return loop
 
 

@@ -1,6 +1,7 @@
 """What is wrong or suspicious in a recording."""
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -295,14 +296,22 @@ def attitude_increments(imu: Inertial, master: Master) -> tuple[Array, Array, Ar
             _, dtheta = imu.between(t0, t1)
         except BoresightError:
             continue
-        C = np.eye(3)
-        for piece in rotation.matrix_from_vector(dtheta):
-            C = C @ piece
         dts.append(t1 - t0)
-        slave.append(rotation.vector_from_matrix(C))
+        slave.append(dtheta)
         keep.append(k)
     turns = rotation.vector_from_matrix(attitude_steps(master.euler))
-    return np.array(dts), np.array(slave).reshape(-1, 3), turns[keep]
+    return np.array(dts), whole_turns(slave), turns[keep]
+
+
+def whole_turns(pieces: Sequence[Array]) -> Array:
+    """(K, 3) each turn as one rotation vector, from its pieces (J, 3) rad one after the other; J may differ."""
+    steps = np.zeros((len(pieces), max((len(piece) for piece in pieces), default=0), 3))
+    for step, piece in zip(steps, pieces, strict=True):
+        step[: len(piece)] = piece
+    C = np.tile(np.eye(3), (len(pieces), 1, 1))
+    for j in range(steps.shape[1]):
+        C = C @ rotation.matrix_from_vector(steps[:, j])
+    return rotation.vector_from_matrix(C) if len(pieces) else np.zeros((0, 3))
 
 
 def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Finding]:

@@ -18,6 +18,7 @@ from boresight.runtime.transfer.lever import flown
 from boresight.runtime.transfer.messages import Heard, Message, Note, Result, Verdict, heard
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
+from boresight.runtime.transfer.score import Score
 from boresight.runtime.transfer.start import Increments, again
 from boresight.runtime.units import STANDARD_GRAVITY
 
@@ -42,6 +43,8 @@ class Transfer:
     coning: `load("strapdown").compensated` for coning and sculling by four samples; the step alone does it by two.
     known: what is known of the slave's sensors, taken off first; the biases of nav are what is left.
     """
+
+    score: Score | None = None  # of a filter with `Sensors(probed=True)`
 
     def __init__(
         self,
@@ -300,7 +303,9 @@ class Transfer:
         verdict[begun] = Verdict.BEGUN
         if len(self.history) < 2:
             verdict[came & ~self.gaps.lost] = Verdict.TOO_OLD
-            return self.watch.result(verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, given, oldest, faults)
+            return self.watch.result(
+                verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, given, oldest, faults, verdict
+            )
         believed, lag = lag, np.where(verdict == Verdict.TAKEN, lag, 0.0)
 
         inputs, rate_factor = self._match(lag)
@@ -343,6 +348,10 @@ class Transfer:
             P = P + self._opening(reopen, rows, inputs)
             self._update(P, R, rows, inputs)
             self.watch.gated = np.where(reopen, 0, self.watch.gated)
+        none = np.zeros((*runs, 3))
+        by_row = [np.where((one := innovations[name]).used, one.nu**2 / one.S, none) if name in innovations else none
+                  for name in self.matching]  # fmt: skip
+        worst = np.argmax(np.concatenate(by_row, axis=-1), axis=-1)
         verdict[gated] = Verdict.GATED
         verdict[reopen] = Verdict.REOPENED
         beyond, why = self.guard.taken()
@@ -362,6 +371,8 @@ class Transfer:
         faults.append((beyond, f"the slave, or what the message makes of it, is beyond the model's range: {why}"))
         verdict[beyond & (verdict <= Verdict.REOPENED)] = Verdict.BEYOND
         taken = verdict <= Verdict.REOPENED
+        if self.score is not None:
+            self.score.end(taken)
         loop.P = np.where(taken[..., None, None], corrected, P_now)
         loop.P = (loop.P + np.swapaxes(loop.P, -1, -2)) / 2
         loop.x = np.where(taken[..., None], loop.x, 0.0)
@@ -371,7 +382,7 @@ class Transfer:
         loop.x = np.zeros_like(loop.x)
         if given.position is not None:
             self._position(given.position, given.position_sigma, taken & ~begun, believed)
-        return self.watch.result(verdict, innovations, nis, used, believed, given, oldest, faults)
+        return self.watch.result(verdict, innovations, nis, used, believed, given, oldest, faults, worst)
 
     def _begin_anew(self, given: Heard, lag: Array) -> Array:
         """(...,) bool: the lost runs that have begun anew from this message, which is used up by it."""
@@ -414,12 +425,18 @@ class Transfer:
     def _update(self, P: Array, R: Array, rows: Array, inputs: dict[str, Any]) -> dict[str, Innovation]:
         """Attitude first: the residual of a large turn depends on x, and that of the velocity does not."""
         self.filter.x, self.filter.P = np.zeros(P.shape[:-1]), P
+        if self.score is not None:
+            self.score.begin()
         out = {}
         for name, part, field in (
             (self.matching[1], slice(3, 6), self._attitude_field()),
             (self.matching[0], slice(0, 3), "v_m_n"),
         ):
             if field in inputs:
+                if self.score is not None:
+                    H, z = self.filter.call(f"{name}_H", **inputs), self.filter.call(f"{name}_z", **inputs)
+                    nu = z - np.einsum("...ij,...j->...i", H, self.filter.x)
+                    self.score.take(nu, H, self.filter.P, R[..., part], rows[..., part])
                 out[name] = self.filter.update(name, R[..., part], rows=rows[..., part], **inputs)
         return out
 
@@ -468,7 +485,7 @@ class Transfer:
         said = np.where(usable, moved(np.where(usable, said, 0.0), np.where(usable, way, 0.0)), np.nan)
         box = loop.model.field["position"]
         used = self.position.takes(
-            self.time, taken, said, sigma, loop.nav["position"],
+            self.time, said, sigma, loop.nav["position"],
             np.sqrt(np.einsum("...ii->...i", loop.P)[..., DV].max(-1)),
             np.linalg.norm(np.broadcast_to(self._lever(), said.shape), axis=-1),
             (np.array(box["low"]), np.array(box["high"])), self.watch.note,

@@ -9,6 +9,8 @@ import numpy as np
 from boresight.runtime.array import Array, wrapped
 from boresight.runtime.filter import Innovation
 
+HUGE = 1e12  # a variance, a time, a distance beyond it is no number
+
 
 class Verdict(IntEnum):
     """What became of a message; from GATED on it was refused."""
@@ -130,12 +132,12 @@ def heard(message: Message, runs: tuple[int, ...], attitude: str, steepest: floa
         said[name] = value
     if not said:
         faults.append((everywhere, f"it holds neither v_m_n nor {attitude}"))
-    sound = np.isfinite(R) & (R > 0)
+    sound = (R > 0) & (R < HUGE)
     bad = ~sound & given & fine
     if bad.any():
         first = R[tuple(np.argwhere(bad)[0])]
         faults.append((bad.any(-1), f"a variance in R is {first:.3g}; each must be finite and above zero"))
-    untimed = came & ~np.isfinite(time)
+    untimed = came & ~(np.abs(time) < HUGE)
     if untimed.any():
         faults.append((untimed, f"its time is {time[untimed].flat[0]}"))
     empty = came & ~(given & fine).any(-1)
@@ -143,11 +145,13 @@ def heard(message: Message, runs: tuple[int, ...], attitude: str, steepest: floa
     refused = np.any([where for where, _ in faults], axis=0)
     position, position_sigma = None, array("position_sigma", 3)
     if message.position is not None:
-        usable = np.isfinite(position_sigma) & (position_sigma > 0) & (position_sigma < 1e9)
-        position = np.where(usable.all(-1, keepdims=True), array("position", 3), np.nan)
+        position = array("position", 3)
+        usable = (position_sigma > 0) & (position_sigma < HUGE) & (np.abs(position) < HUGE)
+        position = np.where(usable.all(-1, keepdims=True), position, np.nan)
         position_sigma = np.where(usable, position_sigma, 1.0)
     count = np.full(runs, np.nan) if message.count is None else array("count")
     whole, faults = came & ~refused, [(where & came, why) for where, why in faults]
+    time = np.where(untimed, np.nan, time)
     return Heard(
         time, np.where(sound, R, 1.0), said, given & fine & whole[..., None], came, whole[..., None] & ~given,
         whole[..., None] & given & ~fine, position, position_sigma, count, faults,

@@ -37,7 +37,6 @@ class PositionWatch:
         self.runs = runs
         self.taken_at = np.full(runs, time)
         self.sigma = np.full((*runs, 3), np.nan)  # m, of the last one taken
-        self.absent = np.zeros(runs, bool)
         self.told = np.zeros(runs, bool)  # refused, and its end not yet
         self.other = np.full((*runs, 3), np.nan)  # what a refused one has become by the slave's own way
         self.other_at = np.full(runs, np.nan)
@@ -53,7 +52,6 @@ class PositionWatch:
     def takes(
         self,
         time: float,
-        asked: Array,
         position: Array,
         sigma: Array,
         slave: Array,
@@ -64,14 +62,12 @@ class PositionWatch:
     ) -> Array:
         """(...,) bool, which are taken; `note` is called with runs and a line where that changes.
 
-        asked: (...,) bool, whose messages count.  position, sigma (m): (..., 3) of the message.
+        position, sigma (m): (..., 3) of the message, NaN where there is none to take.
         box: lowest and highest position that the model knows.
         slave: (..., 3) by dead reckoning since the last one taken; speed_sigma: (...,) m/s of its velocity, one axis.
         lever: (...,) m, between the two.
         """
         came = np.isfinite(position).all(-1)
-        note(asked & ~came & ~self.absent, "position refused: it holds no finite number; velocity and attitude count")
-        self.absent = np.where(asked, ~came, self.absent)
         position = np.where(came[..., None], position, slave)
         known = came & ((position >= box[0]) & (position <= box[1])).all(-1)
         away = metres(position, slave)

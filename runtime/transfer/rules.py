@@ -17,6 +17,7 @@ AXES = {
     "q_m2n_wxyz": ("north", "east", "down"),
     "euler_m": ("roll", "pitch", "yaw"),
 }
+ROWS = ("velocity north", "velocity east", "velocity down", "the level", "the level", "the heading")
 RATE_KNOWN_S = 10.0  # before two messages have come, their rate is not known: silence is told after so long
 INTERVALS = 3.5  # of the master, without a message taken, are silence
 STILL = 5.0  # sigmas: chance moves one of six numbers so far once in 300 000 messages
@@ -200,11 +201,11 @@ class Watch:
         return same & (rows & (change**2 > STILL**2 * most)).any(-1)
 
     def result(self, verdict: Array, innovations: dict[str, Innovation], nis: Array, used: Array, lag: Array,
-               heard: Heard, known_s: float, faults: list[tuple[Array, str]]) -> Result:  # fmt: skip
+               heard: Heard, known_s: float, faults: list[tuple[Array, str]], worst: Array) -> Result:  # fmt: skip
         """What a message did, written down.
 
         known_s: how far back the slave's past is known.  faults: (...,) bool and why, of runs that the text of a
-        verdict alone does not explain.
+        verdict alone does not explain.  worst: (...,) the row that fits worst, by number.
         """
         stamp = heard.time
         taken, came = verdict <= Verdict.REOPENED, verdict != Verdict.ABSENT
@@ -213,7 +214,7 @@ class Watch:
         saying = {
             Verdict.REOPENED: f"{self.rules.reopen_after} messages in a row did not fit; the master has jumped, or the "
             "slave: velocity and attitude are opened and follow it",
-            Verdict.GATED: "message refused: it does not fit (NIS {nis:.0f} with {used} rows)",
+            Verdict.GATED: "message refused: it does not fit (NIS {nis:.0f} with {used} rows; {worst} fits worst)",
             Verdict.INVALID: "message refused: {why}",
             Verdict.BEYOND: "message refused: {why}",
             Verdict.OUT_OF_ORDER: "message refused: its time, {stamp:.3f} s, is not later than the last one's",
@@ -236,6 +237,7 @@ class Watch:
                 if now.any():
                     first = np.unravel_index(np.argmax(now), now.shape)
                     numbers = {"nis": nis, "used": used, "lag": lag, "ahead": -lag, "stamp": stamp}
+                    numbers["worst"] = np.array(ROWS)[np.clip(worst, 0, 5)]
                     self.note(now, text.format(why=why, **{name: value[first] for name, value in numbers.items()}))
         returned = taken & self.silent
         if returned.any():

@@ -23,6 +23,7 @@ ADDED = {
     "accel_scale": slice(28, 31), "gyro_axes": slice(31, 37), "accel_axes": slice(37, 40),
     "gyro_turn_on": slice(40, 43), "accel_turn_on": slice(43, 46),
 }  # fmt: skip
+PROBE = 1e-9  # of scale factors and axes that are probed: no innovation knows it
 CALIBRATION = slice(25, 40)  # scale factors and axes
 MICRO_G = STANDARD_GRAVITY / 1e6
 
@@ -35,6 +36,7 @@ class Sensors:
     towards either of the others.  instability: what a bias wanders by about its constant part, with its correlation
     time.  bending: rad about each of the master's axes, with its natural frequency and damping (1 the critical one).
     lever: m.  estimated: scale factors and axes are estimated; else they are considered, with no gain.
+    probed: they have no size but one that changes nothing, for the score test.
     """
 
     gyro_scale: float = 0.0
@@ -49,6 +51,7 @@ class Sensors:
     bending_damping: float = 0.3
     lever: float = 0.0
     estimated: bool = False
+    probed: bool = False
 
     def __post_init__(self) -> None:
         for field in fields(self):
@@ -171,7 +174,7 @@ def carried(
         walk = np.asarray(constants.get(f"{name}_bias_noise", 0.0), float)
         constants[f"{name}_bias_noise"] = np.sqrt(np.square(walk) + 2 * beta * sigma**2) * three
 
-    P[..., CALIBRATION, CALIBRATION] = calibration(sensors)
+    P[..., CALIBRATION, CALIBRATION] = PROBE**2 * np.eye(15) if sensors.probed else calibration(sensors)
     omega, damping = 2 * np.pi * sensors.bending_hz, sensors.bending_damping
     for name, sigma in (("flexure", sensors.bending), ("flexure_rate", sensors.bending * omega)):
         P[..., ADDED[name], ADDED[name]] = sigma**2 * np.eye(3)

@@ -17,6 +17,7 @@ from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 from boresight.runtime.recording import Recording, best_delay, shifted, thinned
+from boresight.runtime.recording.check import whole_turns
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG, DEG_H
 from boresight.studies.figures import BLUE, ORANGE, Sheets
@@ -72,15 +73,10 @@ def prepare(recording: Recording, model: Any, gyro_bias: Array, rate_hz: float |
     for t0, t1 in zip(master.time[:-1], master.time[1:], strict=True):
         dt, dtheta = imu.between(t0, t1)
         pieces.append((dt, dtheta - gyro_bias * dt[:, None]))
-    turns = []
-    for _, dtheta in pieces:
-        C = np.eye(3)
-        for piece in rotation.matrix_from_vector(dtheta):
-            C = C @ piece
-        turns.append(rotation.vector_from_matrix(C))
+    turns = whole_turns([dtheta for _, dtheta in pieces])
     doubt = np.zeros(len(start) + 1) if imu.doubt is None else np.append(0.0, np.cumsum(imu.doubt[:, 0] ** 2))
     doubt = np.diff(np.interp(master.time, np.append(start[0], end), doubt))
-    return Leg(master.time, master.euler, omega[:-1], tuple(pieces), np.array(turns), doubt)
+    return Leg(master.time, master.euler, omega[:-1], tuple(pieces), turns, doubt)
 
 
 def fly(
@@ -238,8 +234,9 @@ def _noise(name: str, given: Any) -> Array | None:
     if given is None:
         return None
     noise = np.asarray(given, float)
-    if noise.shape != (3,) or not ((noise >= NOISE_RANGE[0]) & (noise <= NOISE_RANGE[1])).all():
-        low, high = NOISE_RANGE
+    low, high = NOISE_RANGE
+    # What was printed in other units and comes back may be off by its rounding.
+    if noise.shape != (3,) or not ((noise > low * (1 - 1e-9)) & (noise < high * (1 + 1e-9))).all():
         raise BoresightError(f"{name} must be three numbers from {low} to {high}, in rad and s; it is {noise.tolist()}")
     return noise
 

@@ -8,10 +8,13 @@ from boresight.evidence.flights import imperfect
 from boresight.evidence.flights.fly import band, fly
 from boresight.evidence.flights.motion import swinging
 from boresight.runtime.library import load
-from boresight.runtime.transfer import sensors
+from boresight.runtime.transfer import Rules, sensors
+from boresight.runtime.transfer.score import driven
 from boresight.runtime.transfer.sensors import GRADES, Sensors, calibration, carried, sized
 from boresight.runtime.units import DEG_H, STANDARD_GRAVITY
 
+RUNS = 20
+SCALED = Sensors(gyro_scale=6e-3)
 ALL = Sensors(1e-3, 1e-3, 1e-3, 1e-3, 3 * DEG_H, 1e-4 * STANDARD_GRAVITY, 100.0, 3e-4, 1.0)
 SIGMAS = {"q_b2m_wxyz": np.full(3, 0.1), "gyro_bias": np.full(3, 1e-3), "accel_bias": 0.02, "tau": 0.05}
 
@@ -92,10 +95,46 @@ def test_sizes_that_say_nothing_are_refused(arguments, says):
 
 
 def test_a_flight_with_all_of_it_is_consistent_and_without_it_is_not(compiled_once):
-    """24 s, 20 runs; the campaign of all sizes is the evidence's."""
-    motion, runs = swinging(seconds=22), 20
-    flown, plain = (fly(motion, runs=runs, seconds=20.0, imu_hz=25, sensors=ALL, carrying=c) for c in (ALL, None))
-    low, high = band(runs, len(flown.states))
+    motion = swinging(seconds=22)
+    flown, plain = (fly(motion, runs=RUNS, seconds=20.0, imu_hz=25, sensors=ALL, carrying=c) for c in (ALL, None))
+    low, high = band(RUNS, len(flown.states))
     assert len(flown.states) == 43
     assert low < flown.nees[-1].mean() < high
-    assert plain.nees[-1].mean() > 10 * band(runs, 16)[1]
+    assert plain.nees[-1].mean() > 10 * band(RUNS, 16)[1]
+
+
+@pytest.fixture(scope="module")
+def probed(compiled_once):
+    """Flights of sensors as the plain model says, and of gyro scale factors of 6000 ppm; none is refused a message."""
+    how = {"runs": RUNS, "seconds": 20.0, "imu_hz": 25, "rules": Rules(gate=1e-300)}
+    return [fly(swinging(seconds=22), sensors=sizes, carrying=Sensors(probed=True), **how) for sizes in (None, SCALED)]
+
+
+def test_the_score_is_chi_square_where_nothing_is_there(probed):
+    for one in probed[0].loop.score.noticed().values():
+        dof = {14.3: 3, 20.2: 6}[round(one.bound, 1)]
+        low, high = band(RUNS, dof)
+        assert low < one.statistic.mean() < high
+        assert (one.statistic > one.bound).sum() <= 2
+
+
+def test_the_score_notices_what_it_says_it_does(probed):
+    none, there = (flown.loop.score.noticed()["gyro scale factors"] for flown in probed)
+    assert 1e-3 < np.median(none.smallest) < 1e-2
+    assert (there.statistic > there.bound).mean() >= 0.8
+
+
+def test_a_probe_changes_no_estimate(probed):
+    plain = fly(swinging(seconds=22), runs=RUNS, seconds=20.0, imu_hz=25, rules=Rules(gate=1e-300))
+    sigma = np.sqrt(np.diagonal(plain.P[-1], axis1=-2, axis2=-1))
+    assert np.abs((probed[0].errors[-1][..., :16] - plain.errors[-1]) / sigma).max() < 1e-3
+
+
+def test_the_sensitivity_is_by_how_much_a_flight_with_the_error_differs(probed):
+    none, there = probed
+    true = imperfect.drawn(SCALED, np.random.default_rng([1, RUNS, 1]), RUNS, np.zeros(2)).calibration
+    apart = there.errors[-1][..., :16] - none.errors[-1][..., :16]
+    expected = np.einsum("rij,rj->ri", driven(none.loop.P)[..., :16, :3], -true[:, :3])
+    misalignment = slice(12, 15)
+    rest = apart[:, misalignment] - expected[:, misalignment]
+    assert np.sqrt(np.mean(rest**2)) < 0.1 * np.sqrt(np.mean(apart[:, misalignment] ** 2))

@@ -68,7 +68,7 @@ def test_a_position_across_the_date_line_is_no_jump(model):
 
 def test_a_position_that_is_no_number_is_told_once(model):
     notes, north, _ = flown(model, 4, lambda p: p * np.nan)
-    assert len(notes) == 1 and "no finite number" in notes[0]
+    assert len(notes) == 1 and "position is not finite" in notes[0]
     assert np.abs(north).max() < 30
 
 

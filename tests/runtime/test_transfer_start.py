@@ -157,6 +157,14 @@ def test_thirty_metres_known_in_the_masters_axes_and_a_mounting_known_to_two_deg
     assert within(flown.start_nees) and within(flown.nees[-1])
 
 
+def test_a_sigma_of_the_lever_arm_in_the_masters_axes_is_turned_to_its_states():
+    lever_b = 30 * np.array([0.6, -0.64, 0.48])
+    wrong = 0.1 * np.random.default_rng(9).standard_normal((30, 3))
+    flown = fly(swinging(), model="velocity-attitude-lever", runs=30, seed=5, seconds=4, lever_b=lever_b,
+                constants={"lever_m": C_B2M @ lever_b + wrong}, sigmas={"lever_m": 0.1})  # fmt: skip
+    assert within(flown.start_nees) and within(flown.nees_of(list(range(16)))[-1])
+
+
 # ---------------------------------------------------------------- no heading from the master
 
 
