@@ -237,7 +237,7 @@ class Watch:
                 if now.any():
                     first = np.unravel_index(np.argmax(now), now.shape)
                     numbers = {"nis": nis, "used": used, "lag": lag, "ahead": -lag, "stamp": stamp}
-                    numbers["worst"] = np.array(ROWS)[np.clip(worst, 0, 5)]
+                    numbers["worst"] = np.asarray(np.array(ROWS)[np.clip(worst, 0, 5)])  # one run gives no array
                     self.note(now, text.format(why=why, **{name: value[first] for name, value in numbers.items()}))
         returned = taken & self.silent
         if returned.any():
