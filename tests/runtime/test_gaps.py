@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
+from boresight import BoresightError
 from boresight.evidence.flights.fly import band, fly
 from boresight.evidence.flights.motion import DEG, swinging
 from boresight.runtime.calibration import Calibration
-from boresight.runtime.transfer import Rules, Verdict
+from boresight.runtime.library import load
+from boresight.runtime.transfer import Rules, Transfer, Verdict
 from boresight.runtime.transfer.gaps import Gaps
 from boresight.runtime.transfer.history import History
 from boresight.runtime.transfer.rules import Watch
@@ -169,3 +171,14 @@ def test_full_scale_is_of_what_the_sensor_delivers_biases_in_it(motion):
         rules = Rules(full_scale=(17 * DEG, np.inf))
         flown = fly(motion, sensed=uncalibrated if known else None, known=known, rules=rules, **FLOWN)
         assert any("gyro is at full scale" in note.text for note in flown.loop.notes) == told
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "said"),
+    [("gyro_bias", [2 * DEG, 0, 0], r"gyro_bias\[0\] is 0.0349066.*give the known bias, known=Calibration"),
+     ("position", [86 * DEG, 0, 0], r"latitude is 1.50098, and the model's range is -1.48353 to 1.48353$")],
+)  # fmt: skip
+def test_a_slave_beyond_the_models_range_is_refused_and_told_what_to_do(motion, name, value, said):
+    loop = fly(motion, **(FLOWN | {"seconds": 0.1, "runs": 2})).loop
+    with pytest.raises(BoresightError, match=said):
+        Transfer(load("velocity-attitude"), loop.nav | {name: np.array(value)}, loop.P, loop.constants)
