@@ -558,6 +558,10 @@ def replay(
     recording: Annotated[
         str | None, typer.Argument(help="A recording, or the TOML file that describes one.", show_default=False)
     ] = None,
+    example: Annotated[
+        bool,
+        typer.Option("--example", help="Take the recording that comes with Boresight, which is simulated."),
+    ] = False,
     template: Annotated[
         bool, typer.Option("--template", help="Print a description of it, to be filled in, and end.")
     ] = False,
@@ -631,6 +635,7 @@ def replay(
     """
     from boresight.runtime.recording import read
     from boresight.runtime.recording.check import shown
+    from boresight.runtime.recording.read import EXAMPLE
     from boresight.runtime.recording.read import template as description
     from boresight.runtime.units import quantity
     from boresight.studies.replays import euler_matching as matched
@@ -638,6 +643,10 @@ def replay(
     from boresight.studies.replays import zero_velocity
     from boresight.studies.study import Replay
 
+    if example:
+        if recording is not None:
+            raise BoresightError(f"--example is a recording; leave out {recording}, or --example")
+        recording = str(EXAMPLE)
     if template:
         sys.stdout.write(description(recording))
         raise typer.Exit

@@ -1,4 +1,4 @@
-"""One look for every figure of the studies, and what it was made from at its foot.
+"""One look for every figure of the studies, and what it was made from at its edge.
 
 Colours are told apart by readers who see two primaries only, and every line has its label beside it or in a legend.
 """
@@ -33,7 +33,7 @@ STYLE: Any = {
 BLUE, ORANGE, GREY, GREEN = "#0b5fa5", "#d1600a", "0.55", "#2b7a3d"
 
 
-FOOT_IN = 0.16
+EDGE_IN = 0.16
 
 
 @contextmanager
@@ -42,7 +42,7 @@ def figure(
 ) -> Iterator[tuple[Any, Any]]:
     """A figure in the common style, written to `path` when the block ends.  No display, no global state.
 
-    made_from: stands at the foot and in the file's metadata.  Raises BoresightError where it cannot be written.
+    made_from: stands at the right edge and in the file's metadata.  Raises BoresightError where it cannot be written.
     """
     need("replay")
     import matplotlib
@@ -52,16 +52,15 @@ def figure(
         from matplotlib.figure import Figure
         from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-        foot = FOOT_IN * bool(made_from)
-        part = foot / (height_in + foot)
-        layout = ConstrainedLayoutEngine(rect=(0, part, 1, 1 - part))
-        drawing = Figure(figsize=(width_in, height_in + foot), layout=layout)
+        # beside the axes: below them stand legends
+        edge = EDGE_IN * bool(made_from)
+        part = edge / (width_in + edge)
+        layout = ConstrainedLayoutEngine(rect=(0, 0, 1 - part, 1))
+        drawing = Figure(figsize=(width_in + edge, height_in), layout=layout)
         FigureCanvasAgg(drawing)
-        drawing.text(0.995, 0.2 * part, made_from, ha="right", va="bottom", fontsize=6, color="0.45")
+        drawing.text(0.995, 0.01, made_from, ha="right", va="bottom", fontsize=6, color="0.45", rotation=90)
         axes = drawing.subplots(**subplots)
         yield drawing, axes
-        for legend in drawing.legends:  # which stands outside the layout's own rectangle
-            legend.set_bbox_to_anchor((0, part, 1, 1 - part), drawing.transFigure)
         # No software name or date inside: the file is the same from one run to the next.
         nothing = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}
         try:

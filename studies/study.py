@@ -4,8 +4,10 @@ The command line makes a command of each in `known` and of its scenario's option
 is a recording.
 """
 
+import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
+from hashlib import sha256
 from textwrap import wrap
 from typing import Any
 
@@ -50,10 +52,11 @@ class Study:
         return [one for one in fields(self.scenario) if "help" in one.metadata]
 
     def made_from(self, scenario: Any) -> str:
-        """Seed, version and models, for the foot of a figure."""
-        hashes = {name: read_manifest(folder_of(name))["made_from"]["model"][:8] for name in self.models}
+        """Seed, version and hash of the generated C that flies, for the edge of a figure."""
+        files = [read_manifest(folder_of(name))["files"] for name in self.models]
+        digest = sha256(json.dumps(files, sort_keys=True).encode()).hexdigest()[:8]
         seed = f"seed {scenario.seed}, " if hasattr(scenario, "seed") else ""
-        return f"{self.name}, {seed}boresight {__version__}: " + ", ".join(f"{k} {v}" for k, v in hashes.items())
+        return f"{self.name}, {seed}boresight {__version__}, C {digest}"
 
 
 def option(default: Any, says: str) -> Any:

@@ -1,5 +1,6 @@
 """The command line as its user meets it: whole names, lines that fit, JSON alone, one line for what is wrong."""
 
+import hashlib
 import json
 import os
 import pty
@@ -230,8 +231,9 @@ def test_claims_over_seeds_are_bands_that_hold_what_each_seed_says(run):
 def test_a_figure_says_what_it_was_made_from(run, tmp_path, svg):
     run("study", "euler-table", "--runs", 2, "--seconds", 5, "--seed", 7, "-o", tmp_path, *["--svg"] * svg)
     (path,) = tmp_path.glob("euler_table.*")
-    model = json.loads((ROOT / "generated" / "euler_matching" / "manifest.json").read_text())["made_from"]["model"]
-    wanted = f"euler-table, seed 7, boresight {__version__}: euler-matching {model[:8]}"
+    files = json.loads((ROOT / "generated" / "euler_matching" / "manifest.json").read_text())["files"]
+    digest = hashlib.sha256(json.dumps([files], sort_keys=True).encode()).hexdigest()[:8]
+    wanted = f"euler-table, seed 7, boresight {__version__}, C {digest}"
     assert wanted.encode() in path.read_bytes()  # PNG keeps its metadata as plain text, SVG the foot as well
     assert path.read_bytes().count(wanted.encode()) == (2 if svg else 1)
 

@@ -11,6 +11,7 @@ from boresight.evidence.flights import imperfect
 from boresight.evidence.flights.motion import Motion, matrix, quaternion, turn, turn_between
 from boresight.runtime import transfer
 from boresight.runtime.array import Array
+from boresight.runtime.calibration import Calibration
 from boresight.runtime.library import load
 from boresight.runtime.transfer.score import Score
 from boresight.runtime.transfer.sensors import MODEL, Sensors, carried
@@ -195,7 +196,9 @@ def fly(
     opening = replace(message(np.zeros(runs), delay(0.0)), rows=True)
     begun = lead + int(np.ceil(hand_over * imu_hz - 1e-9))
     known_past = [part for part in map(deliver, range(begun)) if part is not None]
-    past = np.array(known_past).swapaxes(0, 1)
+    calibration = settings.get("known") or Calibration()
+    d_past, f_past = np.array(known_past).swapaxes(0, 1)
+    past = calibration.increments(d_past, f_past, dt)
     sigma = np.asarray(unit.mounting)
     begin: dict[str, Any] = dict(
         sigmas={"q_b2m_wxyz": sigma, "gyro_bias": unit.gyro_bias, "accel_bias": unit.accel_bias, "tau": tau_sigma}
@@ -225,7 +228,7 @@ def fly(
                 continue
             result = loop.master(given)
             out["time"].append(time)
-            out["errors"].append(errors(loop.nav, time))
+            out["errors"].append(errors(loop.nav, loop.time))
             out["P"].append(loop.P[..., : start_P.shape[-1], : start_P.shape[-1]].copy())
             out["nis"].append(np.where(result.taken, result.nis, np.nan))
             out["verdict"].append(result.verdict)

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from boresight.runtime.recording.description import Column, Description, Known
 
 BUILT_IN = Path(__file__).parent / "built_in"
+EXAMPLE = Path(__file__).parent / "example" / "simulated.npz"  # its truth is known; made by a simulator of flights
 
 
 def find(path: str | Path) -> Path:

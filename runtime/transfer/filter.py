@@ -1,6 +1,6 @@
 """Transfer alignment in flight: a slave's increments in, a master's late and irregular messages in, corrections out."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, Literal
 
 import numpy as np
@@ -9,15 +9,22 @@ from scipy.special import chdtri
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
+from boresight.runtime.calibration import Calibration
 from boresight.runtime.filter import Filter, Innovation
+from boresight.runtime.transfer.gaps import Gaps, of_runs
 from boresight.runtime.transfer.guard import Guard, mixed, outside
 from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
 from boresight.runtime.transfer.lever import flown
-from boresight.runtime.transfer.messages import Message, Note, Result, Verdict, heard
+from boresight.runtime.transfer.messages import Heard, Message, Note, Result, Verdict, heard
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
 from boresight.runtime.transfer.score import Score
+from boresight.runtime.transfer.start import Increments, again
+from boresight.runtime.units import STANDARD_GRAVITY
 
+GYRO, ACCEL = slice(0, 3), slice(3, 6)  # of increments (..., 6)
+EARLIER = ("before", "second", "third")
+UNKNOWN = np.pi, 100.0  # rad, m/s: one sigma of a run that is lost
 SWING_S = 1.0
 LARGEST = 0.9  # of the model's range for the error state, in one correction
 
@@ -33,6 +40,8 @@ class Transfer:
     way: "buffer" holds a message against the slave as it was then, lag = 0.  "extrapolate" is Kang's: the slave as it
     is now, moved back along its rate of change by lag = tau_hat + what the message's own time says.
     every: so many intervals of the slave for one step of the covariance, which besides comes up to date for a message.
+    coning: `load("strapdown").compensated` for coning and sculling by four samples; the step alone does it by two.
+    known: what is known of the slave's sensors, taken off first; the biases of nav are what is left.
     """
 
     score: Score | None = None  # of a filter with `Sensors(probed=True)`
@@ -50,6 +59,8 @@ class Transfer:
         way: Literal["buffer", "extrapolate"] = "buffer",
         every: int = 1,
         rules: Rules | None = None,
+        known: Calibration | None = None,
+        coning: Callable[..., Mapping[str, Array]] | None = None,
     ):
         if way not in ("buffer", "extrapolate"):
             raise BoresightError(f"transfer: no way {way!r}; there are buffer and extrapolate")
@@ -74,11 +85,17 @@ class Transfer:
             self._angle, self._push = (sample[name].reshape((*self.runs, 3)) for name in ("angle", "push"))
         if past is None:
             self._keep()
-        self._before: tuple[Array, Array] | None = None
+        self._earlier: list[Array] = []  # the increments of the last intervals, at most three, the newest first
         self._predicted = self.time  # of the covariance
         self._steps = 0
         self.position = PositionWatch(self.runs, self.time)
         self.watch = Watch(self.rules, self.runs, self.time)
+        self.known, self.coning = known or Calibration(), coning
+        standing = (
+            np.swapaxes(rotation.matrix_from_quaternion(self.nav["q_b2n_wxyz"]), -1, -2)[..., 2] * -STANDARD_GRAVITY
+        )
+        self.gaps = Gaps(self.watch, np.concatenate([np.zeros_like(standing), standing], axis=-1))
+        self._left_out = 0
         self.lost = np.zeros(self.runs, bool)  # runs whose slave left the model's range: they stand still
         where, why = outside(model, self.filter.nav, self.runs)
         if where.any():
@@ -109,24 +126,87 @@ class Transfer:
     def slave(self, time: float, dtheta_ib_b: Any, dv_b: Any, dt: float) -> None:
         """One interval of dt seconds that ends at `time`: increments (..., 3) rad and (..., 3) m/s, biases in them.
 
-        Raises BoresightError where the interval does not begin where the last one ended.
+        What is missing between two intervals, or is no number, is bridged up to `bridge_s`; beyond it the filter begins
+        anew from the next message.  An interval that begins before the last one ended is left out, and raises nothing.
         """
-        if abs(time - dt - self.time) > 0.5 * dt:
-            raise BoresightError(
-                f"transfer: the slave's data goes from {self.time:.4f} s to {time - dt:.4f} s without what lies "
-                "between; begin again behind the gap, with `first`"
-            )
-        dtheta, dv = (np.broadcast_to(np.asarray(part, float), (*self.runs, 3)) for part in (dtheta_ib_b, dv_b))
-        before, held = self._before or (dtheta, dv), dict(self.filter.nav)
-        shown = {"dtheta_ib_b": dtheta, "dv_b": dv, "dtheta_before": before[0], "dv_before": before[1], "dt": dt}
-        self.filter.strapdown(**shown, **self.constants)
-        self._before = (dtheta, dv)
+        begin = time - dt
+        if not (dt > 0 and begin > self.time - 0.5 * dt and np.isfinite([time, dt]).all()):
+            self._overlapping(time, dt)
+            return
+        self._left_out = 0
+        delivered = [np.broadcast_to(np.asarray(part, float), (*self.runs, 3)) for part in (dtheta_ib_b, dv_b)]
+        raw = np.concatenate(delivered, axis=-1)
+        increments = np.concatenate(self.known.increments(delivered[0], delivered[1], dt), axis=-1)
+        good = self.gaps.usable(increments, dt)
+        increments = np.where(good[..., None], increments, self.gaps.rates * dt)
+        if begin > self.time + 0.5 * dt:
+            self._missing(begin, dt, increments / dt)
+        more, variance = self.gaps.sample(good, increments / dt, dt, time, self.history, self.P)
+        self._interval(time, increments + more, dt)
+        self._lose(self.gaps.missing_s > self.rules.bridge_s * (1 + 1e-9))
+        self._open(variance)
+        if self.rules.full_scale is not None:
+            raw = np.where(np.isfinite(raw), raw, 0.0)
+            self._open(self.watch.saturation(raw[..., :3], raw[..., 3:], dt))
+
+    def _missing(self, begin: float, dt: float, rates: Array) -> None:
+        """Nothing came until `begin`; the rates (..., 6) are those of the interval that follows."""
+        missing, everyone = begin - self.time, np.ones(self.runs, bool)
+        if missing > self.rules.bridge_s * (1 + 1e-9) + 1e-9:
+            self._lose(everyone, missing)
+            self._skip(begin)
+            return
+        count = round(missing / dt)
+        ramp = (rates - self.gaps.rates) / (count + 1)
+        for i in range(count):
+            between = self.gaps.rates + (i + 1) * ramp
+            end = begin - (count - 1 - i) * missing / count
+            self.gaps.stand_in(everyone, between, missing / count)
+            self._interval(end, between * missing / count, missing / count)
+
+    def _lose(self, where: Array, missing_s: float = 0.0) -> None:
+        """These runs have lost their way: attitude and velocity are unknown until they begin anew."""
+        new = self.gaps.lose(where, self.P, self.time, missing_s)
+        self._open(np.where(new[..., None], np.repeat(UNKNOWN, 3) ** 2, 0.0))
+
+    def _overlapping(self, time: float, dt: float) -> None:
+        """An interval begins before the last one ended: left out, unless this goes on; then the clock was set back."""
+        everyone = np.ones(self.runs, bool)
+        if self._left_out == 0:
+            self.watch.note(everyone, f"the slave's interval of {dt:g} s that ends at {time:.4f} s begins before the "
+                                      "last one ended, or is none; it is left out")  # fmt: skip
+        self._left_out += 1
+        if np.isfinite(time) and dt > 0 and self._left_out * dt > max(self.rules.bridge_s, dt):
+            self._lose(everyone)
+            self._skip(time)
+
+    def _skip(self, time: float) -> None:
+        """Time goes on, or back, and nothing of the past is left."""
+        self.time = self.watch.time = self._predicted = float(time)
+        self.history.clear()
+        self._earlier, self._steps = [], 0
+        self._keep()
+
+    def _interval(self, time: float, increments: Array, dt: float) -> None:
+        """Carry the slave over an interval; increments (..., 6) rad and m/s, biases in them."""
+        bias = np.concatenate([self.nav["gyro_bias"], self.nav["accel_bias"]], axis=-1) * dt
+        earlier, held = [*self._earlier, *3 * [(self._earlier or [increments])[-1]]][:3], dict(self.filter.nav)
+        used = increments
+        if self.coning is not None:
+            sensed = {f"{name}_{which}": (one - bias)[..., part] for which, one in zip(EARLIER, earlier, strict=True)
+                      for name, part in (("dtheta", GYRO), ("dv", ACCEL))}  # fmt: skip
+            own = (increments - bias)[..., GYRO], (increments - bias)[..., ACCEL]
+            made = self.coning(dtheta_ib_b=own[0], dv_b=own[1], **sensed)
+            used = np.concatenate([made["dtheta_ib_b"], made["dv_b"]], axis=-1) + bias
+        self.filter.strapdown(
+            dtheta_ib_b=used[..., GYRO], dv_b=used[..., ACCEL],
+            dtheta_before=earlier[0][..., GYRO], dv_before=earlier[0][..., ACCEL], dt=dt, **self.constants,
+        )  # fmt: skip
+        self._earlier = [increments, *self._earlier[:2]]
         self.time = self.watch.time = float(time)
         self._range(held)
-        self._angle, self._push = self._angle + dtheta, self._push + dv
+        self._angle, self._push = self._angle + increments[..., GYRO], self._push + increments[..., ACCEL]
         self._keep()
-        if self.rules.full_scale is not None:
-            self._saturation(dtheta, dv, dt)
         self._steps += 1
         if self._steps >= self.every:
             self._covariance()
@@ -139,8 +219,8 @@ class Transfer:
             self.watch.note(left & ~self.lost, text)
             self.lost = self.lost | left
             held = self.guard.clipped(held)
-        if self.lost.any():
-            self.filter.nav = mixed(self.lost, held, self.filter.nav)
+        if (still := self.lost | self.gaps.lost).any():
+            self.filter.nav = mixed(still, held, self.filter.nav)
 
     def _keep(self) -> None:
         nav = self.filter.nav
@@ -170,9 +250,9 @@ class Transfer:
         self._predicted = self.time
         self.watch.silence()
 
-    def _saturation(self, dtheta: Array, dv: Array, dt: float) -> None:
-        variance = self.watch.saturation(dtheta, dv, dt)
-        if variance is None:
+    def _open(self, variance: Array | None) -> None:
+        """P gains so much (..., 6) rad^2 and (m/s)^2 about and along the slave's axes."""
+        if variance is None or not variance.any():
             return
         C = rotation.matrix_from_quaternion(self.filter.nav["q_b2n_wxyz"])
         for block, axes in ((PHI, slice(0, 3)), (DV, slice(3, 6))):
@@ -208,14 +288,21 @@ class Transfer:
             (Verdict.TOO_OLD, lag > oldest),
             (Verdict.AHEAD, ~(lag >= -rules.ahead_s)),
             # what the slave missed since cannot be told from what it missed before, nor its rates be trusted
+            (
+                Verdict.MISSED,
+                (self.gaps.missing_s > 0) | (self.gaps.missed_at > self.time - lag - 3 * rules.half_span_s),
+            ),
             (Verdict.SATURATED, self.watch.saturated_at.max(-1) > self.time - lag - 3 * rules.half_span_s),
+            (Verdict.MISSED, self.gaps.lost),
             (Verdict.BEYOND, self.lost),
             (Verdict.INVALID, ~rows.any(-1)),
             (Verdict.ABSENT, ~came),
         ):
             verdict[where] = code
+        begun = self._begin_anew(given, lag)
+        verdict[begun] = Verdict.BEGUN
         if len(self.history) < 2:
-            verdict[came] = Verdict.TOO_OLD
+            verdict[came & ~self.gaps.lost] = Verdict.TOO_OLD
             return self.watch.result(
                 verdict, {}, np.zeros(runs), np.zeros(runs, int), lag, given, oldest, faults, verdict
             )
@@ -294,8 +381,46 @@ class Transfer:
         loop.nav = loop.nav | mixed(taken, nav, {name: loop.nav[name] for name in nav})
         loop.x = np.zeros_like(loop.x)
         if given.position is not None:
-            self._position(given.position, given.position_sigma, taken, believed)
+            self._position(given.position, given.position_sigma, taken & ~begun, believed)
         return self.watch.result(verdict, innovations, nis, used, believed, given, oldest, faults, worst)
+
+    def _begin_anew(self, given: Heard, lag: Array) -> Array:
+        """(...,) bool: the lost runs that have begun anew from this message, which is used up by it."""
+        gaps, loop, history, span = self.gaps, self.filter, self.history, 4 * self.rules.half_span_s
+        said = {"position": given.position, **given.said}
+        ready = gaps.lost & ~self.lost & given.rows.all(-1) & (given.time > self.watch.stamp) & (lag >= 0)
+        ready = ready & (self.time - lag - span >= gaps.back_at)
+        if given.position is None or len(given.said) < 2:
+            return np.zeros(self.runs, bool)
+        ready = ready & np.isfinite(given.position).all(-1)
+        if not ready.any():
+            return ready
+        # what the other runs are given is finite, and what comes of it is not used
+        place = {"position": loop.nav["position"], "v_m_n": loop.nav["v_n"], "q_m2n_wxyz": loop.nav["q_b2n_wxyz"],
+                 "euler_m": np.zeros((*self.runs, 3))}  # fmt: skip
+        whole = Message(
+            np.where(ready, given.time, np.min(given.time[ready])), of_runs(ready, given.R, np.ones((*self.runs, 6))),
+            **{name: of_runs(ready, value, place[name]) for name, value in said.items()},
+        )  # fmt: skip
+        sums = [history.recent(name).reshape((len(history), *self.runs, 3)) for name in ("angle", "push")]
+        nav, P, past = again(
+            whole, loop.model, self.constants, loop.nav, of_runs(ready, gaps.P, loop.P),
+            seconds=np.where(ready, np.maximum(self.time - gaps.lost_at, 0.0), 0.0),
+            increments=Increments(history.time[:-1], history.time[1:], *(np.diff(one, axis=0) for one in sums)),
+            matching=self.matching, half_span_s=self.rules.half_span_s,
+        )  # fmt: skip
+        self.guard.taken()  # of runs that do not begin
+        assert past is not None
+        loop.nav = {name: of_runs(ready, nav[name], value) for name, value in loop.nav.items()}
+        loop.P = of_runs(ready, P, loop.P)
+        again_known = history.time >= past.time[0]
+        times = np.broadcast_to(history.time[again_known, None], (int(again_known.sum()), history.runs))
+        for name in ("v_n", "q_b2n_wxyz"):
+            kept = history.recent(name)[again_known]
+            history.recent(name)[again_known] = np.where(ready.reshape(-1, 1), past.at(name, times), kept)
+        gaps.found(ready, past.time[0])
+        self.position.begin(ready, self.time, loop.nav["position"], given.position_sigma)
+        return ready
 
     def _update(self, P: Array, R: Array, rows: Array, inputs: dict[str, Any]) -> dict[str, Innovation]:
         """Attitude first: the residual of a large turn depends on x, and that of the velocity does not."""

@@ -103,6 +103,7 @@ def outside(model: Any, nav: Mapping[str, Array], runs: tuple[int, ...] = ()) ->
             if name == "position":
                 label = ("latitude", "longitude", "height")[axis]
             span = f"{box['low'][axis]:.6g} to {box['high'][axis]:.6g}"
-            why = why or f"{label} is {each[at]:.6g}, and the model's range is {span}"
+            advice = "; give the known bias, known=Calibration(...)" if name.endswith("_bias") else ""
+            why = why or f"{label} is {each[at]:.6g}, and the model's range is {span}{advice}"
             out = out | off.any(-1)
     return out, why

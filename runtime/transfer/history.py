@@ -41,6 +41,9 @@ class History:
         while self.end - self.start > 2 and self.times[self.start + 1] < time - self.seconds:
             self.start += 1
 
+    def clear(self) -> None:
+        self.start = self.end = 0
+
     def samples(self) -> Iterator[dict[str, Any]]:
         """What `append` was called with."""
         for k, time in enumerate(self.time):

@@ -15,6 +15,7 @@ HUGE = 1e12  # a variance, a time, a distance beyond it is no number
 class Verdict(IntEnum):
     """What became of a message; from GATED on it was refused."""
 
+    BEGUN = -1  # taken: the filter began anew from it
     TAKEN = 0
     REOPENED = 1  # taken after several refused in a row, with velocity and attitude opened
     ABSENT = 2  # nothing came: every row is masked
@@ -26,6 +27,7 @@ class Verdict(IntEnum):
     REPEATED = 8  # the same numbers again although the slave has moved, or the same count
     SATURATED = 9  # measured while the slave was at full scale, or just before
     BEYOND = 10  # the slave, or the slave as the message would correct it, is beyond the model's range
+    MISSED = 11  # measured while samples of the slave were missing, or before, or they still are
 
 
 @dataclass(frozen=True)

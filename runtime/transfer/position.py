@@ -42,6 +42,13 @@ class PositionWatch:
         self.other_at = np.full(runs, np.nan)
         self.last = np.full((*runs, 3), np.nan)  # the slave's position at the last message, to move `other` by
 
+    def begin(self, where: Array, time: float, position: Array, sigma: Any) -> None:
+        """These runs begin anew at this position (..., 3), which has this sigma, m."""
+        for name, value in (("sigma", sigma), ("last", position), ("other", np.nan)):
+            setattr(self, name, np.where(where[..., None], value, getattr(self, name)))
+        self.taken_at = np.where(where, time, self.taken_at)
+        self.told = self.told & ~where
+
     def takes(
         self,
         time: float,

@@ -38,12 +38,15 @@ class Rules:
     silent_s: float = 1.0  # without a message taken, after which a note says so; of a slow master 3.5 of its intervals
     full_scale: tuple[float, float] | None = None  # of the slave: rad/s, m/s^2
     overshoot: float = 0.5  # one sigma of what a saturated axis misses, as a part of full scale
+    bridge_s: float = 0.1  # of the slave's data may be missing and is bridged
     quiet_s: float = 5.0  # the same verdict on the same run is told again only after this
 
     def __post_init__(self) -> None:
         for name in ("buffer_s", "half_span_s", "gate", "silent_s"):
             if not getattr(self, name) > 0:
                 raise BoresightError(f"transfer: {name} is {getattr(self, name)}; it must be above zero")
+        if not 0 <= self.bridge_s <= self.buffer_s / 2:
+            raise BoresightError(f"transfer: bridge_s is {self.bridge_s}; it must be at most half of buffer_s")
         if self.reopen_after < 1:
             raise BoresightError(f"transfer: reopen_after is {self.reopen_after}; it must be at least 1")
 
@@ -215,10 +218,12 @@ class Watch:
             Verdict.INVALID: "message refused: {why}",
             Verdict.BEYOND: "message refused: {why}",
             Verdict.OUT_OF_ORDER: "message refused: its time, {stamp:.3f} s, is not later than the last one's",
-            Verdict.AHEAD: "message refused: it lies {ahead:.3f} s ahead of the slave; compare the clocks",
+            Verdict.AHEAD: "message refused: it lies {ahead:.3f} s ahead of the slave; compare the clocks, or the "
+            "slave's data have stopped",
             Verdict.TOO_OLD: f"message refused: it is {{lag:.3f}} s old and the past is known for {known_s:.3f} s"
             + ("; raise buffer_s" if known_s >= self.rules.buffer_s else ", so far"),
             Verdict.SATURATED: "message refused: the slave was at full scale when it was measured, or since",
+            Verdict.MISSED: "message refused: samples of the slave were missing when it was measured, or since",
             Verdict.REPEATED: "message refused: {why}",
         }  # fmt: skip
         for code, text in saying.items():
@@ -232,7 +237,7 @@ class Watch:
                 if now.any():
                     first = np.unravel_index(np.argmax(now), now.shape)
                     numbers = {"nis": nis, "used": used, "lag": lag, "ahead": -lag, "stamp": stamp}
-                    numbers["worst"] = np.array(ROWS)[np.clip(worst, 0, 5)]
+                    numbers["worst"] = np.asarray(np.array(ROWS)[np.clip(worst, 0, 5)])  # one run gives no array
                     self.note(now, text.format(why=why, **{name: value[first] for name, value in numbers.items()}))
         returned = taken & self.silent
         if returned.any():

@@ -550,13 +550,6 @@ def test_a_saturated_accelerometer_opens_the_velocity_and_recovers(short):
     assert recovered(flight)
 
 
-def test_a_gap_in_the_slaves_data_is_refused(short):
-    flight = fly(short, runs=2, seconds=1.0)
-    loop = flight.loop
-    with pytest.raises(BoresightError, match=r"the slave's data goes from 1\.0000 s to 1\.1000 s"):
-        loop.slave(1.11, np.zeros(3), np.zeros(3), 0.01)
-
-
 def test_a_lever_arm_of_the_wrong_sign_shows_in_the_nis_and_is_told(short):
     nis = {}
     for sign in (1.0, 0.0, -1.0):

@@ -8,8 +8,8 @@ from conftest import ROOT
 
 from boresight.runtime import rotation
 from boresight.runtime.recording import read
+from boresight.runtime.simulation.drive import simulate
 from boresight.runtime.transfer import Verdict
-from boresight.studies.replays.euler_matching import simulate
 
 PAGE = (ROOT / "docs" / "transfer-alignment.md").read_text()
 

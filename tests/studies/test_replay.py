@@ -13,6 +13,7 @@ from boresight.cli import main
 from boresight.runtime import rotation
 from boresight.runtime.recording import best_delay, read
 from boresight.runtime.recording.check import shown
+from boresight.runtime.simulation.drive import simulate
 from boresight.runtime.units import ARCMIN
 from boresight.studies.replays import euler_matching as replay
 from tests.drawing import drawn
@@ -22,7 +23,7 @@ FOG_MEMS = "fog_mems_transfer.npz"
 
 @pytest.fixture(scope="module")
 def simulated(tmp_path_factory):
-    return read(replay.simulate(tmp_path_factory.mktemp("simulated") / "drive", seed=1))
+    return read(simulate(tmp_path_factory.mktemp("simulated") / "drive", seed=1))
 
 
 @pytest.fixture(scope="module")
@@ -72,7 +73,7 @@ def test_true_noises_give_consistent_nis_without_any_choice(simulated, library):
 
 def test_exact_residual_keeps_its_sigma_where_the_papers_does_not(tmp_path, library):
     """Roll is hardly seen in this motion, and the second-order error of Song-Lee (18) is enough to push it off."""
-    recording = read(replay.simulate(tmp_path / "drive", seed=2))
+    recording = read(simulate(tmp_path / "drive", seed=2))
     noises = {"gyro_noise": np.full(3, 0.2 * replay.DEG_SQRT_H), "angle_noise": np.full(3, 0.2 * ARCMIN)}
     exact = replay.run(recording, library, measurement="euler_exact", **noises)["misalignment"]["difference_sigmas"]
     paper = replay.run(recording, library, measurement="euler", **noises)["misalignment"]["difference_sigmas"]
@@ -82,7 +83,7 @@ def test_exact_residual_keeps_its_sigma_where_the_papers_does_not(tmp_path, libr
 
 
 def test_delay_of_the_simulated_master_is_seen_and_taken_off(tmp_path, library):
-    late = read(replay.simulate(tmp_path / "late", seed=1, delay=0.03, duration=40.0))
+    late = read(simulate(tmp_path / "late", seed=1, delay=0.03, duration=40.0))
     assert best_delay(late.imu, late.master)[0] == pytest.approx(0.03, abs=0.002)
     straight = replay.run(late, library, delay=0.03)
     assert np.abs(straight["misalignment"]["difference_sigmas"]).max() < 3
@@ -183,7 +184,7 @@ def test_result_is_json_and_the_report_says_it(simulated_result):
 
 
 def test_a_replay_is_printed_and_drawn_as_every_study_is(tmp_path, capsys, library):
-    toml = replay.simulate(tmp_path / "drive", seed=1, duration=20.0)
+    toml = simulate(tmp_path / "drive", seed=1, duration=20.0)
     with pytest.raises(SystemExit) as ended:
         main(["replay", str(toml), "--model", "euler-matching", "--json", "-o", str(tmp_path / "out")])
     out = json.loads(capsys.readouterr().out)
@@ -196,7 +197,7 @@ def test_a_replay_is_printed_and_drawn_as_every_study_is(tmp_path, capsys, libra
 
 
 def test_check_returns_one_if_something_is_wrong(tmp_path, capsys):
-    toml = replay.simulate(tmp_path / "drive", seed=1, duration=20.0)
+    toml = simulate(tmp_path / "drive", seed=1, duration=20.0)
     assert shown(read(toml, strict=False)) == 0
     toml.write_text(toml.read_text().replace('"deg" }\naccel', '"rad" }\naccel'))
     assert shown(read(toml, strict=False)) == 1
