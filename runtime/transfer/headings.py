@@ -90,6 +90,11 @@ class Headings:
         return len(self.loop.runs) < self.log_weight.ndim
 
     @property
+    def time(self) -> float:
+        """The slave's, of `loop`."""
+        return self.loop.time
+
+    @property
     def notes(self) -> list[Note]:
         return self._notes + self.loop.notes if self.settled else self._notes
 
