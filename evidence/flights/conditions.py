@@ -11,6 +11,8 @@ from boresight.evidence.flights.motion import DEG, Motion, after, matrix, parked
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.transfer import Headings, Message
+from boresight.runtime.transfer.sensors import Sensors
+from boresight.runtime.units import DEG_H, STANDARD_GRAVITY
 
 Change = Callable[[float, Message], Message | None]
 Sensed = Callable[[float, Array, Array], tuple[Array, Array] | None]
@@ -206,6 +208,10 @@ def coning() -> Motion:
     )
 
 
+PLAIN, POOR = (Sensors(size, size, size, size) for size in (1e-3, 3e-3))
+WANDERS = Sensors(gyro_instability=3 * DEG_H, accel_instability=1e-4 * STANDARD_GRAVITY, correlation_s=100.0)
+QUICK, SLOW = Sensors(bending=3e-4, bending_hz=1.0), Sensors(bending=2e-3, bending_hz=0.1)
+
 CONDITIONS = (
     Condition("100 Hz, master 10 Hz", moving(), settings={"imu_hz": 100, "master_hz": 10}),
     Condition("50 Hz, master 5 Hz", moving()),
@@ -344,6 +350,11 @@ CONDITIONS = (
         moving(),
         settings={"said": lambda: bent([2e-3, 2e-3, 2e-3], 0.1), "constants": {"mu_noise": np.full(3, 1e-3)}},
     ),
+    Condition("scale 1000 ppm, axes 1 mrad, carried", moving(), settings={"sensors": PLAIN, "carrying": PLAIN}),
+    Condition("scale 3000 ppm, axes 3 mrad, carried", moving(), settings={"sensors": POOR, "carrying": POOR}),
+    Condition("instability 3 deg/h, 100 ug, carried", moving(), settings={"sensors": WANDERS, "carrying": WANDERS}),
+    Condition("bends 0.3 mrad at 1 Hz, carried", moving(), settings={"sensors": QUICK, "carrying": QUICK}),
+    Condition("bends 2 mrad at 0.1 Hz, carried", moving(), settings={"sensors": SLOW, "carrying": SLOW}),
     Condition("lever arm of 30 m", moving(), settings={"lever_b": (20.0, -10.0, 20.0)}),
     Condition(
         "lever arm of 30 m, known in the master's axes",

@@ -1,5 +1,8 @@
 """Sensors' errors from their sizes: what a filter begins with is what such sensors are, and it stays consistent."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -138,3 +141,14 @@ def test_the_sensitivity_is_by_how_much_a_flight_with_the_error_differs(probed):
     misalignment = slice(12, 15)
     rest = apart[:, misalignment] - expected[:, misalignment]
     assert np.sqrt(np.mean(rest**2)) < 0.1 * np.sqrt(np.mean(apart[:, misalignment] ** 2))
+
+
+def test_the_sizes_in_the_page_are_those_that_are_noticed(compiled_once):
+    """Of 40 s; the information that a flight gathers hardly depends on its noise."""
+    page = (Path(__file__).parent.parent.parent / "docs" / "transfer-alignment.md").read_text()
+    flown = fly(swinging(seconds=42), runs=3, carrying=Sensors(probed=True))
+    for name, one in flown.loop.score.noticed().items():
+        unit, scale = ("ppm", 1e-6) if "scale" in name else ("mrad", 1e-3)
+        shown = re.search(rf"^\| {name}, {unit} \| ([\d.]+) \|", page, re.M)
+        assert shown, name
+        assert float(shown[1]) == pytest.approx(np.median(one.smallest) / scale, rel=0.05)
