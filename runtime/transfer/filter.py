@@ -578,7 +578,8 @@ class Transfer:
         It is one error in all messages of a swing, so that SWING_S of messages weigh as one.  since: (...,) s.
         """
         variance, step = self.filter.P[..., TAU, TAU], 2 * self.rules.half_span_s
-        if np.max(variance) < (step / 4) ** 2:  # 10 ms: a turn that changes by 1 rad/s^2 leaves 0.05 mrad
+        matters = variance >= (step / 4) ** 2  # 10 ms: a turn that changes by 1 rad/s^2 leaves 0.05 mrad
+        if not matters.any():
             return 0.0
         change: Any = 0.0
         for sign in (1, -1):
@@ -590,7 +591,7 @@ class Transfer:
             ]
             change = change + sign * np.concatenate(rows, axis=-1) / (2 * step)
         messages = np.maximum(1.0, SWING_S / np.fmax(since, 1e-3))
-        curved: Array = 0.75 * (messages * variance**2)[..., None] * np.square(change)
+        curved: Array = 0.75 * (matters * messages * variance**2)[..., None] * np.square(change)
         return curved
 
     def _opening(self, reopen: Array, rows: Array, inputs: dict[str, Any]) -> Array:

@@ -113,6 +113,21 @@ def test_one_bad_number_costs_that_message_of_that_run_and_leaves_nothing_behind
         assert np.isnan(flight.nis[10, 1])
 
 
+def test_a_run_whose_delay_stays_unknown_leaves_the_others_as_they_were(swing):
+    """Run 1 hears nothing after the second message, while the others learn their delay to less than 10 ms."""
+
+    def deaf(k, message):
+        return of_one(1, rows=False)(0, message)
+
+    settings = {"runs": 3, "seconds": 2.6, "lost": 0.0, "tau_sigma": 0.05}
+    clean, flight = (fly(swing, said=how, **settings) for how in (None, at(1, deaf)))
+    sigma = np.sqrt(flight.loop.P[:, 15, 15])
+    assert sigma[1] > 0.01 > sigma[[0, 2]].max()
+    for name in ROWS:
+        np.testing.assert_array_equal(flight.loop.nav[name][[0, 2]], clean.loop.nav[name][[0, 2]])
+    np.testing.assert_array_equal(flight.loop.P[[0, 2]], clean.loop.P[[0, 2]])
+
+
 def test_a_live_loop_raises_nothing_whatever_a_message_holds(swing):
     """Numbers of every kind in every field, in one run of two, and arrays of the wrong shape or of no numbers."""
     rng = np.random.default_rng(5)
