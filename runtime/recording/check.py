@@ -126,7 +126,7 @@ def _check_finite(where: str, **parts: Array | None) -> list[Finding]:
     for name, part in parts.items():
         if part is not None and not np.isfinite(part).all():
             rows = np.flatnonzero(~np.isfinite(part).all(axis=1))
-            text = f"{len(rows)} rows are not finite, first row {rows[0]}; remove or fill them"
+            text = f"{len(rows)} rows are not finite, first row {rows[0]}; remove them{', or bridge' if where == 'imu' else ''}"
             out.append(Finding("error", f"{where}.{name}", text))
     return out
 
@@ -142,7 +142,7 @@ def _check_imu(imu: Inertial, master: Master | None) -> list[Finding]:
     gyro, f = imu.rates()
     out = []
     second = max(1, round(1 / imu.dt))
-    norm = float(np.linalg.norm(np.median(_windows(f, second).mean(axis=1), axis=0)))
+    norm = float(np.median(np.linalg.norm(_windows(f, second).mean(axis=1), axis=-1)))
     rate_hz = 1 / imu.dt
     if not 0.8 * G < norm < 1.2 * G:
         guesses = {
