@@ -12,7 +12,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime.arguments import check_inputs, check_taking
 from boresight.runtime.array import Array
-from boresight.runtime.filter import Filter, Innovation, left
+from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.library import Library
 from boresight.runtime.status import Status
 
@@ -81,19 +81,10 @@ class CompiledFilter(Filter):
                 )
             R = R.reshape((*R.shape[:-2], m * m))
         vectors = {"R": R} if z is None else {"z": z, "R": R}
-        x, P, after = self.x, self.P, None  # folders that were generated before states could be considered
-        if kept is not None and iterations == 1 and not self._has_consider:
-            kept, after = None, kept
         nu, S, used = self._fly(
             f"measure_{measurement}", described, inputs, vectors, (rows, m, gate or 0.0, iterations, kept)
         )
-        if after is not None:
-            self.x, self.P = left(after, self.x, self.P, x, P)
         return Innovation(nu, S, used)
-
-    @property
-    def _has_consider(self) -> bool:
-        return hasattr(self.model.dll, f"{self.model.manifest['c_prefix']}_filter_consider_batch")
 
     def feedback(self) -> None:
         """Correct nav by the estimate and begin again from zero."""
@@ -176,10 +167,7 @@ class CompiledFilter(Filter):
         states = self.P.shape[-1]
         each = np.broadcast_to(False if considered is None else considered, (*runs, states))
         told = np.ascontiguousarray(each, dtype=np.uint8)
-        called = getattr(self.model.dll, f"{self.model.manifest['c_prefix']}_filter_consider_batch", None)
-        if called is None:
-            what = "was generated before states could be considered"
-            raise BoresightError(f"{self.model.name} {what}; generate it again")
+        called = getattr(self.model.dll, f"{self.model.manifest['c_prefix']}_filter_consider_batch")
         called.restype = ctypes.c_size_t
         status = np.empty(n, dtype=np.uint8)
         memory = (ctypes.c_void_p(array.ctypes.data) for array in (self._memory, told))

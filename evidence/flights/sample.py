@@ -3,6 +3,8 @@
 `python -m boresight.evidence.flights.sample` writes it anew.
 """
 
+from typing import Any
+
 import numpy as np
 
 from boresight.evidence.flights.motion import swinging, turn
@@ -48,5 +50,6 @@ def sample(seed: int = 20) -> dict[str, Array]:
 
 
 if __name__ == "__main__":
-    np.savez_compressed(EXAMPLE, **sample())
+    arrays: dict[str, Any] = sample()
+    np.savez_compressed(EXAMPLE, **arrays)
     print(f"{EXAMPLE.name}: {EXAMPLE.stat().st_size} bytes")

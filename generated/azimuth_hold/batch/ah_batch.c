@@ -366,6 +366,26 @@ size_t ah_filter_size(void)
 {
     return sizeof(ah_filter) / sizeof(bs_real);
 }
+size_t ah_filter_consider_batch(size_t n,
+                                ah_filter *filter,
+                                const unsigned char *considered,
+                                size_t considered_stride,
+                                unsigned char *status);
+size_t ah_filter_consider_batch(size_t n,
+                                ah_filter *filter,
+                                const unsigned char *considered,
+                                size_t considered_stride,
+                                unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)ah_filter_consider(&filter[i],
+                                                      &considered[i * considered_stride]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
 size_t ah_filter_propagate_batch(size_t n,
                                  ah_filter *filter,
                                  const ah_imu *imu,

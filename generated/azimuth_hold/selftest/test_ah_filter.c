@@ -12,10 +12,12 @@
 #if BORESIGHT_UD
 #define PREDICT ah_ud_predict
 #define UPDATE ah_ud_update
+#define ADD ah_ud_add
 #define DENSE ah_ud_dense
 #else
 #define PREDICT ah_joseph_predict
 #define UPDATE ah_joseph_update
+#define ADD ah_joseph_add
 #define DENSE ah_joseph_dense
 #endif
 
@@ -68,6 +70,9 @@ static bs_real P0[N * N];
 static bs_real dense[15 * N];
 static bs_real residual[AH_MAX_ROWS];
 static bs_real R[AH_MAX_ROWS];
+static bs_real was[N];
+static bs_real gains[AH_MAX_ROWS * N];
+static unsigned char considered[N];
 static bs_real gate;
 static unsigned int rows;
 static ah_nav given_nav;
@@ -119,6 +124,24 @@ static bs_status hand_propagate(ah_filter *filter, const ah_imu *imu, const ah_n
     return status;
 }
 
+static int considering(void)
+{
+    int any = 0;
+    for (int i = 0; i < N; ++i) {
+        any = any || (considered[i] != 0U);
+    }
+    return any;
+}
+
+/* The first of `many` states, of one the last, are considered. */
+static int consider(int many)
+{
+    for (int i = 0; i < N; ++i) {
+        considered[i] = (unsigned char)(((i < many) || ((many == 1) && (i == (N - 1)))) ? 2 : 0);
+    }
+    return expect("consider", ah_filter_consider(&flown, considered) == BS_OK);
+}
+
 static bs_status hand_rows(ah_filter *filter,
                            const bs_real *z,
                            const bs_real *variance,
@@ -128,13 +151,27 @@ static bs_status hand_rows(ah_filter *filter,
 {
     bs_status status = BS_OK;
     said_by_hand.used = 0U;
+    memcpy(was, filter->x, sizeof(was));
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
         bs_row row = { &dense[i * N], every, N, z[i], variance[i], limit, z[i], variance[i],
-                       (int)((taken >> (unsigned int)i) & 1U) };
+                       (int)((taken >> (unsigned int)i) & 1U), &gains[i * N] };
         status = UPDATE(filter->P, filter->x, &row);
         said_by_hand.nu[i] = row.nu;
         said_by_hand.S[i] = row.S;
         said_by_hand.used |= (unsigned int)row.used << (unsigned int)i;
+    }
+    if (considering()) {
+        for (int i = 0; i < N; ++i) {
+            filter->x[i] = (considered[i] != 0U) ? was[i] : filter->x[i];
+        }
+        for (int i = 0; i < m; ++i) {
+            for (int j = 0; j < N; ++j) {
+                gains[(i * N) + j] = (considered[j] != 0U) ? gains[(i * N) + j] : BS_REAL(0.0);
+            }
+            if (((said_by_hand.used >> (unsigned int)i) & 1U) != 0U) {
+                ADD(filter->P, said_by_hand.S[i], &gains[i * N]);
+            }
+        }
     }
     return status;
 }
@@ -365,13 +402,20 @@ static int fly(void)
     status = propagate();
     failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
-    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise */
+    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
-        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        set_noise((k > 3) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_zupt();
         failures += same("zupt", status, hand_measure_zupt(&hand));
         failures += expect("zupt is refused", status == BS_OK) + same_said("zupt: innovation", 3);
@@ -380,13 +424,20 @@ static int fly(void)
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
-    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise */
+    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
-        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        set_noise((k > 3) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_azimuth();
         failures += same("azimuth", status, hand_measure_azimuth(&hand, &given_reference));
         failures += expect("azimuth is refused", status == BS_OK) +
@@ -396,13 +447,20 @@ static int fly(void)
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
-    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise */
+    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
-        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        set_noise((k > 3) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_zaru();
         failures += same("zaru", status, hand_measure_zaru(&hand, &given_imu));
         failures += expect("zaru is refused", status == BS_OK) + same_said("zaru: innovation", 3);
@@ -779,6 +837,10 @@ static int guards(void)
                        ah_filter_covariance(0, dense) == BS_NULL_POINTER);
     failures += expect("covariance: a null pointer",
                        ah_filter_covariance(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("consider: a null pointer",
+                       ah_filter_consider(0, considered) == BS_NULL_POINTER);
+    failures += expect("consider: a null pointer",
+                       ah_filter_consider(&flown, 0) == BS_NULL_POINTER);
     failures += expect("the filter changed", same_state(&flown, &before));
     return failures;
 }

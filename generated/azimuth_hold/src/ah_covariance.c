@@ -405,6 +405,9 @@ bs_status ah_joseph_update(bs_real P[AH_N_PACKED], bs_real x[AH_N_STATES], bs_ro
                 p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
             }
         }
+        for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+            row->gain[i] = K[i];
+        }
     }
     return BS_OK;
 }
@@ -456,8 +459,40 @@ bs_status ah_ud_update(bs_real UD[AH_N_PACKED], bs_real x[AH_N_STATES], bs_row *
         for (int j = 0; j < N; ++j) {
             x[j] += (b[j] / alpha) * nu;
         }
+        for (int j = 0; (j < N) && (row->gain != NULL); ++j) {
+            row->gain[j] = b[j] / alpha;
+        }
     }
     return BS_OK;
+}
+
+void ah_joseph_add(bs_real P[AH_N_PACKED], bs_real c, bs_real v[AH_N_STATES])
+{
+    for (int j = 0; j < N; ++j) {
+        for (int i = 0; i <= j; ++i) {
+            P[column(j) + i] += c * (v[i] * v[j]);
+        }
+    }
+}
+
+void ah_ud_add(bs_real UD[AH_N_PACKED], bs_real c, bs_real v[AH_N_STATES])
+{
+    bs_real left = c; /* what of it the columns before have not taken */
+    for (int j = N - 1; j >= 0; --j) {
+        bs_real *const u = &UD[column(j)];
+        const bs_real d = u[j];
+        const bs_real sum = d + (left * (v[j] * v[j]));
+        if (sum >= LEAST) { /* or nothing depends on it, and nothing may be divided by it */
+            const bs_real gain = (left * v[j]) / sum;
+            left *= d / sum;
+            u[j] = sum;
+            for (int i = 0; i < j; ++i) {
+                const bs_real old = u[i];
+                v[i] -= v[j] * old;
+                u[i] = old + (gain * v[i]);
+            }
+        }
+    }
 }
 
 void ah_joseph_dense(const bs_real P[AH_N_PACKED], bs_real dense[AH_N_STATES * AH_N_STATES])

@@ -6,11 +6,13 @@
 #define INIT ah_ud_init
 #define PREDICT ah_ud_predict
 #define UPDATE ah_ud_update
+#define ADD ah_ud_add
 #define DENSE ah_ud_dense
 #else
 #define INIT ah_joseph_init
 #define PREDICT ah_joseph_predict
 #define UPDATE ah_joseph_update
+#define ADD ah_joseph_add
 #define DENSE ah_joseph_dense
 #endif
 
@@ -27,8 +29,34 @@ static bs_status check_noise(const bs_real *R, bs_real gate, int m)
     return status;
 }
 
+/* Of the gain of m rows that are taken, what belongs to considered states is left out: x is as it
+ * was, and P rises by S k k' of each row's part. */
+static void leave_out(ah_filter *filter,
+                      const bs_real *x,
+                      bs_real *gain,
+                      int m,
+                      const ah_innovation *innovation)
+{
+    for (int j = 0; j < AH_N_STATES; ++j) {
+        if (filter->considered[j] != 0U) {
+            filter->x[j] = x[j];
+        }
+    }
+    for (int i = 0; i < m; ++i) {
+        if (((innovation->used >> (unsigned int)i) & 1U) != 0U) {
+            bs_real *const k = &gain[i * AH_N_STATES];
+            for (int j = 0; j < AH_N_STATES; ++j) {
+                if (filter->considered[j] == 0U) {
+                    k[j] = BS_REAL(0.0);
+                }
+            }
+            ADD(filter->P, innovation->S[i], k);
+        }
+    }
+}
+
 /* The rows of one measurement, one after another.  H: the non-zeros of row i are those from
- * start[i] on. */
+ * start[i] on; it stands in filter->work. */
 static bs_status take(ah_filter *filter,
                       const bs_real *z,
                       const bs_real *H,
@@ -40,11 +68,22 @@ static bs_status take(ah_filter *filter,
                       bs_real gate,
                       ah_innovation *innovation)
 {
+    const bs_real *const x = &filter->work[start[m]]; /* as it was, */
+    /* and the gain, where states are considered */
+    bs_real *const gain = &filter->work[(int)start[m] + AH_N_STATES];
     bs_status status = BS_OK;
     innovation->used = 0U;
+    if (filter->considering != 0U) {
+        for (int j = 0; j < AH_N_STATES; ++j) {
+            filter->work[(int)start[m] + j] = filter->x[j];
+        }
+    }
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
         bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i],
-                       gate, z[i], R[i], 0 };
+                       gate, z[i], R[i], 0, NULL };
+        if (filter->considering != 0U) {
+            row.gain = &gain[i * AH_N_STATES];
+        }
         if (((rows >> (unsigned int)i) & 1U) != 0U) {
             row.used = 1;
         }
@@ -54,6 +93,9 @@ static bs_status take(ah_filter *filter,
         if (row.used != 0) {
             innovation->used |= 1U << (unsigned int)i;
         }
+    }
+    if (filter->considering != 0U) {
+        leave_out(filter, x, gain, m, innovation);
     }
     return status;
 }
@@ -113,6 +155,7 @@ bs_status ah_filter_init(ah_filter *filter,
         for (int i = 0; i < AH_N_STATES; ++i) {
             filter->x[i] = BS_REAL(0.0);
         }
+        filter->considering = 0U;
     }
     return status;
 }
@@ -253,6 +296,22 @@ bs_status ah_filter_correct(ah_filter *filter)
         }
     }
     return status;
+}
+
+bs_status ah_filter_consider(ah_filter *filter, const unsigned char considered[AH_N_STATES])
+{
+    if ((filter == NULL) || (considered == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    filter->considering = 0U;
+    for (int i = 0; i < AH_N_STATES; ++i) {
+        filter->considered[i] = 0U;
+        if (considered[i] != 0U) {
+            filter->considered[i] = 1U;
+            filter->considering = 1U;
+        }
+    }
+    return BS_OK;
 }
 
 bs_status ah_filter_covariance(const ah_filter *filter, bs_real P[AH_N_STATES * AH_N_STATES])

@@ -377,6 +377,26 @@ size_t ahr_filter_size(void)
 {
     return sizeof(ahr_filter) / sizeof(bs_real);
 }
+size_t ahr_filter_consider_batch(size_t n,
+                                 ahr_filter *filter,
+                                 const unsigned char *considered,
+                                 size_t considered_stride,
+                                 unsigned char *status);
+size_t ahr_filter_consider_batch(size_t n,
+                                 ahr_filter *filter,
+                                 const unsigned char *considered,
+                                 size_t considered_stride,
+                                 unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)ahr_filter_consider(&filter[i],
+                                                       &considered[i * considered_stride]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
 size_t ahr_filter_propagate_batch(size_t n,
                                   ahr_filter *filter,
                                   const ahr_imu *imu,

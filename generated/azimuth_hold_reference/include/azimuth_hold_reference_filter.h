@@ -24,6 +24,8 @@ typedef struct {
                               * measurement */
     bs_real P[AHR_N_PACKED]; /* its covariance, in the form of the precision, see
                               * azimuth_hold_reference_covariance.h */
+    unsigned char considered[AHR_N_STATES]; /* by ahr_filter_consider, as is the next */
+    unsigned char considering; /* whether there is any */
     /* scratch memory: holds nothing from one call to the next */
     bs_real F[AHR_N_F];
     bs_real Qc[AHR_N_QC];
@@ -56,6 +58,14 @@ bs_status ahr_filter_strapdown(ahr_filter *filter,
 /* Carry x and P over dt: x = Phi x, P = Phi P Phi' + Q.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
 bs_status ahr_filter_propagate(ahr_filter *filter, const ahr_imu *imu, const ahr_noise *noise);
+
+/* From now on no measurement corrects the states whose number is not 0 (a Schmidt filter): their
+ * rows of the whole measurement's gain are zero.  They and their covariance among themselves stay,
+ * their covariance with the others is right, and nu and S are those of the optimal filter.  None
+ * after ahr_filter_init.  A state that is not needed at all is left out by zeros in P and in the
+ * noise: it stays as it is by itself.
+ * returns BS_OK, or BS_NULL_POINTER */
+bs_status ahr_filter_consider(ahr_filter *filter, const unsigned char considered[AHR_N_STATES]);
 
 /* Velocity of a body at rest, where zero is measured: z = computed - measured; rows e, n, u (m/s).
  * Equations: kim-2018 (16), kim-2018 (17).

@@ -12,10 +12,12 @@
 #if BORESIGHT_UD
 #define PREDICT ahr_ud_predict
 #define UPDATE ahr_ud_update
+#define ADD ahr_ud_add
 #define DENSE ahr_ud_dense
 #else
 #define PREDICT ahr_joseph_predict
 #define UPDATE ahr_joseph_update
+#define ADD ahr_joseph_add
 #define DENSE ahr_joseph_dense
 #endif
 
@@ -69,6 +71,9 @@ static bs_real P0[N * N];
 static bs_real dense[16 * N];
 static bs_real residual[AHR_MAX_ROWS];
 static bs_real R[AHR_MAX_ROWS];
+static bs_real was[N];
+static bs_real gains[AHR_MAX_ROWS * N];
+static unsigned char considered[N];
 static bs_real gate;
 static unsigned int rows;
 static ahr_nav given_nav;
@@ -121,6 +126,24 @@ static bs_status hand_propagate(ahr_filter *filter, const ahr_imu *imu, const ah
     return status;
 }
 
+static int considering(void)
+{
+    int any = 0;
+    for (int i = 0; i < N; ++i) {
+        any = any || (considered[i] != 0U);
+    }
+    return any;
+}
+
+/* The first of `many` states, of one the last, are considered. */
+static int consider(int many)
+{
+    for (int i = 0; i < N; ++i) {
+        considered[i] = (unsigned char)(((i < many) || ((many == 1) && (i == (N - 1)))) ? 2 : 0);
+    }
+    return expect("consider", ahr_filter_consider(&flown, considered) == BS_OK);
+}
+
 static bs_status hand_rows(ahr_filter *filter,
                            const bs_real *z,
                            const bs_real *variance,
@@ -130,13 +153,27 @@ static bs_status hand_rows(ahr_filter *filter,
 {
     bs_status status = BS_OK;
     said_by_hand.used = 0U;
+    memcpy(was, filter->x, sizeof(was));
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
         bs_row row = { &dense[i * N], every, N, z[i], variance[i], limit, z[i], variance[i],
-                       (int)((taken >> (unsigned int)i) & 1U) };
+                       (int)((taken >> (unsigned int)i) & 1U), &gains[i * N] };
         status = UPDATE(filter->P, filter->x, &row);
         said_by_hand.nu[i] = row.nu;
         said_by_hand.S[i] = row.S;
         said_by_hand.used |= (unsigned int)row.used << (unsigned int)i;
+    }
+    if (considering()) {
+        for (int i = 0; i < N; ++i) {
+            filter->x[i] = (considered[i] != 0U) ? was[i] : filter->x[i];
+        }
+        for (int i = 0; i < m; ++i) {
+            for (int j = 0; j < N; ++j) {
+                gains[(i * N) + j] = (considered[j] != 0U) ? gains[(i * N) + j] : BS_REAL(0.0);
+            }
+            if (((said_by_hand.used >> (unsigned int)i) & 1U) != 0U) {
+                ADD(filter->P, said_by_hand.S[i], &gains[i * N]);
+            }
+        }
     }
     return status;
 }
@@ -374,13 +411,20 @@ static int fly(void)
     status = propagate();
     failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
-    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise */
+    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
-        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        set_noise((k > 3) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_zupt();
         failures += same("zupt", status, hand_measure_zupt(&hand));
         failures += expect("zupt is refused", status == BS_OK) + same_said("zupt: innovation", 3);
@@ -389,13 +433,20 @@ static int fly(void)
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
-    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise */
+    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
-        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        set_noise((k > 3) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_zaru();
         failures += same("zaru", status, hand_measure_zaru(&hand, &given_imu));
         failures += expect("zaru is refused", status == BS_OK) + same_said("zaru: innovation", 3);
@@ -404,13 +455,20 @@ static int fly(void)
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
-    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise */
+    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
-        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        set_noise((k > 3) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_azimuth();
         failures += same("azimuth", status, hand_measure_azimuth(&hand));
         failures += expect("azimuth is refused", status == BS_OK) +
@@ -824,6 +882,10 @@ static int guards(void)
                        ahr_filter_covariance(0, dense) == BS_NULL_POINTER);
     failures += expect("covariance: a null pointer",
                        ahr_filter_covariance(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("consider: a null pointer",
+                       ahr_filter_consider(0, considered) == BS_NULL_POINTER);
+    failures += expect("consider: a null pointer",
+                       ahr_filter_consider(&flown, 0) == BS_NULL_POINTER);
     failures += expect("the filter changed", same_state(&flown, &before));
     return failures;
 }

@@ -26,6 +26,8 @@ typedef struct {
     bs_real nu;   /* out: z - h x */
     bs_real S;    /* out: h P h' + R */
     int used;     /* in: whether to take it; out: whether it was taken */
+    bs_real *gain; /* where the gain of a row that is taken goes, a number for each state; or
+                    * NULL */
 } bs_row;
 
 #define BS_ALL_ROWS 0xFFFFFFFFU

@@ -23,6 +23,8 @@ typedef struct {
                              * measurement */
     bs_real P[EM_N_PACKED]; /* its covariance, in the form of the precision, see
                              * euler_matching_covariance.h */
+    unsigned char considered[EM_N_STATES]; /* by em_filter_consider, as is the next */
+    unsigned char considering; /* whether there is any */
     /* scratch memory: holds nothing from one call to the next */
     bs_real F[EM_N_F];
     bs_real Qc[EM_N_QC];
@@ -53,6 +55,14 @@ bs_status em_filter_strapdown(em_filter *filter, const em_step *step);
 /* Carry x and P over dt: x = Phi x, P = Phi P Phi' + Q.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
 bs_status em_filter_propagate(em_filter *filter, const em_step *step, const em_noise *noise);
+
+/* From now on no measurement corrects the states whose number is not 0 (a Schmidt filter): their
+ * rows of the whole measurement's gain are zero.  They and their covariance among themselves stay,
+ * their covariance with the others is right, and nu and S are those of the optimal filter.  None
+ * after em_filter_init.  A state that is not needed at all is left out by zeros in P and in the
+ * noise: it stays as it is by itself.
+ * returns BS_OK, or BS_NULL_POINTER */
+bs_status em_filter_consider(em_filter *filter, const unsigned char considered[EM_N_STATES]);
 
 /* Euler angles of the master, to first order in the misalignment: z = computed - measured; rows
  * roll, pitch, yaw (rad).

@@ -12,10 +12,12 @@
 #if BORESIGHT_UD
 #define PREDICT em_ud_predict
 #define UPDATE em_ud_update
+#define ADD em_ud_add
 #define DENSE em_ud_dense
 #else
 #define PREDICT em_joseph_predict
 #define UPDATE em_joseph_update
+#define ADD em_joseph_add
 #define DENSE em_joseph_dense
 #endif
 
@@ -59,7 +61,11 @@ static bs_real residual[EM_MAX_ROWS];
 static bs_real R[EM_MAX_ROWS];
 static em_filter first;
 static em_innovation first_said;
+static bs_real first_step;
 static bs_real spread[N * N];
+static bs_real was[N];
+static bs_real gains[EM_MAX_ROWS * N];
+static unsigned char considered[N];
 static bs_real gate;
 static unsigned int rows;
 static int iterations;
@@ -112,6 +118,24 @@ static bs_status hand_propagate(em_filter *filter, const em_step *step, const em
     return status;
 }
 
+static int considering(void)
+{
+    int any = 0;
+    for (int i = 0; i < N; ++i) {
+        any = any || (considered[i] != 0U);
+    }
+    return any;
+}
+
+/* The first of `many` states, of one the last, are considered. */
+static int consider(int many)
+{
+    for (int i = 0; i < N; ++i) {
+        considered[i] = (unsigned char)(((i < many) || ((many == 1) && (i == (N - 1)))) ? 2 : 0);
+    }
+    return expect("consider", em_filter_consider(&flown, considered) == BS_OK);
+}
+
 static bs_status hand_rows(em_filter *filter,
                            const bs_real *z,
                            const bs_real *variance,
@@ -121,13 +145,27 @@ static bs_status hand_rows(em_filter *filter,
 {
     bs_status status = BS_OK;
     said_by_hand.used = 0U;
+    memcpy(was, filter->x, sizeof(was));
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
         bs_row row = { &dense[i * N], every, N, z[i], variance[i], limit, z[i], variance[i],
-                       (int)((taken >> (unsigned int)i) & 1U) };
+                       (int)((taken >> (unsigned int)i) & 1U), &gains[i * N] };
         status = UPDATE(filter->P, filter->x, &row);
         said_by_hand.nu[i] = row.nu;
         said_by_hand.S[i] = row.S;
         said_by_hand.used |= (unsigned int)row.used << (unsigned int)i;
+    }
+    if (considering()) {
+        for (int i = 0; i < N; ++i) {
+            filter->x[i] = (considered[i] != 0U) ? was[i] : filter->x[i];
+        }
+        for (int i = 0; i < m; ++i) {
+            for (int j = 0; j < N; ++j) {
+                gains[(i * N) + j] = (considered[j] != 0U) ? gains[(i * N) + j] : BS_REAL(0.0);
+            }
+            if (((said_by_hand.used >> (unsigned int)i) & 1U) != 0U) {
+                ADD(filter->P, said_by_hand.S[i], &gains[i * N]);
+            }
+        }
     }
     return status;
 }
@@ -217,6 +255,7 @@ static bs_status hand_measure_euler_exact(em_filter *filter, const em_angles *an
             break;
         }
         last = step;
+        first_step = (k == 0) ? step : first_step;
         memcpy(from, filter->x, sizeof(from));
         if (k == 0) {
             first = *filter;
@@ -339,7 +378,33 @@ static int begin(void)
     return failures;
 }
 
-static int fly(void)
+/* As `begin`, with a covariance that is `wider` times as large. */
+static int begin_wide(bs_real wider)
+{
+    int failures;
+    for (int i = 0; i < (N * N); ++i) {
+        P0[i] *= wider;
+    }
+    failures = begin();
+    for (int i = 0; i < (N * N); ++i) {
+        P0[i] /= wider;
+    }
+    return failures;
+}
+
+static double power_of_four(int k)
+{
+    double result = 1.0;
+    for (int i = 0; i < k; ++i) {
+        result *= 4.0;
+    }
+    for (int i = 0; i > k; --i) {
+        result *= 0.25;
+    }
+    return result;
+}
+
+static int fly(int k_point)
 {
     int failures = expect("init", init() == BS_OK);
     bs_status status;
@@ -385,13 +450,20 @@ static int fly(void)
     status = propagate();
     failures += same("propagate", status, hand_propagate(&hand, &given_step, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
-    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise */
+    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
-        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        set_noise((k > 3) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_euler();
         failures += same("euler", status, hand_measure_euler(&hand, &given_angles));
         failures += expect("euler is refused", status == BS_OK) + same_said("euler: innovation", 3);
@@ -400,14 +472,53 @@ static int fly(void)
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
-    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise */
+    for (int k = 0; k < 30; ++k) { /* each row that is an angle at the ends of a turn, by a state
+                                    * that it sees: a thousandth and single roundings inside and
+                                    * outside */
+        static const double ends[3] = { 3.141592653589793, 9.42477796076938, 40.840704496667314 };
+        static const double beyond[5] = { 5e-4, 1.5e-16, 0.0, -1.5e-16, -5e-4 };
+        for (int i = 0; i < 3; ++i) {
+            const double end = ends[k / 10] * (((k % 2) == 0) ? 1.0 : -1.0);
+            const bs_real off = (bs_real)(end * (1.0 + beyond[(k / 2) % 5]));
+            int seen = 0;
+            failures += begin();
+            for (int l = 0; l < 4; ++l) {
+                bs_real nu = BS_REAL(0.0);
+                hand = flown;
+                gate = BS_REAL(1e-9); /* so that H alone is left of it */
+                (void)hand_measure_euler(&hand, &given_angles);
+                gate = BS_REAL(0.0);
+                for (int j = 0; j < N; ++j) {
+                    seen = (BS_FABS(dense[(i * N) + j]) > BS_FABS(dense[(i * N) + seen])) ? j
+                        : seen;
+                }
+                nu = residual[i];
+                for (int j = 0; j < N; ++j) {
+                    nu -= dense[(i * N) + j] * flown.x[j];
+                }
+                flown.x[seen] += (nu - off) / dense[(i * N) + seen];
+            }
+            hand = flown;
+            status = measure_euler();
+            failures += same("euler: turned", status, hand_measure_euler(&hand, &given_angles));
+            failures += same_said("euler: turned", 3);
+        }
+    }
+    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
-        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
-        iterations = (k == 4) ? 5 : 2;
+        set_noise((k > 3) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        iterations = (k > 3) ? 5 : 2;
         status = measure_euler_exact();
         failures += same("euler_exact", status, hand_measure_euler_exact(&hand, &given_angles));
         failures += expect("euler_exact is refused", status == BS_OK) +
@@ -417,6 +528,62 @@ static int fly(void)
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
+    for (int k = 0; k < 30; ++k) { /* P of a hundredth, a tenth and all of the boxes, noise from
+                                    * little to much */
+        static const double wider[3] = { 1e4, 1e6, 1e8 };
+        failures += begin_wide((bs_real)wider[k % 3]);
+        set_noise((bs_real)power_of_four((2 * (k / 3)) - 12));
+        for (int i = 0; (i < N) && ((k % 4) == 3); ++i) { /* from where it may leave its box */
+            static const double x_low[N] = { -0.5, -0.5, -0.5, -0.5, -0.5, -0.5 };
+            static const double x_high[N] = { 0.5, 0.5, 0.5, 0.5, 0.5, 0.5 };
+            flown.x[i] = (bs_real)(0.999 * ((((k / 4) % 2) == 0) ? x_low[i] : x_high[i]));
+        }
+        if ((k % 5) == 4) { /* some rows beyond a gate, one just within */
+            iterations = 1;
+            rows = 0U;
+            hand = flown;
+            (void)hand_measure_euler_exact(&hand, &given_angles);
+            rows = BS_ALL_ROWS;
+            gate = BS_REAL(1.001) *
+                (BS_FABS(said_by_hand.nu[k % 3]) / BS_SQRT(said_by_hand.S[k % 3]));
+        }
+        rows = ((k % 5) == 2) ? ~(1U << (unsigned int)(k % 3)) : BS_ALL_ROWS;
+        hand = flown;
+        iterations = 2 + (k % 7);
+        status = measure_euler_exact();
+        failures += same("euler_exact: iterated", status,
+                         hand_measure_euler_exact(&hand, &given_angles));
+        failures += same_said("euler_exact: iterated", 3);
+        gate = BS_REAL(0.0);
+        rows = BS_ALL_ROWS;
+    }
+    for (int k = 0; k < 3; ++k) { /* just more, and just less, than a hundredth of a sigma, where it
+                                   * ends */
+        static const double wider[3] = { 1.0, 1e4, 1e8 };
+        bs_real little = BS_REAL(1e-12);
+        bs_real much = BS_REAL(1e12);
+        for (int l = 0; l < 18; ++l) {
+            const bs_real middle = BS_SQRT(little) * BS_SQRT(much);
+            failures += begin_wide((bs_real)wider[k]);
+            set_noise(middle);
+            iterations = 1;
+            hand = flown;
+            (void)hand_measure_euler_exact(&hand, &given_angles);
+            little = (first_step > BS_REAL(1e-4)) ? middle : little;
+            much = (first_step > BS_REAL(1e-4)) ? much : middle;
+        }
+        for (int end = 0; end < 2; ++end) {
+            failures += begin_wide((bs_real)wider[k]);
+            set_noise((end == 0) ? little : much);
+            iterations = 3;
+            hand = flown;
+            status = measure_euler_exact();
+            failures += same("euler_exact: at the end", status,
+                             hand_measure_euler_exact(&hand, &given_angles));
+            failures += same_said("euler_exact: at the end", 3);
+        }
+    }
+    set_point(k_point);
     return failures;
 }
 
@@ -638,6 +805,12 @@ static int guards(void)
         failures += spoil("measure_euler_exact: R", measure_euler_exact, &R[i], 1e-30 * 0.9995,
                           1e+30 * 1.0005);
     }
+    for (int i = 0; i < N; ++i) {
+        static const double low[N] = { -0.50025, -0.50025, -0.50025, -0.50025, -0.50025, -0.50025 };
+        static const double high[N] = { 0.50025, 0.50025, 0.50025, 0.50025, 0.50025, 0.50025 };
+        failures += spoil("measure_euler_exact: x", measure_euler_exact, &flown.x[i], low[i],
+                          high[i]);
+    }
     iterations = 0;
     failures += refuses("measure_euler_exact: iterations", measure_euler_exact, BS_OUT_OF_RANGE);
     iterations = 2;
@@ -683,6 +856,10 @@ static int guards(void)
                        em_filter_covariance(0, dense) == BS_NULL_POINTER);
     failures += expect("covariance: a null pointer",
                        em_filter_covariance(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("consider: a null pointer",
+                       em_filter_consider(0, considered) == BS_NULL_POINTER);
+    failures += expect("consider: a null pointer",
+                       em_filter_consider(&flown, 0) == BS_NULL_POINTER);
     failures += expect("the filter changed", same_state(&flown, &before));
     return failures;
 }
@@ -692,7 +869,7 @@ int test_em_filter(void)
     int failures = 0;
     for (int k = 0; k < POINTS; ++k) {
         set_point(k);
-        failures += fly();
+        failures += fly(k);
     }
     set_point(0);
     return failures + limits() + guards();

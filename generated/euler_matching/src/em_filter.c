@@ -8,11 +8,13 @@
 #define INIT em_ud_init
 #define PREDICT em_ud_predict
 #define UPDATE em_ud_update
+#define ADD em_ud_add
 #define DENSE em_ud_dense
 #else
 #define INIT em_joseph_init
 #define PREDICT em_joseph_predict
 #define UPDATE em_joseph_update
+#define ADD em_joseph_add
 #define DENSE em_joseph_dense
 #endif
 
@@ -29,8 +31,34 @@ static bs_status check_noise(const bs_real *R, bs_real gate, int m)
     return status;
 }
 
+/* Of the gain of m rows that are taken, what belongs to considered states is left out: x is as it
+ * was, and P rises by S k k' of each row's part. */
+static void leave_out(em_filter *filter,
+                      const bs_real *x,
+                      bs_real *gain,
+                      int m,
+                      const em_innovation *innovation)
+{
+    for (int j = 0; j < EM_N_STATES; ++j) {
+        if (filter->considered[j] != 0U) {
+            filter->x[j] = x[j];
+        }
+    }
+    for (int i = 0; i < m; ++i) {
+        if (((innovation->used >> (unsigned int)i) & 1U) != 0U) {
+            bs_real *const k = &gain[i * EM_N_STATES];
+            for (int j = 0; j < EM_N_STATES; ++j) {
+                if (filter->considered[j] == 0U) {
+                    k[j] = BS_REAL(0.0);
+                }
+            }
+            ADD(filter->P, innovation->S[i], k);
+        }
+    }
+}
+
 /* The rows of one measurement, one after another.  H: the non-zeros of row i are those from
- * start[i] on. */
+ * start[i] on; it stands in filter->work. */
 static bs_status take(em_filter *filter,
                       const bs_real *z,
                       const bs_real *H,
@@ -42,11 +70,22 @@ static bs_status take(em_filter *filter,
                       bs_real gate,
                       em_innovation *innovation)
 {
+    const bs_real *const x = &filter->work[start[m]]; /* as it was, */
+    /* and the gain, where states are considered */
+    bs_real *const gain = &filter->work[(int)start[m] + EM_N_STATES];
     bs_status status = BS_OK;
     innovation->used = 0U;
+    if (filter->considering != 0U) {
+        for (int j = 0; j < EM_N_STATES; ++j) {
+            filter->work[(int)start[m] + j] = filter->x[j];
+        }
+    }
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
         bs_row row = { &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], z[i], R[i],
-                       gate, z[i], R[i], 0 };
+                       gate, z[i], R[i], 0, NULL };
+        if (filter->considering != 0U) {
+            row.gain = &gain[i * EM_N_STATES];
+        }
         if (((rows >> (unsigned int)i) & 1U) != 0U) {
             row.used = 1;
         }
@@ -56,6 +95,9 @@ static bs_status take(em_filter *filter,
         if (row.used != 0) {
             innovation->used |= 1U << (unsigned int)i;
         }
+    }
+    if (filter->considering != 0U) {
+        leave_out(filter, x, gain, m, innovation);
     }
     return status;
 }
@@ -126,7 +168,6 @@ static void begin(iteration *it, em_filter *filter, int iterations, unsigned int
     copy(filter->Q, filter->P, EM_N_PACKED);
     copy(it->x, filter->x, EM_N_STATES);
     copy(it->at, filter->x, EM_N_STATES);
-    it->moved = BS_REAL(1.0);
     it->left = iterations;
     it->again = false;
     it->rows = rows;
@@ -194,7 +235,6 @@ static bs_status iterate(iteration *it,
         }
     }
     if (it->again && ((status != BS_OK) || ((most > it->moved) && (most > BS_REAL(1.0))))) {
-        status = BS_OK;
         copy(it->at, it->x, EM_N_STATES);
         copy(filter->x, it->x, EM_N_STATES);
         it->again = false;
@@ -244,6 +284,7 @@ bs_status em_filter_init(em_filter *filter,
         for (int i = 0; i < EM_N_STATES; ++i) {
             filter->x[i] = BS_REAL(0.0);
         }
+        filter->considering = 0U;
     }
     return status;
 }
@@ -368,6 +409,22 @@ bs_status em_filter_correct(em_filter *filter)
         }
     }
     return status;
+}
+
+bs_status em_filter_consider(em_filter *filter, const unsigned char considered[EM_N_STATES])
+{
+    if ((filter == NULL) || (considered == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    filter->considering = 0U;
+    for (int i = 0; i < EM_N_STATES; ++i) {
+        filter->considered[i] = 0U;
+        if (considered[i] != 0U) {
+            filter->considered[i] = 1U;
+            filter->considering = 1U;
+        }
+    }
+    return BS_OK;
 }
 
 bs_status em_filter_covariance(const em_filter *filter, bs_real P[EM_N_STATES * EM_N_STATES])

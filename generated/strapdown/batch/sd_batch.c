@@ -17,6 +17,15 @@ size_t sd_step_batch(size_t n,
                      bs_real *q_b2n_wxyz,
                      unsigned char *status);
 int sd_step_bound(void *const *at);
+size_t sd_compensated_batch(size_t n,
+                            const sd_imu *imu,
+                            size_t imu_stride,
+                            const sd_earlier *earlier,
+                            size_t earlier_stride,
+                            bs_real *dtheta_ib_b,
+                            bs_real *dv_b,
+                            unsigned char *status);
+int sd_compensated_bound(void *const *at);
 size_t sd_rates_batch(size_t n,
                       const sd_nav *nav,
                       size_t nav_stride,
@@ -59,6 +68,31 @@ int sd_step_bound(void *const *at)
 {
     return (int)sd_step((const sd_nav *)at[0], (const sd_imu *)at[1], (bs_real *)at[2],
                         (bs_real *)at[3], (bs_real *)at[4]);
+}
+
+size_t sd_compensated_batch(size_t n,
+                            const sd_imu *imu,
+                            size_t imu_stride,
+                            const sd_earlier *earlier,
+                            size_t earlier_stride,
+                            bs_real *dtheta_ib_b,
+                            bs_real *dv_b,
+                            unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)sd_compensated(&imu[i * imu_stride],
+                                                  &earlier[i * earlier_stride],
+                                                  &dtheta_ib_b[i * 3U], &dv_b[i * 3U]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
+int sd_compensated_bound(void *const *at)
+{
+    return (int)sd_compensated((const sd_imu *)at[0], (const sd_earlier *)at[1], (bs_real *)at[2],
+                               (bs_real *)at[3]);
 }
 
 size_t sd_rates_batch(size_t n,

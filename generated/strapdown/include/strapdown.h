@@ -32,6 +32,16 @@ typedef struct {
     bs_real dt;               /* length of the step (s); 1e-06 to 10 */
 } sd_imu;
 
+/* Inertial increments of the steps before these. */
+typedef struct {
+    bs_real dtheta_second[3]; /* dtheta_ib_b of two steps before, as long (rad, body);
+                               * -0.5 to 0.5 */
+    bs_real dv_second[3];     /* dv_b of two steps before (m/s, body); -100 to 100 */
+    bs_real dtheta_third[3];  /* dtheta_ib_b of three steps before, as long (rad, body);
+                               * -0.5 to 0.5 */
+    bs_real dv_third[3];      /* dv_b of three steps before (m/s, body); -100 to 100 */
+} sd_earlier;
+
 /* Instantaneous inertial data. */
 typedef struct {
     bs_real f_b[3];        /* specific force (m/s^2, body); -500 to 500 */
@@ -60,6 +70,26 @@ bs_status sd_step(const sd_nav *nav,
                   bs_real position[3],
                   bs_real v_n[3],
                   bs_real q_b2n_wxyz[4]);
+
+/* Increments with which the step of any model follows coning and sculling by four samples instead
+ * of two; biases removed, the increments before stay as delivered.
+ * in   imu->dtheta_ib_b        integral of the measured angular rate over the step (rad, body);
+ *                              -0.5 to 0.5
+ * in   imu->dv_b               integral of the measured specific force over the step (m/s, body);
+ *                              -100 to 100
+ * in   imu->dtheta_before      dtheta_ib_b of the step before, as long (rad, body); -0.5 to 0.5
+ * in   imu->dv_before          dv_b of the step before (m/s, body); -100 to 100
+ * in   earlier->dtheta_second  dtheta_ib_b of two steps before, as long (rad, body); -0.5 to 0.5
+ * in   earlier->dv_second      dv_b of two steps before (m/s, body); -100 to 100
+ * in   earlier->dtheta_third   dtheta_ib_b of three steps before, as long (rad, body); -0.5 to 0.5
+ * in   earlier->dv_third       dv_b of three steps before (m/s, body); -100 to 100
+ * out  dtheta_ib_b             in place of that of the step, body (rad); 3
+ * out  dv_b                    in place of that of the step, body (m/s); 3
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
+bs_status sd_compensated(const sd_imu *imu,
+                         const sd_earlier *earlier,
+                         bs_real dtheta_ib_b[3],
+                         bs_real dv_b[3]);
 
 /* The exact time derivatives that a step integrates.
  * in   nav->position       longitude, not wrapped, geodetic latitude, height above the ellipsoid

@@ -81,6 +81,12 @@ int main(void)
         (void)printf("FAILED sd_step\n");
         ++failed;
     }
+    if (test_sd_compensated() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED sd_compensated\n");
+        ++failed;
+    }
     if (test_sd_rates() == 0) {
         ++passed;
     } else {

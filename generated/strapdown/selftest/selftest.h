@@ -22,6 +22,7 @@ int selftest_compare(const char *what,
                      unsigned int angles);
 
 int test_sd_step(void);
+int test_sd_compensated(void);
 int test_sd_rates(void);
 int test_sd_earth(void);
 

@@ -23,6 +23,8 @@ typedef struct {
                              * measurement */
     bs_real P[VA_N_PACKED]; /* its covariance, in the form of the precision, see
                              * velocity_attitude_covariance.h */
+    unsigned char considered[VA_N_STATES]; /* by va_filter_consider, as is the next */
+    unsigned char considering; /* whether there is any */
     /* scratch memory: holds nothing from one call to the next */
     bs_real F[VA_N_F];
     bs_real Qc[VA_N_QC];
@@ -55,6 +57,14 @@ bs_status va_filter_strapdown(va_filter *filter,
 /* Carry x and P over dt: x = Phi x, P = Phi P Phi' + Q.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
 bs_status va_filter_propagate(va_filter *filter, const va_imu *imu, const va_noise *noise);
+
+/* From now on no measurement corrects the states whose number is not 0 (a Schmidt filter): their
+ * rows of the whole measurement's gain are zero.  They and their covariance among themselves stay,
+ * their covariance with the others is right, and nu and S are those of the optimal filter.  None
+ * after va_filter_init.  A state that is not needed at all is left out by zeros in P and in the
+ * noise: it stays as it is by itself.
+ * returns BS_OK, or BS_NULL_POINTER */
+bs_status va_filter_consider(va_filter *filter, const unsigned char considered[VA_N_STATES]);
 
 /* Velocity of the master: z = computed - measured; rows n, e, d (m/s).
  * Equations: kang-2025 (1), kang-2025 (3).

@@ -12,10 +12,12 @@
 #if BORESIGHT_UD
 #define PREDICT va_ud_predict
 #define UPDATE va_ud_update
+#define ADD va_ud_add
 #define DENSE va_ud_dense
 #else
 #define PREDICT va_joseph_predict
 #define UPDATE va_joseph_update
+#define ADD va_joseph_add
 #define DENSE va_joseph_dense
 #endif
 
@@ -72,7 +74,11 @@ static bs_real residual[VA_MAX_ROWS];
 static bs_real R[VA_MAX_ROWS];
 static va_filter first;
 static va_innovation first_said;
+static bs_real first_step;
 static bs_real spread[N * N];
+static bs_real was[N];
+static bs_real gains[VA_MAX_ROWS * N];
+static unsigned char considered[N];
 static bs_real gate;
 static unsigned int rows;
 static int iterations;
@@ -126,6 +132,24 @@ static bs_status hand_propagate(va_filter *filter, const va_imu *imu, const va_n
     return status;
 }
 
+static int considering(void)
+{
+    int any = 0;
+    for (int i = 0; i < N; ++i) {
+        any = any || (considered[i] != 0U);
+    }
+    return any;
+}
+
+/* The first of `many` states, of one the last, are considered. */
+static int consider(int many)
+{
+    for (int i = 0; i < N; ++i) {
+        considered[i] = (unsigned char)(((i < many) || ((many == 1) && (i == (N - 1)))) ? 2 : 0);
+    }
+    return expect("consider", va_filter_consider(&flown, considered) == BS_OK);
+}
+
 static bs_status hand_rows(va_filter *filter,
                            const bs_real *z,
                            const bs_real *variance,
@@ -135,13 +159,27 @@ static bs_status hand_rows(va_filter *filter,
 {
     bs_status status = BS_OK;
     said_by_hand.used = 0U;
+    memcpy(was, filter->x, sizeof(was));
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
         bs_row row = { &dense[i * N], every, N, z[i], variance[i], limit, z[i], variance[i],
-                       (int)((taken >> (unsigned int)i) & 1U) };
+                       (int)((taken >> (unsigned int)i) & 1U), &gains[i * N] };
         status = UPDATE(filter->P, filter->x, &row);
         said_by_hand.nu[i] = row.nu;
         said_by_hand.S[i] = row.S;
         said_by_hand.used |= (unsigned int)row.used << (unsigned int)i;
+    }
+    if (considering()) {
+        for (int i = 0; i < N; ++i) {
+            filter->x[i] = (considered[i] != 0U) ? was[i] : filter->x[i];
+        }
+        for (int i = 0; i < m; ++i) {
+            for (int j = 0; j < N; ++j) {
+                gains[(i * N) + j] = (considered[j] != 0U) ? gains[(i * N) + j] : BS_REAL(0.0);
+            }
+            if (((said_by_hand.used >> (unsigned int)i) & 1U) != 0U) {
+                ADD(filter->P, said_by_hand.S[i], &gains[i * N]);
+            }
+        }
     }
     return status;
 }
@@ -243,6 +281,7 @@ static bs_status hand_measure_quaternion(va_filter *filter,
             break;
         }
         last = step;
+        first_step = (k == 0) ? step : first_step;
         memcpy(from, filter->x, sizeof(from));
         if (k == 0) {
             first = *filter;
@@ -442,7 +481,33 @@ static int begin(void)
     return failures;
 }
 
-static int fly(void)
+/* As `begin`, with a covariance that is `wider` times as large. */
+static int begin_wide(bs_real wider)
+{
+    int failures;
+    for (int i = 0; i < (N * N); ++i) {
+        P0[i] *= wider;
+    }
+    failures = begin();
+    for (int i = 0; i < (N * N); ++i) {
+        P0[i] /= wider;
+    }
+    return failures;
+}
+
+static double power_of_four(int k)
+{
+    double result = 1.0;
+    for (int i = 0; i < k; ++i) {
+        result *= 4.0;
+    }
+    for (int i = 0; i > k; --i) {
+        result *= 0.25;
+    }
+    return result;
+}
+
+static int fly(int k_point)
 {
     int failures = expect("init", init() == BS_OK);
     bs_status status;
@@ -491,13 +556,20 @@ static int fly(void)
     status = propagate();
     failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
-    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise */
+    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
-        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        set_noise((k > 3) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_velocity();
         failures += same("velocity", status,
                          hand_measure_velocity(&hand, &given_imu, &given_mounting, &given_master));
@@ -508,13 +580,20 @@ static int fly(void)
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
-    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise */
+    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
-        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        set_noise((k > 3) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_dcm();
         failures += same("dcm", status, hand_measure_dcm(&hand, &given_imu, &given_master));
         failures += expect("dcm is refused", status == BS_OK) + same_said("dcm: innovation", 3);
@@ -523,14 +602,21 @@ static int fly(void)
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
-    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise */
+    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
-        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
-        iterations = (k == 4) ? 5 : 2;
+        set_noise((k > 3) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        iterations = (k > 3) ? 5 : 2;
         status = measure_quaternion();
         failures += same("quaternion", status,
                          hand_measure_quaternion(&hand, &given_imu, &given_master));
@@ -541,13 +627,82 @@ static int fly(void)
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
-    for (int k = 0; k < 5; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise */
+    for (int k = 0; k < 30; ++k) { /* P of a hundredth, a tenth and all of the boxes, noise from
+                                    * little to much */
+        static const double wider[3] = { 1e4, 1e6, 1e8 };
+        failures += begin_wide((bs_real)wider[k % 3]);
+        set_noise((bs_real)power_of_four((2 * (k / 3)) - 12));
+        for (int i = 0; (i < N) && ((k % 4) == 3); ++i) { /* from where it may leave its box */
+            static const double x_low[N] = { -0.5, -0.5, -0.5, -100.0, -100.0, -100.0,
+                                             -0.017453292519943295, -0.017453292519943295,
+                                             -0.017453292519943295, -1.0, -1.0, -1.0, -0.5, -0.5,
+                                             -0.5, -1.0 };
+            static const double x_high[N] = { 0.5, 0.5, 0.5, 100.0, 100.0, 100.0,
+                                              0.017453292519943295, 0.017453292519943295,
+                                              0.017453292519943295, 1.0, 1.0, 1.0, 0.5, 0.5, 0.5,
+                                              1.0 };
+            flown.x[i] = (bs_real)(0.999 * ((((k / 4) % 2) == 0) ? x_low[i] : x_high[i]));
+        }
+        if ((k % 5) == 4) { /* some rows beyond a gate, one just within */
+            iterations = 1;
+            rows = 0U;
+            hand = flown;
+            (void)hand_measure_quaternion(&hand, &given_imu, &given_master);
+            rows = BS_ALL_ROWS;
+            gate = BS_REAL(1.001) *
+                (BS_FABS(said_by_hand.nu[k % 3]) / BS_SQRT(said_by_hand.S[k % 3]));
+        }
+        rows = ((k % 5) == 2) ? ~(1U << (unsigned int)(k % 3)) : BS_ALL_ROWS;
+        hand = flown;
+        iterations = 2 + (k % 7);
+        status = measure_quaternion();
+        failures += same("quaternion: iterated", status,
+                         hand_measure_quaternion(&hand, &given_imu, &given_master));
+        failures += same_said("quaternion: iterated", 3);
+        gate = BS_REAL(0.0);
+        rows = BS_ALL_ROWS;
+    }
+    for (int k = 0; k < 3; ++k) { /* just more, and just less, than a hundredth of a sigma, where it
+                                   * ends */
+        static const double wider[3] = { 1.0, 1e4, 1e8 };
+        bs_real little = BS_REAL(1e-12);
+        bs_real much = BS_REAL(1e12);
+        for (int l = 0; l < 18; ++l) {
+            const bs_real middle = BS_SQRT(little) * BS_SQRT(much);
+            failures += begin_wide((bs_real)wider[k]);
+            set_noise(middle);
+            iterations = 1;
+            hand = flown;
+            (void)hand_measure_quaternion(&hand, &given_imu, &given_master);
+            little = (first_step > BS_REAL(1e-4)) ? middle : little;
+            much = (first_step > BS_REAL(1e-4)) ? much : middle;
+        }
+        for (int end = 0; end < 2; ++end) {
+            failures += begin_wide((bs_real)wider[k]);
+            set_noise((end == 0) ? little : much);
+            iterations = 3;
+            hand = flown;
+            status = measure_quaternion();
+            failures += same("quaternion: at the end", status,
+                             hand_measure_quaternion(&hand, &given_imu, &given_master));
+            failures += same_said("quaternion: at the end", 3);
+        }
+    }
+    set_point(k_point);
+    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
-        set_noise((k == 4) ? BS_REAL(1e-9) : BS_REAL(1.0));
+        set_noise((k > 3) ? BS_REAL(1e-9) : BS_REAL(1.0));
         status = measure_euler();
         failures += same("euler", status, hand_measure_euler(&hand, &given_imu, &given_master));
         failures += expect("euler is refused", status == BS_OK) + same_said("euler: innovation", 3);
@@ -556,6 +711,39 @@ static int fly(void)
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
+    for (int k = 0; k < 30; ++k) { /* each row that is an angle at the ends of a turn, by a state
+                                    * that it sees: a thousandth and single roundings inside and
+                                    * outside */
+        static const double ends[3] = { 3.141592653589793, 9.42477796076938, 40.840704496667314 };
+        static const double beyond[5] = { 5e-4, 1.5e-16, 0.0, -1.5e-16, -5e-4 };
+        for (int i = 0; i < 3; ++i) {
+            const double end = ends[k / 10] * (((k % 2) == 0) ? 1.0 : -1.0);
+            const bs_real off = (bs_real)(end * (1.0 + beyond[(k / 2) % 5]));
+            int seen = 0;
+            failures += begin();
+            for (int l = 0; l < 4; ++l) {
+                bs_real nu = BS_REAL(0.0);
+                hand = flown;
+                gate = BS_REAL(1e-9); /* so that H alone is left of it */
+                (void)hand_measure_euler(&hand, &given_imu, &given_master);
+                gate = BS_REAL(0.0);
+                for (int j = 0; j < N; ++j) {
+                    seen = (BS_FABS(dense[(i * N) + j]) > BS_FABS(dense[(i * N) + seen])) ? j
+                        : seen;
+                }
+                nu = residual[i];
+                for (int j = 0; j < N; ++j) {
+                    nu -= dense[(i * N) + j] * flown.x[j];
+                }
+                flown.x[seen] += (nu - off) / dense[(i * N) + seen];
+            }
+            hand = flown;
+            status = measure_euler();
+            failures += same("euler: turned", status,
+                             hand_measure_euler(&hand, &given_imu, &given_master));
+            failures += same_said("euler: turned", 3);
+        }
+    }
     return failures;
 }
 
@@ -1061,6 +1249,18 @@ static int guards(void)
         failures += spoil("measure_quaternion: R", measure_quaternion, &R[i], 1e-30 * 0.9995,
                           1e+30 * 1.0005);
     }
+    for (int i = 0; i < N; ++i) {
+        static const double low[N] = { -0.50025, -0.50025, -0.50025, -100.05, -100.05, -100.05,
+                                       -0.01746201916620327, -0.01746201916620327,
+                                       -0.01746201916620327, -1.0005, -1.0005, -1.0005, -0.50025,
+                                       -0.50025, -0.50025, -1.0005 };
+        static const double high[N] = { 0.50025, 0.50025, 0.50025, 100.05, 100.05, 100.05,
+                                        0.01746201916620327, 0.01746201916620327,
+                                        0.01746201916620327, 1.0005, 1.0005, 1.0005, 0.50025,
+                                        0.50025, 0.50025, 1.0005 };
+        failures += spoil("measure_quaternion: x", measure_quaternion, &flown.x[i], low[i],
+                          high[i]);
+    }
     iterations = 0;
     failures += refuses("measure_quaternion: iterations", measure_quaternion, BS_OUT_OF_RANGE);
     iterations = 2;
@@ -1132,6 +1332,10 @@ static int guards(void)
                        va_filter_covariance(0, dense) == BS_NULL_POINTER);
     failures += expect("covariance: a null pointer",
                        va_filter_covariance(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("consider: a null pointer",
+                       va_filter_consider(0, considered) == BS_NULL_POINTER);
+    failures += expect("consider: a null pointer",
+                       va_filter_consider(&flown, 0) == BS_NULL_POINTER);
     failures += expect("the filter changed", same_state(&flown, &before));
     return failures;
 }
@@ -1141,7 +1345,7 @@ int test_va_filter(void)
     int failures = 0;
     for (int k = 0; k < POINTS; ++k) {
         set_point(k);
-        failures += fly();
+        failures += fly(k);
     }
     set_point(0);
     return failures + limits() + guards();

@@ -609,6 +609,26 @@ size_t val_filter_size(void)
 {
     return sizeof(val_filter) / sizeof(bs_real);
 }
+size_t val_filter_consider_batch(size_t n,
+                                 val_filter *filter,
+                                 const unsigned char *considered,
+                                 size_t considered_stride,
+                                 unsigned char *status);
+size_t val_filter_consider_batch(size_t n,
+                                 val_filter *filter,
+                                 const unsigned char *considered,
+                                 size_t considered_stride,
+                                 unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)val_filter_consider(&filter[i],
+                                                       &considered[i * considered_stride]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
 size_t val_filter_propagate_batch(size_t n,
                                   val_filter *filter,
                                   const val_imu *imu,

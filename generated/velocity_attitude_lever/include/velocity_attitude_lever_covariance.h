@@ -7,8 +7,8 @@
  * Two forms of the covariance P, with the same storage:
  * joseph  P itself; updates in Joseph form.  For double.
  * ud      P = U D U', U upper triangular with a unit diagonal; D stands in the place of that
- *         diagonal.  Predicted by Thornton's weighted Gram-Schmidt, updated by Bierman's recursion:
- *         no variance can become negative.  For float.
+ *         diagonal.  Predicted by Thornton's weighted Gram-Schmidt, updated by Bierman's recursion,
+ *         raised by Agee and Turner's: no variance can become negative.  For float.
  * A sparse matrix is given by its non-zeros, row after row; where they stand is fixed.
  * The functions expect finite numbers and do not check them; pointers must not be null and must not
  * overlap. */
@@ -66,6 +66,10 @@ void val_ud_predict(bs_real UD[VAL_N_PACKED],
  * 0 */
 bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs_row *row);
 bs_status val_ud_update(bs_real UD[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs_row *row);
+
+/* P = P + c v v', c not negative.  The ud form overwrites v. */
+void val_joseph_add(bs_real P[VAL_N_PACKED], bs_real c, bs_real v[VAL_N_STATES]);
+void val_ud_add(bs_real UD[VAL_N_PACKED], bs_real c, bs_real v[VAL_N_STATES]);
 
 /* P as a dense matrix, row-major. */
 void val_joseph_dense(const bs_real P[VAL_N_PACKED], bs_real dense[VAL_N_STATES * VAL_N_STATES]);

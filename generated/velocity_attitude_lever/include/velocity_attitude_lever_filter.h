@@ -25,6 +25,8 @@ typedef struct {
                               * measurement */
     bs_real P[VAL_N_PACKED]; /* its covariance, in the form of the precision, see
                               * velocity_attitude_lever_covariance.h */
+    unsigned char considered[VAL_N_STATES]; /* by val_filter_consider, as is the next */
+    unsigned char considering; /* whether there is any */
     /* scratch memory: holds nothing from one call to the next */
     bs_real F[VAL_N_F];
     bs_real Qc[VAL_N_QC];
@@ -58,6 +60,14 @@ bs_status val_filter_strapdown(val_filter *filter,
 /* Carry x and P over dt: x = Phi x, P = Phi P Phi' + Q.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
 bs_status val_filter_propagate(val_filter *filter, const val_imu *imu, const val_noise *noise);
+
+/* From now on no measurement corrects the states whose number is not 0 (a Schmidt filter): their
+ * rows of the whole measurement's gain are zero.  They and their covariance among themselves stay,
+ * their covariance with the others is right, and nu and S are those of the optimal filter.  None
+ * after val_filter_init.  A state that is not needed at all is left out by zeros in P and in the
+ * noise: it stays as it is by itself.
+ * returns BS_OK, or BS_NULL_POINTER */
+bs_status val_filter_consider(val_filter *filter, const unsigned char considered[VAL_N_STATES]);
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one; rows n, e, d
  * (rad).

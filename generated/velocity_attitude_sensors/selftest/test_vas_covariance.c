@@ -391,6 +391,7 @@ static int update(int k, int ud)
     }
     row.used = 1;
     row.gain = gain;
+    selftest_paint(gain, N);
     failures += expect("taken", k, (take(packed, x, &row) == BS_OK) && (row.used == 1));
     if (ud) {
         vas_ud_dense(packed, dense);

@@ -102,6 +102,7 @@ static bs_real residual[VAS_MAX_ROWS];
 static bs_real R[VAS_MAX_ROWS];
 static vas_filter first;
 static vas_innovation first_said;
+static bs_real first_step;
 static bs_real spread[N * N];
 static bs_real was[N];
 static bs_real gains[VAS_MAX_ROWS * N];
@@ -303,6 +304,7 @@ static bs_status hand_measure_quaternion(vas_filter *filter,
             break;
         }
         last = step;
+        first_step = (k == 0) ? step : first_step;
         memcpy(from, filter->x, sizeof(from));
         if (k == 0) {
             first = *filter;
@@ -563,7 +565,33 @@ static int begin(void)
     return failures;
 }
 
-static int fly(void)
+/* As `begin`, with a covariance that is `wider` times as large. */
+static int begin_wide(bs_real wider)
+{
+    int failures;
+    for (int i = 0; i < (N * N); ++i) {
+        P0[i] *= wider;
+    }
+    failures = begin();
+    for (int i = 0; i < (N * N); ++i) {
+        P0[i] /= wider;
+    }
+    return failures;
+}
+
+static double power_of_four(int k)
+{
+    double result = 1.0;
+    for (int i = 0; i < k; ++i) {
+        result *= 4.0;
+    }
+    for (int i = 0; i > k; --i) {
+        result *= 0.25;
+    }
+    return result;
+}
+
+static int fly(int k_point)
 {
     int failures = expect("init", init() == BS_OK);
     bs_status status;
@@ -645,12 +673,15 @@ static int fly(void)
     failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
     for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise; then with considered states: two,
-                                   * half, none again */
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
-        memset(considered, 0, sizeof(considered)); /* by init */
-        failures += (k > 4) ? consider((k == 5) ? 1 : (N / 2)) : 0;
-        failures += (k == 7) ? consider(0) : 0;
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
@@ -664,12 +695,15 @@ static int fly(void)
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
     for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise; then with considered states: two,
-                                   * half, none again */
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
-        memset(considered, 0, sizeof(considered)); /* by init */
-        failures += (k > 4) ? consider((k == 5) ? 1 : (N / 2)) : 0;
-        failures += (k == 7) ? consider(0) : 0;
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
@@ -685,13 +719,86 @@ static int fly(void)
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
+    for (int k = 0; k < 30; ++k) { /* P of a hundredth, a tenth and all of the boxes, noise from
+                                    * little to much */
+        static const double wider[3] = { 1e4, 1e6, 1e8 };
+        failures += begin_wide((bs_real)wider[k % 3]);
+        set_noise((bs_real)power_of_four((2 * (k / 3)) - 12));
+        for (int i = 0; (i < N) && ((k % 4) == 3); ++i) { /* from where it may leave its box */
+            static const double x_low[N] = { -0.5, -0.5, -0.5, -100.0, -100.0, -100.0,
+                                             -0.017453292519943295, -0.017453292519943295,
+                                             -0.017453292519943295, -1.0, -1.0, -1.0, -0.5, -0.5,
+                                             -0.5, -1.0, -100.0, -100.0, -100.0, -0.1, -0.1, -0.1,
+                                             -1.0, -1.0, -1.0, -0.1, -0.1, -0.1, -0.1, -0.1, -0.1,
+                                             -0.1, -0.1, -0.1, -0.1, -0.1, -0.1, -0.1, -0.1, -0.1,
+                                             -0.017453292519943295, -0.017453292519943295,
+                                             -0.017453292519943295, -1.0, -1.0, -1.0 };
+            static const double x_high[N] = { 0.5, 0.5, 0.5, 100.0, 100.0, 100.0,
+                                              0.017453292519943295, 0.017453292519943295,
+                                              0.017453292519943295, 1.0, 1.0, 1.0, 0.5, 0.5, 0.5,
+                                              1.0, 100.0, 100.0, 100.0, 0.1, 0.1, 0.1, 1.0, 1.0,
+                                              1.0, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1,
+                                              0.1, 0.1, 0.1, 0.1, 0.1, 0.017453292519943295,
+                                              0.017453292519943295, 0.017453292519943295, 1.0, 1.0,
+                                              1.0 };
+            flown.x[i] = (bs_real)(0.999 * ((((k / 4) % 2) == 0) ? x_low[i] : x_high[i]));
+        }
+        if ((k % 5) == 4) { /* some rows beyond a gate, one just within */
+            iterations = 1;
+            rows = 0U;
+            hand = flown;
+            (void)hand_measure_quaternion(&hand, &given_imu, &given_master);
+            rows = BS_ALL_ROWS;
+            gate = BS_REAL(1.001) *
+                (BS_FABS(said_by_hand.nu[k % 3]) / BS_SQRT(said_by_hand.S[k % 3]));
+        }
+        rows = ((k % 5) == 2) ? ~(1U << (unsigned int)(k % 3)) : BS_ALL_ROWS;
+        hand = flown;
+        iterations = 2 + (k % 7);
+        status = measure_quaternion();
+        failures += same("quaternion: iterated", status,
+                         hand_measure_quaternion(&hand, &given_imu, &given_master));
+        failures += same_said("quaternion: iterated", 3);
+        gate = BS_REAL(0.0);
+        rows = BS_ALL_ROWS;
+    }
+    for (int k = 0; k < 3; ++k) { /* just more, and just less, than a hundredth of a sigma, where it
+                                   * ends */
+        static const double wider[3] = { 1.0, 1e4, 1e8 };
+        bs_real little = BS_REAL(1e-12);
+        bs_real much = BS_REAL(1e12);
+        for (int l = 0; l < 18; ++l) {
+            const bs_real middle = BS_SQRT(little) * BS_SQRT(much);
+            failures += begin_wide((bs_real)wider[k]);
+            set_noise(middle);
+            iterations = 1;
+            hand = flown;
+            (void)hand_measure_quaternion(&hand, &given_imu, &given_master);
+            little = (first_step > BS_REAL(1e-4)) ? middle : little;
+            much = (first_step > BS_REAL(1e-4)) ? much : middle;
+        }
+        for (int end = 0; end < 2; ++end) {
+            failures += begin_wide((bs_real)wider[k]);
+            set_noise((end == 0) ? little : much);
+            iterations = 3;
+            hand = flown;
+            status = measure_quaternion();
+            failures += same("quaternion: at the end", status,
+                             hand_measure_quaternion(&hand, &given_imu, &given_master));
+            failures += same_said("quaternion: at the end", 3);
+        }
+    }
+    set_point(k_point);
     for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise; then with considered states: two,
-                                   * half, none again */
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
-        memset(considered, 0, sizeof(considered)); /* by init */
-        failures += (k > 4) ? consider((k == 5) ? 1 : (N / 2)) : 0;
-        failures += (k == 7) ? consider(0) : 0;
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
@@ -704,13 +811,49 @@ static int fly(void)
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     set_noise(BS_REAL(1.0));
+    for (int k = 0; k < 30; ++k) { /* each row that is an angle at the ends of a turn, by a state
+                                    * that it sees: a thousandth and single roundings inside and
+                                    * outside */
+        static const double ends[3] = { 3.141592653589793, 9.42477796076938, 40.840704496667314 };
+        static const double beyond[5] = { 5e-4, 1.5e-16, 0.0, -1.5e-16, -5e-4 };
+        for (int i = 0; i < 3; ++i) {
+            const double end = ends[k / 10] * (((k % 2) == 0) ? 1.0 : -1.0);
+            const bs_real off = (bs_real)(end * (1.0 + beyond[(k / 2) % 5]));
+            int seen = 0;
+            failures += begin();
+            for (int l = 0; l < 4; ++l) {
+                bs_real nu = BS_REAL(0.0);
+                hand = flown;
+                gate = BS_REAL(1e-9); /* so that H alone is left of it */
+                (void)hand_measure_euler(&hand, &given_imu, &given_master);
+                gate = BS_REAL(0.0);
+                for (int j = 0; j < N; ++j) {
+                    seen = (BS_FABS(dense[(i * N) + j]) > BS_FABS(dense[(i * N) + seen])) ? j
+                        : seen;
+                }
+                nu = residual[i];
+                for (int j = 0; j < N; ++j) {
+                    nu -= dense[(i * N) + j] * flown.x[j];
+                }
+                flown.x[seen] += (nu - off) / dense[(i * N) + seen];
+            }
+            hand = flown;
+            status = measure_euler();
+            failures += same("euler: turned", status,
+                             hand_measure_euler(&hand, &given_imu, &given_master));
+            failures += same_said("euler: turned", 3);
+        }
+    }
     for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
-                                   * pass, all of little noise; then with considered states: two,
-                                   * half, none again */
+                                   * pass, all of little noise; then with considered states: half,
+                                   * two, none again by init */
         failures += begin();
-        memset(considered, 0, sizeof(considered)); /* by init */
-        failures += (k > 4) ? consider((k == 5) ? 1 : (N / 2)) : 0;
-        failures += (k == 7) ? consider(0) : 0;
+        failures += (k > 4) ? consider(N / 2) : 0;
+        failures += (k == 6) ? consider(1) : 0;
+        if (k == 7) {
+            memset(considered, 0, sizeof(considered));
+            failures += begin();
+        }
         hand = flown;
         rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
@@ -1509,6 +1652,29 @@ static int guards(void)
         failures += spoil("measure_quaternion: R", measure_quaternion, &R[i], 1e-30 * 0.9995,
                           1e+30 * 1.0005);
     }
+    for (int i = 0; i < N; ++i) {
+        static const double low[N] = { -0.50025, -0.50025, -0.50025, -100.05, -100.05, -100.05,
+                                       -0.01746201916620327, -0.01746201916620327,
+                                       -0.01746201916620327, -1.0005, -1.0005, -1.0005, -0.50025,
+                                       -0.50025, -0.50025, -1.0005, -100.05, -100.05, -100.05,
+                                       -0.10005, -0.10005, -0.10005, -1.0005, -1.0005, -1.0005,
+                                       -0.10005, -0.10005, -0.10005, -0.10005, -0.10005, -0.10005,
+                                       -0.10005, -0.10005, -0.10005, -0.10005, -0.10005, -0.10005,
+                                       -0.10005, -0.10005, -0.10005, -0.01746201916620327,
+                                       -0.01746201916620327, -0.01746201916620327, -1.0005, -1.0005,
+                                       -1.0005 };
+        static const double high[N] = { 0.50025, 0.50025, 0.50025, 100.05, 100.05, 100.05,
+                                        0.01746201916620327, 0.01746201916620327,
+                                        0.01746201916620327, 1.0005, 1.0005, 1.0005, 0.50025,
+                                        0.50025, 0.50025, 1.0005, 100.05, 100.05, 100.05, 0.10005,
+                                        0.10005, 0.10005, 1.0005, 1.0005, 1.0005, 0.10005, 0.10005,
+                                        0.10005, 0.10005, 0.10005, 0.10005, 0.10005, 0.10005,
+                                        0.10005, 0.10005, 0.10005, 0.10005, 0.10005, 0.10005,
+                                        0.10005, 0.01746201916620327, 0.01746201916620327,
+                                        0.01746201916620327, 1.0005, 1.0005, 1.0005 };
+        failures += spoil("measure_quaternion: x", measure_quaternion, &flown.x[i], low[i],
+                          high[i]);
+    }
     iterations = 0;
     failures += refuses("measure_quaternion: iterations", measure_quaternion, BS_OUT_OF_RANGE);
     iterations = 2;
@@ -1631,7 +1797,7 @@ int test_vas_filter(void)
     int failures = 0;
     for (int k = 0; k < POINTS; ++k) {
         set_point(k);
-        failures += fly();
+        failures += fly(k);
     }
     set_point(0);
     return failures + limits() + guards();

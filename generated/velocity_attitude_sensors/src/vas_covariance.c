@@ -416,9 +416,6 @@ bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
             x[i] += K[i] * nu;
-            if (row->gain != NULL) {
-                row->gain[i] = K[i];
-            }
             b[i] = BS_REAL(0.0);
             for (int p = 0; p < row->count; ++p) {
                 const int k = (int)row->at[p];
@@ -433,6 +430,9 @@ bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs
             for (int i = 0; i <= j; ++i) {
                 p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
             }
+        }
+        for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+            row->gain[i] = K[i];
         }
     }
     return BS_OK;
@@ -483,11 +483,10 @@ bs_status vas_ud_update(bs_real UD[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs_ro
             }
         }
         for (int j = 0; j < N; ++j) {
-            const bs_real K = b[j] / alpha;
-            x[j] += K * nu;
-            if (row->gain != NULL) {
-                row->gain[j] = K;
-            }
+            x[j] += (b[j] / alpha) * nu;
+        }
+        for (int j = 0; (j < N) && (row->gain != NULL); ++j) {
+            row->gain[j] = b[j] / alpha;
         }
     }
     return BS_OK;

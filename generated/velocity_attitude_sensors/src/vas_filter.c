@@ -167,7 +167,6 @@ static void begin(iteration *it,
     copy(filter->Q, filter->P, VAS_N_PACKED);
     copy(it->x, filter->x, VAS_N_STATES);
     copy(it->at, filter->x, VAS_N_STATES);
-    it->moved = BS_REAL(1.0);
     it->left = iterations;
     it->again = false;
     it->rows = rows;
@@ -234,7 +233,6 @@ static bs_status iterate(iteration *it,
         }
     }
     if (it->again && ((status != BS_OK) || ((most > it->moved) && (most > BS_REAL(1.0))))) {
-        status = BS_OK;
         copy(it->at, it->x, VAS_N_STATES);
         copy(filter->x, it->x, VAS_N_STATES);
         it->again = false;
@@ -409,7 +407,6 @@ bs_status vas_filter_init(vas_filter *filter,
         filter->biases = *biases;
         for (int i = 0; i < VAS_N_STATES; ++i) {
             filter->x[i] = BS_REAL(0.0);
-            filter->considered[i] = 0U;
         }
         filter->considering = 0U;
     }

@@ -429,6 +429,26 @@ size_t vd_filter_size(void)
 {
     return sizeof(vd_filter) / sizeof(bs_real);
 }
+size_t vd_filter_consider_batch(size_t n,
+                                vd_filter *filter,
+                                const unsigned char *considered,
+                                size_t considered_stride,
+                                unsigned char *status);
+size_t vd_filter_consider_batch(size_t n,
+                                vd_filter *filter,
+                                const unsigned char *considered,
+                                size_t considered_stride,
+                                unsigned char *status)
+{
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = (unsigned char)vd_filter_consider(&filter[i],
+                                                      &considered[i * considered_stride]);
+        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+    }
+    return failed;
+}
+
 size_t vd_filter_propagate_batch(size_t n,
                                  vd_filter *filter,
                                  const vd_imu *imu,

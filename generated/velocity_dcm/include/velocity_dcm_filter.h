@@ -22,6 +22,8 @@ typedef struct {
                              * measurement */
     bs_real P[VD_N_PACKED]; /* its covariance, in the form of the precision, see
                              * velocity_dcm_covariance.h */
+    unsigned char considered[VD_N_STATES]; /* by vd_filter_consider, as is the next */
+    unsigned char considering; /* whether there is any */
     /* scratch memory: holds nothing from one call to the next */
     bs_real F[VD_N_F];
     bs_real Qc[VD_N_QC];
@@ -54,6 +56,14 @@ bs_status vd_filter_strapdown(vd_filter *filter,
 /* Carry x and P over dt: x = Phi x, P = Phi P Phi' + Q.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
 bs_status vd_filter_propagate(vd_filter *filter, const vd_imu *imu, const vd_noise *noise);
+
+/* From now on no measurement corrects the states whose number is not 0 (a Schmidt filter): their
+ * rows of the whole measurement's gain are zero.  They and their covariance among themselves stay,
+ * their covariance with the others is right, and nu and S are those of the optimal filter.  None
+ * after vd_filter_init.  A state that is not needed at all is left out by zeros in P and in the
+ * noise: it stays as it is by itself.
+ * returns BS_OK, or BS_NULL_POINTER */
+bs_status vd_filter_consider(vd_filter *filter, const unsigned char considered[VD_N_STATES]);
 
 /* Velocity of the slave tau_hat ago, where the master's is measured: z = computed - measured; rows
  * e, n, u (m/s).

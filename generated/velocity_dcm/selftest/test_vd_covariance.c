@@ -159,6 +159,8 @@ static bs_real packed[NP];
 static bs_real before[NP];
 static bs_real dense[N * N];
 static bs_real x[N];
+static bs_real gain[N];
+static double considered_P[NP];
 
 static int draw(void)
 {
@@ -375,6 +377,8 @@ static int update(int k, int ud)
         failures += unchanged("a bad row changes something", k);
     }
     row.used = 1;
+    row.gain = gain;
+    selftest_paint(gain, N);
     failures += expect("taken", k, (take(packed, x, &row) == BS_OK) && (row.used == 1));
     if (ud) {
         vd_ud_dense(packed, dense);
@@ -386,7 +390,26 @@ static int update(int k, int ud)
         vd_joseph_dense(packed, dense);
     }
     failures += compare_P(name, k, updated_P[k], updated_size[k], roundings);
-    return failures + compare_x(name, k, updated_x[k], updated_size_x[k], roundings);
+    failures += compare_x(name, k, updated_x[k], updated_size_x[k], roundings);
+    /* Every second state is considered: among them P is as before, elsewhere as updated. */
+    for (int j = 0; j < N; ++j) {
+        for (int i = 0; i <= j; ++i) {
+            const int at = ((j * (j + 1)) / 2) + i;
+            const int kept = (((i + k) % 2) == 0) && (((j + k) % 2) == 0);
+            considered_P[at] = kept ? (double)given.P[(i * N) + j] : updated_P[k][at];
+        }
+        gain[j] = (((j + k) % 2) == 0) ? gain[j] : BS_REAL(0.0);
+    }
+    if (ud) {
+        vd_ud_add(packed, row.S, gain);
+        vd_ud_dense(packed, dense);
+    } else {
+        vd_joseph_add(packed, row.S, gain);
+        vd_joseph_dense(packed, dense);
+    }
+    return failures +
+        compare_P(ud ? "ud considered" : "joseph considered", k, considered_P, updated_size[k], 2 *
+                  roundings);
 }
 
 /* What is no covariance is refused, and the output is not written. */
@@ -538,6 +561,18 @@ static int limits(void)
         vd_ud_predict(packed, Phi, Q, work);
         failures += expect("a factor of the least variance", 0,
                            (packed[NP - N] > BS_REAL(0.0)) == ((good != 0) || (N == 1)));
+    }
+    for (int good = 0; good < 2; ++good) { /* no variance grows to the least that a covariance may
+                                            * be divided by */
+        memset(packed, 0, sizeof(packed));
+        memset(gain, 0, sizeof(gain));
+        gain[N - 1] = BS_REAL(1.0);
+        gain[0] = BS_REAL(1.0);
+        vd_ud_add(packed, (good != 0) ? LEAST : (LEAST * BS_REAL(0.9995)), gain);
+        failures += expect("the least variance is added", 0,
+                           (packed[NP - 1] > BS_REAL(0.0)) == (good != 0));
+        failures += expect("the least covariance is added", 0,
+                           (packed[NP - N] > BS_REAL(0.0)) == (good != 0));
     }
     for (int ud = 0; ud < 2; ++ud) {
         bs_status (*const take)(bs_real *, bs_real *, bs_row *) = ud ? vd_ud_update

@@ -1,0 +1,72 @@
+/* sd_compensated.c - increments with which the step of any model follows coning and sculling by
+ * four samples instead of two; biases removed, the increments before stay as delivered.  Generated
+ * by Boresight: do not edit.
+ * 66 operations, list c4aa960fc0867dd1. */
+#include "strapdown.h"
+
+#include "sd_compensated_kernel.h"
+
+bs_status sd_compensated(const sd_imu *imu,
+                         const sd_earlier *earlier,
+                         bs_real dtheta_ib_b[3],
+                         bs_real dv_b[3])
+{
+    /* dtheta_before_low, dtheta_second_low, dtheta_third_low too */
+    static const bs_real dtheta_ib_b_low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
+    /* dtheta_before_high, dtheta_second_high, dtheta_third_high too */
+    static const bs_real dtheta_ib_b_high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
+    /* dv_before_low, dv_second_low, dv_third_low too */
+    static const bs_real dv_b_low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
+    /* dv_before_high, dv_second_high, dv_third_high too */
+    static const bs_real dv_b_high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
+    bs_real dtheta_ib_b_nz[3];
+    bs_real dv_b_nz[3];
+    bs_status status;
+
+    if ((imu == NULL) || (earlier == NULL) || (dtheta_ib_b == NULL) || (dv_b == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = bs_check(imu->dtheta_ib_b, dtheta_ib_b_low, dtheta_ib_b_high, 3);
+    if (status != BS_OK) {
+        return status;
+    }
+    status = bs_check(imu->dv_b, dv_b_low, dv_b_high, 3);
+    if (status != BS_OK) {
+        return status;
+    }
+    status = bs_check(imu->dtheta_before, dtheta_ib_b_low, dtheta_ib_b_high, 3);
+    if (status != BS_OK) {
+        return status;
+    }
+    status = bs_check(imu->dv_before, dv_b_low, dv_b_high, 3);
+    if (status != BS_OK) {
+        return status;
+    }
+    status = bs_check(earlier->dtheta_second, dtheta_ib_b_low, dtheta_ib_b_high, 3);
+    if (status != BS_OK) {
+        return status;
+    }
+    status = bs_check(earlier->dv_second, dv_b_low, dv_b_high, 3);
+    if (status != BS_OK) {
+        return status;
+    }
+    status = bs_check(earlier->dtheta_third, dtheta_ib_b_low, dtheta_ib_b_high, 3);
+    if (status != BS_OK) {
+        return status;
+    }
+    status = bs_check(earlier->dv_third, dv_b_low, dv_b_high, 3);
+    if (status != BS_OK) {
+        return status;
+    }
+
+    sd_compensated_kernel(imu->dtheta_ib_b, imu->dv_b, imu->dtheta_before, imu->dv_before,
+                          earlier->dtheta_second, earlier->dv_second, earlier->dtheta_third,
+                          earlier->dv_third, dtheta_ib_b_nz, dv_b_nz);
+    for (int i = 0; i < 3; ++i) {
+        dtheta_ib_b[i] = dtheta_ib_b_nz[i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        dv_b[i] = dv_b_nz[i];
+    }
+    return BS_OK;
+}
