@@ -126,7 +126,8 @@ def _check_finite(where: str, **parts: Array | None) -> list[Finding]:
     for name, part in parts.items():
         if part is not None and not np.isfinite(part).all():
             rows = np.flatnonzero(~np.isfinite(part).all(axis=1))
-            text = f"{len(rows)} rows are not finite, first row {rows[0]}; remove them{', or bridge' if where == 'imu' else ''}"
+            remedy = "remove or bridge them" if where == "imu" else "remove them"
+            text = f"{len(rows)} rows are not finite, first row {rows[0]}; {remedy}"
             out.append(Finding("error", f"{where}.{name}", text))
     return out
 
