@@ -66,5 +66,5 @@ def quantity(text: str, kind: str, count: int = 1) -> Array:
         raise BoresightError(f"{text!r}: {numbers!r} is not a number, or numbers with commas between") from None
     if len(values) not in (1, count) or not np.isfinite(values).all():
         wanted = f"one number or {count}" if count > 1 else "one number"
-        raise BoresightError(f"{text!r}: {wanted} are needed, finite")
+        raise BoresightError(f"{text!r}: {wanted} must be given, finite")
     return np.resize(values, count) * UNITS[kind][unit]

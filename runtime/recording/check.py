@@ -126,7 +126,8 @@ def _check_finite(where: str, **parts: Array | None) -> list[Finding]:
     for name, part in parts.items():
         if part is not None and not np.isfinite(part).all():
             rows = np.flatnonzero(~np.isfinite(part).all(axis=1))
-            text = f"{len(rows)} rows are not finite, first row {rows[0]}; remove or fill them"
+            remedy = "remove or bridge them" if where == "imu" else "remove them"
+            text = f"{len(rows)} rows are not finite, first row {rows[0]}; {remedy}"
             out.append(Finding("error", f"{where}.{name}", text))
     return out
 
@@ -142,7 +143,7 @@ def _check_imu(imu: Inertial, master: Master | None) -> list[Finding]:
     gyro, f = imu.rates()
     out = []
     second = max(1, round(1 / imu.dt))
-    norm = float(np.linalg.norm(np.median(_windows(f, second).mean(axis=1), axis=0)))
+    norm = float(np.median(np.linalg.norm(_windows(f, second).mean(axis=1), axis=-1)))
     rate_hz = 1 / imu.dt
     if not 0.8 * G < norm < 1.2 * G:
         guesses = {

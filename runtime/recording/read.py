@@ -103,7 +103,10 @@ def read(
         imu, line = _fitted(imu)
         notes.append(line)
     limit = said.bridge if bridge is None else bridge
-    imu, lines = bridged(imu, float(quantity(limit, "time")[0]) if isinstance(limit, str) else limit)
+    limit = float(quantity(limit, "time")[0]) if isinstance(limit, str) else limit
+    if not 0 <= limit < np.inf:
+        raise BoresightError(f"{found}: bridge is {limit:g} s; it must be 0 or more")
+    imu, lines = bridged(imu, limit)
     notes += lines
     if said.calibration:
         imu = _calibrated(said, source(said.calibration), imu, notes)
@@ -287,17 +290,26 @@ class _Source:
             wanted = "3 numbers" if shape == (3,) else "3 rows of 3 numbers"
             told = repr(known.columns) if known.columns is not None else "values"
             raise BoresightError(f"{self.path}: {what} needs {wanted}; {told}: {found}")
+        if not np.isfinite(values).all():
+            raise BoresightError(f"{self.path}: {what} is not finite: {values.tolist()}")
         return values * factor
 
 
 def _advice(values: Array) -> str:
     """What text in a column of numbers hints at."""
-    first = next((str(value) for value in values.ravel()[:1]), "")
+    if not values.size:
+        return "it has no rows"
+    first = str(values.ravel()[0])
     if first.replace(",", "", 1).lstrip("+-").isdigit() and "," in first:
         return f'it begins with {first!r}: decimal = "," reads it'
     if first[:4].isdigit() and ("-" in first or ":" in first):
         return f'it begins with {first!r}: unit = "iso" reads dates'
-    return "remove the text from it"
+    for row, value in enumerate(values):
+        try:
+            float(value)
+        except (TypeError, ValueError):
+            return f"row {row} holds {value!r}; remove the text from it"
+    return f'it begins with {first!r}: decimal = "." reads it'
 
 
 # ---------------------------------------------------------------- sections
@@ -513,6 +525,8 @@ def _calibrated(said: "Description", at: _Source, imu: Inertial, notes: list[str
             if name == "matrix":
                 matrix = value
             elif name == "scale":
+                if (value == -1).any():
+                    raise BoresightError(f"{at.path}: calibration.{sensor}_scale: a factor of -1 takes all away")
                 matrix = matrix @ np.diag(1 / (1 + value))
             else:
                 bias = value

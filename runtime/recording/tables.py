@@ -112,6 +112,8 @@ def _text(path: Path, delimiter: str, decimal: str, header: bool) -> Table:
         path, sep=words.get(delimiter, delimiter), decimal=decimal, header=0 if header else None, comment="#",
         skipinitialspace=True, encoding="utf-8-sig",
     )  # fmt: skip
+    if not isinstance(frame.index, pandas.RangeIndex):  # pandas would take the first cells for names of the rows
+        raise BoresightError(f"{path}: a row has more cells than its header has names; name every column")
     return _columns(frame)
 
 

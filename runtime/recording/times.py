@@ -59,14 +59,17 @@ def shown(since: int) -> str:
 
 def instant(said: float | str | datetime, since: int, what: str) -> float:
     """s, an instant that a person names: "12.5 s" as tables show it, or a date or UNIX time as the file has it."""
+    told = said
     if isinstance(said, str):
         said = _read(said.strip(), what)
     if isinstance(said, datetime):
         if not since:
             raise BoresightError(f"{what} is a date and the recording's times are not; give it in s")
         said = (said if said.tzinfo else said.replace(tzinfo=UTC)).timestamp()
+    if not np.isfinite(value := float(said)):
+        raise BoresightError(f"{what} is {told!r}, not finite")
     # Dates were counted anew from the epoch; what is as large as a date is one.
-    return float(said) - (since if abs(said) >= DATE else 0)
+    return value - (since if abs(value) >= DATE else 0)
 
 
 def _read(text: str, what: str) -> float | datetime:

@@ -74,7 +74,7 @@ def uninformed(
     columns = loop.call(f"{measurement}_H", **{**inputs, name: inputs[name] + steps})[..., TAU]
     now, by_axis = columns[0], (columns[1:] - columns[0]) / 1e-3
     variance = np.einsum("a...m,...a->...m", by_axis**2, variances[name])
-    weight = rows / R
+    weight = rows * (R.min(-1, keepdims=True) / R)  # by the smallest, so that none overflows
     out = np.zeros((*now.shape[:-1], loop.P.shape[-1]), bool)
     out[..., TAU] = np.sum(weight * now**2, axis=-1) <= sigmas**2 * np.sum(weight * variance, axis=-1)
     return out

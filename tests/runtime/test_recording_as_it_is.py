@@ -131,6 +131,12 @@ def test_a_cut_that_leaves_nothing_and_one_that_is_no_time_are_one_line(describe
     refused(describe(), "from and to leave 0 samples", "0.010 s to 30.000 s", begin="100 s")
     refused(describe(), "from is 'noon'", "12.5 s", begin="noon")
     refused(describe(), "from is a date", begin="2024-05-01T10:00:00Z")
+    refused(describe(), "from is 'nan s'", "not finite", begin="nan s")
+
+
+@pytest.mark.parametrize("bridge", ["-3 ms", -0.003, float("nan")])
+def test_a_bridge_that_is_no_time_is_one_line(describe, bridge):
+    refused(describe(), "bridge", "0 or more", bridge=bridge)
 
 
 # ---------------------------------------------------------------- bridged
@@ -328,6 +334,8 @@ def test_a_bias_that_no_model_takes_says_what_it_is_and_what_to_do(describe):
         ("gyro_bias = { unit = 'deg/s' }", ["calibration.gyro_bias", "columns or values"]),
         ("gyro_scale = { values = [1, 2, 3], unit = 'pmm' }", ["did you mean 'ppm'"]),
         ("gyro_matrix = { values = [[1, 0], [0, 1]], unit = '1' }", ["3 rows of 3 numbers"]),
+        ("gyro_scale = { values = [-1, 0, 0], unit = '1' }", ["calibration.gyro_scale", "-1", "takes all away"]),
+        ("gyro_bias = { values = [nan, 0, 0], unit = 'deg/s' }", ["calibration.gyro_bias", "not finite"]),
     ],
 )
 def test_a_calibration_that_cannot_be_is_one_line(describe, said, words):
@@ -351,6 +359,26 @@ def test_separators_and_decimal_commas(describe, tmp_path, delimiter, decimal, s
     np.testing.assert_allclose(recording.imu.gyro, IMU["gyro"], atol=1e-11)
     if decimal == ",":
         refused(describe((TOP, f'{TOP}\ndelimiter = "{delimiter}"'), ("imu.npz", "imu.txt"), *three), 'decimal = ","')
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        (lambda row, cells: "" if row else None, ["'t'", "no rows"]),
+        (lambda row, cells: [*cells, ""] if row else cells, ["more cells than its header has names"]),
+        (lambda row, cells: [*cells[:2], "--", *cells[3:]] if row == 8 else cells, ["'gyro1'", "row 7", "'--'"]),
+        (lambda row, cells: cells, ['decimal = "."']),
+    ],
+)
+def test_text_that_is_not_what_is_said_is_told_by_its_cause(describe, tmp_path, line, words):
+    frame = pd.DataFrame({"t": IMU["t"]} | {f"{n}{i}": IMU[n][:, i] for n in ("gyro", "accel") for i in range(3)})
+    rows = [list(frame), *([f"{x:.12g}" for x in row] for row in frame.to_numpy()[:20])]
+    rows = [line(row, cells) if line(row, cells) is not None else cells for row, cells in enumerate(rows)]
+    (tmp_path / "imu.csv").write_text("\n".join(";".join(cells) for cells in rows if cells) + "\n")
+    three = [(f'"{name}"', str([f"{name}{i}" for i in range(3)])) for name in ("gyro", "accel")]
+    decimal = "," if "decimal" in words[0] else "."
+    said = (TOP, f'{TOP}\ndelimiter = ";"\ndecimal = "{decimal}"')
+    refused(describe(said, ("imu.npz", "imu.csv"), *three), *words)
 
 
 @pytest.mark.parametrize(
@@ -492,6 +520,13 @@ def test_each_judgement_is_overruled_by_its_name(describe):
     with pytest.raises(BoresightError, match="go backwards") as error:
         read(describe(imu=backwards))
     assert "--allow" not in str(error.value)
+
+
+def test_a_vehicle_that_pitches_up_and_down_has_the_specific_force_of_gravity(describe):
+    euler = waves(([0.1, 1.3, 0.0], 0.1, [0.0, 0.3, 0.0]))
+    imu, ins = flown(Motion(swing=euler, steady=np.array([7.0, 4.0, 0.0])))
+    assert found(read(describe(imu=imu, ins=ins)), "error") == []
+    refused(describe(("m/s^2", "g"), imu=imu, ins=ins), "m/s^2 declared as g")
 
 
 def test_a_vehicle_that_drives_evenly_is_not_at_rest(describe):
