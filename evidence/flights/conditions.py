@@ -323,12 +323,12 @@ CONDITIONS = (
         settings={"said": lambda: once(20, R_of_one(3, -1.0))},
     ),
     Condition(
-        "no number in a gyro sample", moving(), told="sample", settings={"sensed": lambda: spoilt_once(20, nan_axis)}
+        "no number in a gyro sample", moving(), told="missing", settings={"sensed": lambda: spoilt_once(20, nan_axis)}
     ),
     Condition(
-        "a sample of the slave is lost", moving(), told="sample", settings={"sensed": lambda: lost_between(20, 20.02)}
+        "a sample of the slave is lost", moving(), told="missing", settings={"sensed": lambda: lost_between(20, 20.02)}
     ),
-    Condition("10 s of the slave are lost", moving(), "heals", "again", {"sensed": lambda: lost_between(15, 25)}),
+    Condition("10 s of the slave are lost", moving(), "heals", "anew", {"sensed": lambda: lost_between(15, 25)}),
     Condition("spike of 0.3 rad in a sample", moving(), "heals", "", {"sensed": lambda: spoilt_once(20, spike)}),
     Condition(
         "gyro clips its peaks, told",

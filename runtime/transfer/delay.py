@@ -172,17 +172,18 @@ class Suspects:
         self.at = np.full(self.runs, now)
         self.count = self.count + suspect
         self.rows = self.rows + used.sum(-1)
-        return self._explanation(loop, late)
+        # a delay without a variance is held on purpose, and only a clock set anew may move it
+        return self._explanation(loop, late, (P_now[..., TAU, TAU] == 0.0) & ~late)
 
     def forget(self, where: Array) -> None:
         """The next message that does not fit is the first."""
         self.count = np.where(where, 0, self.count)
 
-    def _explanation(self, loop: Filter, late: Array) -> Explanation:
+    def _explanation(self, loop: Filter, late: Array, held: Array) -> Explanation:
         rules, offsets = self.rules, len(self.OFFSETS)
         parameters = np.array([1] * len(self.lags) + [3 * len(offset) for offset in self.OFFSETS])
         score = self.chi2 + chdtri(parameters, rules.gate).reshape((-1, *(1 for _ in self.runs)))
-        tried = np.concatenate([score[:-offsets], np.where(late, np.inf, score[-offsets:])])
+        tried = np.concatenate([np.where(held, np.inf, score[:-offsets]), np.where(late, np.inf, score[-offsets:])])
         weight = np.exp(-(tried - tried.min(0)) / 2)
         weight /= weight.sum(0)
         delay = weight[:-offsets].sum(0)

@@ -158,3 +158,14 @@ def test_a_backlog_of_old_messages_is_no_clock():
     for message in kept:
         loop.master(message)
     assert len(kept) > 20 and (loop.stamps.clock == 0).all() and (loop.stamps.trial == 0).all()
+
+
+def test_a_delay_that_is_held_stays_where_it_is_whatever_does_not_fit(compiled_once):
+    """Of two runs that both should find 135 ms, the one whose delay has no variance keeps its 0."""
+    flight = fly(
+        swinging(seconds=14), runs=2, seed=4, seconds=12.0, lost=0.0, tau_sigma=np.array([0.05, 0.0]),
+        tau=np.array([0.035, 0.135]), constants={"tau_noise": 0.0},
+    )  # fmt: skip
+    assert (flight.verdict[:, 1] >= Verdict.GATED).any()
+    assert flight.loop.nav["tau"][1] == 0.0 and (flight.P[:, 1, 15, 15] == 0.0).all()
+    assert abs(flight.loop.nav["tau"][0] - 0.035) < 0.002
