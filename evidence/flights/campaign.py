@@ -10,6 +10,7 @@ from boresight import BoresightError
 from boresight.evidence.flights.conditions import CONDITIONS, RUNS, Condition
 from boresight.evidence.flights.fly import band, fly
 from boresight.runtime.transfer import Note, Rules, Verdict
+from boresight.runtime.transfer.delay import TAU
 
 
 def campaign(of: Any, out: Path) -> dict[str, dict[str, Any]]:
@@ -31,8 +32,9 @@ def flown(condition: Condition, runs: int = RUNS) -> dict[str, Any]:
     except BoresightError as error:
         return {**asked, "error": str(error)}
     nees, count = flight.nees, len(flight.time)
-    n = flight.errors.shape[-1]
+    n = len(flight.states)  # that are carried
     low, high = band(runs, n)
+    tau = flight.nees_of([TAU])
     late = nees[count // 2 :]
     came = flight.verdict != Verdict.ABSENT
     return {
@@ -44,6 +46,11 @@ def flown(condition: Condition, runs: int = RUNS) -> dict[str, Any]:
             "second half": round(float(late.mean()), 3),
             "worst": round(float(late.mean(axis=1).max()), 3),
             "end": round(float(nees[-1].mean()), 3),
+        },
+        "delay": {
+            "band": [round(float(limit), 3) for limit in band(runs, 1)],
+            "second half": round(float(tau[count // 2 :].mean()), 3),
+            "end": round(float(tau[-1].mean()), 3),
         },
         "nis": round(float(np.nanmean(flight.nis)), 4),
         "refused": round(float((flight.verdict[came] > Verdict.REOPENED).mean()), 5),

@@ -70,6 +70,11 @@ def nees(errors: Array, P: Array) -> Array:
     return out
 
 
+def followed(loop: Any) -> Any:
+    """s by which a loop takes the stamps for ahead; candidates side by side take them as they are."""
+    return loop.stamps.clock if hasattr(loop, "stamps") else 0.0
+
+
 def band(mean_of: int, dof: int, level: float = 0.999) -> Array:
     """The interval in which the mean of so many independent chi-squares lies with this probability."""
     rest = (1 - level) / 2
@@ -232,7 +237,7 @@ def fly(
                 continue
             result = loop.master(given)
             out["time"].append(time)
-            out["errors"].append(errors(loop.nav, loop.time, clock(loop.time) + loop.stamps.clock))
+            out["errors"].append(errors(loop.nav, loop.time, clock(loop.time) + followed(loop)))
             out["P"].append(loop.P[..., : start_P.shape[-1], : start_P.shape[-1]].copy())
             out["nis"].append(np.where(result.taken, result.nis, np.nan))
             out["verdict"].append(result.verdict)

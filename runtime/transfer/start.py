@@ -67,6 +67,10 @@ def first(
     if increments is None and (rate_sigma is None or acceleration_sigma is None):
         raise BoresightError("first: without increments nothing says how the slave moves; give increments, or "
                              "rate_sigma (rad/s) and acceleration_sigma (m/s^2)")  # fmt: skip
+    for name in constants:
+        if name not in model.field:
+            raise BoresightError(f"first: constants holds {name!r}, which {model.name} does not know"
+                                 f"{did_you_mean(name, model.field)}")  # fmt: skip
     sizes = {name: model.field[name]["size"] for name in (*start, *constants)}
     runs = np.broadcast_shapes(
         np.shape(P)[:-2], np.shape(message.time), np.shape(message.R)[:-1],

@@ -18,9 +18,16 @@ def test_a_flight_is_consistent_or_what_is_wrong_is_told(condition):
     if condition.asked == "refused":
         assert condition.told in found["error"]
         return
+    assert "error" not in found
     low, high = found["band"]
+    if condition.asked == "delay":
+        low, high = found["delay"]["band"]
+        assert low < found["delay"]["second half"] < high and low < found["delay"]["end"] < high
+    if condition.asked == "taken":
+        assert found["refused"] == 0
     if condition.asked == "consistent":
         assert low < found["nees"]["second half"] < high
     if condition.asked in ("consistent", "heals"):
         assert low < found["nees"]["end"] < high
+    assert condition.told or condition.asked != "told", "what should be told?"
     assert not condition.told or any(condition.told in note for note in found["notes"]), found["notes"]

@@ -190,3 +190,9 @@ def test_a_vehicle_that_does_not_accelerate_keeps_all_its_headings(model):
                 said=without_heading, tau=0.01, tau_sigma=0.02)  # fmt: skip
     assert not flown.loop.settled
     assert (nees(flown.errors[-1][:, [2]], flown.P[-1][:, 2:3, 2:3]) < 15).all()
+
+
+def test_a_constant_that_the_model_does_not_know_is_named(model):
+    message = Message(0.0, np.full(6, 1e-4), v_m_n=np.zeros(3), q_m2n_wxyz=[1.0, 0, 0, 0], position=[0.7, 0.2, 50.0])
+    with pytest.raises(BoresightError, match=r"constants holds .gyro_nois., which .*did you mean .gyro_noise."):
+        first(message, model, CONSTANTS | {"gyro_nois": 0.0}, sigmas=SIGMAS, rate_sigma=0.1, acceleration_sigma=1.0)
