@@ -445,7 +445,7 @@ class Transfer:
             where[run] = True
             text = cause(found, run, float(tau[run]), float(clock[run]), self.rules, bool(trial[run]))
             self.watch.note(where, f"{self.suspects.count[run]} messages in a row did not fit: {text}")
-            told_at[run] = self.time
+            self.watch.told_at[(Verdict.REOPENED, *run)] = self.time
         return found
 
     def _begin_anew(self, given: Heard, lag: Array) -> Array:
