@@ -3,10 +3,9 @@
 import multiprocessing
 import sys
 from concurrent.futures import ProcessPoolExecutor, as_completed
-from itertools import product
 
 from boresight.evidence import results
-from boresight.evidence.kinds import FLOWN, KINDS, TRIED, Kind, kinds_of, make, out_of_date
+from boresight.evidence.kinds import FLOWN, KINDS, TRIED, Kind, kinds_for, kinds_of, make, out_of_date
 from boresight.evidence.sources import Derivations, Examples, Flights, Folder, derivations, folders
 from boresight.evidence.table import PAGE, page
 
@@ -19,7 +18,9 @@ def main() -> int:
     for kind in KINDS:
         if kind.missing:
             print(f"{kind.name}: skipped, {kind.missing}")
-    pairs: list[tuple[Kind, Folder | Derivations | Examples | Flights]] = [*product(KINDS, folders())]
+    pairs: list[tuple[Kind, Folder | Derivations | Examples | Flights]] = [
+        (kind, folder) for kind in KINDS for folder in folders() if kind in kinds_for(folder)
+    ]
     pairs += [(kind, paper) for paper in derivations() for kind in kinds_of(paper)]
     pairs += [(FLOWN, Examples()), (TRIED, Flights())]
     with ProcessPoolExecutor(JOBS, mp_context=multiprocessing.get_context("spawn")) as pool:

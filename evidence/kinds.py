@@ -55,6 +55,16 @@ KINDS = (
     Kind("eva", eva, EVA_MISSING, eva_version),
 )
 
+# Emulated boards, mutants and Eva cost with the third power of the states, and hours beyond so many of them.
+LARGEST, DEAR = 20, ("golden", "mutants", "eva")
+
+
+def kinds_for(folder: Folder) -> tuple[Kind, ...]:
+    """What is made of a generated folder."""
+    small = len(folder.manifest.get("states", ())) <= LARGEST
+    return tuple(kind for kind in KINDS if small or kind.name not in DEAR)
+
+
 # Of papers, not of generated folders.
 PAPER_KINDS = (Kind("shown", spoilt, "", lambda: ""), Kind("steps", steps, "", lambda: ""))
 

@@ -1,7 +1,7 @@
 """The shipped self-test sees what goes wrong in the C, and the mutation that says so can be trusted."""
 
 import pytest
-from committed import NAMES, committed, folder_of, spoilt
+from committed import SMALL, committed, folder_of, spoilt
 
 from boresight.evidence.mutants import Types, candidates, mutants, parsed
 
@@ -23,7 +23,7 @@ def share(of):
     return of["killed"] / max(1, of["tried"] - of["equivalent"])
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", SMALL)
 def test_the_committed_run_killed_99_of_100(name):
     low = {unit: share(of) for unit, of in committed(name, "mutants").items() if share(of) < BELOW.get(unit, BAR)}
     assert not low, low

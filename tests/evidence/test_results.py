@@ -4,14 +4,14 @@ import pytest
 from committed import NAMES, folder_of
 
 from boresight.evidence import results
-from boresight.evidence.kinds import KINDS, kinds_of
-from boresight.evidence.sources import Examples, derivations
+from boresight.evidence.kinds import kinds_for, kinds_of
+from boresight.evidence.sources import Examples, Flights, derivations
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_results_are_of_the_committed_sources(name):
     kept, wanted = results.read(folder_of(name)), results.sources_hash(folder_of(name))
-    stale = [kind.name for kind in KINDS if kept.get(kind.name, {}).get("sources") != wanted]
+    stale = [kind.name for kind in kinds_for(folder_of(name)) if kept.get(kind.name, {}).get("sources") != wanted]
     assert not stale, f"{', '.join(stale)} of {name}: run 'make evidence'"
 
 
@@ -23,7 +23,7 @@ def test_results_of_a_paper_are_of_the_derivations_here(paper):
 
 
 def test_no_result_is_of_a_folder_or_a_paper_that_is_gone():
-    names = [*NAMES, *(paper.name for paper in derivations()), Examples().name]
+    names = [*NAMES, *(paper.name for paper in derivations()), Examples().name, Flights().name]
     assert {path.stem for path in results.PLACE.glob("*.json")} <= set(names)
 
 
