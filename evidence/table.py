@@ -7,7 +7,7 @@ from typing import Any
 from boresight.derive.ledger.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED
 from boresight.evidence import results
 from boresight.evidence.misra import DEVIATED
-from boresight.evidence.sources import Source, derivations, folders
+from boresight.evidence.sources import Flights, Source, derivations, folders
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "evidence.md"
 BEGIN, END = "<!-- from here on written by make evidence -->\n", "<!-- to here -->\n"
@@ -35,7 +35,7 @@ def tables() -> str:
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         lines = [HEAD, ("---",) * len(HEAD), *rows]
         parts.append(f"\n## {folder.name}\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines) + "\n")
-    return "".join(parts) + steps() + shown() + "\n"
+    return "".join(parts) + steps() + shown() + flights() + "\n"
 
 
 def steps() -> str:
@@ -62,6 +62,26 @@ def shown() -> str:
             same = ", ".join(f"{count} {reason}" for reason, count in of["same"].items() if count) or "0"
             rows.append((paper.name, form, *map(str, counts), same, str(len(of["left"]))))
     return "\n## Formulas as they are shown\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in rows) + "\n"
+
+
+FLOWN = ("condition", "asked", "NEES at the start", "second half", "end", "band", "NIS", "refused", "notes")
+
+
+def flights() -> str:
+    """What came of each condition that the transfer alignment was tried in."""
+    kept = results.read(Flights()).get("tried", {}).get("units", {})
+    if not kept:
+        return ""
+    rows: list[tuple[str, ...]] = [FLOWN, ("---",) * len(FLOWN)]
+    for name, of in kept.items():
+        if "error" in of:
+            rows.append((name, of["asked"], *"-" * 6, of["error"]))
+            continue
+        nees = (f"{of['nees'][when]:.3g}" for when in ("start", "second half", "end"))
+        limits = "{:.1f} to {:.1f}".format(*of["band"])
+        notes = "; ".join(of["notes"]).replace("|", "/") or "none"
+        rows.append((name, of["asked"], *nees, limits, f"{of['nis']:.2f}", f"{100 * of['refused']:.2g} %", notes))
+    return "\n## Flights of the transfer alignment\n\n" + "\n".join(f"| {' | '.join(row)} |" for row in rows) + "\n"
 
 
 def row(unit: Source, of: dict[str, dict[str, Any]]) -> tuple[str, ...]:
