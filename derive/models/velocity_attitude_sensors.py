@@ -35,7 +35,7 @@ def velocity_attitude_sensors() -> Model:
         wandering(scaled(bent(velocity_attitude_lever()))),
         name="velocity-attitude-sensors",
         c_prefix="vas",
-        title="velocity and attitude matching with lever arm, sensor errors and bending, 46 states",
+        title="velocity and attitude with lever arm, sensor errors and bending, 46 states",
     )
 
 
