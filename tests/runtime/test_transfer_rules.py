@@ -198,9 +198,9 @@ def test_a_master_that_stands_still_is_taken_at_every_message():
     So long that its gyro bias alone would carry the slave to 7 m/s.
     """
 
-    def of_half(time, message, digits=printed(0.01, 0.01)):
+    def of_half(time, message):
         q, v = (np.array(getattr(message, name)) for name in ("q_m2n_wxyz", "v_m_n"))
-        read = digits(time, message)
+        read = printed(0.01, 0.01)(time, message)
         q[:5], v[:5] = read.q_m2n_wxyz[:5], read.v_m_n[:5]
         return replace(message, q_m2n_wxyz=q, v_m_n=v)
 
