@@ -18,6 +18,7 @@ from boresight.runtime.library import load
 from boresight.runtime.recording import Recording, best_delay, shifted, thinned
 from boresight.runtime.recording.check import whole_turns
 from boresight.runtime.units import ARCMIN, DEG, DEG_H
+from boresight.studies.euler_table.table import first_covariance
 from boresight.studies.figures import BLUE, ORANGE, Sheets
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
 from boresight.studies.study import Progress, Replay, Study
@@ -90,12 +91,7 @@ def fly(
     """
     runs = np.broadcast_shapes(np.shape(gyro_noise), np.shape(angle_noise))[:-1]
     euler = leg.euler[0]
-    C, B = rotation.matrix_from_euler(euler), body_D_euler(euler)
-    # eps = -C dmu for the misalignment that was taken to be zero; the master's own angle error adds to eps alone and
-    # keeps P0 positive definite.
-    couple = np.vstack([C, -np.eye(3)])
-    P = np.zeros((*runs, 6, 6)) + MU_PRIOR**2 * couple @ couple.T
-    P[..., :3, :3] += (C @ B) @ (np.asarray(angle_noise)[..., :, None] ** 2 * (C @ B).T)
+    P = np.broadcast_to(first_covariance(model, euler, MU_PRIOR, np.asarray(angle_noise)), (*runs, 6, 6))
     nav = {"q_b2n_wxyz": np.tile(rotation.quaternion_from_euler(euler), (*runs, 1)), "mu": np.zeros((*runs, 3))}
     ekf = Filter(model, nav, P)
     history: dict[str, list[Array]] = {"mu": [], "sigma": [], "nu": [], "S": []}
@@ -114,12 +110,6 @@ def fly(
         history["S"].append(innovation.S)
     track = {name: np.array(values) for name, values in history.items()}
     return track | {"P": ekf.P, "q_b2n_wxyz": ekf.nav["q_b2n_wxyz"]}
-
-
-def body_D_euler(euler: Array) -> Array:
-    """(3, 3) small rotation of the body, in body axes, for small changes of roll, pitch and yaw: Song-Lee (12)."""
-    (sr, sp, _), (cr, cp, _) = np.sin(euler), np.cos(euler)
-    return np.array([[1, 0, -sp], [0, cr, sr * cp], [0, -sr, cr * cp]])
 
 
 # ---------------------------------------------------------------- choosing the noises
