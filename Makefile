@@ -1,10 +1,12 @@
 # run: make the environment, derive, generate, compile, verify one model, and fly the paper's Table 1 with it.
-# test: the same, then every model verified, every test, and the checks of style and types.
+# test: what is committed held against its source before `run` writes it anew; then the same, every model verified,
+# every test, and the checks of style and types.
 VENV := .venv
 BIN := $(VENV)/bin
 PYTHON ?= python3
 EXTRAS ?= all
 
+.NOTPARALLEL:
 .PHONY: run test generated check evidence bench clean tools announce
 
 run: announce $(VENV)/.installed
@@ -17,8 +19,7 @@ announce:
 	@test -e $(VENV)/.installed || echo "make: installs 1 GB of packages into $(VENV) first, once"
 	@echo "make run: takes about 25 s of processor time; figures go to out/euler-table"
 
-test: run $(VENV)/.tested check
-	$(MAKE) generated
+test: generated run $(VENV)/.tested check
 	$(BIN)/boresight verify
 	$(BIN)/python -m pytest -n auto tests
 

@@ -31,7 +31,7 @@ def check_inputs(
         if name not in fields:
             guess = did_you_mean(name, fields) or f"; it has {', '.join(fields)}"
             raise BoresightError(f"{function}: {model.name} has no input {name!r}{guess}")
-        if fields[name]["size"] == 1 and np.shape(value) == (1,) and P.ndim == 2 and one_run(fields, nav):
+        if P.ndim == 2 and fields[name]["size"] == 1 and np.shape(value) == (1,) and one_run(fields, nav):
             raise BoresightError(f"{function}: {name} has shape (1,), an axis of runs; for one run give a number")
 
 

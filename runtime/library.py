@@ -7,6 +7,7 @@ refuses a library that is not that of the files on disk.
 import ctypes
 import functools
 import json
+import math
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
@@ -57,6 +58,9 @@ class Unit:
         self._one.restype = ctypes.c_int
         self._many = getattr(dll, described["c_name"] + "_batch")
         self._many.restype = ctypes.c_size_t
+        pointers = len(described["results"]) + 1
+        self._many.argtypes = [ctypes.c_size_t, *len(self.structs) * (ctypes.c_void_p, ctypes.c_size_t),
+                               *pointers * (ctypes.c_void_p,)]  # fmt: skip
 
     def __call__(self, **fields: Any) -> Any:
         library = self.library
@@ -65,7 +69,7 @@ class Unit:
                 f"{self.name} takes {', '.join(self.fields)}; it was given {', '.join(fields) or 'nothing'}"
             )
         given, runs = library.arrange(self.name, fields)
-        outputs = self.outputs(int(np.prod(runs, dtype=int)))
+        outputs = self.outputs(math.prod(runs))
         failed, status = self.evaluate(given, runs, outputs)
         if failed:
             library.explain(self.name, given, runs, status.reshape(runs))
@@ -92,12 +96,9 @@ class Unit:
         """
         n = len(outputs[0])
         status = np.empty(n, dtype=np.uint8)
-        arguments: list[Any] = [ctypes.c_size_t(n)]
         kept = self.library.pack(self.structs, given, runs)
-        for packed, stride in kept:
-            arguments += [ctypes.c_void_p(packed.ctypes.data), ctypes.c_size_t(stride)]
-        arguments += [ctypes.c_void_p(out.ctypes.data) for out in (*outputs, status)]
-        return self._many(*arguments), status
+        inputs = [word for packed, stride in kept for word in (packed.ctypes.data, stride)]
+        return self._many(n, *inputs, *(out.ctypes.data for out in (*outputs, status))), status
 
     def bind(self) -> "Bound":
         """The function for one run, bound to its own arrays: for loops where a microsecond counts."""
@@ -179,7 +180,8 @@ class Library:
                 raise BoresightError(f"{function}: {name} has shape {array.shape}; its last axis must be {size} long")
             given[name] = array if vector else array[..., None]
         try:
-            return given, np.broadcast_shapes(*(array.shape[:-1] for array in given.values()))
+            shapes = {array.shape[:-1] for array in given.values()} - {()}
+            return given, shapes.pop() if len(shapes) == 1 else np.broadcast_shapes(*shapes)
         except ValueError:
             listed = ", ".join(f"{name} {np.shape(value)}" for name, value in fields.items())
             raise BoresightError(f"{function}: these shapes do not go together: {listed}") from None

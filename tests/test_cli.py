@@ -43,13 +43,13 @@ def test_help_names_every_command(run):
     assert "..." not in out.split("Commands:")[1] and not fits(out, 80)
 
 
-@pytest.mark.parametrize("columns", [80, 100])
+@pytest.mark.parametrize("columns", [80, 110])
 def test_models_are_one_line_each_with_their_whole_names(run, columns):
     _, out, _ = run("models", columns=columns)
     assert not fits(out, columns)
     for name in built_in():
         assert re.search(rf"^{name}\s", out, re.MULTILINE), name
-    if columns == 100:
+    if columns == 110:
         assert len(out.splitlines()) == len(built_in()) + 3
 
 

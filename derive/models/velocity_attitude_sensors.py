@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from sympy import Expr, Matrix, Symbol, diag, eye, zeros
 
-from boresight.derive.mechanics.rotation import dcm_from_quaternion, normalized, quaternion_product
+from boresight.derive.mechanics.rotation import dcm_from_quaternion, normalized, quaternion_product, skew
 from boresight.derive.model import Function, Measurement, Model, Output, Struct, Variable, substituted, variable
 from boresight.derive.models import velocity_attitude as va
 from boresight.derive.models.variables import (
@@ -241,15 +241,20 @@ def bent(base: Model) -> Model:
                        (*q_bent, *(OMEGA_IB_B.vector - C_m2b * BEND_RATE.vector)), strict=True))  # fmt: skip
     # What turns the slave one way turns the mounting the other: C_hat_b2m = (I - [(dmu - d_bend) x]) C_b2m.
     less = {dmu: dmu - bend for dmu, bend in zip(va.D_MOUNT.symbols, D_BEND.symbols, strict=True)}
-    # The hull turns without the rate of the bending: an error of it is one of a gyro bias, in the master's axes.
-    less |= dict(zip(D_BG.symbols, D_BG.vector + C_m2b * D_BEND_RATE.vector, strict=True))
+    # The hull turns without the rate of the bending: an error of it is one of a gyro bias, in the master's axes, which
+    # are known by the mounting.
+    by_turn = -skew(BEND_RATE.vector)
+    as_bias = C_m2b * (D_BEND_RATE.vector + by_turn * va.D_MOUNT.vector)
+    less |= dict(zip(D_BG.symbols, D_BG.vector + as_bias, strict=True))
 
     def seen(m: Measurement) -> Measurement:
         exact = replaced(m, as_bent, as_bent | less)
         if m.H is None:
             return exact
-        by_bias, by_mounting = Matrix(m.H)[:, biases], Matrix(exact.H)[:, mounting]
-        return replace(exact, H=Matrix.hstack(exact.H, -by_mounting, by_bias * C_m2b))
+        H = Matrix(exact.H)
+        by_bias, by_mounting = H[:, biases], H[:, mounting]
+        H[:, mounting] = by_mounting + by_bias * C_m2b * by_turn
+        return replace(exact, H=Matrix.hstack(H, -by_mounting, by_bias * C_m2b))
 
     F, G = zeros(n + 6), zeros(n + 6, base.G.cols + 3)
     F[n : n + 3, n + 3 :] = eye(3)

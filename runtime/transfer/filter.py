@@ -170,7 +170,8 @@ class Transfer:
     def _lose(self, where: Array, missing_s: float = 0.0) -> None:
         """These runs have lost their way: attitude and velocity are unknown until they begin anew."""
         new = self.gaps.lose(where, self.P, self.time, missing_s)
-        self._open(np.where(new[..., None], np.repeat(UNKNOWN, 3) ** 2, 0.0))
+        if new.any():
+            self._open(np.where(new[..., None], np.repeat(UNKNOWN, 3) ** 2, 0.0))
 
     def _overlapping(self, time: float, dt: float) -> None:
         """An interval begins before the last one ended: left out, unless this goes on; then the clock was set back."""

@@ -63,7 +63,7 @@ class History:
 
     def at(self, name: str, times: Array) -> Array:
         """(..., R, size) at times (..., R), on the chord between two samples, extended beyond the first and last."""
-        i = np.clip(np.searchsorted(self.time, times, "right") - 1, 0, len(self) - 2) + self.start
+        i = self.time[1:-1].searchsorted(times, "right") + self.start
         part = ((times - self.times[i]) / (self.times[i + 1] - self.times[i]))[..., None]
         run = np.arange(self.runs)
         low, high = self.values[name][i, run], self.values[name][i + 1, run]
@@ -76,7 +76,8 @@ class History:
 
     def mean(self, name: str, begin: Array, end: Array) -> Array:
         """(..., R, 3) mean of the rate behind `angle` or `push` between two times (..., R); biases in it."""
-        rate: Array = (self.at(name, end) - self.at(name, begin)) / (end - begin)[..., None]
+        first, last = self.at(name, np.array([begin, end]))
+        rate: Array = (last - first) / (end - begin)[..., None]
         return rate
 
 

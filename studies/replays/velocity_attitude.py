@@ -58,7 +58,7 @@ NOISES = {
     "gyro_walk": Noise("gyro bias walk", "deg/h/sqrt(h)", ("each axis",), 1e-6, (1e-10, 1e-3)),
     "accel_walk": Noise("accelerometer bias walk", "mg/sqrt(h)", ("each axis",), 1e-4, (1e-8, 0.1)),
 }
-LEAST = {"gyro_walk": 1e-10, "accel_walk": 1e-8}  # what constant biases are given
+LEAST = {name: NOISES[name].limits[0] for name in ("delay", "gyro_walk", "accel_walk")}  # what constant ones are given
 PARTS = tuple(one for one in NOISES.values() for _ in one.parts)
 ENOUGH = 0.5  # of minus the log likelihood: the noises are then within one of their own sigmas
 # Of NOISES one after the other: which number serves which of the gyros, accelerometers, rows of velocity and attitude.

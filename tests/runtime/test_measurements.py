@@ -17,7 +17,7 @@ from boresight.runtime.library import load
 from boresight.runtime.manifest import GENERATED, folder_of
 
 EARTH_RATE, SEMI_MAJOR_AXIS, ECCENTRICITY_SQUARED = 7.292115e-5, 6378137.0, 0.0066943799901413165
-SIZES = {"rad": 1e-3, "m/s": 1e-2, "rad/s": 1e-4, "m/s^2": 1e-2, "s": 1e-3, "m": 1e-2}
+SIZES = {"1": 1e-3, "rad": 1e-3, "m/s": 1e-2, "rad/s": 1e-4, "m/s^2": 1e-2, "s": 1e-3, "m": 1e-2}
 ROUNDING = 1e-13  # of velocities of some m/s and of matrices
 MANIFESTS = {name: json.loads((folder_of(name) / "manifest.json").read_text()) for name in model_names()}
 MEASUREMENTS = [(model, name) for model, manifest in MANIFESTS.items() for name in manifest["measurements"]]
@@ -48,6 +48,9 @@ def situation(model, name):
         "lag": np.array([0.0 if linear else 0.2]), "a_n": rng.uniform(-3, 3, 3), "reference_error": np.zeros(1),
         "omega_nm_n": rng.uniform(-0.5, 0.5, 3), "mu": (0.0 if linear else 0.2) * rng.uniform(-1, 1, 3),
     }  # fmt: skip
+    if model == "velocity-attitude-sensors":  # to first order in the bending
+        sizes = {"flexure": 0.0, "flexure_rate": 0.3, "gyro_scale": 0.03, "gyro_axes": 0.03}
+        true |= {key: size * rng.uniform(-1, 1, 6 if "axes" in key else 3) for key, size in sizes.items()}
     if model.startswith("azimuth-hold"):  # at rest, in ENU: longitude first
         east_north_up = earth_rate(true["position"][1])[[1, 0, 2]] * [1, 1, -1]
         true |= {"v_n": np.zeros(3), "omega_ib_b": C_b2n.T @ east_north_up}
@@ -61,6 +64,7 @@ def with_error(model, true, block, error):
         "d_position": "position", "dv_n": "v_n", "d_gyro_bias": "gyro_bias", "d_accel_bias": "accel_bias",
         "d_lever": "lever_b", "d_reference_error": "reference_error", "d_tau": "tau",
     }  # fmt: skip
+    added |= {f"d_{key}": key for key in ("flexure", "flexure_rate", "gyro_scale", "gyro_axes")}
     if block in added:
         out[added[block]] = true[added[block]] + error
     if block in ("phi", "psi", "eps"):
@@ -90,12 +94,22 @@ def predicted(model, name, s, v_of_level):
         return s["v_n"] if name == "velocity" else s["C_b2n"] @ exp(-s["mu"])
     if model == "euler-matching":
         return angles(s["C_b2n"] @ exp(-s["mu"]))
+    if model == "velocity-attitude-sensors":
+        s = of_the_hull(s)
     lat, _, height = s["position"]
     omega_nb = s["C_b2n"] @ s["omega_ib_b"] - earth_rate(lat) - transport_rate(lat, height, v_of_level)
     if name == "velocity":
         return s["v_n"] - np.cross(omega_nb, s["C_b2n"] @ s["lever_b"]) - s["a_n"] * s["lag"]
     C_m2n = exp(-omega_nb * s["lag"]) @ s["C_b2n"] @ s["C_b2m"].T
     return angles(C_m2n) if name == "euler" else C_m2n
+
+
+def of_the_hull(s):
+    """The state with its rates as they are, without the bending's, and the bending in the mounting."""
+    K = np.diag(s["gyro_scale"])
+    K[[0, 0, 1, 1, 2, 2], [1, 2, 0, 2, 0, 1]] = s["gyro_axes"]
+    rate = s["omega_ib_b"] - K @ s["omega_ib_b"] - s["C_b2m"].T @ s["flexure_rate"]
+    return s | {"omega_ib_b": rate, "C_b2m": exp(s["flexure"]) @ s["C_b2m"]}
 
 
 def turn_from(computed, measured):

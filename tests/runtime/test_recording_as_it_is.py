@@ -275,6 +275,7 @@ def test_local_metres_become_a_place_by_one_latitude(describe, frame):
     origin = f"origin = {{ latitude = {lat!r}, longitude = {lon!r}, height = {height!r} }}"
     metres = ('"position", unit = "rad" }', f'"position", unit = "m" }}\n{origin}')
     changes = [metres, ('navigation = "NED"', f'navigation = "{frame}"')]
+    changes.append(('"euler", unit = "rad"', '"euler", unit = "rad", yaw_from = "north"'))
     got = read(describe(*changes, ins=ins)).master
     np.testing.assert_allclose(got.position[:, :2], INS["position"][:, :2], atol=2e-9)  # 1 cm
     np.testing.assert_allclose(got.position[:, 2], INS["position"][:, 2], atol=0.02)

@@ -226,6 +226,12 @@ def test_a_name_cannot_break_the_page(result, tmp_path):
     assert "<b>" not in html and numbers_of(html)["title"] == spoilt["title"]
 
 
+def test_a_walk_of_zero_is_one_that_is_not_seen():
+    noises, free = tr.noise_vector({"delay": 0.0, "gyro_walk": 0.0, "accel_walk": 0.0})
+    said = tr.said_noise(noises, free, 0)
+    assert not any(said[name]["chosen"] or any(said[name]["seen"]) for name in ("delay", "gyro_walk", "accel_walk"))
+
+
 def test_datasheet_units_are_read_by_name():
     assert quantity("0.15 deg/sqrt(h)", "gyro noise") == pytest.approx(quantity("9 deg/h/sqrt(Hz)", "gyro noise"))
     assert quantity("3.6 deg/h/sqrt(Hz)", "gyro noise") == pytest.approx(quantity("1 mdps/sqrt(Hz)", "gyro noise"))

@@ -19,12 +19,12 @@ static void vas_velocity_H_kernel(const bs_real position[3],
                                   const bs_real flexure_rate[3],
                                   const bs_real gyro_scale[3],
                                   const bs_real gyro_axes[6],
-                                  bs_real H_nz[69])
+                                  bs_real H_nz[78])
 {
     const double *arg[10] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[67] = {0};
+    double w[73] = {0};
     arg[0] = position;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

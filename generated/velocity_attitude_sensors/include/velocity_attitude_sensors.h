@@ -642,7 +642,7 @@ bs_status vas_velocity_z(const vas_nav *nav,
  * in   triads->gyro_scale     estimated scale factor error of the gyros (1, body); -0.1 to 0.1
  * in   triads->gyro_axes      estimated share of another axis' rate in a gyro, as xy: y in x
  *                             (rad, body); -0.1 to 0.1
- * out  H                      rows n, e, d (m/s per unit of state); 3 x 46, row-major; 69 of 138
+ * out  H                      rows n, e, d (m/s per unit of state); 3 x 46, row-major; 78 of 138
  *                             are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_velocity_H(const vas_nav *nav,
@@ -659,7 +659,7 @@ bs_status vas_velocity_H_nz(const vas_nav *nav,
                             const vas_master *master,
                             const vas_bending *bending,
                             const vas_triads *triads,
-                            bs_real H_nz[69]);
+                            bs_real H_nz[78]);
 
 /* What the master should report for this state of the slave.
  * Equations: kang-2025 (1).

@@ -576,12 +576,13 @@ bs_status vas_filter_measure_velocity(vas_filter *filter,
                                       bs_real gate,
                                       vas_innovation *innovation)
 {
-    static const unsigned short start[4] = { 0, 23, 46, 69 };
-    static const unsigned short at[69] = { 0, 1, 2, 3, 6, 7, 8, 15, 16, 17, 18, 22, 23, 24, 25, 26,
-                                           27, 31, 32, 33, 34, 35, 36, 0, 1, 2, 4, 6, 7, 8, 15, 16,
-                                           17, 18, 22, 23, 24, 25, 26, 27, 31, 32, 33, 34, 35, 36,
-                                           0, 1, 2, 5, 6, 7, 8, 15, 16, 17, 18, 22, 23, 24, 25, 26,
-                                           27, 31, 32, 33, 34, 35, 36 };
+    static const unsigned short start[4] = { 0, 26, 52, 78 };
+    static const unsigned short at[78] = { 0, 1, 2, 3, 6, 7, 8, 12, 13, 14, 15, 16, 17, 18, 22, 23,
+                                           24, 25, 26, 27, 31, 32, 33, 34, 35, 36, 0, 1, 2, 4, 6, 7,
+                                           8, 12, 13, 14, 15, 16, 17, 18, 22, 23, 24, 25, 26, 27,
+                                           31, 32, 33, 34, 35, 36, 0, 1, 2, 5, 6, 7, 8, 12, 13, 14,
+                                           15, 16, 17, 18, 22, 23, 24, 25, 26, 27, 31, 32, 33, 34,
+                                           35, 36 };
     bs_real z[3];
     bs_status status;
     if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) ||

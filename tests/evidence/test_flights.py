@@ -1,0 +1,33 @@
+"""The transfer alignment in every condition that it was tried in: the committed results are what was asked."""
+
+import pytest
+
+from boresight.evidence import results
+from boresight.evidence.flights.conditions import CONDITIONS
+from boresight.evidence.kinds import TRIED, out_of_date
+from boresight.evidence.sources import Flights
+
+
+def test_the_results_are_of_the_filter_as_it_is():
+    assert not out_of_date(Flights(), TRIED), "make evidence"
+
+
+@pytest.mark.parametrize("condition", CONDITIONS, ids=lambda condition: condition.name)
+def test_a_flight_is_consistent_or_what_is_wrong_is_told(condition):
+    found = results.read(Flights())["tried"]["units"][condition.name]
+    if condition.asked == "refused":
+        assert condition.told in found["error"]
+        return
+    assert "error" not in found
+    low, high = found["band"]
+    if condition.asked == "delay":
+        low, high = found["delay"]["band"]
+        assert low < found["delay"]["second half"] < high and low < found["delay"]["end"] < high
+    if condition.asked == "taken":
+        assert found["refused"] == 0
+    if condition.asked == "consistent":
+        assert low < found["nees"]["second half"] < high
+    if condition.asked in ("consistent", "heals"):
+        assert low < found["nees"]["end"] < high
+    assert condition.told or condition.asked != "told", "what should be told?"
+    assert not condition.told or any(condition.told in note for note in found["notes"]), found["notes"]
