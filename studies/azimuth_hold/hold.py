@@ -17,7 +17,7 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.simulation import inertial
-from boresight.runtime.units import ARCMIN, DEG, MILLI_G
+from boresight.runtime.units import ARCMIN, DEG, HOUR, MILLI_G
 from boresight.studies.azimuth_hold import figures
 from boresight.studies.azimuth_hold.alignment import (
     COMPLETE,
@@ -322,7 +322,6 @@ def marked(held: Held, theory: dict[str, Array], second: int, mode: int) -> dict
 def ended_summary(
     models: Models, scenario: Scenario, start: Aligned, held: Held, theory: dict[str, Array]
 ) -> dict[str, Any]:
-    sigma = np.sqrt(np.einsum("mrii->mri", held.P))
     floor = bias_variances(scenario, rest_specific_force(models, start.position, start.q_b2n_wxyz[0]))[3:]
     beside = held.phi[-1, ..., :2] - remaining_floor(start, held)
     half = len(held.nis_zupt) // 2
@@ -340,18 +339,26 @@ def ended_summary(
         states = 16 if STATE[m] else 15
         e, P = held.error[m, :, :states], held.P[m, :, :states, :states]
         out["floor"]["beside_arcmin"][mode] = (root_mean_square(beside[m]) / ARCMIN).tolist()
-        out["bias"][mode] = {
-            "gyro_deg_h": (root_mean_square(held.error[m, :, 9:12]) / DEG * 3600).tolist(),
-            "gyro_sigma_deg_h": (root_mean_square(sigma[m, :, 9:12]) / DEG * 3600).tolist(),
-            "accel_mg": (root_mean_square(held.error[m, :, 12:15]) / MILLI_G).tolist(),
-            "accel_sigma_mg": (root_mean_square(sigma[m, :, 12:15]) / MILLI_G).tolist(),
-        }
+        out["bias"][mode] = bias_summary(held, m)
         out["nees"][mode] = float(nees(e, P).mean())
         out["nis"][mode] = {
             "zupt": float(held.nis_zupt[half:, m].mean()),
             "azimuth": float(held.nis_azimuth[half:, m].mean()),
         }
     return out
+
+
+def bias_summary(held: Held, mode: int) -> dict[str, list[float]]:
+    """Error and sigma of the biases at the end, rms of the runs, body axes."""
+    error, sigma = held.error[mode], np.sqrt(np.einsum("rii->ri", held.P[mode]))
+    return {
+        f"{sensor}_{what}{unit}": (root_mean_square(values[:, part]) / size).tolist()
+        for sensor, part, unit, size in (
+            ("gyro", slice(9, 12), "deg_h", DEG / HOUR),
+            ("accel", slice(12, 15), "mg", MILLI_G),
+        )
+        for what, values in (("", error), ("sigma_", sigma))
+    }
 
 
 def claims(result: Result) -> list[Claim]:

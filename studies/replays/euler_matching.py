@@ -21,7 +21,7 @@ from boresight.runtime.units import ARCMIN, DEG, DEG_H
 from boresight.studies.euler_table.table import first_covariance
 from boresight.studies.figures import BLUE, ORANGE, Sheets
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
-from boresight.studies.study import Progress, Replay, Study
+from boresight.studies.study import Progress, Replay, Study, table
 
 DEG_SQRT_H = DEG / 60  # rad/sqrt(s) of 1 deg/sqrt(h)
 AXES = ("roll", "pitch", "yaw")
@@ -311,15 +311,12 @@ def _row(values: Sequence[float], spec: str) -> str:
 
 def _table(result: dict[str, Any]) -> str:
     m = result["misalignment"]
-    known = m["reference_arcmin"] is not None
-    lines = ["arcmin         estimate   1 sigma" + ("   reference   difference   in sigmas" if known else "")]
-    for i, axis in enumerate(m["axes"]):
-        line = f"{axis:<12} {m['estimate_arcmin'][i]:10.3f} {m['sigma_arcmin'][i]:9.3f}"
-        if known:
-            line += f" {m['reference_arcmin'][i]:11.3f} {m['difference_arcmin'][i]:+12.3f}"
-            line += f" {m['difference_sigmas'][i]:+11.2f}"
-        lines.append(line)
-    return "\n".join(lines)
+    columns = [("arcmin", "axes", ""), ("estimate", "estimate_arcmin", ".3f"), ("1 sigma", "sigma_arcmin", ".3f")]
+    if m["reference_arcmin"] is not None:
+        columns += [("reference", "reference_arcmin", ".3f"), ("difference", "difference_arcmin", "+.3f"),
+                    ("in sigmas", "difference_sigmas", "+.2f")]  # fmt: skip
+    head, keys, formats = zip(*columns, strict=True)
+    return "\n".join(table(head, zip(*(m[key] for key in keys), strict=True), formats))
 
 
 def _consistency(nis: dict[str, Any]) -> str:
@@ -335,9 +332,9 @@ def _consistency(nis: dict[str, Any]) -> str:
 def _observability(result: dict[str, Any]) -> str:
     o = result["observability"]
     worst = int(np.argmax(o["misalignment_sigma_arcmin"]))
-    lines = ["body axis   strays in space   correlation of attitude error and misalignment about it"]
-    for i, axis in enumerate(o["axes"]):
-        lines.append(f"{axis:<9} {o['axis_stray_deg'][i]:12.2f} deg   {o['correlation'][i]:+.4f}")
+    head = ("body axis", "strays in space, deg", "correlation of attitude error and misalignment about it")
+    rows = zip(o["axes"], o["axis_stray_deg"], o["correlation"], strict=True)
+    lines = table(head, rows, ("", ".2f", "+.4f"))
     lines.append(
         f"Worst known: {AXES[worst]}, to {o['misalignment_sigma_arcmin'][worst]:.2f} arcmin.  Measured is the sum of "
         "attitude error and\nmisalignment about an axis, and only turning that axis in space tells them apart."

@@ -298,7 +298,7 @@ def matchings(model: Any, *, runs: int, seed: int) -> list[dict[str, Any]]:
                      rows=rows, runs=runs, seed=seed)  # fmt: skip
         for case, place in enumerate(PLACES):
             texts = [note.text for note in flight.notes if (note.runs // runs == case).any()]
-            refused = " ".join(texts) if (flight.rows[:, case] <= 3).all() else None  # of the velocity
+            refused = texts[-1] if (flight.rows[:, case] <= 3).all() else None  # of the velocity
             out.append({"way": name, "place": place, "refused": refused, **summary(flight, case)})
     return out
 
@@ -428,7 +428,7 @@ def report(result: Result) -> str:
         lines += [
             "",
             *table(head, rows, ["", ".2f", ".2f", ".4g", ".4g", ".0%"]),
-            f"  the likeliest is within {CONVERGED_MIL:g} mil from {np.median(right):g} s on (median), "
+            f"  the bank is within {CONVERGED_MIL:g} mil from {np.median(right):g} s on (median), "
             f"{right.max():g} s (worst)",
         ]
     if not result["finished"]:
