@@ -473,7 +473,8 @@ def report(result: Mapping[str, Any]) -> str:
     """One page of Markdown, which a terminal shows as well."""
     nis, noise = result["nis"], result["noise"]
     known = [s for s in result["states"] if s["difference_sigmas"] is not None]
-    table = [tuple("|estimate|1 sigma|by noise|unit|of the prior|settled|without delay|stated|difference".split("|"))]
+    head = ("", "estimate", "1 sigma", "by noise", "unit", "of the prior", "settled", "without delay")
+    table = [(*head, "stated", "difference")]
     for s in result["states"]:
         bare = "0, held" if s["state"] == "delay" else number(s["without_delay"], s["sigma"])
         stated = (
