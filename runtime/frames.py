@@ -41,12 +41,18 @@ def _triad(frame: str, letters: dict[str, tuple[int, float]], kind: str, example
     return T
 
 
-def euler_from_angles(angles: Any, order: Sequence[str] = ANGLES, yaw_positive: str = "clockwise") -> Array:
-    """Roll, pitch, yaw in NED/FRD from three angles in any order of columns and either sign of yaw.
+def euler_from_angles(
+    angles: Any,
+    order: Sequence[str] = ANGLES,
+    yaw_positive: str = "clockwise",
+    pitch_positive: str = "up",
+    yaw_from: str = "north",
+) -> Array:
+    """Roll, pitch, yaw in NED/FRD from three angles in any order of columns and other signs.
 
-    angles: (..., 3) rad, columns named by order, applied as yaw first, then pitch, then roll.  Right side down and
-    nose up are positive in every such convention (RFU in ENU as well as FRD in NED); only yaw's sign differs.
-    yaw_positive: "clockwise" from north seen from above, or "counter-clockwise".
+    angles: (..., 3) rad, columns named by order, applied as yaw first, then pitch, then roll.  A roll is positive with
+    the right side down.  yaw_positive: "clockwise" or "counter-clockwise", seen from above; yaw_from: "north" or
+    "east", where it is zero; pitch_positive: "up" or "down", where the nose goes.
     Returns (..., 3) rad, yaw in [-pi, pi).
     """
     if sorted(order) != sorted(ANGLES):
@@ -57,6 +63,10 @@ def euler_from_angles(angles: Any, order: Sequence[str] = ANGLES, yaw_positive: 
     roll, pitch, yaw = (angles[..., list(order).index(name)] for name in ANGLES)
     if yaw_positive == "counter-clockwise":
         yaw = -yaw
+    if yaw_from == "east":
+        yaw = yaw + np.pi / 2
+    if pitch_positive == "down":
+        pitch = -pitch
     return np.stack([roll, pitch, (yaw + np.pi) % (2 * np.pi) - np.pi], axis=-1)
 
 

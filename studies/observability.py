@@ -40,6 +40,16 @@ class Moment:
     rows: Any = True  # (..., m) bool
 
 
+def taken_over(C_b2n: Array, sigma: float) -> Array:
+    """(..., 6, 6) of [eps dmu] of a slave that takes the master's attitude for its own: eps = -C dmu.
+
+    Exact, with mu_hat = 0: exp(-[C mu x]) C exp([mu x]) = C.  sigma: rad, of the misalignment about each axis.
+    """
+    couple = np.concatenate([C_b2n, np.broadcast_to(-np.eye(3), C_b2n.shape)], axis=-2)
+    P: Array = sigma**2 * couple @ np.swapaxes(couple, -1, -2)
+    return P
+
+
 def along(model: Any, P0: Array, moments: Iterable[Moment]) -> Iterator[Array]:
     """P (..., n, n) after each moment."""
 
@@ -58,11 +68,7 @@ def along(model: Any, P0: Array, moments: Iterable[Moment]) -> Iterator[Array]:
         yield flown.P
 
 
-def shown_after(history: Array, threshold: float) -> Array:
-    """Number of the first sample from which on a sigma stays below `threshold` times the first; nan if it never does.
-
-    history: (T+1, ...) sigmas.
-    """
-    below = history < threshold * history[0]
-    stays = np.flip(np.logical_and.accumulate(np.flip(below, axis=0), axis=0), axis=0)
+def since(true: Array) -> Array:
+    """Number of the first sample from which on (T, ...) stays true to the end; nan where the last one is not."""
+    stays = np.flip(np.logical_and.accumulate(np.flip(true, axis=0), axis=0), axis=0)
     return np.where(stays.any(0), stays.argmax(0), np.nan)

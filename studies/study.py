@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight import __version__
+from boresight import BoresightError, __version__
 from boresight.runtime.manifest import folder_of, read_manifest
 from boresight.studies.figures import Sheets
 
@@ -78,6 +78,21 @@ class Replay:
 
     recording: Any
     settings: Mapping[str, Any] = field(default_factory=dict)
+
+
+def checked(name: str, scenario: Any, signed: Sequence[str], limits: Mapping[str, tuple[float, float]]) -> None:
+    """Raises BoresightError for a number of the scenario that has no meaning: not finite, negative, beyond its limits.
+
+    name: of the study.  signed: fields that may be negative.  limits: lowest and highest of a field.
+    """
+    for key, value in asdict(scenario).items():
+        numbers = np.asarray(value)
+        if numbers.dtype.kind not in "biuf":
+            continue
+        low, high = limits.get(key, (-np.inf if key in signed else 0.0, np.inf))
+        if not np.isfinite(numbers).all() or (numbers < low).any() or (numbers > high).any():
+            span = f"within {low:g} to {high:g}" if key in limits else "and not negative" * (key not in signed)
+            raise BoresightError(f"{name}: {key} is {value}; it must be finite {span}".rstrip())
 
 
 def silent(line: str) -> None:

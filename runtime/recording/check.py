@@ -24,7 +24,7 @@ NAMES = {
     "bias": "a gyro bias beyond 1 deg/s",
     "angles": "angles out of their range",
     "place": "a latitude beyond 90 deg",
-    "path": "the position is not the sum of the velocity",
+    "path": "the position is not the sum of the velocity, or goes against it",
     "gravity": "in the master's axes the specific force is not gravity",
     "turns": "the slave does not turn as its master",
 }
@@ -266,6 +266,13 @@ def _check_velocity(master: Master) -> list[Finding]:
     moved = np.array([lat[-1] - lat[0], (lon[-1] - lon[0]) * np.cos(lat[0]), 0]) * radius
     moved[2] = height[0] - height[-1]
     summed = np.sum((master.v_n[1:] + master.v_n[:-1]) / 2 * np.diff(master.time)[:, None], axis=0)
+    # Climbs and descents end where they began: a wrong sign of the height shows on the way only.
+    fallen = np.concatenate([[0.0], np.cumsum((master.v_n[1:, 2] + master.v_n[:-1, 2]) / 2 * np.diff(master.time))])
+    fallen, sunk = fallen - fallen.mean(), height.mean() - height
+    if np.std(fallen) > 1.0 and np.std(sunk + fallen) < np.std(sunk - fallen) / 3:
+        text = f"the height goes against the vertical velocity, which alone moves by {np.ptp(fallen):.1f} m"
+        hint = ": check which of them is up and which down (in metres all axes are those of navigation)"
+        return [Finding("error", "master.position", text + hint, "path")]
     path = float(np.linalg.norm(moved))
     if path < 20:
         return []

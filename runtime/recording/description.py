@@ -28,6 +28,9 @@ class Column(Part):
 class Attitude(Column):
     order: str = "roll pitch yaw"
     yaw_positive: Literal["clockwise", "counter-clockwise"] = "clockwise"
+    # Of angles; must be given where the axes of [master] would say otherwise than "north" and "up".
+    yaw_from: Literal["north", "east"] | None = None
+    pitch_positive: Literal["up", "down"] | None = None
 
 
 class Velocity(Column):
@@ -129,7 +132,9 @@ def load(path: Path) -> Description:
     """The description in a TOML file; raises BoresightError naming the file and the key."""
     try:
         return Description.model_validate(tomllib.loads(path.read_text(encoding="utf-8")))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+    except UnicodeDecodeError:
+        raise BoresightError(f"{path}: not TOML: it is not text in UTF-8; save it as UTF-8") from None
+    except tomllib.TOMLDecodeError as error:
         raise BoresightError(f"{path}: not TOML: {error}; compare with 'boresight replay --template'") from None
     except OSError as error:
         raise BoresightError(f"{path}: cannot be read: {error.strerror}") from None
@@ -155,6 +160,24 @@ def keys(place: list[str]) -> list[str]:
         kind = part.model_fields[name].annotation
         part = next((one for one in get_args(kind) if one is not type(None)), kind)
     return [field.alias or name for name, field in part.model_fields.items()]
+
+
+def shared(said: Description) -> str:
+    """What is wrong where a column is named for two quantities, or twice for one; "" where nothing is."""
+    taken: dict[tuple[str | None, str], str] = {}
+    for section, part in (("imu", said.imu), ("master", said.master)):
+        for name, quantity in part or ():
+            if not isinstance(quantity, Column):
+                continue
+            what = f"{section}.{name}"
+            for column in [quantity.columns] if isinstance(quantity.columns, str) else quantity.columns:
+                before = taken.setdefault(((part and part.file) or said.file, column), "")
+                if before == what:
+                    return f"{what}: column {column!r} is named twice; name one for each component"
+                if before and not (before.endswith(".time") and name == "time"):  # one clock may serve both
+                    return f"column {column!r} is named for {before} and {what}; each has columns of its own"
+                taken[(part and part.file) or said.file, column] = what
+    return ""
 
 
 def named(part: Any) -> list[str]:

@@ -24,7 +24,7 @@ from boresight.runtime.recording.types import Inertial, Master, Recording
 from boresight.runtime.units import UNITS, quantity
 
 if TYPE_CHECKING:
-    from boresight.runtime.recording.description import Column, Description, Known
+    from boresight.runtime.recording.description import Column, Description, Known, MasterPart
 
 BUILT_IN = Path(__file__).parent / "built_in"
 EXAMPLE = Path(__file__).parent / "example" / "simulated.npz"  # its truth is known; made by a simulator of flights
@@ -75,6 +75,9 @@ def read(
         columns = table(found)
         said, default = _built_in(found, columns), found
         tables[found] = columns
+
+    if wrong_columns := description.shared(said):
+        raise BoresightError(f"{found}: {wrong_columns}")
 
     def source(section: Any) -> _Source:
         if not description.named(section):
@@ -370,7 +373,7 @@ def _master(said: "Description", at: _Source, since: int, notes: list[str]) -> M
     to_ned = _framed(at, "master.navigation", frames.navigation_to_ned, part.navigation)
     to_frd = _framed(at, "master.body", frames.body_to_frd, part.body)
     time = at.time("master.time", part.time, since)
-    q = _attitude(at, part.attitude, to_ned, to_frd)
+    q = _attitude(at, part, to_ned, to_frd)
     lost = ~np.isfinite(q).all(axis=1)  # `check`'s to report
     q[lost] = [1.0, 0.0, 0.0, 0.0]
     velocity = None if part.velocity is None else at.column("master.velocity", part.velocity, "velocity", 3)
@@ -421,8 +424,9 @@ def _master(said: "Description", at: _Source, since: int, notes: list[str]) -> M
     return master if whole.all() else master.cut(whole)
 
 
-def _attitude(at: _Source, column: Any, to_ned: Array, to_frd: Array) -> Array:
+def _attitude(at: _Source, part: "MasterPart", to_ned: Array, to_frd: Array) -> Array:
     """(N, 4) quaternions FRD to NED from what the file has; nan where it has none."""
+    column = part.attitude
     if column.order in ("wxyz", "xyzw"):
         q = at.column("master.attitude", column, "quaternion", 4)
         if np.any(np.abs(np.linalg.norm(q, axis=1) - 1) > 0.01):
@@ -431,9 +435,19 @@ def _attitude(at: _Source, column: Any, to_ned: Array, to_frd: Array) -> Array:
         whole = np.isfinite(q).all(axis=1)
         q[whole] = rotation.quaternion_from_matrix(to_ned @ rotation.matrix_from_quaternion(q[whole]) @ to_frd.T)
         return q
+    # Angles are those of an aircraft in any axes, but somebody may have turned about the axes that are named.
+    meant = f"{at.path}: master.attitude: three angles in {part.body} and {part.navigation}"
+    if "B" in part.body:
+        raise BoresightError(f"{meant}: they need a body frame with F, front; or name a quaternion")
+    if column.pitch_positive is None and "L" in part.body:
+        raise BoresightError(f'{meant}: say which pitch is positive: pitch_positive = "up" or "down", of the nose')
+    if column.yaw_from is None and part.navigation[part.body.index("F")] != "N":
+        raise BoresightError(f'{meant}: say where yaw is zero: yaw_from = "north" or "east"')
     angles = at.column("master.attitude", column, "angle", 3)
     try:
-        euler = frames.euler_from_angles(angles, column.order.split(), column.yaw_positive)
+        euler = frames.euler_from_angles(
+            angles, column.order.split(), column.yaw_positive, column.pitch_positive or "up", column.yaw_from or "north"
+        )
     except BoresightError as error:
         raise BoresightError(f"{at.path}: master.attitude: {error}; or name a quaternion, wxyz or xyzw") from None
     return rotation.quaternion_from_euler(euler)

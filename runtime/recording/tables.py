@@ -3,6 +3,7 @@
 Logs of many topics name a column "TOPIC/field": "sensor_combined/gyro_rad", "IMU/GyrX", "/imu/data/angular_velocity".
 """
 
+import codecs
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
@@ -33,6 +34,10 @@ def table(path: Path, *, delimiter: str = ",", decimal: str = ".", header: bool 
         return reader(path)
     except BoresightError:
         raise
+    except UnicodeDecodeError:
+        raise BoresightError(
+            f"{path}: cannot be read as {kind[1:]}: it is not text in UTF-8; save it as UTF-8"
+        ) from None
     except Exception as error:  # each library fails in its own ways; the user needs one line
         reason = str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
         raise BoresightError(f"{path}: cannot be read as {kind[1:]}: {reason}") from None
@@ -107,10 +112,12 @@ def _hdf5(path: Path) -> Table:
 def _text(path: Path, delimiter: str, decimal: str, header: bool) -> Table:
     import pandas
 
+    with path.open("rb") as file:
+        marked = file.read(2) in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
     words = {"tab": "\t", "whitespace": r"\s+"}
     frame = pandas.read_csv(
         path, sep=words.get(delimiter, delimiter), decimal=decimal, header=0 if header else None, comment="#",
-        skipinitialspace=True, encoding="utf-8-sig",
+        skipinitialspace=True, encoding="utf-16" if marked else "utf-8-sig",
     )  # fmt: skip
     if not isinstance(frame.index, pandas.RangeIndex):  # pandas would take the first cells for names of the rows
         raise BoresightError(f"{path}: a row has more cells than its header has names; name every column")

@@ -6,7 +6,7 @@ estimate (the slave's biases, the master's own errors) is carried beside it, so 
 that is true.  ENU, body axes right-front-up.  Axes of arrays: runs, then components.
 """
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,9 @@ from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 from boresight.runtime.simulation import inertial, sensors
 from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, MILLI_G
+from boresight.studies import study
 from boresight.studies.azimuth_hold import handover
+from boresight.studies.observability import taken_over
 from boresight.studies.study import Seeded, option
 
 
@@ -67,28 +69,30 @@ class Scenario(Seeded):
     # The hold's filter.
     zupt_sigma_m_s: float = 0.01
 
+    @property
+    def master_sigma(self) -> tuple[Array, Array, Array]:
+        """(3,) each of the master's own errors: position in m and velocity in m/s, east north up, and psi in rad."""
+        return (
+            np.array([self.master_position_m, self.master_position_m, self.master_height_m]),
+            self.master_velocity_m_s * np.array([1, 1, 0.1]),  # a master's height is damped
+            1e-6 * np.array([self.master_level_urad, self.master_level_urad, self.master_azimuth_urad]),
+        )
+
+
+SIGNED = ("seed", "longitude_deg", "roll_deg", "pitch_deg", "heading_deg")
+LIMITS = {
+    "runs": (1, np.inf),
+    "seconds": (10, 36000),
+    "latitude_deg": (-85, 85),
+    "height_m": (-500, 30000),
+    "zupt_sigma_m_s": (1e-9, 100),
+    "align_s": (10, 3600),
+}
+
 
 def checked(scenario: Scenario) -> Scenario:
     """The scenario; raises BoresightError for a value that has no meaning or lies outside the models' box."""
-    for name, value in asdict(scenario).items():
-        numbers = np.asarray(value, float)
-        signed = name in ("seed", "longitude_deg", "latitude_deg", "height_m", "roll_deg", "pitch_deg", "heading_deg")
-        if not np.isfinite(numbers).all() or (not signed and (numbers < 0).any()):
-            raise BoresightError(
-                f"azimuth-hold: {name} is {value}; it must be finite" + " and not negative" * (not signed)
-            )
-    limits = {
-        "runs": (1, np.inf),
-        "seconds": (10, 36000),
-        "latitude_deg": (-85, 85),
-        "height_m": (-500, 30000),
-        "zupt_sigma_m_s": (1e-9, 100),
-        "align_s": (10, 3600),
-    }
-    for name, (low, high) in limits.items():
-        value = getattr(scenario, name)
-        if not low <= value <= high:
-            raise BoresightError(f"azimuth-hold: {name} is {value:g}; it must lie within {low:g} to {high:g}")
+    study.checked("azimuth-hold", scenario, SIGNED, LIMITS)
     if scenario.covariance_hz < 1 or scenario.strapdown_hz % scenario.covariance_hz:
         raise BoresightError(
             f"azimuth-hold: covariance_hz is {scenario.covariance_hz}; "
@@ -191,6 +195,7 @@ class Drawn:
 def draw(scenario: Scenario, seed: int, runs: int, first_run: int = 0) -> Drawn:
     """Keyed by [seed, run], whatever runs are flown beside it; the white noise follows from the same streams."""
     streams = tuple(sensors.generator(seed, run) for run in range(first_run, first_run + runs))
+    position, velocity, psi = scenario.master_sigma
     n = np.array([stream.standard_normal(37) for stream in streams])
 
     def gain(scale_ppm: float, misalignment_urad: float, numbers: Array) -> Array:
@@ -212,9 +217,9 @@ def draw(scenario: Scenario, seed: int, runs: int, first_run: int = 0) -> Drawn:
         ),
         mu=s.mounting_deg * DEG * n[:, 24:27],
         delay=np.abs(s.delay_s * n[:, 27]),
-        position=n[:, 28:31] * [s.master_position_m, s.master_position_m, s.master_height_m],
-        master_velocity=s.master_velocity_m_s * n[:, 31:34] * [1, 1, 0.1],  # a master's height is damped
-        master_psi=1e-6 * n[:, 34:37] * [s.master_level_urad, s.master_level_urad, s.master_azimuth_urad],
+        position=n[:, 28:31] * position,
+        master_velocity=n[:, 31:34] * velocity,
+        master_psi=n[:, 34:37] * psi,
     )
 
 
@@ -259,6 +264,7 @@ class Aligned:
 
     nav: dict[str, Array]  # the fields of the hold, (runs, ...)
     P: Array  # (runs, 15, 15)
+    earth: dict[str, Array]  # omega_ie_n, gravity_n
     position: Array  # (3,) true
     q_b2n_wxyz: Array  # (runs, 4) true
     drawn: Drawn
@@ -268,6 +274,10 @@ class Aligned:
     psi_history: Array  # (T, runs, 3) rad, against the true attitude in the computed level
     sigma_history: Array  # (T, runs, 3) rad, of the filter's own ten states
     nis: Array  # (T, runs), of six rows
+
+    @property
+    def gravity(self) -> float:
+        return float(-self.earth["gravity_n"][2])
 
 
 COMPLETE = handover.Completion(level_sigma=1.0 * ARCMIN, azimuth_sigma=2.0 * ARCMIN)
@@ -280,9 +290,8 @@ def align(models: Models, scenario: Scenario, *, runs: int, seed: int, first_run
     dtheta_m, dv_m, truth = bench(models, scenario)
     C_b2m = rotation.matrix_from_vector(drawn.mu)
     to_level = models.psi.phi_from_psi(position=truth.position[0], v_n=np.zeros(3))
-    metres = np.array([*models.strapdown.rates(position=truth.position[0], v_n=np.ones(3), q_b2n_wxyz=[1.0, 0, 0, 0],
-                                               f_b=np.zeros(3), omega_ib_b=np.zeros(3))["position_rate"]])  # fmt: skip
-    d_position = drawn.position * metres
+    per_metre = coordinates_per_metre(models, truth.position[0])
+    d_position = drawn.position * per_metre
     phi_m = drawn.master_psi + d_position @ to_level[6:9, :3].T
 
     def master(second: int, noise: Array) -> tuple[Array, Array]:
@@ -330,10 +339,11 @@ def align(models: Models, scenario: Scenario, *, runs: int, seed: int, first_run
                 C_b2n = rotation.matrix_from_quaternion(loop.nav["q_b2n_wxyz"])
                 S = handover.predicted(S, Phi, C_b2n, every * dt)
         at = hz - loop.nav["tau"] * hz
-        v_then, q_then = between(np.array(v), np.array(q), at, own=True)
-        v_past, q_past = between(np.array(v), np.array(q), at - 5, own=True)
-        v_next, q_next = between(np.array(v), np.array(q), np.minimum(at + 5, hz), own=True)
-        span = (np.minimum(at + 5, hz) - (at - 5)) * dt
+        ahead = np.minimum(at + 5, hz)
+        (v_then, q_then), (v_past, q_past), (v_next, q_next) = (
+            between(np.array(v), np.array(q), moment, own=True) for moment in (at, at - 5, ahead)
+        )
+        span = (ahead - (at - 5)) * dt
         v_m, q_m = master(second, master_noise())
         seen = {
             "v_m_n": v_m,
@@ -363,19 +373,15 @@ def align(models: Models, scenario: Scenario, *, runs: int, seed: int, first_run
             complete[done & np.isnan(complete)] = second
 
     rest_f = rest_specific_force(models, truth.position[-1], truth.q_b2n_wxyz[-1])
-    c = scenario
-    considered = np.diag([
-        *bias_variances(scenario, rest_f),
-        *(c.master_velocity_m_s * np.array([1, 1, 0.1])) ** 2,
-        *(1e-6 * np.array([c.master_level_urad, c.master_level_urad, c.master_azimuth_urad])) ** 2,
-    ])  # fmt: skip
-    position_sigma = np.array([c.master_position_m, c.master_position_m, c.master_height_m]) * metres
-    P = handover.hand_over(loop.P, S, considered, np.diag(position_sigma**2), to_level)
+    position, velocity, psi = scenario.master_sigma
+    considered = np.diag(np.concatenate([bias_variances(scenario, rest_f), velocity**2, psi**2]))
+    P = handover.hand_over(loop.P, S, considered, np.diag((position * per_metre) ** 2), to_level)
     nav = {name: loop.nav[name] for name in ("position", "v_n", "q_b2n_wxyz")}
     nav |= {"gyro_bias": np.zeros((runs, 3)), "accel_bias": np.zeros((runs, 3))}
     return Aligned(
         nav=nav,
         P=P,
+        earth=models.strapdown.earth(position=truth.position[-1], v_n=np.zeros(3)),
         position=truth.position[-1],
         q_b2n_wxyz=rotation.turned(truth.q_b2n_wxyz[-1], drawn.mu),
         drawn=drawn,
@@ -393,16 +399,9 @@ MATCHED = ("velocity", "dcm")
 
 def first_covariance(scenario: Scenario, C_b2n: Array) -> Array:
     """(runs, 10, 10): the slave has taken over the master's attitude, so that psi = -C dmu; and its velocity."""
-    runs = C_b2n.shape[:-2]
-    P = np.zeros((*runs, 10, 10))
-    angle = (scenario.mounting_deg * DEG) ** 2
-    i = np.arange(3)
-    P[..., i, i] = scenario.velocity_noise_m_s**2
-    P[..., 3:6, 3:6] = np.eye(3) * (angle + (scenario.attitude_noise_arcmin * ARCMIN) ** 2)
-    P[..., 6:9, 6:9] = np.eye(3) * angle
-    P[..., 3:6, 6:9] = -C_b2n * angle
-    P[..., 6:9, 3:6] = np.swapaxes(P[..., 3:6, 6:9], -1, -2)
-    P[..., 9, 9] = scenario.delay_s**2
+    noise = np.repeat([scenario.velocity_noise_m_s, scenario.attitude_noise_arcmin * ARCMIN, 0.0], 3)
+    P = np.diag([*noise**2, scenario.delay_s**2]) + np.zeros((*C_b2n.shape[:-2], 10, 10))
+    P[..., 3:9, 3:9] += taken_over(C_b2n, scenario.mounting_deg * DEG)
     return P
 
 
@@ -414,6 +413,15 @@ def process_noise(scenario: Scenario) -> dict[str, Array]:
         "gyro_noise": np.full(3, np.hypot(gyro, gyro_walk(scenario))),
         "accel_noise": np.full(3, np.hypot(accel, accel_walk(scenario))),
     }
+
+
+def coordinates_per_metre(models: Models, position: Array) -> Array:
+    """(3,) by how much longitude, latitude and height change in a metre to the east, north and up."""
+    rates = models.strapdown.rates(
+        position=position, v_n=np.ones(3), q_b2n_wxyz=[1.0, 0, 0, 0], f_b=np.zeros(3), omega_ib_b=np.zeros(3)
+    )
+    per_metre: Array = np.asarray(rates["position_rate"])
+    return per_metre
 
 
 def rest_specific_force(models: Models, position: Array, q_b2n_wxyz: Array) -> Array:

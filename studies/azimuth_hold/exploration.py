@@ -8,7 +8,7 @@ import numpy as np
 
 from boresight.runtime import rotation
 from boresight.runtime.filter import Filter
-from boresight.runtime.units import ARCMIN, DEG, MILLI_G
+from boresight.runtime.units import ARCMIN, MILLI_G
 from boresight.studies.azimuth_hold.alignment import (
     MODELS,
     Models,
@@ -22,7 +22,7 @@ from boresight.studies.azimuth_hold.alignment import (
     rest_noise,
     rest_specific_force,
 )
-from boresight.studies.azimuth_hold.hold import MODES, PHI, hold, root_mean_square
+from boresight.studies.azimuth_hold.hold import MODES, bias_summary, hold, marked, root_mean_square
 from boresight.studies.study import Progress, Result, Study, option, shown, silent, table
 
 STARTS_ARCMIN = (0.1, 0.5, 1.0, 3.5, 10.0, 30.0)
@@ -58,13 +58,7 @@ def level_sigma(
         P[6:8, 6:8] += floor @ np.diag(variances[3:]) @ floor.T
         P[6:8, 12:] = floor @ np.diag(variances[3:])
         P[12:, 6:8] = P[6:8, 12:].T
-    nav = {
-        "position": position,
-        "v_n": np.zeros(3),
-        "q_b2n_wxyz": q,
-        "gyro_bias": np.zeros(3),
-        "accel_bias": np.zeros(3),
-    }
+    nav = {"position": position, "q_b2n_wxyz": q} | dict.fromkeys(("v_n", "gyro_bias", "accel_bias"), np.zeros(3))
     loop = Filter(models.hold, nav, P)
     drift = accel_drift_ug_sqrt_h * 1e-3 * MILLI_G / 60
     noise = rest_noise(scenario) | {"accel_bias_noise": np.full(3, drift)}
@@ -129,20 +123,12 @@ def run(scenario: Asked, progress: Progress = silent) -> Result:
     for on in (False, True):
         progress(f"zero-angular-rate updates: {'on' if on else 'off'}")
         held = hold(models, scenario, align(models, scenario, runs=runs, seed=seed), seconds, zaru=on)
-        sigma = np.sqrt(np.einsum("mrii->mri", held.P))
-        zaru += [
-            {
-                "mode": mode,
-                "on": on,
-                "error_arcmin": (root_mean_square(held.phi[-1, m]) / ARCMIN).tolist(),
-                "sigma_arcmin": (root_mean_square(sigma[m, :, PHI]) / ARCMIN).tolist(),
-                "nees": float(held.nees[-1, m].mean()),
-                "gyro_deg_h": float(root_mean_square(held.error[m, :, 9:12].ravel()) / DEG * 3600),
-                "gyro_sigma_deg_h": float(root_mean_square(sigma[m, :, 9:12].ravel()) / DEG * 3600),
-            }
-            for m, mode in enumerate(MODES)
-            if mode != "inertial"
-        ]
+        for m, mode in enumerate(MODES):
+            if mode != "inertial":
+                end, bias = marked(held, {}, seconds, m), bias_summary(held, m)
+                row = {key: end[key] for key in ("error_arcmin", "sigma_arcmin", "nees")}
+                row |= {key: float(root_mean_square(np.array(bias[key]))) for key in ("gyro_deg_h", "gyro_sigma_deg_h")}
+                zaru.append({"mode": mode, "on": on, **row})
     return {"runs": runs, "seconds": seconds, "at_s": list(AT_S), "level": level, "zero": zero, "zaru": zaru}
 
 

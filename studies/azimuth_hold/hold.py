@@ -17,7 +17,7 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.simulation import inertial
-from boresight.runtime.units import ARCMIN, DEG, MILLI_G
+from boresight.runtime.units import ARCMIN, DEG, HOUR, MILLI_G
 from boresight.studies.azimuth_hold import figures
 from boresight.studies.azimuth_hold.alignment import (
     COMPLETE,
@@ -28,6 +28,7 @@ from boresight.studies.azimuth_hold.alignment import (
     align,
     bias_variances,
     checked,
+    coordinates_per_metre,
     gyro_walk,
     load_models,
     rest_noise,
@@ -95,9 +96,8 @@ def hold(
     sensors = start.drawn.sensors
     loop, R_azimuth = start_filter(models, start, STATE)
     q_ref = loop.nav["q_b2n_wxyz"].copy()
-    earth = models.strapdown.earth(position=start.position, v_n=np.zeros(3))
     C_b2n = rotation.matrix_from_quaternion(start.q_b2n_wxyz)
-    omega_b = np.einsum("rji,j->ri", C_b2n, earth["omega_ie_n"])
+    omega_b = np.einsum("rji,j->ri", C_b2n, start.earth["omega_ie_n"])
     f_b = rest_specific_force(models, start.position, start.q_b2n_wxyz)
     R_zupt = np.full(3, scenario.zupt_sigma_m_s**2)
     noise = rest_noise(scenario)
@@ -114,10 +114,7 @@ def hold(
     for second in range(1, seconds + 1):
         dtheta, dv = sensors.measured(omega_b * dt, f_b * dt, dt, hz)
         dtheta, dv = dtheta[:, None], dv[:, None]  # an axis of modes
-        fields, before = inertial.intervals(dtheta, dv, before), (dtheta[-1], dv[-1])
-        for k in range(hz):
-            loop.strapdown(**{name: values[k] for name, values in fields.items()}, dt=dt)
-        loop.predict(f_b=dv.mean(axis=0) / dt - loop.nav["accel_bias"], dt=1.0, **noise)
+        before = carry(loop, dtheta, dv, before, noise)
         zupt = loop.update("zupt", R_zupt, rows=ZUPT[:, None, None])
         azimuth = loop.update("azimuth", R_azimuth, rows=AZIMUTH[:, None, None], q_ref_wxyz=q_ref)
         if zaru:
@@ -146,6 +143,20 @@ def hold(
     return Held(*(np.array(part) for kept in (history, nis) for part in zip(*kept, strict=True)), error, loop.P)  # type: ignore[call-arg]
 
 
+def carry(
+    loop: Filter, dtheta: Array, dv: Array, before: tuple[Array, Array] | None, noise: dict[str, Array]
+) -> tuple[Array, Array]:
+    """Strapdown and covariance over a second of increments (hz, ...); before: those of the interval before it.
+
+    Returns those of its last interval.
+    """
+    fields, dt = inertial.intervals(dtheta, dv, before), 1 / len(dtheta)
+    for k in range(len(dtheta)):
+        loop.strapdown(**{name: values[k] for name, values in fields.items()}, dt=dt)
+    loop.predict(f_b=dv.mean(axis=0) / dt - loop.nav["accel_bias"], dt=1.0, **noise)
+    return dtheta[-1], dv[-1]
+
+
 def hold_vertical(loop: Filter, start: Aligned) -> None:
     """Of the inertial mode: height and vertical velocity are known from elsewhere, as every ship's or aircraft's are.
 
@@ -171,19 +182,14 @@ def budget(models: Models, scenario: Scenario, start: Aligned, time: Array) -> d
     walk: (T, 3) rad, sigma of the random walk beside it.
     tilt_floor: (runs, 2) rad, the tilt at which the run's accelerometer error just cancels gravity.
     """
-    earth = models.strapdown.earth(position=start.position, v_n=np.zeros(3))
-    g, omega_ie = -earth["gravity_n"][2], earth["omega_ie_n"]
+    g, omega_ie = start.gravity, start.earth["omega_ie_n"]
     C = rotation.matrix_from_quaternion(start.q_b2n_wxyz)
     f_b = rest_specific_force(models, start.position, start.q_b2n_wxyz)
     gyro, accel = start.drawn.sensors.bias_at(np.einsum("rji,j->ri", C, omega_ie), f_b)
-    drift, a = -np.einsum("rij,rj->ri", C, gyro), np.einsum("rij,rj->ri", C, accel)
-    # f_n x phi + C b = 0 with f_n = (0, 0, g)
-    floor = np.stack([-a[:, 1], a[:, 0]], axis=-1) / g
+    drift, floor = -np.einsum("rij,rj->ri", C, gyro), cancelling_tilt(start, accel)
     phi0 = rotation.attitude_error(start.nav["q_b2n_wxyz"], start.q_b2n_wxyz)
-    rates = models.strapdown.rates(
-        position=start.position, v_n=np.ones(3), q_b2n_wxyz=[1.0, 0, 0, 0], f_b=np.zeros(3), omega_ib_b=np.zeros(3)
-    )["position_rate"]
-    radius = 1 / np.array([rates[1], rates[0] * np.cos(start.position[1])])  # about east: the meridian's
+    lon, lat, _ = coordinates_per_metre(models, start.position)
+    radius = 1 / np.array([lat, lon * np.cos(start.position[1])])  # about east: the meridian's
     omega_s = np.sqrt(g / radius)
     v0 = start.nav["v_n"]
     t = np.asarray(time, float)[:, None, None]
@@ -214,11 +220,15 @@ def budget(models: Models, scenario: Scenario, start: Aligned, time: Array) -> d
     }
 
 
-def remaining_floor(models: Models, start: Aligned, held: Held) -> Array:
+def cancelling_tilt(start: Aligned, accel_b: Array) -> Array:
+    """(..., runs, 2) rad about east and north: the tilt whose gravity cancels an accelerometer error (..., runs, 3)."""
+    a = np.einsum("rij,...rj->...ri", rotation.matrix_from_quaternion(start.q_b2n_wxyz), accel_b)
+    return np.stack([-a[..., 1], a[..., 0]], axis=-1) / start.gravity  # f_n x phi + C b = 0 with f_n = (0, 0, g)
+
+
+def remaining_floor(start: Aligned, held: Held) -> Array:
     """(4, runs, 2) rad: the tilt that cancels what is left of each run's accelerometer error at the end."""
-    g = -models.strapdown.earth(position=start.position, v_n=np.zeros(3))["gravity_n"][2]
-    left = -np.einsum("rij,mrj->mri", rotation.matrix_from_quaternion(start.q_b2n_wxyz), held.error[..., 12:15])
-    return np.stack([-left[..., 1], left[..., 0]], axis=-1) / g
+    return cancelling_tilt(start, -held.error[..., 12:15])
 
 
 # ---- the study
@@ -312,14 +322,12 @@ def marked(held: Held, theory: dict[str, Array], second: int, mode: int) -> dict
 def ended_summary(
     models: Models, scenario: Scenario, start: Aligned, held: Held, theory: dict[str, Array]
 ) -> dict[str, Any]:
-    sigma = np.sqrt(np.einsum("mrii->mri", held.P))
     floor = bias_variances(scenario, rest_specific_force(models, start.position, start.q_b2n_wxyz[0]))[3:]
-    g = -models.strapdown.earth(position=start.position, v_n=np.zeros(3))["gravity_n"][2]
-    beside = held.phi[-1, ..., :2] - remaining_floor(models, start, held)
+    beside = held.phi[-1, ..., :2] - remaining_floor(start, held)
     half = len(held.nis_zupt) // 2
     out: dict[str, Any] = {
         "floor": {
-            "sigma_arcmin": float(np.sqrt(floor[:2].mean()) / g / ARCMIN),
+            "sigma_arcmin": float(np.sqrt(floor[:2].mean()) / start.gravity / ARCMIN),
             "rms_arcmin": (root_mean_square(theory["tilt_floor"]) / ARCMIN).tolist(),
             "beside_arcmin": {},
         },
@@ -331,18 +339,26 @@ def ended_summary(
         states = 16 if STATE[m] else 15
         e, P = held.error[m, :, :states], held.P[m, :, :states, :states]
         out["floor"]["beside_arcmin"][mode] = (root_mean_square(beside[m]) / ARCMIN).tolist()
-        out["bias"][mode] = {
-            "gyro_deg_h": (root_mean_square(held.error[m, :, 9:12]) / DEG * 3600).tolist(),
-            "gyro_sigma_deg_h": (root_mean_square(sigma[m, :, 9:12]) / DEG * 3600).tolist(),
-            "accel_mg": (root_mean_square(held.error[m, :, 12:15]) / MILLI_G).tolist(),
-            "accel_sigma_mg": (root_mean_square(sigma[m, :, 12:15]) / MILLI_G).tolist(),
-        }
+        out["bias"][mode] = bias_summary(held, m)
         out["nees"][mode] = float(nees(e, P).mean())
         out["nis"][mode] = {
             "zupt": float(held.nis_zupt[half:, m].mean()),
             "azimuth": float(held.nis_azimuth[half:, m].mean()),
         }
     return out
+
+
+def bias_summary(held: Held, mode: int) -> dict[str, list[float]]:
+    """Error and sigma of the biases at the end, rms of the runs, body axes."""
+    error, sigma = held.error[mode], np.sqrt(np.einsum("rii->ri", held.P[mode]))
+    return {
+        f"{sensor}_{what}{unit}": (root_mean_square(values[:, part]) / size).tolist()
+        for sensor, part, unit, size in (
+            ("gyro", slice(9, 12), "deg_h", DEG / HOUR),
+            ("accel", slice(12, 15), "mg", MILLI_G),
+        )
+        for what, values in (("", error), ("sigma_", sigma))
+    }
 
 
 def claims(result: Result) -> list[Claim]:

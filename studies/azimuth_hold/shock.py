@@ -39,7 +39,7 @@ from boresight.studies.azimuth_hold.alignment import (
     load_models,
     rest_noise,
 )
-from boresight.studies.azimuth_hold.hold import PHI, root_mean_square, start_filter
+from boresight.studies.azimuth_hold.hold import PHI, carry, root_mean_square, start_filter
 from boresight.studies.consistency import nees
 from boresight.studies.study import Claim, Progress, Result, Study, claim_lines, option, silent, table
 
@@ -54,23 +54,17 @@ EVENTS = {
 CONFIGS = (("white", False, False), ("white", True, False), ("white", False, True), ("white", True, True),
            ("state", False, False), ("state", True, False), ("state", False, True), ("state", True, True))  # fmt: skip
 LENGTH_S = 8  # of an event, to the last of its motion
-TIMES_S = (500, 800, 1000)  # the event, the fresh azimuth, the end
+TIMES_S = (500, 800)  # the event, the fresh azimuth
 GATE, PATIENCE_S, WAIT_S = 4.0, 10, 1
 RESET_M_S, RESET_TILT, FRESH_SIGMA = 1.0, 0.5 * DEG, 3 * ARCMIN
 WINDOW, FALSE_ALARM = 50, 1e-6  # half a second; of each of four; 35 h of windows that share nothing
 
 
-@dataclass(frozen=True)
-class Truth:
-    """Of the event's seconds: increments (n, runs, 3), and the attitude after it, (runs, 4)."""
+def event(models: Models, scenario: Scenario, start: Aligned, name: str) -> tuple[Array, Array, Array]:
+    """Ideal dtheta and dv (n, runs, 3) of LENGTH_S seconds, and the attitude after them (runs, 4).
 
-    dtheta: Array
-    dv: Array
-    q_b2n_wxyz: Array
-
-
-def event(models: Models, scenario: Scenario, start: Aligned, name: str) -> Truth:
-    """Ideal increments of LENGTH_S seconds; what is the sensors' own error is added to them too."""
+    What is the unit's own error, in the upset, is added to the increments too.
+    """
     dt = 1 / scenario.strapdown_hz
     t = np.arange(LENGTH_S * scenario.strapdown_hz + 1)[:, None] * dt
     turn, v = np.zeros((len(t), 3)), np.zeros((len(t), 3))  # rotation vector in the level, m/s
@@ -100,22 +94,20 @@ def event(models: Models, scenario: Scenario, start: Aligned, name: str) -> Trut
         wrong = ((t[1:, :] > 0.5) & (t[1:, :] <= 0.7))[:, None]
         dtheta = dtheta + np.where(wrong, 5 * DEG * dt, 0.0) * C[:, :, 2]
         dv = dv + np.where(wrong, 2.0 * dt, 0.0) * C[:, :, 0]
-    return Truth(dtheta, dv, q[-1])
+    return dtheta, dv, q[-1]
 
 
-def thresholds(models: Models, scenario: Scenario, start: Aligned) -> detector.Settings:
+def thresholds(scenario: Scenario, start: Aligned) -> detector.Settings:
     """From the noise of the unit and a rate of false alarms; nothing of it from a filter."""
-    earth = models.strapdown.earth(position=start.position, v_n=np.zeros(3))
-    gravity = float(-earth["gravity_n"][2])
     dt = 1 / scenario.strapdown_hz
     return detector.settings(
         WINDOW,
         accel_walk(scenario) / np.sqrt(dt),
         gyro_walk(scenario) / np.sqrt(dt),
         FALSE_ALARM,
-        gravity=gravity,
-        rest_rate=float(np.linalg.norm(earth["omega_ie_n"])) + 4 * scenario.gyro_bias_deg_h * DEG / 3600,
-        gravity_error=4 * scenario.accel_bias_mg * MILLI_G + 4e-6 * scenario.accel_scale_ppm * gravity,
+        gravity=start.gravity,
+        rest_rate=float(np.linalg.norm(start.earth["omega_ie_n"])) + 4 * scenario.gyro_bias_deg_h * DEG / 3600,
+        gravity_error=4 * scenario.accel_bias_mg * MILLI_G + 4e-6 * scenario.accel_scale_ppm * start.gravity,
     )
 
 
@@ -126,7 +118,8 @@ SAYS_MOTION = ("gyro_mean", "gyro_std", "accel_mean", "accel_std")
 @dataclass(frozen=True)
 class Disturbed(Scenario):
     runs: int = option(5, "Monte Carlo runs of each event and configuration.")
-    times_s: tuple[int, int, int] = TIMES_S
+    seconds: int = option(1000, f"At rest; the event comes at {TIMES_S[0]}, a fresh azimuth at {TIMES_S[1]}.")
+    times_s: tuple[int, int] = TIMES_S
 
 
 def run(scenario: Disturbed, progress: Progress = silent, models: Models | None = None) -> Result:
@@ -144,32 +137,30 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
     """
     checked(scenario)
     models = models or load_models()
-    runs, times_s = scenario.runs, scenario.times_s
-    event_s, acquire_s, end_s = times_s
-    if not 20 <= event_s < event_s + 25 < acquire_s < end_s <= 36000:
+    runs, end_s = scenario.runs, scenario.seconds
+    event_s, acquire_s = scenario.times_s
+    if not 20 <= event_s < event_s + 25 < acquire_s < end_s:
         raise BoresightError(
             f"azimuth-shock needs 20 s before the event, 26 s from it to the fresh azimuth, and an end after that; "
-            f"got {times_s}"
+            f"got {event_s}, {acquire_s} and {end_s} s"
         )
     start = align(models, scenario, runs=runs, seed=scenario.seed)
     names, events, configs = list(EVENTS), len(EVENTS), len(CONFIGS)
-    truths = [event(models, scenario, start, name) for name in names]
+    flown = zip(*(event(models, scenario, start, name) for name in names), strict=True)
+    moved_dtheta, moved_dv, q_after = (np.stack(part, axis=-3) for part in flown)
     shape = (configs, events, runs)
-    white = np.array([c[0] == "white" for c in CONFIGS])[:, None, None]
-    has_detector = np.array([c[1] for c in CONFIGS])[:, None, None]
-    gate = np.where([c[2] for c in CONFIGS], GATE, np.inf)[:, None, None]
+    ways, has_detector, has_gate = (np.array(part)[:, None, None] for part in zip(*CONFIGS, strict=True))
+    white, gate = ways == "white", np.where(has_gate, GATE, np.inf)
     loop, R_azimuth = start_filter(models, start, np.broadcast_to(~white[..., 0], (configs, events)))
     q_ref = loop.nav["q_b2n_wxyz"].copy()
 
     hz, dt = scenario.strapdown_hz, 1 / scenario.strapdown_hz
     sensors = start.drawn.sensors
-    earth = models.strapdown.earth(position=start.position, v_n=np.zeros(3))
-    settings = thresholds(models, scenario, start)
-    dll = detector.library()
+    settings, dll = thresholds(scenario, start), detector.library()
     R_zupt = np.full(3, scenario.zupt_sigma_m_s**2)
     noise = rest_noise(scenario)
     q_true = np.broadcast_to(start.q_b2n_wxyz, (events, runs, 4)).copy()
-    kept, before, tail = [], None, None
+    kept, before, tail = [], None, [np.empty((events, runs, 0, 3))] * 2
     quiet = np.full((events, runs), WAIT_S)
     rejected_azimuth, rejected_zupt = np.zeros(shape, int), np.zeros(shape, int)
     stale, resets, stopped = np.zeros(shape, bool), np.zeros(shape, int), np.zeros(shape, int)
@@ -179,37 +170,29 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
         k = second - 1 - event_s
         in_event = 0 <= k < LENGTH_S
         if k == LENGTH_S:
-            q_true = np.stack([truth.q_b2n_wxyz for truth in truths])
-        ideal_dtheta = np.empty((hz, events, runs, 3))
-        ideal_dv = np.empty((hz, events, runs, 3))
+            q_true = q_after
         C = rotation.matrix_from_quaternion(q_true)
         if in_event:
-            for i, truth in enumerate(truths):
-                ideal_dtheta[:, i], ideal_dv[:, i] = (
-                    truth.dtheta[k * hz : (k + 1) * hz],
-                    truth.dv[k * hz : (k + 1) * hz],
-                )
+            part = slice(k * hz, (k + 1) * hz)
+            ideal = moved_dtheta[part], moved_dv[part]
         else:
-            ideal_dtheta[:] = np.einsum("erji,j->eri", C, earth["omega_ie_n"]) * dt
-            ideal_dv[:] = -np.einsum("erji,j->eri", C, earth["gravity_n"]) * dt
-        raw_dtheta, raw_dv = disturbed(sensors, ideal_dtheta, ideal_dv, dt)
+            at_rest = (np.einsum("erji,j->eri", C, start.earth[name]) * dt for name in ("omega_ie_n", "gravity_n"))
+            omega, gravity = (np.broadcast_to(one, (hz, *one.shape)) for one in at_rest)
+            ideal = omega, -gravity
+        raw_dtheta, raw_dv = disturbed(sensors, *ideal, dt)
         # The detector's windows reach back into the second before.
-        gyro = np.moveaxis(raw_dtheta / dt, 0, -2)
-        accel = np.moveaxis(raw_dv / dt, 0, -2)
-        past = tail or (gyro[..., :0, :], accel[..., :0, :])
-        said = detector.evaluate(settings, np.concatenate([past[0], gyro], -2), np.concatenate([past[1], accel], -2),
-                                 dll=dll)  # fmt: skip
-        tail = (gyro[..., -(WINDOW - 1) :, :], accel[..., -(WINDOW - 1) :, :])
+        seen = [
+            np.concatenate([past, np.moveaxis(raw / dt, 0, -2)], -2)
+            for past, raw in zip(tail, (raw_dtheta, raw_dv), strict=True)
+        ]
+        said = detector.evaluate(settings, seen[0], seen[1], dll=dll)
+        tail = [one[..., -(WINDOW - 1) :, :] for one in seen]
         full = said.status == Status.OK
         moving = (full & ~said.rest_by(*SAYS_MOTION)).any(-1)
         quiet = np.where(moving, 0, quiet + 1)
         rest = (quiet > WAIT_S)[None] | ~has_detector
 
-        dtheta, dv = raw_dtheta[:, None], raw_dv[:, None]
-        fields, before = inertial.intervals(dtheta, dv, before), (dtheta[-1], dv[-1])
-        for j in range(hz):
-            loop.strapdown(**{name: values[j] for name, values in fields.items()}, dt=dt)
-        loop.predict(f_b=dv.mean(axis=0) / dt - loop.nav["accel_bias"], dt=1.0, **noise)
+        before = carry(loop, raw_dtheta[:, None], raw_dv[:, None], before, noise)
 
         zupt_rows = gated(loop, "zupt", R_zupt, rest, gate)
         loop.update("zupt", R_zupt, rows=zupt_rows[..., None])
@@ -230,9 +213,7 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
         if event_s < second <= event_s + 20:
             stopped += ~zupt_rows
         if second == acquire_s - 1:
-            P3 = loop.P[..., PHI, PHI]
-            phi_now = rotation.attitude_error(loop.nav["q_b2n_wxyz"], q_true)
-            weighed = nees(phi_now, P3)
+            weighed = nees(rotation.attitude_error(loop.nav["q_b2n_wxyz"], q_true), loop.P[..., PHI, PHI])
         if second == acquire_s:
             said_stale = stale.copy()
             error = FRESH_SIGMA * generator.standard_normal(runs)
@@ -255,7 +236,7 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
         "acquire_s": acquire_s,
         "end_s": end_s,
         "modes": list(SHOWN),
-        "rows": rows_of(times_s, phi, sigma, weighed, said_stale, resets, stopped),
+        "rows": rows_of((event_s, acquire_s, end_s), phi, sigma, weighed, said_stale, resets, stopped),
         "history": {
             "time_s": np.arange(1, end_s + 1),
             "error_arcmin": np.stack([phi[:, c, e] for c, e in kinds], axis=1) / ARCMIN,

@@ -7,6 +7,7 @@ its errors, with misalignments from 0.1 to 3 degrees, and beyond the paper with 
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from boresight.runtime.array import Array
 from boresight.runtime.library import load
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
+from boresight.studies.consistency import chi_square_band
 from boresight.studies.euler_table import figures
 from boresight.studies.euler_table.table import (
     CHOSEN,
@@ -96,31 +98,27 @@ def durations(model: Any, scenario: Scenario, seconds: float = 3600.0) -> list[d
     """
     out = []
     times = np.unique(np.round(np.geomspace(1, seconds / scenario.update_s, 60)).astype(int))
-    for bias in (scenario.gyro_bias_deg_h, 0.0):
-        for earth in (True, False):
-            for second_order in (True, False):
-                case = replace(scenario, gyro_bias_deg_h=bias, earth_rate=earth)
-                history = covariance(model, case, seconds, first_order=not second_order)
-                ratio = history / history[0]
-                agree = np.sum((ratio < case.threshold) == PAPER, axis=(1, 2, 3)) == PAPER.size
-                more = (ratio < case.threshold) & ~PAPER
-                begin = int(np.argmax(agree)) if agree.any() else None
-                end = None
-                if begin is not None:
-                    end = len(agree) - 1 if agree[begin:].all() else begin + int(np.argmin(agree[begin:])) - 1
-                late = more.any((1, 2, 3))
-                out.append(
-                    {
-                        "process_noise": bool(bias),
-                        "earth_rate": earth,
-                        "second_order": second_order,
-                        "from_s": begin if begin is None else begin * case.update_s,
-                        "to_s": end if end is None else end * case.update_s,
-                        "first_more": cell_name(np.argwhere(more[np.argmax(late)])[0]) if late.any() else None,
-                        "time_s": (times * case.update_s).tolist(),
-                        "smallest": ratio[:, ~PAPER].min(axis=1)[times].tolist(),
-                    }
-                )
+    for bias, earth, second_order in product((scenario.gyro_bias_deg_h, 0.0), (True, False), (True, False)):
+        case = replace(scenario, gyro_bias_deg_h=bias, earth_rate=earth)
+        history = covariance(model, case, seconds, first_order=not second_order)
+        ratio = history / history[0]
+        estimated = ratio < case.threshold
+        agree = np.flatnonzero((estimated == PAPER).all((1, 2, 3)))
+        whole = agree[: int(np.argmin(np.append(np.diff(agree), 0) == 1)) + 1]  # without a break
+        more = estimated & ~PAPER
+        late = np.flatnonzero(more.any((1, 2, 3)))
+        out.append(
+            {
+                "process_noise": bool(bias),
+                "earth_rate": earth,
+                "second_order": second_order,
+                "from_s": int(whole[0]) * case.update_s if len(whole) else None,
+                "to_s": int(whole[-1]) * case.update_s if len(whole) else None,
+                "first_more": cell_name(np.argwhere(more[late[0]])[0]) if len(late) else None,
+                "time_s": (times * case.update_s).tolist(),
+                "smallest": ratio[:, ~PAPER].min(axis=1)[times].tolist(),
+            }
+        )
     return out
 
 
@@ -173,8 +171,6 @@ def consistency(
     over the 49 cases inside, above, below, mean, smallest, largest; of nees also inside_by_match and above_by_match,
     counts of the 7 motions, and of_all_angles, the seven values when all three angles are matched.
     """
-    from scipy.stats import chi2
-
     scenario = replace(PLAIN, misalignment_deg=misalignment_deg, gyro_bias_deg_h=PLAIN.gyro_bias_deg_h * bias)
     scenario = replace(scenario, filter_angle_arcmin=told_arcmin[0], filter_offset_arcmin=told_arcmin[1])
     if exact:
@@ -191,40 +187,35 @@ def consistency(
         "runs": runs,
         "lost_runs": int(flight.lost.sum()),
     }
-    of_rows = flight.nis.mean(axis=(0, -1)) / angles
-    samples = {"nees": (flight.nees.mean(-1), np.array(6), runs), "nis": (of_rows, angles, runs * len(flight.nis))}
-    for name, (value, freedom, count) in samples.items():
-        unit = 1 if name == "nees" else freedom
-        low, high = (chi2.ppf(p, freedom * count) / count / unit for p in (0.025, 0.975))
-        out[name] = {
-            "band": [float(np.min(low)), float(np.max(high))],
-            "inside": int(np.sum((value > low) & (value < high))),
-            "above": int(np.sum(value >= high)),
-            "below": int(np.sum(value <= low)),
-            "mean": float(value.mean()),
-            "smallest": float(value.min()),
-            "largest": float(value.max()),
-        }
-    low, high = out["nees"]["band"]
-    value = flight.nees.mean(-1)
-    out["nees"]["inside_by_match"] = dict(zip(NAMES, ((value > low) & (value < high)).sum(-1).tolist(), strict=True))
-    out["nees"]["above_by_match"] = dict(zip(NAMES, (value >= high).sum(-1).tolist(), strict=True))
-    out["nees"]["of_all_angles"] = value[-1].tolist()
+    nees = flight.nees.mean(-1)
+    out["nees"], inside, above = against_band(nees, *chi_square_band(6, runs))
+    for name, which in (("inside", inside), ("above", above)):
+        out["nees"][f"{name}_by_match"] = dict(zip(NAMES, which.sum(-1).tolist(), strict=True))
+    out["nees"]["of_all_angles"] = nees[-1].tolist()
+    bands = np.array([chi_square_band(1, n * runs * len(flight.nis)) for n in angles[:, 0]])
+    out["nis"], *_ = against_band(flight.nis.mean(axis=(0, -1)) / angles, bands[:, :1], bands[:, 1:])
     return out
 
 
+def against_band(value: Array, low: Any, high: Any) -> tuple[dict[str, Any], Array, Array]:
+    """How many of the 49 cases lie in their 95 % bands, and which lie inside and which above."""
+    inside, above = (value > low) & (value < high), value >= high
+    counts = {"inside": int(inside.sum()), "above": int(above.sum()), "below": int(np.sum(value <= low))}
+    extent = {"mean": float(value.mean()), "smallest": float(value.min()), "largest": float(value.max())}
+    return {"band": [float(np.min(low)), float(np.max(high))], **counts, **extent}, inside, above
+
+
 def consistency_cases() -> Sequence[dict[str, Any]]:
-    cases: list[dict[str, Any]] = []
-    for bias in (False, True):
-        cases += [{"misalignment_deg": size, "bias": bias} for size in CONSISTENCY_DEG]
-    for bias in (False, True):
-        cases += [
-            {"misalignment_deg": size, "bias": bias, "exact": True} for size in ((1.0, 3.0) if not bias else (3.0,))
-        ]
-    cases.append({"misalignment_deg": 3.0, "bias": True, "told_arcmin": (3.0, 10.0)})
-    cases.append({"misalignment_deg": 3.0, "bias": False, "exact": True, "iterations": 1})
-    cases.append({"misalignment_deg": 3.0, "bias": False, "exact": True, "turn_covariance": False})
-    return cases
+    exact = {"misalignment_deg": 3.0, "bias": False, "exact": True}
+    return [
+        *({"misalignment_deg": size, "bias": bias} for bias in (False, True) for size in CONSISTENCY_DEG),
+        {**exact, "misalignment_deg": 1.0},
+        exact,
+        {**exact, "bias": True},
+        {"misalignment_deg": 3.0, "bias": True, "told_arcmin": (3.0, 10.0)},
+        {**exact, "iterations": 1},
+        {**exact, "turn_covariance": False},
+    ]
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,9 @@ from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
+from boresight.studies.consistency import nees
 from boresight.studies.euler_table import figures
-from boresight.studies.observability import Moment, Replaced, along, with_fields
+from boresight.studies.observability import Moment, Replaced, along, taken_over, with_fields
 from boresight.studies.study import Claim, Progress, Result, Seeded, Study, claim_lines, option, silent, table
 
 ANGLES = ("roll", "pitch", "yaw")
@@ -165,19 +166,24 @@ def gyro_noise(scenario: Scenario) -> Array:
 
 
 def initial_covariance(model: Any, scenario: Scenario, euler: Array) -> Array:
-    """P0 (..., 6, 6) of a slave that takes the master's attitude for its own: eps = -C dmu, plus the master's noise.
+    """P0 (..., 6, 6) of the scenario: `first_covariance`, or the same without the tie of eps and dmu."""
+    noise = np.full(3, scenario.filter_offset_arcmin * ARCMIN)
+    P = first_covariance(model, euler, scenario.misalignment_deg * DEG, noise)
+    if scenario.prior == "independent":
+        P[..., :3, 3:] = P[..., 3:, :3] = 0.0
+    return P
 
-    With mu_hat = 0 both errors are the one misalignment, exactly, since exp(-[C mu x]) C exp([mu x]) = C.  The
-    master's noise, mapped to eps by the inverse of (9), keeps P0 positive definite.
+
+def first_covariance(model: Any, euler: Array, misalignment: float, angle_noise: Array) -> Array:
+    """P0 (..., 6, 6): eps = -C dmu, plus the master's noise (..., 3) rad, which keeps it positive definite.
+
+    euler: (..., 3) rad, the master's.  The noise is mapped to eps by the inverse of (9).
     """
-    C = rotation.matrix_from_quaternion(rotation.quaternion_from_euler(euler))
+    P = taken_over(rotation.matrix_from_euler(euler), misalignment)
     eps_D_euler = np.linalg.inv(model.euler_H(euler_b=euler, euler_m=euler)[..., :3])
-    noise = eps_D_euler @ np.swapaxes(eps_D_euler, -1, -2) * (scenario.filter_offset_arcmin * ARCMIN) ** 2
-    P = np.broadcast_to(np.eye(6), (*C.shape[:-2], 6, 6)) * (scenario.misalignment_deg * DEG) ** 2
+    noise = (eps_D_euler * angle_noise[..., None, :] ** 2) @ np.swapaxes(eps_D_euler, -1, -2)
+    P = P + np.zeros((*noise.shape[:-2], 6, 6))
     P[..., :3, :3] += noise
-    if scenario.prior == "from-master":
-        P[..., :3, 3:] = -C * (scenario.misalignment_deg * DEG) ** 2
-        P[..., 3:, :3] = np.swapaxes(P[..., :3, 3:], -1, -2)
     return P
 
 
@@ -300,8 +306,7 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
         nis.append(innovation.nis)
         full = keep(k * every)
         lose(k * every)
-    nees = np.einsum("...i,...i->...", full, np.linalg.solve(loop.P, full[..., None])[..., 0])
-    return Flight(np.array(error), np.array(sigma), nees, np.array(nis), lost)
+    return Flight(np.array(error), np.array(sigma), nees(full, loop.P), np.array(nis), lost)
 
 
 def outside(loop: Filter) -> Array:

@@ -18,9 +18,10 @@ from boresight.runtime.library import load
 from boresight.runtime.recording import Recording, best_delay, shifted, thinned
 from boresight.runtime.recording.check import whole_turns
 from boresight.runtime.units import ARCMIN, DEG, DEG_H
+from boresight.studies.euler_table.table import first_covariance
 from boresight.studies.figures import BLUE, ORANGE, Sheets
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
-from boresight.studies.study import Progress, Replay, Study
+from boresight.studies.study import Progress, Replay, Study, table
 
 DEG_SQRT_H = DEG / 60  # rad/sqrt(s) of 1 deg/sqrt(h)
 AXES = ("roll", "pitch", "yaw")
@@ -90,12 +91,7 @@ def fly(
     """
     runs = np.broadcast_shapes(np.shape(gyro_noise), np.shape(angle_noise))[:-1]
     euler = leg.euler[0]
-    C, B = rotation.matrix_from_euler(euler), body_D_euler(euler)
-    # eps = -C dmu for the misalignment that was taken to be zero; the master's own angle error adds to eps alone and
-    # keeps P0 positive definite.
-    couple = np.vstack([C, -np.eye(3)])
-    P = np.zeros((*runs, 6, 6)) + MU_PRIOR**2 * couple @ couple.T
-    P[..., :3, :3] += (C @ B) @ (np.asarray(angle_noise)[..., :, None] ** 2 * (C @ B).T)
+    P = np.broadcast_to(first_covariance(model, euler, MU_PRIOR, np.asarray(angle_noise)), (*runs, 6, 6))
     nav = {"q_b2n_wxyz": np.tile(rotation.quaternion_from_euler(euler), (*runs, 1)), "mu": np.zeros((*runs, 3))}
     ekf = Filter(model, nav, P)
     history: dict[str, list[Array]] = {"mu": [], "sigma": [], "nu": [], "S": []}
@@ -114,12 +110,6 @@ def fly(
         history["S"].append(innovation.S)
     track = {name: np.array(values) for name, values in history.items()}
     return track | {"P": ekf.P, "q_b2n_wxyz": ekf.nav["q_b2n_wxyz"]}
-
-
-def body_D_euler(euler: Array) -> Array:
-    """(3, 3) small rotation of the body, in body axes, for small changes of roll, pitch and yaw: Song-Lee (12)."""
-    (sr, sp, _), (cr, cp, _) = np.sin(euler), np.cos(euler)
-    return np.array([[1, 0, -sp], [0, cr, sr * cp], [0, -sr, cr * cp]])
 
 
 # ---------------------------------------------------------------- choosing the noises
@@ -321,15 +311,12 @@ def _row(values: Sequence[float], spec: str) -> str:
 
 def _table(result: dict[str, Any]) -> str:
     m = result["misalignment"]
-    known = m["reference_arcmin"] is not None
-    lines = ["arcmin         estimate   1 sigma" + ("   reference   difference   in sigmas" if known else "")]
-    for i, axis in enumerate(m["axes"]):
-        line = f"{axis:<12} {m['estimate_arcmin'][i]:10.3f} {m['sigma_arcmin'][i]:9.3f}"
-        if known:
-            line += f" {m['reference_arcmin'][i]:11.3f} {m['difference_arcmin'][i]:+12.3f}"
-            line += f" {m['difference_sigmas'][i]:+11.2f}"
-        lines.append(line)
-    return "\n".join(lines)
+    columns = [("arcmin", "axes", ""), ("estimate", "estimate_arcmin", ".3f"), ("1 sigma", "sigma_arcmin", ".3f")]
+    if m["reference_arcmin"] is not None:
+        columns += [("reference", "reference_arcmin", ".3f"), ("difference", "difference_arcmin", "+.3f"),
+                    ("in sigmas", "difference_sigmas", "+.2f")]  # fmt: skip
+    head, keys, formats = zip(*columns, strict=True)
+    return "\n".join(table(head, zip(*(m[key] for key in keys), strict=True), formats))
 
 
 def _consistency(nis: dict[str, Any]) -> str:
@@ -345,9 +332,9 @@ def _consistency(nis: dict[str, Any]) -> str:
 def _observability(result: dict[str, Any]) -> str:
     o = result["observability"]
     worst = int(np.argmax(o["misalignment_sigma_arcmin"]))
-    lines = ["body axis   strays in space   correlation of attitude error and misalignment about it"]
-    for i, axis in enumerate(o["axes"]):
-        lines.append(f"{axis:<9} {o['axis_stray_deg'][i]:12.2f} deg   {o['correlation'][i]:+.4f}")
+    head = ("body axis", "strays in space, deg", "correlation of attitude error and misalignment about it")
+    rows = zip(o["axes"], o["axis_stray_deg"], o["correlation"], strict=True)
+    lines = table(head, rows, ("", ".2f", "+.4f"))
     lines.append(
         f"Worst known: {AXES[worst]}, to {o['misalignment_sigma_arcmin'][worst]:.2f} arcmin.  Measured is the sum of "
         "attitude error and\nmisalignment about an axis, and only turning that axis in space tells them apart."

@@ -18,7 +18,7 @@ from boresight.runtime.recording import Recording
 from boresight.runtime.simulation import inertial
 from boresight.studies.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.studies.replays import stationary
-from boresight.studies.study import Progress, Replay, Study
+from boresight.studies.study import Progress, Replay, Study, table
 
 TO_RFU = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]])  # front-right-down to right-front-up
 EARTH_RADIUS_M = 6.371e6  # for a track of some metres in the figure; the filter's own Earth is the ellipsoid
@@ -168,13 +168,14 @@ def run(
 
 def report(result: dict[str, Any], inertial: dict[str, Any] | None = None) -> str:
     """The stops as a table, and how far from the start the track ends; inertial: the same run without updates."""
+    rows = [
+        (f"{stop['from_s']:.1f} to {stop['to_s']:.1f}", stop["speed_m_s"], stop["nis"], stop["from_start_m"])
+        for stop in result["stops"]
+    ]
     lines = [
         f"{result['recording']}: zero-velocity updates where the {result['detector'].replace('_', ' ')} declares rest",
-        f"{'stop, s':>16}{'speed before, m/s':>20}{'NIS of 3':>10}{'from the start, m':>20}",
+        *table(("stop, s", "speed before, m/s", "NIS of 3", "from the start, m"), rows, ("", ".3f", ".1f", ".2f")),
     ]
-    for stop in result["stops"]:
-        span = f"{stop['from_s']:.1f} to {stop['to_s']:.1f}"
-        lines.append(f"{span:>16}{stop['speed_m_s']:>20.3f}{stop['nis']:>10.1f}{stop['from_start_m']:>20.2f}")
     lines.append(
         f"path {result['path_m']:.1f} m, ends {result['end_from_start_m']:.2f} m from the start; there is no reference "
         "track, so that is plausibility only"

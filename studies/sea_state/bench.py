@@ -10,6 +10,7 @@ import numpy as np
 
 from boresight.runtime.simulation import hull
 from boresight.runtime.units import DEG
+from boresight.studies.observability import since
 from boresight.studies.sea_state.flight import FILTERS, Scenario, fly
 from boresight.studies.study import table
 
@@ -53,8 +54,7 @@ def experiment(
     i = FILTERS.index("with")
     heading, sigma = flight.heading[:, i] / DEG, flight.heading_sigma[:, i].mean(-1) / DEG
     size = np.abs(heading).mean(-1)
-    inside = np.flip(np.logical_and.accumulate(np.flip(size < PAPER_DEG[1], axis=0), axis=0), axis=0)
-    nis = flight.nis[10 * one.update_hz :, i].sum(-1).mean((0, 2))
+    below_s = since(size < PAPER_DEG[1]) / one.update_hz
     out: dict[str, Any] = {
         "cases": list(CASES),
         "amplitude_deg": list(AMPLITUDE_DEG),
@@ -68,8 +68,8 @@ def experiment(
             "mean_deg": size[-1, part].tolist(),
             "worst_deg": np.abs(heading[-1, part]).max(-1).tolist(),
             "sigma_deg": sigma[-1, part].tolist(),
-            "below_s": [float(n.argmax() / one.update_hz) if n.any() else None for n in inside[:, part].T],
-            "nis": nis[part].tolist(),
+            "below_s": [None if np.isnan(at) else float(at) for at in below_s[part]],
+            "nis": flight.settled_nis[i, part].tolist(),
         }
     time = np.arange(len(heading)) / one.update_hz
     history = {

@@ -8,7 +8,7 @@ Axes of arrays: time, then filter (with compensation, without), sea state, run; 
 """
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -17,9 +17,9 @@ from boresight import BoresightError
 from boresight.runtime import rotation, transfer
 from boresight.runtime.array import Array
 from boresight.runtime.simulation import hull, inertial, sea, sensors
-from boresight.runtime.transfer import Message, Rules, Transfer
-from boresight.runtime.transfer.headings import log_likelihood
+from boresight.runtime.transfer import Headings, Increments, Message, Note, Rules, Transfer
 from boresight.runtime.units import DEG, HOUR, MILLI_G
+from boresight.studies import study
 from boresight.studies.consistency import nees
 from boresight.studies.study import Seeded, option
 
@@ -33,6 +33,7 @@ MOTIONS = {
 }
 PHI, DV = slice(0, 3), slice(3, 6)
 LEVER_SIGMA_M = 0.1
+SETTLED_S = 10  # NIS counts from here on: at first the filter makes use of a start that is better than it was told
 # Every message is taken: without compensation nothing fits, and what becomes of that is the question.
 RULES = Rules(gate=1e-300, ahead_s=0.2)
 
@@ -42,7 +43,7 @@ class Scenario(Seeded):
     """One experiment.  What is random is one sigma, drawn for each run and constant in it."""
 
     seconds: int = option(60, "Length of a run.")
-    bench_runs: int = option(10, "Runs on the bench; 0 leaves it out.")
+    bench_runs: int = option(10, "Runs on the bench; 0 leaves it out, and the two ways to handle a delay.")
     motions: tuple[str, ...] = tuple(MOTIONS)
     # The paper's: Tables 1 and 2, and its text.
     height_m: tuple[float, ...] = HEIGHT_M
@@ -80,21 +81,14 @@ class Scenario(Seeded):
     covariance_hz: int = 10
 
 
+SIGNED = ("slope_ratio", "slope_phase_deg", "waves_deg", "heading_deg", "latitude_deg", "lever_b", "speed_m_s",
+          "misalignment_deg", "seed")  # fmt: skip
+LIMITS = dict.fromkeys(("velocity_noise_m_s", "attitude_noise_deg", "frequency_hz", "seconds"), (1e-9, np.inf))
+
+
 def checked(scenario: Scenario) -> Scenario:
     """The scenario; raises BoresightError for a value that has no meaning."""
-    signed = ("slope_ratio", "slope_phase_deg", "waves_deg", "heading_deg", "latitude_deg", "lever_b", "speed_m_s",
-              "misalignment_deg", "seed")  # fmt: skip
-    for name, value in asdict(scenario).items():
-        if name == "motions":
-            continue
-        numbers = np.asarray(value, float)
-        if not np.isfinite(numbers).all() or (name not in signed and (numbers < 0).any()):
-            raise BoresightError(
-                f"sea-state: {name} is {value}; it must be finite" + " and not negative" * (name not in signed)
-            )
-    for name in ("velocity_noise_m_s", "attitude_noise_deg", "frequency_hz", "seconds"):
-        if getattr(scenario, name) == 0:
-            raise BoresightError(f"sea-state: {name} is 0; it must be above zero")
+    study.checked("sea-state", scenario, SIGNED, LIMITS)
     s = scenario
     if s.covariance_hz < 1 or s.navigation_hz % s.covariance_hz or s.update_hz < 1 or s.covariance_hz % s.update_hz:
         raise BoresightError(
@@ -197,38 +191,40 @@ class Belief:
 
     q_b2m_wxyz: (..., 4) mounting.  heading_sigma: (...,) rad, of the mounting about the master's down axis, and
     velocity_sigma, m/s: the scenario's where they are None.  compensated: (...,) bool, whether the delay is a state;
-    otherwise it is known, and zero.
+    otherwise it is known, and zero.  master_heading: False where it is not used, and `Headings` flies in place of
+    `Transfer`, one filter of each run.
     """
 
     q_b2m_wxyz: Array = field(default_factory=lambda: np.array([1.0, 0, 0, 0]))
     heading_sigma: Any = None
     velocity_sigma: float | None = None
     compensated: Any = True
+    master_heading: bool = True
 
 
 def begin(model: Any, message: Message, scenario: Scenario, belief: Belief) -> tuple[dict[str, Array], Array]:
     """nav and P (..., n, n) from the master's first message; the scenario says what motion and delay do to it."""
+    sigmas, estimates = told(scenario, belief)
+    nav, P, _ = transfer.first(message, model, constants(scenario), sigmas=sigmas, estimates=estimates,
+                               rate_sigma=0.0, acceleration_sigma=0.0)  # fmt: skip
+    P[..., DV, DV] += np.eye(3) * (belief.velocity_sigma or scenario.start_velocity_m_s) ** 2
+    P[..., PHI, PHI] += np.eye(3) * (scenario.start_angle_deg * DEG) ** 2
+    return nav, P
+
+
+def told(scenario: Scenario, belief: Belief) -> tuple[dict[str, Any], dict[str, Any]]:
+    """What a start is told of the slave: sigmas and estimates, as of `transfer.first`."""
     s = scenario
     heading = np.asarray(s.misalignment_deg * DEG if belief.heading_sigma is None else belief.heading_sigma, float)
     level = np.full_like(heading, s.level_misalignment_deg * DEG)
-    nav, P, _ = transfer.first(
-        message,
-        model,
-        constants(s),
-        sigmas={
-            "q_b2m_wxyz": np.stack([level, level, heading], axis=-1),
-            "gyro_bias": s.gyro_bias_deg_h * DEG / HOUR,
-            "accel_bias": s.accel_bias_mg * MILLI_G,
-            "tau": np.asarray(belief.compensated, float) * s.delay_sigma_ms * 1e-3,
-            "lever_b": LEVER_SIGMA_M,  # as the hull stands still for the hand-over, of a state alone
-        },
-        estimates={"q_b2m_wxyz": belief.q_b2m_wxyz},
-        rate_sigma=0.0,
-        acceleration_sigma=0.0,
-    )
-    P[..., DV, DV] += np.eye(3) * (belief.velocity_sigma or s.start_velocity_m_s) ** 2
-    P[..., PHI, PHI] += np.eye(3) * (s.start_angle_deg * DEG) ** 2
-    return nav, P
+    sigmas = {
+        "q_b2m_wxyz": np.stack([level, level, heading], axis=-1),
+        "gyro_bias": s.gyro_bias_deg_h * DEG / HOUR,
+        "accel_bias": s.accel_bias_mg * MILLI_G,
+        "tau": np.asarray(belief.compensated, float) * s.delay_sigma_ms * 1e-3,
+        "lever_b": LEVER_SIGMA_M,  # of a state alone: on a hull that stands still it moves nothing
+    }
+    return sigmas, {"q_b2m_wxyz": belief.q_b2m_wxyz}
 
 
 def constants(scenario: Scenario) -> dict[str, Any]:
@@ -251,9 +247,16 @@ class Flight:
     error: Array  # (U + 1, ..., 16) computed - true, in the order of the model's states
     P: Array  # (U + 1, ..., 16, 16)
     nis: Array  # (U, ..., 2): velocity and attitude
-    log_likelihood: Array  # (U, ...) of the residuals up to each update
     delay: Array  # (runs,) s, true
-    rows: int  # of an update
+    rows: Array  # (U, ...) used
+    notes: list[Note]
+    update_hz: int
+
+    @property
+    def settled_nis(self) -> Array:
+        """(filters, cases) of all rows: the mean from SETTLED_S on."""
+        mean: Array = self.nis[SETTLED_S * self.update_hz :].sum(-1).mean((0, -1))
+        return mean
 
     @property
     def heading(self) -> Array:
@@ -321,20 +324,39 @@ def fly(
             position=true.slave.position[update * per_update],  # 3 m from the master's
         )
 
-    first = message(0)
-    nav, P0 = begin(model, first, s, belief or Belief(compensated=np.array([True, False])[:, None, None]))
-    swing = np.cross(true.dtheta[0] / dt, s.lever_b)
-    nav["v_n"] = first.v_m_n + np.einsum("...ij,...j->...i", rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]), swing)
-    shape = np.broadcast_shapes(nav["v_n"].shape[:-1], P0.shape[:-2])
     given = constants(s)
     every = s.navigation_hz // s.covariance_hz
-    P0 = np.broadcast_to(P0, (*shape, 16, 16))
-    loop = Transfer(model, nav, P0, given, way=way, matching=matching, every=every, rules=RULES)
     walk = np.repeat([given["gyro_noise"][0], given["accel_noise"][0]], 3) * np.sqrt(dt) * noise
     bias_g, bias_a = noise * drawn.gyro_bias, noise * drawn.accel_bias
     gain = np.eye(3) + noise * (drawn.gyro_gain - np.eye(3))
+
+    def sensed(update: int) -> Increments:
+        """The slave's increments between the update before and this one."""
+        n = walk * np.array([stream.standard_normal((per_update, 6)) for stream in drawn.streams])
+        n = np.moveaxis(n, 1, 0)[:, None]  # (samples, cases, runs, 6)
+        part = np.arange((update - 1) * per_update, update * per_update)
+        dtheta = np.einsum("...ij,...j->...i", gain, true.dtheta[part]) + bias_g * dt + n[..., :3]
+        return Increments(part * dt, (part + 1) * dt, dtheta, true.dv[part] + bias_a * dt + n[..., 3:])
+
+    belief = belief or Belief(compensated=np.array([True, False])[:, None, None])
+    loop: Transfer | Headings
+    if belief.master_heading:
+        opening, begun = message(0), 0
+        nav, P0 = begin(model, opening, s, belief)
+        swing = np.cross(true.dtheta[0] / dt, s.lever_b)
+        turned = np.einsum("...ij,...j->...i", rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]), swing)
+        nav["v_n"] = opening.v_m_n + turned
+        P0 = np.broadcast_to(P0, (*np.broadcast_shapes(nav["v_n"].shape[:-1], P0.shape[:-2]), 16, 16))
+        loop = Transfer(model, nav, P0, given, way=way, matching=matching, every=every, rules=RULES)
+    else:
+        past, begun = sensed(1), 1
+        sigmas, estimates = told(s, belief)
+        loop = Headings(message(1), model, given, sigmas=sigmas, estimates=estimates, increments=past, every=every,
+                        rules=RULES)  # fmt: skip
+    shape = loop.P.shape[:-2]
     kept: list[tuple[Array, Array]] = []
-    said: list[tuple[Array, Array]] = []
+    nis: list[Array] = []
+    used: list[Array] = []
 
     def keep(update: int) -> None:
         at, now = update * per_update, loop.nav
@@ -349,17 +371,16 @@ def fly(
         error = np.concatenate([np.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
         kept.append((error, loop.P))
 
-    keep(0)
-    for update in range(1, s.seconds * s.update_hz + 1):
-        n = walk * np.array([stream.standard_normal((per_update, 6)) for stream in drawn.streams])
-        for k in range(per_update):
-            at = (update - 1) * per_update + k
-            dtheta = np.einsum("...ij,...j->...i", gain, true.dtheta[at]) + bias_g * dt + n[:, k, :3]
-            loop.slave((at + 1) * dt, dtheta, true.dv[at] + bias_a * dt + n[:, k, 3:], dt)
+    keep(begun)
+    for update in range(begun + 1, s.seconds * s.update_hz + 1):
+        for _, end, dtheta, dv in zip(*sensed(update), strict=True):
+            loop.slave(end, dtheta, dv, dt)
         taken = loop.master(message(update)).innovations
-        said.append((np.stack([one.nis for one in taken.values()], axis=-1), log_likelihood(taken)))
+        nis.append(np.stack([one.nis for one in taken.values()], axis=-1))
+        used.append(sum((one.used.sum(-1) for one in taken.values()), start=np.zeros(())))
         # a filter that is lost refuses the messages, and would sink
-        loop.nav["position"] = np.broadcast_to(true.slave.position[update * per_update], (*shape, 3)).copy()
+        flying = loop.loop if isinstance(loop, Headings) else loop
+        flying.nav["position"] = np.broadcast_to(true.slave.position[update * per_update], (*flying.runs, 3)).copy()
         keep(update)
-    (error, P), (nis, gained) = (map(np.array, zip(*part, strict=True)) for part in (kept, said))
-    return Flight(error, P, nis, np.cumsum(gained, axis=0), drawn.delay, int(came.sum()))
+    error, P = map(np.array, zip(*kept, strict=True))
+    return Flight(error, P, np.array(nis), drawn.delay, np.array(used), loop.notes, s.update_hz)

@@ -139,6 +139,43 @@ def test_a_quaternion_says_the_same_as_angles(describe):
         np.testing.assert_allclose(got, expected, atol=1e-14)
 
 
+@pytest.mark.parametrize(("body", "navigation"), [("FLU", "ENU"), ("FLU", "NWU"), ("RFU", "ENU"), ("FRD", "NED")])
+def test_three_angles_of_other_axes_say_the_same_as_the_quaternion_of_their_turns(describe, body, navigation):
+    """Turned about the vertical, the lateral and the front axis of the body, from where the axes of both coincide."""
+    frame = master_table()
+    turns = frame[["heading", "pitch", "roll"]].to_numpy()
+    order = "".join("XYZ"[next(i for i, axis in enumerate(body) if axis in pair)] for pair in ("DU", "RL", "F"))
+    quaternions = Rotation.from_euler(order, turns, degrees=True).as_quat()
+    frame[["x", "y", "z", "w"]] = quaternions
+    frames = (('body = "FRD"', f'body = "{body}"'), ('"NED"', f'"{navigation}"'))
+    lines = {
+        "angles": ', pitch_positive = "{}", yaw_positive = "{}", yaw_from = "{}"'.format(
+            "down" if "L" in body else "up",
+            "counter-clockwise" if "U" in body else "clockwise",
+            {"N": "north", "E": "east"}[navigation[body.index("F")]],
+        ),
+        "quaternion": ', order = "xyzw"',
+    }
+    said = []
+    for kind, words in lines.items():
+        old = '"roll", "pitch", "heading"], unit = "deg"'
+        new = f'"x", "y", "z", "w"], unit = "1"{words}' if kind == "quaternion" else old + words
+        said.append(read(describe((old, new), *frames, master=frame), strict=False).master.euler)
+    np.testing.assert_allclose(said[0], said[1], atol=1e-12)
+
+
+def test_a_csv_of_utf_16_is_read_by_its_first_bytes(describe, tmp_path):
+    path = describe()
+    plain = read(path).imu
+    for encoding in ("utf-16", "utf-8-sig"):
+        (tmp_path / "slave.csv").write_text(table().to_csv(index=False), encoding=encoding)
+        np.testing.assert_array_equal(read(path).imu.gyro, plain.gyro)
+    (tmp_path / "slave.csv").write_text("t,wx,°\n1,2,3\n", encoding="latin-1")
+    refused(path, "slave.csv", "save it as UTF-8")
+    path.write_text(path.read_text(), encoding="utf-16")
+    refused(path, "drive.toml", "save it as UTF-8")
+
+
 def test_rates_and_increments_are_two_words_for_one_thing():
     t = np.array([0.1, 0.2, 0.3, 0.6, 0.7])  # a gap of 0.3 s
     rates = Inertial("rates", "end", t, np.full((5, 3), 2.0), np.full((5, 3), 3.0))
@@ -285,6 +322,13 @@ def refused(path, *words):
         (("slave.csv", "other.csv"), ["other.csv", "no such file"]),
         (("slave.csv", "drive.toml"), ["drive.toml", "is not read"]),
         (('unit = "deg" }\nvelocity', 'unit = "deg", order = "yaw pitch" }\nvelocity'), ["master.attitude", "order"]),
+        (('"roll", "pitch", "heading"', '"roll", "roll", "heading"'), ["master.attitude", "'roll'", "twice"]),
+        (('["fx", "fy", "fz"]', '["wx", "fy", "fz"]'), ["imu.gyro and imu.accel", "'wx'"]),
+        (('["vn", "ve", "vd"]', '["t", "ve", "vd"]'), ["master.time and master.velocity", "'t'"]),
+        # three angles are those of an aircraft; where the axes would have others the description says which
+        (('body = "FRD"', 'body = "FLU"'), ["master.attitude", "FLU", 'pitch_positive = "up"']),
+        (('"NED"', '"ENU"'), ["master.attitude", "FRD", "ENU", 'yaw_from = "north"']),
+        (('body = "FRD"', 'body = "BLD"'), ["master.attitude", "BLD", "quaternion"]),
     ],
 )
 def test_a_bad_description_is_one_line(describe, replaced, words):
@@ -328,6 +372,19 @@ def test_bad_inertial_data_is_one_line(describe, frame, words):
 )
 def test_a_bad_master_is_one_line(describe, frame, words):
     refused(describe(master=frame), *words)
+
+
+@pytest.mark.parametrize("wrong", [False, True])
+def test_a_height_that_goes_against_the_vertical_velocity_is_an_error(describe, wrong):
+    frame = master_table()
+    omega = 2 * np.pi / frame.t.iloc[-1]
+    climbs = 10 * np.sin(omega * frame.t)  # m/s
+    frame = frame.assign(vd=climbs if wrong else -climbs, h=200 + 10 / omega * (1 - np.cos(omega * frame.t)))
+    path = describe(master=frame)
+    if wrong:
+        refused(path, "master.position", "height", "--allow path")
+    else:
+        read(path)
 
 
 def test_a_gap_of_the_master_is_a_warning_with_its_time(describe):

@@ -3,6 +3,7 @@
 Flown by the independent motion of `evidence.flights`: what a slave's samples are is known without the reader.
 """
 
+import re
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta, timezone
 from functools import cache
@@ -20,7 +21,8 @@ from boresight.runtime.library import load
 from boresight.runtime.recording import attitude_increments, best_delay, check, read
 from boresight.runtime.recording.check import slope_of
 from boresight.runtime.units import ARCMIN, DEG
-from boresight.studies.replays import euler_matching, velocity_attitude
+from boresight.studies.figures import Sheets
+from boresight.studies.replays import euler_matching, stationary, velocity_attitude
 from boresight.studies.replays.innovations import most_likely
 
 SECONDS = 30.0
@@ -249,6 +251,22 @@ def test_dates_of_any_unit_count_from_one_epoch(describe, unit):
     refused(describe(imu=gap, ins=ins, toml=toml), "gaps after 10.0000 s")
 
 
+def ticks(recording, folder):
+    """The words and numbers in the figure of a replay."""
+    sheets = Sheets(folder, svg=True)
+    stationary.figures(stationary.run(recording, rest=tuple(recording.imu.time[[0, 300]])), sheets)
+    return re.findall(r"<text[^>]*>([^<]+)</text>", sheets.written[0].read_text())
+
+
+def test_the_time_axis_of_a_replay_counts_from_the_epoch_of_its_dates(describe, tmp_path):
+    imu, ins = ({**arrays, "t": BEGAN + arrays["t"]} for arrays in (IMU, INS))
+    recording = read(describe(imu=imu, ins=ins))
+    shown = ticks(recording, tmp_path)
+    assert {"10", "20", "30"} <= set(shown) and not any("e9" in word for word in shown)
+    dates = replace(recording, imu=replace(recording.imu, time=BEGAN + recording.imu.time))
+    assert any("e9" in word for word in ticks(dates, tmp_path))  # an axis that was not would say so
+
+
 def test_a_clock_that_shows_dates_and_one_that_does_not_are_one_line(describe):
     refused(describe(imu={**IMU, "t": IMU["t"] + BEGAN}), "imu.time shows dates and master.time does not")
     text = {**IMU, "t": stamped("iso", IMU["t"])}
@@ -275,6 +293,7 @@ def test_local_metres_become_a_place_by_one_latitude(describe, frame):
     origin = f"origin = {{ latitude = {lat!r}, longitude = {lon!r}, height = {height!r} }}"
     metres = ('"position", unit = "rad" }', f'"position", unit = "m" }}\n{origin}')
     changes = [metres, ('navigation = "NED"', f'navigation = "{frame}"')]
+    changes.append(('"euler", unit = "rad"', '"euler", unit = "rad", yaw_from = "north"'))
     got = read(describe(*changes, ins=ins)).master
     np.testing.assert_allclose(got.position[:, :2], INS["position"][:, :2], atol=2e-9)  # 1 cm
     np.testing.assert_allclose(got.position[:, 2], INS["position"][:, 2], atol=0.02)

@@ -126,7 +126,7 @@ def test_the_walk_beside_theory_has_the_size_it_should(models, flown):
 
 def test_the_level_of_zero_velocity_stands_on_what_is_left_of_the_accelerometer_error(models, flown):
     start, held = flown
-    beside = held.phi[-1, ..., :2] - study.remaining_floor(models, start, held)
+    beside = held.phi[-1, ..., :2] - study.remaining_floor(start, held)
     for mode in (ZUPT, AZIMUTH, REFERENCE):
         assert study.root_mean_square(beside[mode].ravel()) < 0.4 * ARCMIN
     assert study.root_mean_square(beside[INERTIAL].ravel()) > 3 * ARCMIN
@@ -164,7 +164,8 @@ def test_the_sixteenth_state_is_the_error_of_the_reference(models, aligned):
 def test_the_report_prints_the_change_since_the_hand_over_and_judges_the_paper_by_this_run(models, tmp_path):
     result = study.run(replace(SHORT, runs=2, seconds=20), models=models)
     lines = study.report(result).splitlines()
-    (row,) = (line.split() for line in lines if line.startswith("  azimuth "))
+    table = lines[lines.index("after 20 s at rest: error, its change since the hand-over, and sigma") :]
+    row = next(line.split() for line in table if line.startswith("  azimuth "))
     shown = [f"{value:.2f}" for key in ("error", "change") for value in result["marks"][-1]["azimuth"][f"{key}_arcmin"]]
     assert row[1:7] == shown
     # 20 s of an alignment that knows the level to .46 arcmin: gyro noise makes it worse

@@ -1,5 +1,7 @@
 """What notices a disturbance of the hold, and that a platform that turned is not pulled back silently."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -9,12 +11,13 @@ from boresight.studies.azimuth_hold import alignment
 from boresight.studies.azimuth_hold import shock as study
 from tests.drawing import drawn
 
-TIMES = (60, 110, 130)
+TIMES = (60, 110)
+SHORT = study.Disturbed(runs=4, seconds=130, times_s=TIMES)
 
 
 @pytest.fixture(scope="module")
 def result():
-    return study.run(study.Disturbed(runs=4, times_s=TIMES))
+    return study.run(SHORT)
 
 
 def row(result, event, azimuth, motion, gate):
@@ -77,7 +80,7 @@ def test_handling_without_a_guard_spoils_the_hold_that_trusts_its_reference(resu
 def test_thresholds_come_from_the_noise_alone_and_rest_passes():
     models, scenario = study.load_models(), alignment.Scenario()
     start = alignment.align(models, alignment.Scenario(align_s=15.0), runs=2, seed=1)
-    settings = study.thresholds(models, scenario, start)
+    settings = study.thresholds(scenario, start)
     f_b = alignment.rest_specific_force(models, start.position, start.q_b2n_wxyz)
     dtheta, dv = start.drawn.sensors.measured(np.zeros((2, 3)), f_b * 0.01, 0.01, 20_000)
     said = detector.evaluate(settings, np.moveaxis(dtheta, 0, 1) * 100, np.moveaxis(dv, 0, 1) * 100)
@@ -105,4 +108,11 @@ def test_the_report_has_a_line_for_each_event_and_configuration_and_every_claim_
 
 def test_bad_times_are_named():
     with pytest.raises(BoresightError, match="26 s from it"):
-        study.run(study.Disturbed(times_s=(60, 70, 80)))
+        study.run(study.Disturbed(times_s=(60, 70)))
+
+
+def test_the_hold_ends_when_it_is_asked_to(result):
+    assert result["end_s"] == SHORT.seconds
+    assert [option.name for option in study.STUDY.options()] == ["runs", "seed", "seconds"]
+    with pytest.raises(BoresightError, match="got 60, 110 and 100 s"):
+        study.run(replace(SHORT, seconds=100))

@@ -10,7 +10,7 @@ from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, sensors
 from boresight.runtime.units import MIL
 from boresight.studies.consistency import chi_square_band
-from boresight.studies.observability import Moment, along, shown_after
+from boresight.studies.observability import Moment, along, since, with_fields
 from boresight.studies.sea_state import exploration as study
 from tests.drawing import drawn
 
@@ -38,7 +38,7 @@ def cell(shown, motion, state):
 
 def test_the_first_sample_from_which_on_a_sigma_stays_below_the_threshold():
     sigma = np.array([[3.0, 3.0, 3.0], [0.9, 2.0, 3.0], [1.1, 0.9, 3.0], [0.8, 0.7, 3.0]])
-    np.testing.assert_array_equal(shown_after(sigma, 1 / 3), [3.0, 2.0, np.nan])
+    np.testing.assert_array_equal(since(sigma < sigma[0] / 3), [3.0, 2.0, np.nan])
 
 
 def test_covariance_along_known_matrices_is_that_of_information(wide):
@@ -48,8 +48,8 @@ def test_covariance_along_known_matrices_is_that_of_information(wide):
     H = rng.standard_normal((5, 4, n))
 
     class Still:
-        Phi = staticmethod(study.with_fields(lambda: np.eye(n)))
-        Q = staticmethod(study.with_fields(lambda: np.zeros((n, n))))
+        Phi = staticmethod(with_fields(lambda: np.eye(n)))
+        Q = staticmethod(with_fields(lambda: np.zeros((n, n))))
 
     *_, P = along(Still(), np.eye(n), (Moment({}, part, R) for part in H))
     np.testing.assert_allclose(np.linalg.inv(P), np.eye(n) + np.einsum("kij,kil->jl", H, H) / 0.5, rtol=1e-9, atol=1e-9)
@@ -57,13 +57,16 @@ def test_covariance_along_known_matrices_is_that_of_information(wide):
 
 def test_a_course_moves_as_its_derivatives_say():
     time = np.linspace(0, 40, 4001)
-    pose = study.underway(time, study.ramp(5.0, 20.0, 90 * DEG), study.ramp(2.0, 10.0, 5.0))
+    pose = study.underway(time, study.ramp(time, 5.0, 20.0, 90 * DEG), study.ramp(time, 2.0, 10.0, 5.0))
     step = time[1] - time[0]
     inside = slice(5, -5)
     np.testing.assert_allclose(np.gradient(pose.v_n, step, axis=0)[inside], pose.a_n[inside], atol=2e-3)
     np.testing.assert_allclose(np.gradient(pose.omega_nb_b, step, axis=0)[inside], pose.alpha_nb_b[inside], atol=0.02)
     turn = rotation.attitude_error(pose.q_b2n_wxyz[:-1], pose.q_b2n_wxyz[1:]) / step
-    np.testing.assert_allclose(turn[:, 0, 2], (pose.omega_nb_b[1:, 0, 2] + pose.omega_nb_b[:-1, 0, 2]) / 2, atol=1e-5)
+    # a difference that spans the corner of a ramp misses a quarter of a step of the acceleration's jump there
+    jump = 90 * DEG * (np.pi / 20) ** 2 / 2
+    middle = (pose.omega_nb_b[1:, 0, 2] + pose.omega_nb_b[:-1, 0, 2]) / 2
+    np.testing.assert_allclose(turn[:, 0, 2], middle, atol=jump * step / 4)
     np.testing.assert_allclose(pose.v_n[-1, 0], [0, 5, 0], atol=1e-12)
 
 
@@ -149,7 +152,9 @@ def test_every_way_of_matching_is_consistent_where_it_is_possible_and_euler_angl
         row = rows[way, "level"]
         assert row["nees"] < 1.15 * row["nees_band"][1]
         assert 0.9 < row["nis"] < 1.1
-        assert (rows[way, "pitch 88"]["refused"] is not None) == way.startswith("Euler")
+        steep = rows[way, "pitch 88"]
+        assert (steep["refused"] is not None) == way.startswith("Euler")
+        assert steep["nees"] < 1.15 * steep["nees_band"][1]  # by the velocity alone
     heading = {way: rows[way, "level"]["heading_sigma_mil"] for way in study.WAYS}
     assert heading["DCM"] == pytest.approx(heading["quaternion"], rel=0.01)
     assert heading["DCM"] == pytest.approx(heading["Euler angles"], rel=0.01)
@@ -158,7 +163,7 @@ def test_every_way_of_matching_is_consistent_where_it_is_possible_and_euler_angl
     assert heading["Euler, yaw (compass)"] > 20 * heading["DCM"]
 
 
-def test_a_bank_of_hypotheses_finds_any_heading_and_one_filter_does_not(model, monkeypatch):
+def test_a_bank_finds_any_heading_of_the_master_and_one_filter_does_not(model, monkeypatch):
     monkeypatch.setattr(study, "SINGLE", ("dcm",))
     monkeypatch.setattr(study, "UNKNOWN_DEG", (2.0, 45.0, 60.0, 180.0))
     part = study.starts(model, runs=8, seed=1)
@@ -176,7 +181,6 @@ def test_a_bank_of_hypotheses_finds_any_heading_and_one_filter_does_not(model, m
 def test_the_exploration_can_be_read_and_drawn(tmp_path, monkeypatch):
     monkeypatch.setattr(study, "UNKNOWN_DEG", (2.0, 10.0))
     monkeypatch.setattr(study, "WAYS", {"DCM": study.WAYS["DCM"], "Euler angles": study.WAYS["Euler angles"]})
-    monkeypatch.setattr(study, "SPACING_DEG", 90.0)
     monkeypatch.setattr(study, "QUICK", study.replace(study.QUICK, seconds=5))
     result = study.run(study.Asked(runs=2, seconds=60.0))
     text = study.report(result)
