@@ -699,7 +699,10 @@ def replay(
         settings = {"delay": delay_ms * 1e-3, "rate_hz": rate_hz, "measurement": measurement}
     else:
         one = transfer_replay.study(name)
-        settings = {
+        # What is told of scale factors and axes stands, if only that there are none.
+        if grade or any(word.strip().startswith(("scale", "axes")) for word in with_ or ()):
+            settings["assumed"] = None
+        settings |= {
             "noise": noise, "prior": {key: float(value[0]) for key, value in prior.items()},
             "lever_b": None if lever_arm is None else quantity(lever_arm, "length", 3), "delay": delay_ms * 1e-3,
             "rate_hz": rate_hz, "sensors": sensors,

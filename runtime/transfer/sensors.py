@@ -65,16 +65,18 @@ class Sensors:
                 raise BoresightError(f"sensors: {name} is {getattr(self, name):g}; the model's range is 0.02 at most")
 
 
-# Typical of a class of units, as their datasheets print it: the unit's own is better.  A datasheet's bias instability
-# is the floor of the Allan deviation.
+# Of a class of units: what is said to be printed stands so in a datasheet, the rest is typical by our choice; a unit's
+# own numbers are better.  A datasheet's bias instability is the floor of the Allan deviation.
 GRADES = {
-    # Xsens MTi-1: 10 deg/h, 30 ug, 0.1 and 0.5 % of nonlinearity; ADIS16475: axes within 0.1 deg
+    # Printed: 10 deg/h, 30 ug, nonlinearity of 0.1 and 0.5 % (Xsens MTi-1); axes within 0.1 deg (Analog Devices
+    # ADIS16475, Rev. D).  By our choice: scale factors, axes and accelerometers somewhat worse than these.
     "mems": Sensors(3e-3, 3e-3, 3e-3, 3e-3, 10 * DEG_H, 50 * MICRO_G),
-    # ADIS16488A: 5.1 deg/h, 70 ug, axes within 0.05 deg
+    # By our choice, all of it: between its neighbours.
     "industrial": Sensors(1e-3, 1e-3, 1e-3, 1e-3, 5 * DEG_H, 70 * MICRO_G),
-    # Sensonor STIM300 with accelerometers of 10 g: 500 and 300 ppm, 1 mrad, 0.5 deg/h, 50 ug
+    # Printed, all but the correlation time: Sensonor STIM300 (TS1524) with accelerometers of 10 g.
     "tactical": Sensors(5e-4, 3e-4, 1e-3, 1e-3, 0.5 * DEG_H, 50 * MICRO_G),
-    # ring laser gyros of 1 nmi/h: 5 and 100 ppm, some arcseconds, below 0.01 deg/h, 25 ug
+    # Printed: below 0.01 deg/h and 100 ug for 1 nmi/h (El-Sheimy and Youssef 2020, Satellite Navigation 1:2, table 1).
+    # By our choice: the numbers within, scale factors, axes (5 arcsec) and correlation time, of ring laser gyros.
     "navigation": Sensors(5e-6, 1e-4, 2.5e-5, 2.5e-5, 0.003 * DEG_H, 10 * MICRO_G, 3600.0),
 }
 

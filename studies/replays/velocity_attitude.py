@@ -33,6 +33,8 @@ HOLD_S = 0.15  # a message is handed over so late, so that a delay that is belie
 GATE = 1e-300  # by chance; NIS 1400 of six rows
 BAND = 1.96  # sigmas, 95 %
 COVARIANCE_S = 0.1  # at most, between two steps of it
+# One sigma of what a filter without states for it does not know, where nothing is told: a MEMS unit, calibrated once.
+ASSUMED = Sensors(gyro_scale=1e-3, accel_scale=1e-3, gyro_axes=1e-3, accel_axes=1e-3)
 
 
 @dataclass(frozen=True)
@@ -228,6 +230,7 @@ def run(
     delay: float = 0.0,
     rate_hz: float | None = None,
     sensors: Sensors | None = None,
+    assumed: Sensors | None = ASSUMED,
     progress: Callable[[str], None] = lambda line: None,
 ) -> dict[str, Any]:
     """Replay a recording with the delay as a state and without it; what came out, as a dict that json can write.
@@ -235,6 +238,7 @@ def run(
     noise: what is known of NOISES, in SI and rad, one number or one for each part; the rest is chosen by likelihood,
     with the delay as a state.  prior: what is known otherwise than PRIOR has it, SI and rad.  lever_b: (3,) m, as
     believed.  delay: s, where its estimate begins.  rate_hz: use the master no more often than this.
+    sensors: what is carried.  assumed: scale factors and axes that widen each sigma where none are carried; None: none.
     It is flown twice: what the first pass ends with is where the others begin, with the same sigmas, so that they are
     linear about it.  Fields: docs/recordings.md.  Raises BoresightError if the recording cannot be replayed.
     """
@@ -277,11 +281,12 @@ def run(
         for i, name in enumerate(("with", "without"))
     }
     bare = sensors or Sensors(lever=prior["lever"] if "d_lever_x" in model.states else 0.0)
-    scored = None
+    found, more = None, np.zeros(len(model.states))
     if not calibration(bare).any():
         progress("score test")
         probed = replace(bare, probed=True)
         scored = fly(cut, load(MODEL), noises, start[0], prior, prior["delay"], probed)["loop"]
+        found, more = unmodelled(scored, prior), unknown(scored.P, scored.score, assumed)[: len(model.states)]
     assert cut.master is not None
     return {
         "recording": recording.name,
@@ -295,9 +300,10 @@ def run(
         "lever_given_m": None if lever_b is None else np.asarray(lever_b, float).tolist(),
         "noise": said_noise(noises, free, passes),
         "sensors": None if sensors is None else asdict(sensors),
-        "unmodelled": None if scored is None else unmodelled(scored, prior),
+        "assumed": None if found is None or assumed is None else asdict(assumed),
+        "unmodelled": found,
         "minus_log_likelihood": {name: float(minus_log_likelihood(part)) for name, part in both.items()},
-        "states": states(model, track["time"], both, recording.reference, prior),
+        "states": states(model, track["time"], both, recording.reference, prior, more),
         "nis": {name: consistency(part["nu"] / np.sqrt(part["S"]), part["used"]) for name, part in both.items()},
         "notes": [*recording.notes, *(line for runs, line in track["notes"] if 0 in runs)],
         "history": history(model, track["time"], both),
@@ -324,6 +330,23 @@ def unmodelled(loop: Transfer, prior: Mapping[str, float]) -> list[dict[str, Any
         out.append({"name": name, "statistic": float(one.statistic), "bound": one.bound,
                     "noticed": bool(one.statistic > one.bound), "smallest": smallest, "does": does})  # fmt: skip
     return out
+
+
+def unknown(P: Array, score: Score, assumed: Sensors | None) -> Array:
+    """(46,) one sigma more of each state: by what is assumed of scale factors and axes, and by what the test notices.
+
+    Of what it notices the likeliest size counts as a sigma: the innovations then say that it is there.
+    """
+    sensitivity = driven(P)
+    variance = np.zeros(len(sensitivity))
+    if assumed is not None:
+        variance += np.einsum("ni,ij,nj->n", sensitivity, calibration(assumed), sensitivity)
+    seen = [np.arange(15)[SCORED[name]] for name, one in score.noticed().items() if one.statistic > one.bound]
+    if seen:
+        at = np.concatenate(seen)
+        likeliest = np.linalg.pinv(score.information[np.ix_(at, at)]) @ score.gradient[at]
+        variance += (sensitivity[:, at] @ likeliest) ** 2
+    return np.sqrt(variance)
 
 
 def sizes_of(sensors: Sensors) -> dict[str, float]:
@@ -371,9 +394,17 @@ def said_noise(noises: Array, free: Array, passes: int) -> dict[str, Any]:
 
 
 def states(
-    model: Any, time: Array, both: Mapping[str, Any], reference: Mapping[str, Array], prior: Mapping[str, float]
+    model: Any,
+    time: Array,
+    both: Mapping[str, Any],
+    reference: Mapping[str, Array],
+    prior: Mapping[str, float],
+    more: Array,
 ) -> list[dict[str, Any]]:
-    """One entry for each quantity: what it is at the end, with and without the delay state, and what else is known."""
+    """One entry for each quantity: what it is at the end, with and without the delay state, and what else is known.
+
+    more: (n,) sigma of each state beside the filter's own, which alone is that of the noises.
+    """
     out = []
     for group in GROUPS:
         if group.first not in model.states or not prior.get(group.key):
@@ -381,28 +412,23 @@ def states(
         at = model.states.index(group.first)
         known = reference.get({"lever": "lever_arm"}.get(group.key, group.key))
         for i, axis in enumerate(group.axes):
-            (estimate, sigma), (bare, bare_sigma) = (
+            (estimate, noise), (bare, bare_sigma) = (
                 [both[name][part][-1, at + i] / group.scale for part in ("estimate", "sigma")]
                 for name in ("with", "without")
             )
+            sigma = np.hypot(noise, more[at + i] / group.scale)
             wide = np.flatnonzero(both["with"]["sigma"][:, at + i] > 2 * both["with"]["sigma"][-1, at + i])
             stated = None if known is None else known[i] / group.scale
-            out.append(
-                {
-                    "state": group.name,
-                    "axis": axis,
-                    "unit": group.unit,
-                    "estimate": float(estimate),
-                    "sigma": float(sigma),
-                    "prior_sigma": float(prior[group.key] / group.scale),
-                    "of_prior": float(sigma * group.scale / prior[group.key]),
-                    "settled_s": float(time[wide[-1] + 1] if len(wide) else time[0]),
-                    "reference": None if stated is None else float(stated),
-                    "difference_sigmas": None if stated is None else float((estimate - stated) / sigma),
-                    "without_delay": float(bare),
-                    "without_delay_sigma": float(bare_sigma),
-                }
-            )
+            before = prior[group.key] / group.scale
+            numbers = {
+                "estimate": estimate, "sigma": sigma, "noise_sigma": noise, "prior_sigma": before,
+                "of_prior": sigma / before,
+                "settled_s": time[wide[-1] + 1] if len(wide) else time[0], "reference": stated,
+                "difference_sigmas": None if stated is None else (estimate - stated) / sigma,
+                "without_delay": bare, "without_delay_sigma": bare_sigma,
+            }  # fmt: skip
+            said = {name: None if value is None else float(value) for name, value in numbers.items()}
+            out.append({"state": group.name, "axis": axis, "unit": group.unit} | said)
     return out
 
 
@@ -446,42 +472,31 @@ def named(state: Mapping[str, Any]) -> str:
 def report(result: Mapping[str, Any]) -> str:
     """One page of Markdown, which a terminal shows as well."""
     nis, noise = result["nis"], result["noise"]
-    table = [
-        ("", "estimate", "1 sigma", "unit", "of the prior", "settled", "stated", "difference", "without delay"),
-        *(
-            (
-                named(s),
-                number(s["estimate"], s["sigma"]),
-                number(s["sigma"], s["sigma"]),
-                s["unit"],
-                f"{s['of_prior']:.2g}",
-                f"{s['settled_s']:.0f} s",
-                "" if s["reference"] is None else number(s["reference"], s["sigma"]),
-                "" if s["difference_sigmas"] is None else f"{s['difference_sigmas']:+.1f} sigmas",
-                "0, held" if s["state"] == "delay" else number(s["without_delay"], s["sigma"]),
-            )
-            for s in result["states"]
-        ),
-    ]
+    known = [s for s in result["states"] if s["difference_sigmas"] is not None]
+    head = ("", "estimate", "1 sigma", "by noise", "unit", "of the prior", "settled", "without delay")
+    table = [(*head, "stated", "difference")]
+    for s in result["states"]:
+        bare = "0, held" if s["state"] == "delay" else number(s["without_delay"], s["sigma"])
+        stated = (
+            (number(s["reference"], s["sigma"]), f"{s['difference_sigmas']:+.1f} sigmas") if s in known else ("", "")
+        )
+        table.append((
+            named(s), number(s["estimate"], s["sigma"]), number(s["sigma"], s["sigma"]),
+            number(s["noise_sigma"], s["noise_sigma"]), s["unit"], f"{s['of_prior']:.2g}", f"{s['settled_s']:.0f} s",
+            bare, *stated,
+        ))  # fmt: skip
     checks = [
-        ("NIS a row", "mean", "95 % band", "by quarter of the time", "largest lag-1 correlation", "bound"),
-        *(
-            (
-                label,
-                f"{said['mean']:.3f}",
-                "[{:.3f}, {:.3f}]".format(*said["band"]),
-                " ".join("none" if value is None else f"{value:.2f}" for value in said["by_quarter"]),
-                f"{max(said['lag1'], key=abs):+.3f}",
-                f"{said['lag1_bound']:.3f}",
-            )
-            for label, said in (("delay a state", nis["with"]), ("delay taken as 0", nis["without"]))
-        ),
-    ]
+        ("NIS per row", "mean", "95 % band", "by quarter of the time", "largest correlation of neighbours", "bound"),
+        *((
+            label, f"{said['mean']:.3f}", "[{:.3f}, {:.3f}]".format(*said["band"]),
+            " ".join("none" if value is None else f"{value:.2f}" for value in said["by_quarter"]),
+            f"{max(said['lag1'], key=abs):+.3f}", f"{said['lag1_bound']:.3f}",
+        ) for label, said in (("delay a state", nis["with"]), ("delay taken as 0", nis["without"]))),
+    ]  # fmt: skip
     rows = [
         ("mean NIS", *ROWS),
         *((f"{name} delay", *(f"{v:.2f}" for v in nis[name]["per_row"])) for name in ("with", "without")),
     ]
-    known = [s for s in result["states"] if s["difference_sigmas"] is not None]
     agree = [named(s) for s in known if abs(s["difference_sigmas"]) <= 2]
     differ = [f"{named(s)} ({s['difference_sigmas']:+.1f})" for s in known if abs(s["difference_sigmas"]) > 2]
     delay = next(s for s in result["states"] if s["state"] == "delay")
@@ -504,25 +519,34 @@ def report(result: Mapping[str, Any]) -> str:
     ]
     if known:
         lines += [
-            f"Within 2 sigmas of what is stated: {', '.join(agree) or 'nothing'}.",
-            f"Beyond: {', '.join(differ) or 'nothing'}; in our sigmas, those of what is stated are not known.",
+            f"- Within 2 sigmas of what is stated: {', '.join(agree) or 'nothing'}.",
+            f"- Beyond: {', '.join(differ) or 'nothing'}; in our sigmas, those of what is stated are not known.",
         ]
     lines += [
-        "Settled: from when on the sigma is within twice its last.  "
-        f"Hardly shown by this motion (sigma above half of the prior): {', '.join(map(named, poor)) or 'nothing'}.",
+        *_sigmas(result),
+        "- Stated: by the recording's description.  Without delay: what a filter finds that takes the delay as 0.",
+        "- Settled: from when on the sigma by noise is within twice its last.",
+        f"- Hardly shown by this motion (sigma above half of the prior): {', '.join(map(named, poor)) or 'nothing'}.",
         "",
         *markdown(checks),
         "",
         *markdown(rows),
         "",
-        f"Noises: {'; '.join(_noise(name, one) for name, one in noise.items() if name != 'passes')}.",
+        "- Innovation: what the master measured less what the filter expected of it.",
+        "- NIS: an innovation squared over its variance; 1 on average where noises and model are right.",
+        "- Neighbours, one innovation and the next, correlate where something is not modelled.",
+        "",
+        "Noises, one sigma:",
+        "",
+        *(f"- {_noise(name, one)}" for name, one in noise.items() if name != "passes"),
+        "",
     ]
     if result["unmodelled"] is not None:
         lines += score_lines(result["unmodelled"])
     if noise["passes"]:
         lines += [
             f"Chosen in {noise['passes']} passes: where the innovations with the delay as a state are most likely.",
-            "Their mean NIS is then 1 by construction; its quarters and the correlation of neighbours are not chosen.",
+            "Their mean NIS is then near 1 by construction; its quarters and neighbours' correlation are not chosen.",
         ]
     lines += [f"Note: {note}" for note in result["notes"]]
     lines += [
@@ -532,6 +556,19 @@ def report(result: Mapping[str, Any]) -> str:
         *(f"- {one['level']}: {one['where']}: {one['text']}" for one in result["read"]),
     ]
     return "\n".join(lines)
+
+
+def _sigmas(result: Mapping[str, Any]) -> list[str]:
+    """What the column 1 sigma holds beside the filter's own."""
+    if result["unmodelled"] is None:
+        return []
+    parts = []
+    if result["assumed"] is not None:
+        parts.append(described(Sensors(**result["assumed"])).replace(", considered", "").replace(";", " and"))
+        parts[0] += " (assumed; --with or --grade says better)"
+    if seen := [one["name"] for one in result["unmodelled"] if one["noticed"]]:
+        parts.append(f"what the innovations show of {' and '.join(seen)}")
+    return [f"- 1 sigma: by noise, all that the filter knows of, and by {', and by '.join(parts)}."] if parts else []
 
 
 def _used(result: Mapping[str, Any]) -> str:
@@ -563,7 +600,8 @@ def score_lines(found: Sequence[Mapping[str, Any]]) -> list[str]:
         "",
         f"**The innovations show {' and '.join(seen)}: fly with --with or --grade.**" if seen
         else "The innovations show neither scale factors nor axes.",
-        "A size is noticed so in 95 % of such drives, with 1 % of false alarms.  What it does to the states unnoticed:",
+        "Noticed from: the size, one sigma of each axis, that 95 % of such drives would show, 1 % falsely.",
+        "To the right, by how much it drives off the worst axis of each estimate if nobody notices.",
         "",
         *markdown(table),
         "",
@@ -575,9 +613,9 @@ def described(sensors: Sensors) -> str:
     how = "estimated" if sensors.estimated else "considered"
     parts = []
     for names, unit, scale in (("scale", "ppm", 1e-6), ("axes", "mrad", 1e-3)):
-        gyro, accel = (getattr(sensors, f"{sensor}_{names}") / scale for sensor in ("gyro", "accel"))
-        if gyro or accel:
-            parts.append(f"{names} {gyro:.3g} and {accel:.3g} {unit} of gyros and accelerometers, {how}")
+        gyro, accel = (f"{getattr(sensors, f'{sensor}_{names}') / scale:.4g}" for sensor in ("gyro", "accel"))
+        both = f"{gyro} {unit}" if gyro == accel else f"{gyro} {unit} of gyros and {accel} {unit} of accelerometers"
+        parts += [f"{names} {both}, {how}"] if {gyro, accel} != {"0"} else []
     for name, unit, size in (
         ("gyro", "deg/h", UNITS["angular rate"]["deg/h"]),
         ("accelerometer", "ug", UNITS["acceleration"]["ug"]),
@@ -593,7 +631,10 @@ def described(sensors: Sensors) -> str:
 def _noise(name: str, one: Mapping[str, Any]) -> str:
     shown = (f"{v:.3g}" if seen else f"below {v:.1g}" for v, seen in zip(one["value"], one["seen"], strict=True))
     parts = "" if len(one["parts"]) == 1 else f"{' and '.join(one['parts'])}, "
-    return f"{name} {' and '.join(shown)} {one['unit']} ({parts}{'chosen' if one['chosen'] else 'given'})"
+    name, whence = name.replace("_", " "), "chosen" if one["chosen"] else "given"
+    if whence == "given" and not any(one["seen"]):
+        return f"{name} none (given)"
+    return f"{name} {' and '.join(shown)} {one['unit']} ({parts}{whence})"
 
 
 def _lever(result: Mapping[str, Any]) -> str:
@@ -608,8 +649,8 @@ def markdown(rows: Sequence[Sequence[str]]) -> list[str]:
     return [lines[0], "|" + "|".join("-" * (w + 2) for w in width) + "|", *lines[1:]]
 
 
-def draw_innovations(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
-    """(2, 3) axes: velocity above, attitude below; with the delay within its bands, and without it.  The legend."""
+def draw_innovations(result: Mapping[str, Any], axes: Array) -> None:
+    """(2, 3) axes: velocity above, attitude below; with the delay within its bands, and without it."""
     from boresight.studies.figures import BLUE, ORANGE
 
     history = result["history"]
@@ -629,11 +670,10 @@ def draw_innovations(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
         if i % 3 == 0:
             ax.set_ylabel(f"innovation [{unit}]")
         ax.set_xlabel("time [s]" if i >= 3 else "")
-    return legend_of(axes[0, 0])
 
 
-def draw_states(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
-    """(rows, 3) axes: a row for each group of three, then the delay and NIS in time.  Returns the legend."""
+def draw_states(result: Mapping[str, Any], axes: Array) -> None:
+    """(rows, 3) axes: a row for each group of three, then the delay and NIS in time."""
     from boresight.studies.figures import BLUE, GREY, ORANGE
 
     history = result["history"]
@@ -647,7 +687,7 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
         # The first seconds are off the scale by design: the prior is wide.
         reach = max(12 * sigma[-1], 1.3 * abs((state["reference"] or value[-1]) - value[-1]))
         ax.fill_between(
-            time, value - BAND * sigma, value + BAND * sigma, color=BLUE, alpha=0.25, lw=0, label="95 % band"
+            time, value - BAND * sigma, value + BAND * sigma, color=BLUE, alpha=0.25, lw=0, label="95 % band by noise"
         )
         ax.plot(time, value, color=BLUE, label="estimate")
         if group.name != "delay":
@@ -668,7 +708,7 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
         binned = np.ma.masked_invalid(square[:whole].reshape(-1, count * square.shape[1])).mean(1)
         over.semilogy(time[:whole].reshape(-1, count).mean(1), binned, color=color)
     over.axhline(1, color=GREY, lw=0.8)
-    over.set_title("NIS a row in time; orange: delay taken as 0")
+    over.set_title("NIS per row in time; orange: delay taken as 0")
     ratio = axes[-1, 2]
     shown = result["states"][::-1]
     ratio.barh(range(len(shown)), [s["of_prior"] for s in shown], color=BLUE, height=0.7)
@@ -678,13 +718,6 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> dict[str, Any]:
     ratio.set_axisbelow(True)
     for ax in axes[-1, :2]:
         ax.set_xlabel("time [s]")
-    return legend_of(axes[0, 0])
-
-
-def legend_of(ax: Any) -> dict[str, Any]:
-    """What is drawn in it, by label."""
-    handles, labels = ax.get_legend_handles_labels()
-    return dict(zip(labels, handles, strict=True))
 
 
 def write(result: Mapping[str, Any], sheets: Sheets) -> None:
@@ -694,14 +727,15 @@ def write(result: Mapping[str, Any], sheets: Sheets) -> None:
     base = f"transfer-replay-{result['recording']}"
     rows = len(result["states"]) // 3 + 1
     with sheets(f"{base}-innovations", 11, 5.5, nrows=2, ncols=3, sharex=True) as (drawing, axes):
-        legend = draw_innovations(result, axes)
-        drawing.legend(legend.values(), legend.keys(), loc="outside lower center", ncols=3, markerscale=4)
+        draw_innovations(result, axes)
+        shown = axes[0, 0].get_legend_handles_labels()
+        drawing.legend(*shown, loc="outside lower center", ncols=3, markerscale=4)
     with sheets(f"{base}-states", 11, 2.2 * rows, nrows=rows, ncols=3) as (drawing, axes):
-        legend = draw_states(result, axes)
-        drawing.legend(legend.values(), legend.keys(), loc="outside lower center", ncols=4)
+        draw_states(result, axes)
+        drawing.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
     captions = (
-        "Innovations within their 95 % bands, with the delay a state, and without it",
-        "Estimates within their 95 % bands",
+        "Innovations, what the master measured less what the filter expected, within their 95 % bands",
+        "Estimates in time, within the 95 % bands of the noises alone",
     )
     pictures = list(zip(captions, sheets.written, strict=True))
     numbers = {name: value for name, value in result.items() if name != "history"}

@@ -7,6 +7,7 @@ from html import escape
 
 import numpy as np
 import pytest
+from conftest import ROOT
 from real_recordings import real_recording
 
 from boresight import BoresightError
@@ -14,10 +15,13 @@ from boresight.runtime import rotation
 from boresight.runtime.library import load
 from boresight.runtime.recording import Inertial, Master, Recording, read
 from boresight.runtime.simulation import hull, inertial
+from boresight.runtime.transfer.score import Score
+from boresight.runtime.transfer.sensors import MODEL, Sensors, calibration
 from boresight.runtime.units import STANDARD_GRAVITY as G
-from boresight.runtime.units import quantity
-from boresight.studies.page import numbers_of
+from boresight.runtime.units import UNITS, quantity
+from boresight.studies.page import numbers_of, page
 from boresight.studies.replays import velocity_attitude as tr
+from boresight.studies.replays.innovations import consistency
 from boresight.studies.study import Replay, document
 from tests.drawing import drawn
 
@@ -28,10 +32,6 @@ MU = np.array([0.2, -0.3, 0.8]) * DEG
 BIAS_G, BIAS_A = np.array([200.0, -300.0, 100.0]) * DEG / 3600, np.array([-0.07, 0.03, 0.05])
 NOISE = {"gyro": 0.2 * DEG / 60, "accel": 0.002, "velocity": [0.003, 0.004], "attitude": [1e-4, 2e-4], "delay": 1e-7,
          "gyro_walk": 0.0, "accel_walk": 0.0}  # fmt: skip
-# of the real recording, as the fit of docs/recordings.md finds them
-FOG_MEMS = {"gyro": "0.148 deg/sqrt(h)", "accel": "0.1 m/s/sqrt(h)", "velocity": "1.1, 2.1 mm/s",
-            "attitude": "0.115, 0.042 arcmin", "delay": "0.03 ms/sqrt(s)",
-            "gyro_walk": "0 deg/h/sqrt(h)", "accel_walk": "0 ug/sqrt(h)"}  # fmt: skip
 
 
 def simulate(seed, seconds=14.0, lever_b=LEVER_B):
@@ -84,19 +84,42 @@ def state(result, name):
 # ---------------------------------------------------------------- truth is known
 
 
-def assert_truth(result):
-    off = [s["difference_sigmas"] for s in result["states"] if s["reference"] is not None]
+def off_by(result, sigma):
+    """Of all quantities whose truth is known, in their sigmas."""
+    off = [(s["estimate"] - s["reference"]) / s[sigma] for s in result["states"] if s["reference"] is not None]
     (delay,) = state(result, "delay")
-    off.append((delay["estimate"] - 1e3 * DELAY) / delay["sigma"])
+    return np.array([*off, (delay["estimate"] - 1e3 * DELAY) / delay[sigma]])
+
+
+def assert_truth(result):
+    """The sensors are exactly as the model says, so that the noises are all there is."""
+    (delay,) = state(result, "delay")
+    off = off_by(result, "noise_sigma")
     assert np.abs(off).max() < 3.5
     assert 0.3 < np.sqrt(np.mean(np.square(off))) < 1.6
-    assert delay["sigma"] < 0.3
-    assert max(s["of_prior"] for s in result["states"]) < 0.1
+    assert delay["noise_sigma"] < 0.3
+    assert max(s["noise_sigma"] / s["prior_sigma"] for s in result["states"]) < 0.1
 
 
 def test_mounting_biases_and_delay_come_back_from_nothing(result):
     assert result["noise"]["passes"] == 0
     assert_truth(result)
+
+
+def test_sensors_off_by_what_is_assumed_stay_inside_the_sigmas(simulated, model):
+    """Scale factors and axes of 1000 ppm and 1 mrad, which nothing tells, against sigmas with and without them."""
+    rng = np.random.default_rng(11)
+    off = rng.multivariate_normal(np.zeros(15), calibration(tr.ASSUMED))
+    gyro, accel = np.diag(1 + off[:3]), np.diag(1 + off[3:6])
+    gyro[[0, 0, 1, 1, 2, 2], [1, 2, 0, 2, 0, 1]] = off[6:12]
+    accel[[1, 2, 2], [0, 0, 1]] = off[12:]
+    imu = simulated.imu
+    spoilt = replace(imu, gyro=imu.gyro @ gyro.T, accel=imu.accel @ accel.T)
+    found = tr.run(replace(simulated, imu=spoilt), model, noise=NOISE, lever_b=LEVER_B)
+    assert np.sqrt(np.mean(off_by(found, "noise_sigma") ** 2)) > 2.5
+    assert np.sqrt(np.mean(off_by(found, "sigma") ** 2)) < 1.6
+    assert np.abs(off_by(found, "sigma")).max() < 3.5
+    assert "and by scale 1000 ppm and axes 1 mrad (assumed" in tr.report(found)
 
 
 def test_nis_with_true_noises_is_consistent_with_the_delay_and_not_without(result):
@@ -116,9 +139,11 @@ def test_lever_arm_comes_back_too_where_it_is_a_state(simulated):
 
 
 def test_lever_arm_of_the_wrong_sign_shows_in_the_nis(simulated, model):
-    wrong = tr.run(simulated, model, noise=NOISE, lever_b=-LEVER_B)
-    assert wrong["nis"]["with"]["mean"] > 5
-    assert max(wrong["nis"]["with"]["per_row"][3:]) < max(wrong["nis"]["with"]["per_row"][:3])
+    start = np.r_[np.zeros(16), -LEVER_B]
+    track = tr.fly(tr.prepare(simulated, None), model, tr.noise_vector(NOISE)[0], start, tr.PRIOR, tr.PRIOR["delay"])
+    per_row = np.mean(track["nu"] ** 2 / track["S"], axis=0)
+    assert per_row.mean() > 5
+    assert per_row[3:].max() < per_row[:3].max()
 
 
 def test_noises_are_found(model):
@@ -138,38 +163,82 @@ def test_noises_are_found(model):
 # ---------------------------------------------------------------- the real recording
 
 
+def printed():
+    """What docs/recordings.md prints of given and of chosen noises: by row, the numbers in each of its cells."""
+    text = (ROOT / "docs" / "recordings.md").read_text(encoding="utf-8")
+    table = text[text.index("| noises | given |") :]
+    rows = [line.strip("| ").split(" | ") for line in table[: table.index("\n\n")].splitlines()[2:]]
+    return {name: [[float(x) for x in re.findall(r"-?\d+\.?\d*", cell)] for cell in cells] for name, *cells in rows}
+
+
 @pytest.fixture(scope="module")
 def fog_mems(compiled_once):
-    """From where it begins to roll, 30 to 60 s."""
-    whole = read(real_recording("fog_mems_transfer.npz"))
-    keep = (whole.imu.time > 30) & (whole.imu.time <= 60)
-    imu = replace(whole.imu, time=whole.imu.time[keep], gyro=whole.imu.gyro[keep], accel=whole.imu.accel[keep])
-    noise = {name: quantity(text, tr.NOISES[name].kind, len(tr.NOISES[name].parts)) for name, text in FOG_MEMS.items()}
-    return tr.run(replace(whole, imu=imu), load("velocity-attitude-lever"), noise=noise)
+    """All of it, side by side: with the noises given, with those chosen, and with these and the delay held at 0.
+
+    By run: states with what is printed of each, and consistency.
+    """
+    recording = tr.prepare(read(real_recording("fog_mems_transfer.npz")), None)
+    lever, said = load("velocity-attitude-lever"), printed()
+    start, noise = np.zeros((3, 19)), [{}, {}]
+    for name, cells in said.items():
+        kind = name.split(",")[0].removeprefix("noise ").replace(" ", "_")
+        if name.startswith("noise "):
+            unit = UNITS[tr.NOISES[kind].kind][tr.NOISES[kind].unit]
+            for one, cell in zip(noise, cells[:2], strict=True):
+                one[kind] = np.array(cell) * unit
+    for group in tr.GROUPS[:5]:  # where the printed estimates are, so that all is linear about them
+        values = [cells[1][0] * group.scale for name, cells in said.items() if name.startswith(group.name)]
+        start[:, lever.states.index(group.first) :][:, : len(values)] = values
+    start[2, 15] = 0.0
+    noises = np.array([tr.noise_vector(noise[i])[0] for i in (0, 1, 1)])
+    held = np.array([tr.PRIOR["delay"], tr.PRIOR["delay"], 0.0])
+    track = tr.fly(recording, load(MODEL), noises, start, tr.PRIOR, held, Sensors(lever=1.0, probed=True))
+    runs = [{part: track[part][:, i] for part in ("nu", "S", "used", "estimate", "sigma")} for i in range(3)]
+    out = []
+    for i, run in enumerate(runs):
+        score = Score(())
+        score.gradient, score.information = (getattr(track["loop"].score, n)[i] for n in ("gradient", "information"))
+        more = tr.unknown(track["loop"].P[i], score, tr.ASSUMED)
+        both = {"with": run, "without": runs[2]}
+        found = tr.states(lever, track["time"], both, recording.reference, tr.PRIOR, more[:19])
+        out.append({"states": found, "nis": consistency(run["nu"] / np.sqrt(run["S"]), run["used"])})
+    return out
+
+
+def test_fog_mems_is_as_it_is_printed(fog_mems):
+    said = printed()
+    for column in range(2):
+        for s in fog_mems[column]["states"]:
+            value, sigma, by_noise = said[f"{tr.named(s)}, {s['unit']}"][column]
+            assert s["estimate"] == pytest.approx(value, abs=0.15 * s["sigma"])
+            assert s["sigma"] == pytest.approx(sigma, rel=0.1)
+            assert s["noise_sigma"] == pytest.approx(by_noise, rel=0.1)
+        assert fog_mems[column]["nis"]["mean"] == pytest.approx(
+            said["mean NIS per row; by quarter"][column][0], abs=0.01
+        )
+
+
+def test_fog_mems_by_given_and_by_chosen_noises_agrees_within_the_sigmas(fog_mems):
+    """By noise alone the lever arm down is some 4 sigmas apart, and an accelerometer's scale factor is why."""
+    for given, chosen in zip(*(fog_mems[i]["states"] for i in range(2)), strict=True):
+        assert abs(given["estimate"] - chosen["estimate"]) < 2 * np.hypot(given["sigma"], chosen["sigma"])
+    apart, noise = given["estimate"] - chosen["estimate"], np.hypot(given["noise_sigma"], chosen["noise_sigma"])
+    assert tr.named(given) == "lever arm down" and apart / noise > 3
 
 
 def test_fog_mems_shows_its_delay_and_nis_needs_it(fog_mems):
-    (delay,) = state(fog_mems, "delay")
-    assert 15.0 < delay["estimate"] < 16.0
-    assert delay["sigma"] < 0.25
-    assert 0.9 < fog_mems["nis"]["with"]["mean"] < 1.2
-    assert fog_mems["nis"]["without"]["mean"] > 20
+    (delay,) = state(fog_mems[1], "delay")
+    assert 14.0 < delay["estimate"] < 16.0
+    assert delay["noise_sigma"] < 0.6
+    assert 0.9 < fog_mems[1]["nis"]["mean"] < 1.1
+    assert fog_mems[2]["nis"]["mean"] > 20
 
 
 def test_fog_mems_agrees_with_its_author_where_it_does(fog_mems):
-    roll, pitch, yaw = state(fog_mems, "misalignment")
-    assert abs(roll["difference_sigmas"]) < 3
-    assert abs(pitch["estimate"] - pitch["reference"]) < 1.8  # arcmin
-    assert abs(yaw["estimate"] - yaw["reference"]) < 1.2
-    front, right, down = state(fog_mems, "gyro bias")
-    assert max(abs(front["difference_sigmas"]), abs(right["difference_sigmas"])) < 3
-    assert down["difference_sigmas"] > 3
-    assert state(fog_mems, "accelerometer bias")[0]["difference_sigmas"] > 10
-
-
-def test_fog_mems_has_a_lever_arm_of_centimetres(fog_mems):
-    assert np.linalg.norm([s["estimate"] for s in state(fog_mems, "lever arm")]) == pytest.approx(15, abs=3)
-    assert max(s["sigma"] for s in state(fog_mems, "lever arm")) < 1.0
+    found = fog_mems[1]
+    differ = {tr.named(s) for s in found["states"] if s["reference"] is not None and abs(s["difference_sigmas"]) > 3}
+    assert differ == {"gyro bias down"}
+    assert np.linalg.norm([s["estimate"] for s in state(found, "lever arm")]) == pytest.approx(15, abs=3)
 
 
 # ---------------------------------------------------------------- what the user sees
@@ -207,22 +276,23 @@ def test_the_page_holds_the_report_its_pictures_and_its_numbers_and_nothing_besi
     assert not one.good({**result, "nis": {**result["nis"], "with": result["nis"]["without"]}})
 
 
-def test_what_the_page_shows_of_the_states_is_what_was_found(result, tmp_path):
-    html = drawn(tr.study(result["model"]), result, tmp_path)[-1].read_text()
+def test_what_the_page_shows_of_the_states_is_what_was_found(result):
+    html = page("sea", tr.report(result))
     table = next(part for part in re.findall(r"<table>(.*?)</table>", html, re.DOTALL) if "of the prior" in part)
     rows = [re.findall(r"<td>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", table, re.DOTALL)[1:]]
     assert [row[0] for row in rows] == [f"{s['state']} {s['axis']}".strip() for s in result["states"]]
     for row, state in zip(rows, result["states"], strict=True):
         assert float(row[1]) == pytest.approx(state["estimate"], abs=state["sigma"] / 10)
         assert float(row[2]) == pytest.approx(state["sigma"], rel=0.06)
-        assert row[3] == state["unit"]
+        assert float(row[3]) == pytest.approx(state["noise_sigma"], rel=0.06)
+        assert row[4] == state["unit"]
     for finding in result["read"]:
         assert escape(f"{finding['level']}: {finding['where']}: {finding['text']}", quote=False) in html
 
 
-def test_a_name_cannot_break_the_page(result, tmp_path):
-    spoilt = {**result, "title": "</script><b>&", "recording": "sea"}
-    html = drawn(tr.study(result["model"]), spoilt, tmp_path)[-1].read_text()
+def test_a_name_cannot_break_the_page(result):
+    spoilt = {**result, "title": "</script><b>&"}
+    html = page(spoilt["title"], tr.report(spoilt), numbers={"title": spoilt["title"]})
     assert "<b>" not in html and numbers_of(html)["title"] == spoilt["title"]
 
 
