@@ -132,11 +132,15 @@ class Sensors:
     streams: tuple[np.random.Generator, ...]  # one a run
 
     def measured(self, dtheta: Array, dv: Array, dt: float, samples: int) -> tuple[Array, Array]:
-        """Increments (samples, runs, 3) of the true ones, which may be given once for all samples."""
+        """Increments (samples, ..., runs, 3) of the true ones, which may be given once for all samples, (runs, 3).
+
+        Axes between samples and runs see the same noise.
+        """
         noise = np.empty((len(self.streams), samples, 6))
         for row, stream in zip(noise, self.streams, strict=True):
             stream.standard_normal(out=row)
-        noise = np.moveaxis(noise, 0, 1) * np.sqrt(dt)
+        between = tuple(range(1, np.ndim(dtheta) - 2))
+        noise = np.expand_dims(np.moveaxis(noise, 0, 1), between) * np.sqrt(dt)
         return (
             np.einsum("rij,...rj->...ri", self.gyro_gain, dtheta) + self.gyro_bias * dt
             + noise[..., :3] * self.gyro_walk,

@@ -179,7 +179,7 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
             at_rest = (np.einsum("erji,j->eri", C, start.earth[name]) * dt for name in ("omega_ie_n", "gravity_n"))
             omega, gravity = (np.broadcast_to(one, (hz, *one.shape)) for one in at_rest)
             ideal = omega, -gravity
-        raw_dtheta, raw_dv = disturbed(sensors, *ideal, dt)
+        raw_dtheta, raw_dv = sensors.measured(*ideal, dt, hz)
         # The detector's windows reach back into the second before.
         seen = [
             np.concatenate([past, np.moveaxis(raw / dt, 0, -2)], -2)
@@ -243,15 +243,6 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
             "sigma_arcmin": np.stack([root_mean_square(sigma[:, c, e], 1) for c, e in kinds], axis=1) / ARCMIN,
         },
     }
-
-
-def disturbed(sensors: Any, dtheta: Array, dv: Array, dt: float) -> tuple[Array, Array]:
-    """Measured increments (samples, events, runs, 3): the same noise in every event."""
-    noise_only = sensors.measured(np.zeros_like(dtheta[0, 0]), np.zeros_like(dv[0, 0]), dt, len(dtheta))
-    return (
-        np.einsum("rij,...rj->...ri", sensors.gyro_gain, dtheta) + noise_only[0][:, None],
-        np.einsum("rij,...rj->...ri", sensors.accel_gain, dv) + noise_only[1][:, None],
-    )
 
 
 def gated(loop: Filter, name: str, R: Array, wanted: Array, gate: Array, **inputs: Any) -> Array:

@@ -146,7 +146,7 @@ def consistency(result: dict[str, Any], sheets: Sheets) -> None:
             ax.errorbar(
                 size * shift, mean, (mean - small, large - mean), color=color, marker=marker, markersize=4, label=label
             )
-        ax.set(xscale="log", yscale="log", xlabel="misalignment, 1 sigma an axis [deg]", ylabel="NEES of 6 states")
+        ax.set(xscale="log", yscale="log", xlabel="misalignment, 1 sigma per axis [deg]", ylabel="NEES of 6 states")
         ax.set_xticks([0.1, 0.2, 0.3, 0.5, 1, 2, 3], ["0.1", "0.2", "0.3", "0.5", "1", "2", "3"])
         ax.minorticks_off()
         ax.legend(loc="upper left")

@@ -205,5 +205,5 @@ def figures(result: dict[str, Any], sheets: Sheets) -> None:
         axes[3].set_yticks(range(len(NAMES)), [name.replace("_", " ") for name in reversed(NAMES)])
         axes[3].set_ylim(-0.6, len(NAMES) - 0.4)
         axes[3].set_xlim(t[0], t[-1])
-        axes[3].set_title(f"declared at rest; false alarms {result['false_alarm_rate']:g} a window", loc="left")
+        axes[3].set_title(f"declared at rest; false alarms {result['false_alarm_rate']:g} per window", loc="left")
         axes[3].set_xlabel("time [s]")

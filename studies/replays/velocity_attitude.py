@@ -18,7 +18,7 @@ from boresight.runtime.recording import Recording, check, thinned
 from boresight.runtime.transfer import Increments, Message, Rules, Transfer, Verdict, first
 from boresight.runtime.transfer.score import GROUPS as SCORED
 from boresight.runtime.transfer.score import Score, driven
-from boresight.runtime.transfer.sensors import ADDED, CALIBRATION, MODEL, Sensors, calibration, carried
+from boresight.runtime.transfer.sensors import ADDED, CALIBRATION, GRADES, MODEL, Sensors, calibration, carried
 from boresight.runtime.units import MILLI_G, UNITS
 from boresight.studies.figures import Sheets
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
@@ -335,7 +335,8 @@ def unmodelled(loop: Transfer, prior: Mapping[str, float]) -> list[dict[str, Any
 def unknown(P: Array, score: Score, assumed: Sensors | None) -> Array:
     """(46,) one sigma more of each state: by what is assumed of scale factors and axes, and by what the test notices.
 
-    Of what it notices the likeliest size counts as a sigma: the innovations then say that it is there.
+    Of what it notices the likeliest size counts as a sigma, that of a unit of the poorest grade: another error, as a
+    lever arm that is not zero, would else be explained by sizes that no sensor has.
     """
     sensitivity = driven(P)
     variance = np.zeros(len(sensitivity))
@@ -344,7 +345,8 @@ def unknown(P: Array, score: Score, assumed: Sensors | None) -> Array:
     seen = [np.arange(15)[SCORED[name]] for name, one in score.noticed().items() if one.statistic > one.bound]
     if seen:
         at = np.concatenate(seen)
-        likeliest = np.linalg.pinv(score.information[np.ix_(at, at)]) @ score.gradient[at]
+        before, information = calibration(GRADES["mems"])[np.ix_(at, at)], score.information[np.ix_(at, at)]
+        likeliest = before @ np.linalg.solve(np.eye(len(at)) + information @ before, score.gradient[at])
         variance += (sensitivity[:, at] @ likeliest) ** 2
     return np.sqrt(variance)
 
@@ -541,6 +543,13 @@ def report(result: Mapping[str, Any]) -> str:
         *(f"- {_noise(name, one)}" for name, one in noise.items() if name != "passes"),
         "",
     ]
+    if (
+        not nis["with"]["white"]
+        and result["lever_given_m"] is None
+        and not any(s["state"] == "lever arm" for s in result["states"])
+    ):
+        lines += ["**Neighbours correlate, and the lever arm was taken as zero: look whether it is there, by",
+                  "--model velocity-attitude-lever, before anything else.**", ""]  # fmt: skip
     if result["unmodelled"] is not None:
         lines += score_lines(result["unmodelled"])
     if noise["passes"]:

@@ -16,7 +16,7 @@ from boresight.runtime.library import load
 from boresight.runtime.recording import Inertial, Master, Recording, read
 from boresight.runtime.simulation import hull, inertial
 from boresight.runtime.transfer.score import Score
-from boresight.runtime.transfer.sensors import MODEL, Sensors, calibration
+from boresight.runtime.transfer.sensors import CALIBRATION, MODEL, PROBE, Sensors, calibration
 from boresight.runtime.units import STANDARD_GRAVITY as G
 from boresight.runtime.units import UNITS, quantity
 from boresight.studies.page import numbers_of, page
@@ -120,6 +120,16 @@ def test_sensors_off_by_what_is_assumed_stay_inside_the_sigmas(simulated, model)
     assert np.sqrt(np.mean(off_by(found, "sigma") ** 2)) < 1.6
     assert np.abs(off_by(found, "sigma")).max() < 3.5
     assert "and by scale 1000 ppm and axes 1 mrad (assumed" in tr.report(found)
+
+
+def test_what_is_noticed_counts_as_its_likeliest_size_and_as_none_that_no_sensor_has():
+    P, score = np.zeros((46, 46)), Score(())
+    P[12, CALIBRATION.start + 3] = PROBE**2  # a unit of an accelerometer's scale factor drives a state off by one
+    score.information, score.gradient = 1e12 * np.eye(15), np.full(15, 1e9)
+    assert tr.unknown(P, score, None)[12] == pytest.approx(1e-3, rel=1e-3)
+    score.information, score.gradient = 25 * np.eye(15), np.full(15, 50.0)  # by these alone it would be 2
+    assert tr.unknown(P, score, None)[12] < 2e-3
+    assert tr.unknown(P, score, tr.ASSUMED)[12] == pytest.approx(1e-3, rel=0.2)
 
 
 def test_nis_with_true_noises_is_consistent_with_the_delay_and_not_without(result):
