@@ -21,7 +21,8 @@ def test_the_file_is_what_the_simulator_makes():
 
 def test_the_replay_of_the_example_finds_its_truth(capsys, tmp_path):
     with pytest.raises(SystemExit) as ended:
-        cli.main(["replay", "--example", "--model", "velocity-attitude-lever", "--json", "-o", str(tmp_path)])
+        cli.main(["replay", "--example", "--to", "30 s", "--model", "velocity-attitude-lever", "--json",
+                  "-o", str(tmp_path)])  # fmt: skip
     assert ended.value.code == 0
     out = json.loads(capsys.readouterr().out)
     result = out.get("result", out)

@@ -13,7 +13,7 @@ from boresight.runtime.simulation.sensors import generator
 from boresight.runtime.transfer import Message, Rules, Transfer, Verdict, first
 
 DEG, MIL = np.pi / 180, 2 * np.pi / 6400
-RATE_HZ = 400
+RATE_HZ = 100
 PLACE = np.array([0.6, 2.2, 20.0])
 LEVER_B = np.array([-4.0, 2.0, 3.0])
 MOUNTING = rotation.quaternion_from_euler(np.array([0.4, -0.3, 2.0]) * DEG)
@@ -369,13 +369,13 @@ def test_a_message_without_what_the_matching_needs_is_refused_in_one_line(short)
 
 @pytest.fixture(scope="module")
 def short(compiled_once):
-    """Twenty-five seconds of the same at 100 Hz."""
-    return sail(sea(), 25.0, 100)
+    """Twenty-five seconds of the same."""
+    return sail(sea(), 25.0)
 
 
-def spoilt(short, begin, end, change, **more):
+def spoilt(short, begin, end, change, seconds=17.0, **more):
     """Six runs whose messages number begin to end - 1, ten a second, are changed."""
-    return fly(short, runs=6, change=lambda k, message: change(message) if begin <= k < end else message, **more)
+    return fly(short, runs=6, seconds=seconds, change=lambda k, m: change(m) if begin <= k < end else m, **more)
 
 
 def said(flight):
@@ -402,7 +402,7 @@ def test_a_delay_longer_than_the_buffer_is_refused_and_told(short):
 
 
 def test_a_master_that_stops_leaves_the_slave_alone_and_is_welcome_when_it_comes_back(short):
-    flight = spoilt(short, 80, 180, lambda m: None)
+    flight = spoilt(short, 80, 180, lambda m: None, seconds=25.0)
     assert only(flight)
     assert "no message of the master was taken for 1 s" in said(flight)[0]
     assert "the master is back after 10." in said(flight)[-1]
@@ -491,7 +491,7 @@ def test_a_velocity_that_jumps_for_good_is_followed_after_five_messages(short):
 )
 def test_a_jump_there_and_back_is_survived(short, jump, matching):
     """Five seconds of it.  A large turn is taken in parts, since the model's range ends at 0.5 rad."""
-    flight = spoilt(short, 80, 130, jump, matching=("velocity", matching))
+    flight = spoilt(short, 80, 130, jump, seconds=25.0, matching=("velocity", matching))
     assert only(flight, Verdict.GATED, Verdict.REOPENED)
     assert recovered(flight)
     assert np.abs(flight.errors[-1, :, 14]).max() < 1.0 * MIL

@@ -327,6 +327,7 @@ def test_a_correction_that_leads_out_of_the_models_range_is_refused_by_name(swin
     assert np.abs(flight.loop.nav["gyro_bias"]).max() <= 1 * DEG
     assert any("gyro_bias" in text and "range" in text for text in texts(flight))
     assert flight.loop.counts[Verdict.BEYOND].max() > 0
+    assert not flight.loop.lost.any()
 
 
 def test_a_start_beyond_the_models_latitude_is_refused():
