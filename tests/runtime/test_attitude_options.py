@@ -21,12 +21,12 @@ RUNS = 40
 
 
 @pytest.fixture(scope="module")
-def base(compiled_once):
+def base(quickly):
     return load("velocity-attitude")
 
 
 @pytest.fixture(scope="module")
-def lever(compiled_once):
+def lever(quickly):
     return load("velocity-attitude-lever")
 
 
@@ -39,12 +39,12 @@ def generated(name, tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def flexure(compiled_once, tmp_path_factory):
+def flexure(quickly, tmp_path_factory):
     return generated("flexure", tmp_path_factory)
 
 
 @pytest.fixture(scope="module")
-def scale(compiled_once, tmp_path_factory):
+def scale(quickly, tmp_path_factory):
     return generated("scale_factors", tmp_path_factory)
 
 

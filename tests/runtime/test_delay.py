@@ -33,19 +33,19 @@ def numbers(text, pattern):
 
 @pytest.fixture(scope="module")
 def stepped():
-    """All cases side by side, four runs each; what steps does so at 8 s."""
+    """All cases side by side, four runs each; what steps does so at 6 s."""
     before, behind, clock, heading, velocity = np.repeat(np.array(list(CASES.values())), 4, axis=0).T
     C = turn(np.stack([0 * heading, 0 * heading, heading * DEG], -1))
 
     def off(time, message):
-        if time < 8:
+        if time < 6:
             return message
         q = quaternion(C @ matrix_from_quaternion(message.q_m2n_wxyz))
         return replace(message, q_m2n_wxyz=q, v_m_n=message.v_m_n + velocity[:, None] * np.array([1, 0, 0]))
 
-    return fly(swinging(), runs=len(before), seconds=16.0, tau=lambda time: before if time < 8 else behind,
-               clock=lambda time: 0 * clock if time < 8 else clock, said=off, tau_believed=before, tau_sigma=0.01,
-               lost=0.0)  # fmt: skip
+    return fly(swinging(), runs=len(before), seconds=12.0, tau=lambda time: before if time < 6 else behind,
+               clock=lambda time: 0 * clock if time < 6 else clock, said=off, tau_believed=before, tau_sigma=0.01,
+               lost=0.0, imu_hz=25)  # fmt: skip
 
 
 def runs_of(case):
@@ -53,7 +53,7 @@ def runs_of(case):
 
 
 def test_five_seconds_after_a_step_of_delay_or_clock_the_errors_are_as_large_as_the_filter_says(stepped):
-    late = stepped.time >= 13.0
+    late = stepped.time >= 11.0
     for case in MENDED:
         runs = runs_of(case)
         low, high = band(len(runs), 16)
@@ -101,7 +101,7 @@ def test_a_healthy_flight_says_nothing(stepped):
 
 def test_extrapolation_finds_a_delay_that_steps_too():
     flight = fly(swinging(), runs=RUNS, seconds=10.0, tau=lambda time: 0.01 if time < 6 else 0.05, way="extrapolate",
-                 tau_believed=0.01, tau_sigma=0.01)  # fmt: skip
+                 tau_believed=0.01, tau_sigma=0.01, imu_hz=25)  # fmt: skip
     assert np.abs(flight.errors[-1, :, 15]).max() < 5e-3
     for run in range(RUNS):
         found = numbers(said_of(flight, run)[0], r"the master's delay has changed from (\d+) to (\d+) ms")
@@ -116,28 +116,28 @@ def test_the_delay_is_not_learned_at_rest_and_is_found_when_motion_begins(vibrat
         wave = np.cos(2 * np.pi * 17.3 * (time + np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]])))
         return d + 0.02 * 0.3 * DEG * wave[0], f + 0.02 * wave[1]
 
-    motion = Motion(swing=after(10.0, waves(([6 * DEG, 3 * DEG, 3 * DEG], 0.17, [0.0, 1.2, 2.1]))), seconds=18)
+    motion = Motion(swing=after(6.0, waves(([6 * DEG, 3 * DEG, 3 * DEG], 0.17, [0.0, 1.2, 2.1]))), seconds=12)
     tau = 0.06 + 0.03 * np.linspace(-1.5, 1.5, RUNS)
-    flight = fly(motion, runs=RUNS, unit=unit, seconds=15.0, master_hz=10, tau=tau, tau_believed=0.06, tau_sigma=0.03,
+    flight = fly(motion, runs=RUNS, unit=unit, seconds=10.0, master_hz=10, tau=tau, tau_believed=0.06, tau_sigma=0.03,
                  sensed=shaken if vibrating else None)  # fmt: skip
     sigma = np.sqrt(flight.P[..., 15, 15])
-    assert (sigma[flight.time < 10][-1] > 0.98 * 0.03).all()
+    assert (sigma[flight.time < 6][-1] > 0.98 * 0.03).all()
     assert (sigma[-1] < 0.1 * 0.03).all()
-    assert flight.nees_of([15])[flight.time > 13].mean() < band(RUNS, 1)[1]
+    assert flight.nees_of([15])[flight.time > 8.5].mean() < band(RUNS, 1)[1]
 
 
 def test_in_a_slow_swing_the_delay_is_as_wrong_as_it_says():
     rate = 5 * Unit().gyro_noise / np.sqrt(0.04)
     motion = Motion(swing=waves(([rate / (2 * np.pi * 0.1)] * 3, 0.1, [0, 1.2, 2.1])), seconds=22)
     tau = 0.12 + 0.05 * np.linspace(-1.5, 1.5, RUNS)
-    flight = fly(motion, runs=RUNS, master_hz=10, seconds=20.0, tau=tau, tau_believed=0.12)
+    flight = fly(motion, runs=RUNS, master_hz=10, imu_hz=25, seconds=20.0, tau=tau, tau_believed=0.12)
     assert flight.nees_of([15]).mean(1).max() < band(RUNS, 1)[1]
 
 
 def test_where_the_turn_is_constant_a_delay_and_an_offset_are_both_said():
     circle = Motion(yaw_rate=4 * DEG)
     flight = fly(circle, runs=RUNS, seconds=9.0, tau=lambda time: 0.035 if time < 5 else 0.135, tau_believed=0.035,
-                 tau_sigma=0.01, lever_b=np.zeros(3))  # fmt: skip
+                 tau_sigma=0.01, lever_b=np.zeros(3), imu_hz=25)  # fmt: skip
     for run in range(RUNS):
         text = said_of(flight, run)[0]
         assert "delay" in text and "off the slave" in text and "all of them are opened" in text
@@ -148,12 +148,12 @@ def test_a_backlog_of_old_messages_is_no_clock():
     kept = []
 
     def broken(time, message):
-        if 5 <= time < 10:
+        if 3 <= time < 8:
             kept.append(message)
             return None
         return message
 
-    flight = fly(swinging(), runs=RUNS, seconds=10.0, tau_believed=0.035, tau_sigma=0.01, said=broken)
+    flight = fly(swinging(), runs=RUNS, seconds=8.0, tau_believed=0.035, tau_sigma=0.01, said=broken, imu_hz=25)
     loop = flight.loop
     for message in kept:
         loop.master(message)
@@ -163,7 +163,7 @@ def test_a_backlog_of_old_messages_is_no_clock():
 def test_a_delay_that_is_held_stays_where_it_is_whatever_does_not_fit(compiled_once):
     """Of two runs that both should find 135 ms, the one whose delay has no variance keeps its 0."""
     flight = fly(
-        swinging(seconds=14), runs=2, seed=4, seconds=12.0, lost=0.0, tau_sigma=np.array([0.05, 0.0]),
+        swinging(seconds=12), runs=2, seed=4, seconds=10.0, imu_hz=25, lost=0.0, tau_sigma=np.array([0.05, 0.0]),
         tau=np.array([0.035, 0.135]), constants={"tau_noise": 0.0},
     )  # fmt: skip
     assert (flight.verdict[:, 1] >= Verdict.GATED).any()

@@ -17,6 +17,7 @@ from boresight.runtime.transfer.sensors import GRADES, Sensors, calibration, car
 from boresight.runtime.units import DEG_H, STANDARD_GRAVITY
 
 RUNS = 20
+FLOWN = {"runs": RUNS, "seconds": 20.0, "imu_hz": 25, "every": 5}
 SCALED = Sensors(gyro_scale=6e-3)
 ALL = Sensors(1e-3, 1e-3, 1e-3, 1e-3, 3 * DEG_H, 1e-4 * STANDARD_GRAVITY, 100.0, 3e-4, 1.0)
 SIGMAS = {"q_b2m_wxyz": np.full(3, 0.1), "gyro_bias": np.full(3, 1e-3), "accel_bias": 0.02, "tau": 0.05}
@@ -99,7 +100,7 @@ def test_sizes_that_say_nothing_are_refused(arguments, says):
 
 def test_a_flight_with_all_of_it_is_consistent_and_without_it_is_not(compiled_once):
     motion = swinging(seconds=22)
-    flown, plain = (fly(motion, runs=RUNS, seconds=20.0, imu_hz=25, sensors=ALL, carrying=c) for c in (ALL, None))
+    flown, plain = (fly(motion, sensors=ALL, carrying=c, **FLOWN) for c in (ALL, None))
     low, high = band(RUNS, len(flown.states))
     assert len(flown.states) == 43
     assert low < flown.nees[-1].mean() < high
@@ -109,26 +110,31 @@ def test_a_flight_with_all_of_it_is_consistent_and_without_it_is_not(compiled_on
 @pytest.fixture(scope="module")
 def probed(compiled_once):
     """Flights of sensors as the plain model says, and of gyro scale factors of 6000 ppm; none is refused a message."""
-    how = {"runs": RUNS, "seconds": 20.0, "imu_hz": 25, "rules": Rules(gate=1e-300)}
-    return [fly(swinging(seconds=22), sensors=sizes, carrying=Sensors(probed=True), **how) for sizes in (None, SCALED)]
+    how = FLOWN | {"rules": Rules(gate=1e-300), "carrying": Sensors(probed=True)}
+    return [fly(swinging(seconds=22), sensors=sizes, **how) for sizes in (None, SCALED)]
 
 
-def test_the_score_is_chi_square_where_nothing_is_there(probed):
-    for one in probed[0].loop.score.noticed().values():
+@pytest.fixture(scope="module")
+def noticed(probed):
+    return [flown.loop.score.noticed() for flown in probed]
+
+
+def test_the_score_is_chi_square_where_nothing_is_there(noticed):
+    for one in noticed[0].values():
         dof = {14.3: 3, 20.2: 6}[round(one.bound, 1)]
         low, high = band(RUNS, dof)
         assert low < one.statistic.mean() < high
         assert (one.statistic > one.bound).sum() <= 2
 
 
-def test_the_score_notices_what_it_says_it_does(probed):
-    none, there = (flown.loop.score.noticed()["gyro scale factors"] for flown in probed)
+def test_the_score_notices_what_it_says_it_does(noticed):
+    none, there = (one["gyro scale factors"] for one in noticed)
     assert 1e-3 < np.median(none.smallest) < 1e-2
     assert (there.statistic > there.bound).mean() >= 0.8
 
 
 def test_a_probe_changes_no_estimate(probed):
-    plain = fly(swinging(seconds=22), runs=RUNS, seconds=20.0, imu_hz=25, rules=Rules(gate=1e-300))
+    plain = fly(swinging(seconds=22), rules=Rules(gate=1e-300), **FLOWN)
     sigma = np.sqrt(np.diagonal(plain.P[-1], axis1=-2, axis2=-1))
     assert np.abs((probed[0].errors[-1][..., :16] - plain.errors[-1]) / sigma).max() < 1e-3
 
@@ -146,7 +152,7 @@ def test_the_sensitivity_is_by_how_much_a_flight_with_the_error_differs(probed):
 def test_the_sizes_in_the_page_are_those_that_are_noticed(compiled_once):
     """Of 40 s; the information that a flight gathers hardly depends on its noise."""
     page = (Path(__file__).parent.parent.parent / "docs" / "transfer-alignment.md").read_text()
-    flown = fly(swinging(seconds=42), runs=3, carrying=Sensors(probed=True))
+    flown = fly(swinging(seconds=42), carrying=Sensors(probed=True), **(FLOWN | {"runs": 3, "seconds": 40.0}))
     for name, one in flown.loop.score.noticed().items():
         unit, scale = ("ppm", 1e-6) if "scale" in name else ("mrad", 1e-3)
         shown = re.search(rf"^\| {name}, {unit} \| ([\d.]+) \|", page, re.M)

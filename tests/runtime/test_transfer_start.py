@@ -175,8 +175,7 @@ def without_heading(time, said):
 
 @pytest.mark.parametrize("yaw_deg", [3.0, 130.0, -95.0])
 def test_a_heading_that_nobody_gives_is_found_from_all_round(model, yaw_deg):
-    runs = 10
-    flown = fly(swinging(euler=np.array([0.0, 0.0, yaw_deg * DEG])), model=model, runs=runs, seed=5, seconds=4,
+    flown = fly(swinging(euler=np.array([0.0, 0.0, yaw_deg * DEG])), model=model, runs=8, seed=5, seconds=4, imu_hz=25,
                 start=Headings, said=without_heading, tau=0.01, tau_sigma=0.02)  # fmt: skip
     assert flown.loop.settled
     assert any("one filter goes on in place of 48 candidates" in str(note) for note in flown.loop.notes)
