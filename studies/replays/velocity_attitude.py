@@ -20,7 +20,7 @@ from boresight.runtime.transfer.score import GROUPS as SCORED
 from boresight.runtime.transfer.score import Score, driven
 from boresight.runtime.transfer.sensors import ADDED, CALIBRATION, GRADES, MODEL, Sensors, calibration, carried
 from boresight.runtime.units import MILLI_G, UNITS
-from boresight.studies.figures import Sheets
+from boresight.studies.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
 from boresight.studies.study import Progress, Replay, Study
 
@@ -502,14 +502,14 @@ def report(result: Mapping[str, Any]) -> str:
     agree = [named(s) for s in known if abs(s["difference_sigmas"]) <= 2]
     differ = [f"{named(s)} ({s['difference_sigmas']:+.1f})" for s in known if abs(s["difference_sigmas"]) > 2]
     delay = next(s for s in result["states"] if s["state"] == "delay")
+    lever = "estimated" if any(s["state"] == "lever arm" for s in result["states"]) else _lever(result)
     poor = [s for s in result["states"] if s["of_prior"] > 0.5]
     lines = [
         f"# {result['title'] or result['recording']}",
         "",
         f"Model {result['model']}: {result['updates']} messages of the master in {result['duration_s']:.1f} s, "
         f"{_used(result)}; nothing calibrated beforehand.",
-        "Lever arm (front, right, down): "
-        + ("estimated." if any(s["state"] == "lever arm" for s in result["states"]) else f"{_lever(result)}."),
+        f"Lever arm (front, right, down): {lever}.",
         *([] if result["sensors"] is None else [f"Sensors: {described(Sensors(**result['sensors']))}."]),
         "",
         f"**The master is {number(delay['estimate'], delay['sigma'])} +- {number(delay['sigma'], delay['sigma'])} ms "
@@ -543,11 +543,7 @@ def report(result: Mapping[str, Any]) -> str:
         *(f"- {_noise(name, one)}" for name, one in noise.items() if name != "passes"),
         "",
     ]
-    if (
-        not nis["with"]["white"]
-        and result["lever_given_m"] is None
-        and not any(s["state"] == "lever arm" for s in result["states"])
-    ):
+    if not nis["with"]["white"] and lever == "taken as zero":
         lines += ["**Neighbours correlate, and the lever arm was taken as zero: look whether it is there, by",
                   "--model velocity-attitude-lever, before anything else.**", ""]  # fmt: skip
     if result["unmodelled"] is not None:
@@ -660,8 +656,6 @@ def markdown(rows: Sequence[Sequence[str]]) -> list[str]:
 
 def draw_innovations(result: Mapping[str, Any], axes: Array) -> None:
     """(2, 3) axes: velocity above, attitude below; with the delay within its bands, and without it."""
-    from boresight.studies.figures import BLUE, ORANGE
-
     history = result["history"]
     time = np.array(history["time_s"])
     for i, ax in enumerate(axes.ravel()):
@@ -683,8 +677,6 @@ def draw_innovations(result: Mapping[str, Any], axes: Array) -> None:
 
 def draw_states(result: Mapping[str, Any], axes: Array) -> None:
     """(rows, 3) axes: a row for each group of three, then the delay and NIS in time."""
-    from boresight.studies.figures import BLUE, GREY, ORANGE
-
     history = result["history"]
     time = np.array(history["time_s"])
     places = [*axes[:-1].ravel(), axes[-1, 0]]

@@ -355,3 +355,11 @@ def test_what_cannot_be_replayed_is_one_line(simulated, model, change, options, 
         tr.run(change(simulated), model, **options)
     assert says in str(error.value)
     assert "\n" not in str(error.value)
+
+
+def test_a_lever_arm_that_was_taken_as_zero_is_named_where_innovations_are_not_white(result):
+    zero = {**result, "lever_given_m": None}
+    coloured = {**result["nis"], "with": {**result["nis"]["with"], "white": False}}
+    hint = "the lever arm was taken as zero: look whether it is there"
+    assert hint in tr.report({**zero, "nis": coloured})
+    assert hint not in tr.report(zero) and hint not in tr.report({**result, "nis": coloured})
