@@ -18,6 +18,7 @@ Change = Callable[[float, Message], Message | None]
 Sensed = Callable[[float, Array, Array], tuple[Array, Array] | None]
 MOUNTING = matrix(np.array([0.4, -0.3, 2.0]) * DEG)  # of `fly`
 MEMS = Unit(gyro_bias=0.2 * DEG, accel_bias=0.2, gyro_noise=1e-4, accel_noise=2e-3)
+FINE = replace(MEMS, velocity=0.01 / 12**0.5, attitude=0.01 * DEG / 12**0.5)  # a master as fine as one printed so
 
 
 @dataclass(frozen=True)
@@ -194,8 +195,8 @@ STEEP = Motion(euler=np.array([0.0, 85 * DEG, 0.6]), seconds=42,
                sway=waves(([1.5, 1.2, 0.8], 0.13, [0.1, 0.9, 2.5])))  # fmt: skip
 
 
-def rest_then_roll() -> Motion:
-    return Motion(swing=after(100.0, waves(([6 * DEG, 3 * DEG, 3 * DEG], 0.17, [0.0, 1.2, 2.1]))), seconds=132)
+def rest_then_roll(rest: float = 100.0) -> Motion:
+    return Motion(swing=after(rest, waves(([6 * DEG, 3 * DEG, 3 * DEG], 0.17, [0.0, 1.2, 2.1]))), seconds=rest + 32)
 
 
 def coning() -> Motion:
@@ -389,6 +390,8 @@ CONDITIONS = (
         settings={"tau_sigma": 3e-3, "tau_believed": 0.035},
     ),
     Condition("parked 100 s, then rolls", rest_then_roll, "delay", settings={"seconds": 130.0}),
+    Condition("parked, MEMS", lambda: parked(seconds=62), settings={"seconds": 60.0, "unit": FINE}),
+    Condition("parked 20 s, MEMS, then rolls", lambda: rest_then_roll(20.0), settings={"unit": FINE}),
     Condition(
         "parked, MEMS, printed to .01 deg and .01 m/s",
         lambda: parked(seconds=62),

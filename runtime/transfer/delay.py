@@ -9,10 +9,9 @@ from scipy.special import chdtri
 
 from boresight.runtime.array import Array, wrapped
 from boresight.runtime.filter import Filter
-from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
+from boresight.runtime.transfer.history import DV, GYRO_BIAS, PHI, TAU, History, moment
 from boresight.runtime.transfer.rules import Rules
 
-GYRO_BIAS = slice(6, 9)  # of the error state
 LONGEST = 0.95  # s, a delay; the model's own range ends at 1
 CLEAR = 1e-3  # the part of the weight that another explanation may have
 STRETCH_S = 0.5  # of the slave's past, in which the noise of its rates is seen

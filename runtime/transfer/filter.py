@@ -15,7 +15,7 @@ from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.transfer.delay import CLEAR, Explanation, Stamps, Suspects, cause, rate_variances, uninformed
 from boresight.runtime.transfer.gaps import Gaps, of_runs
 from boresight.runtime.transfer.guard import Guard, mixed, outside
-from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
+from boresight.runtime.transfer.history import ACCEL_BIAS, DOWN, DV, MOUNT, PHI, TAU, History, moment
 from boresight.runtime.transfer.lever import flown
 from boresight.runtime.transfer.messages import Heard, Message, Note, Result, Verdict, heard
 from boresight.runtime.transfer.position import PositionWatch, moved
@@ -334,7 +334,8 @@ class Transfer:
         half = A @ A / 2
         eye = np.eye(A.shape[-1])
         there, back = eye - A + half, eye + A + half
-        P_now = loop.P
+        P_before = loop.P
+        P_now = P_before + self._tilted(F)
         P = there @ P_now @ np.swapaxes(there, -1, -2)
         rows = rows & (verdict == Verdict.TAKEN)[..., None]
         repeated = self.watch.repeats(said, rows, expected, self._expected_variance(P, inputs), R)
@@ -396,7 +397,7 @@ class Transfer:
         self.stamps.taken(taken, self.time - stamp)
         if self.score is not None:
             self.score.end(taken)
-        loop.P = np.where(taken[..., None, None], corrected, P_now)
+        loop.P = np.where(taken[..., None, None], self._turned(corrected, nav), P_before)
         loop.P = (loop.P + np.swapaxes(loop.P, -1, -2)) / 2
         loop.x = np.where(taken[..., None], loop.x, 0.0)
         self._correct_past(F)
@@ -511,7 +512,10 @@ class Transfer:
                 kept = uninformed(self.filter, name, R_part, there, inputs, variances, self.rules.delay_sigmas)
                 if self.filter.considered is not None:
                     kept = kept | self.filter.considered
+                x, P = self.filter.x, self.filter.P
                 out[name] = self.filter.update(name, R_part, rows=there, considered=kept, **inputs)
+                H = self.filter.call(f"{name}_H", **inputs | {"x": x})
+                self._keep_heading(x, P, H, R_part, there, kept, inputs)
         return out
 
     def _attitude_field(self) -> str:
@@ -572,6 +576,68 @@ class Transfer:
             if name in self.constants:
                 return np.asarray(self.constants[name], float)
         return self.filter.nav["lever_b"]
+
+    def _tilted(self, F: Array) -> Array:
+        """(..., n, n) to add to P: what the attitude's error does to the specific force in the second order.
+
+        That is phi x (phi x f) / 2.  At rest it is constant, and the accelerometers' bias follows it.  So the rate of
+        the velocity's error is known to twice its variance at best: it is off by that, and by what follows it.
+        """
+        P, out = self.filter.P, np.zeros_like(self.filter.P)
+        f = F[..., (5, 3, 4), (1, 2, 0)]  # of [f x], which turns phi into the rate of the velocity's error
+        A = np.eye(3)[:, :, None] * f[..., None, None, :]  # A[i] is the matrix of its i-th component in phi
+        A = (A + np.swapaxes(A, -1, -2)) / 2 - f[..., :, None, None] * np.eye(3)
+        by = A @ P[..., None, PHI, PHI]
+        mean = np.einsum("...ijj->...i", by)
+        square = (mean[..., :, None] * mean[..., None, :] + 2 * np.einsum("...ijk,...lkj->...il", by, by)) / 4
+        known = F[..., DV, :] @ P @ np.swapaxes(F[..., DV, :], -1, -2)
+        size, axes = np.linalg.eigh(2 * square - known)
+        # about the slave's axes; a bias that is held on purpose has no variance and gets none
+        axes = np.swapaxes(F[..., DV, ACCEL_BIAS], -1, -2) @ axes
+        axes = axes * (np.einsum("...ii->...i", P)[..., ACCEL_BIAS, None] > 0)
+        fine = np.einsum("...ii->...i", P)[..., PHI].max(-1) < self.rules.coarse_rad**2  # else no order says enough
+        axes = axes * fine[..., None, None]
+        out[..., ACCEL_BIAS, ACCEL_BIAS] = (axes * np.maximum(size, 0.0)[..., None, :]) @ np.swapaxes(axes, -1, -2)
+        return out
+
+    def _turned(self, P: Array, nav: Mapping[str, Array]) -> Array:
+        """P with the errors of attitude and mounting about the axes of nav, corrected, as they were about the old ones.
+
+        So phi - C_m2n dmu, which alone shows at rest, stays the same sum, whatever noise the corrections bring into C.
+        """
+        T = np.broadcast_to(np.eye(P.shape[-1]), P.shape).copy()
+        for name, block in (("q_b2n_wxyz", PHI), ("q_b2m_wxyz", MOUNT)):
+            old, new = (rotation.matrix_from_quaternion(of[name]) for of in (self.nav, nav))
+            T[..., block, block] = new @ np.swapaxes(old, -1, -2)
+        return T @ P @ np.swapaxes(T, -1, -2)
+
+    def _keep_heading(
+        self, x: Array, P: Array, H: Array, R: Array, rows: Array, kept: Array, inputs: dict[str, Any]
+    ) -> None:
+        """Take back what a measurement says of the heading by noise alone; as `uninformed` does with the delay.
+
+        x, P: before.  H, R, rows: its own.  kept: (..., n) the states considered in it.
+        The heading is here what turns slave and mounting about the vertical together.  It shows as the hull moves, and
+        noise of the slave's sensors passes for that; so the residual's part by it has to be above the part by all else.
+        """
+        C_b2m, C_b2n = (rotation.matrix_from_quaternion(q) for q in (self.nav["q_b2m_wxyz"], inputs["q_b2n_wxyz"]))
+        w = np.zeros(P.shape[:-1])  # of the mounting, which alone keeps it where the slave's attitude is opened
+        w[..., MOUNT] = np.einsum("...ij,...j->...i", C_b2m, C_b2n[..., DOWN, :])
+        Pw, PH = np.einsum("...ij,...j->...i", P, w), P @ np.swapaxes(H, -1, -2)
+        level = np.sum(w * Pw, axis=-1)
+        by = np.einsum("...i,...ij->...j", w, PH) / np.maximum(level, 1e-300)[..., None]
+        rest = np.einsum("...ij,...ji->...i", H, PH) - by**2 * level[..., None]
+        weight = rows * (R.min(-1, keepdims=True) / R)
+        blind = np.sum(weight * by**2, axis=-1) <= self.rules.delay_sigmas**2 * np.sum(weight * rest, axis=-1)
+        # an attitude that is unknown, or was opened, is corrected whatever else that does
+        blind = blind & (np.einsum("...ii->...i", P)[..., PHI].max(-1) < self.rules.coarse_rad**2)
+        u = np.where(blind[..., None] & ~kept, w + (np.arange(P.shape[-1]) == DOWN), 0.0)
+        # the gain less u times its row of the heading: P gains S times the outer product of what is left out
+        gained = Pw - np.einsum("...ij,...j->...i", self.filter.P, w)
+        out = np.where(kept, gained, 0.0) + u * np.sum(w * gained, axis=-1, keepdims=True) / 2
+        both = u[..., :, None] * out[..., None, :]
+        self.filter.P = self.filter.P + both + np.swapaxes(both, -1, -2)
+        self.filter.x = self.filter.x - u * np.sum(w * (self.filter.x - x), axis=-1, keepdims=True)
 
     def _curved(self, lag: Array, inputs: dict[str, Any], since: Array) -> Array | float:
         """(..., 6) variance of the residuals by the delay's error d in the second order, E[d^4] = 3 sigma^4.

@@ -8,7 +8,8 @@ import numpy as np
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 
-PHI, DV, TAU = slice(0, 3), slice(3, 6), 15  # of the error state
+PHI, DV, GYRO_BIAS, ACCEL_BIAS, MOUNT = (slice(k, k + 3) for k in range(0, 15, 3))  # of the error state
+TAU, DOWN = 15, 2  # DOWN: of PHI, the heading
 SIZES = {"v_n": 3, "q_b2n_wxyz": 4, "angle": 3, "push": 3}  # angle, push: sums of the increments as delivered
 
 

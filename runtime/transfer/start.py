@@ -10,9 +10,10 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.transfer.guard import outside
-from boresight.runtime.transfer.history import DV, PHI, TAU, History, moment
+from boresight.runtime.transfer.history import ACCEL_BIAS, DV, GYRO_BIAS, PHI, TAU, History, moment
 from boresight.runtime.transfer.lever import flown
 from boresight.runtime.transfer.messages import Message
+from boresight.runtime.units import STANDARD_GRAVITY
 
 LEVERS = ("lever_b", "lever_m")
 PASSES = 3  # over the increments: tilt, then velocity, and what is left is of the order of the Earth's rate
@@ -127,6 +128,14 @@ def first(
     step = 2 * half_span_s
     change = (D @ (H(moving(step)[0]) - H(moving(-step)[0]))[..., TAU, None])[..., 0] / (2 * step)
     loop.P[..., :6, :6] += 0.75 * (S[..., TAU, TAU] ** 2)[..., None, None] * change[..., None] * change[..., None, :]
+    # The delay's error times that of the rates: by the biases, and by the axes in which the motion is seen.
+    C = rotation.matrix_from_quaternion(at["q_b2n_wxyz"])
+    turned = loop.P[..., PHI, PHI].copy()
+    for block, bias in ((PHI, GYRO_BIAS), (DV, ACCEL_BIAS)):
+        force = by_rest[..., block, TAU - 6] - (STANDARD_GRAVITY * np.eye(3)[2] if block is DV else 0.0)
+        rate = np.cross(force[..., None, :], np.eye(3))
+        rates = _through(C, S[..., bias, bias]) + _through(rate, turned)
+        loop.P[..., block, block] += S[..., TAU, TAU, None, None] * rates
     assert history is not None
     _carry(loop, history, then, 2 * half_span_s, constants)
     return loop.nav, (loop.P + np.swapaxes(loop.P, -1, -2)) / 2, history

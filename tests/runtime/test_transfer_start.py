@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from boresight import BoresightError
-from boresight.evidence.flights.fly import band, fly, nees
+from boresight.evidence.flights.fly import Unit, band, fly, nees
 from boresight.evidence.flights.motion import DEG, Motion, matrix, quaternion, swinging, turn, waves
 from boresight.runtime import rotation
 from boresight.runtime.library import load
@@ -51,6 +51,13 @@ def test_what_is_handed_over_is_as_wrong_as_P_says(model, motion, sigma, about, 
     flown = fly(motion(), model=model, runs=RUNS, seed=11, tau=drawn(sigma, about=about), tau_believed=about,
                 tau_sigma=sigma, hand_over=0.2, seconds=0.5, imu_hz=imu_hz)  # fmt: skip
     assert within(flown.start_nees)
+
+
+def test_the_delay_is_handed_over_with_what_large_biases_do_over_it(model):
+    """720 deg/h over 50 ms are 0.17 mrad, and the master is finer than that."""
+    mems = Unit(gyro_bias=0.2 * DEG, accel_bias=0.2, gyro_noise=1e-4, accel_noise=2e-3, velocity=3e-3, attitude=5e-5)
+    flown = fly(Motion(), model=model, runs=RUNS, seed=11, unit=mems, tau=drawn(0.05), hand_over=0.2, seconds=0.3)
+    assert flown.start_nees.mean() < band(RUNS, 16)[1]  # a product of two has fewer large values than its variance says
 
 
 @pytest.mark.parametrize(("master_hz", "sigma", "about"), [(1, 0.05, 0.0), (5, 0.05, 0.0), (50, 1e-3, 0.035)])
