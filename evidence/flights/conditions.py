@@ -187,6 +187,7 @@ def spike(d: Array) -> None:
 
 RUNS = 100
 NORMAL = np.random.default_rng(7).standard_normal(RUNS)
+LEVEL_OFF = 0.6 * DEG * np.random.default_rng(9).standard_normal((RUNS, 3)) * [1, 1, 0]
 FAST, NORTH = np.array([3.0, 0, 0]), np.array([DEG, 0, 0])
 CRUISE = np.array([160.0, 120.0, 0.0])
 # A hull at pitch 85 +- 4 deg; one that rolls after 100 s at rest.
@@ -231,7 +232,18 @@ CONDITIONS = (
     Condition("pitch 85 +- 4 deg", lambda: STEEP),
     Condition("86 N", moving(place=at(86)), "refused", "latitude"),
     Condition(
-        "heading 30 deg off, told 30", moving(), settings={"unit": Unit(mounting=(0.6 * DEG, 0.6 * DEG, 30 * DEG))}
+        "heading 30 deg off, told 30",
+        moving(),
+        settings={
+            "unit": Unit(mounting=(0.6 * DEG, 0.6 * DEG, 30 * DEG)),
+            "estimates": {"q_b2m_wxyz": quaternion(turn(LEVEL_OFF + [0, 0, 30 * DEG]) @ MOUNTING)},
+        },
+    ),
+    Condition(
+        "heading off by 30 deg, one sigma, to 75 deg in a run",
+        moving(),
+        "shown",
+        settings={"unit": Unit(mounting=(0.6 * DEG, 0.6 * DEG, 30 * DEG))},
     ),
     Condition("master 25 Hz", moving(), settings={"master_hz": 25}),
     Condition("master 50 Hz, 1000 Hz", moving(seconds=22), settings={"imu_hz": 1000, "master_hz": 50, "seconds": 20.0}),
