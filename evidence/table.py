@@ -64,7 +64,8 @@ def shown() -> str:
     return "\n## Formulas as they are shown\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in rows) + "\n"
 
 
-FLOWN = ("condition", "asked", "NEES at the start", "second half", "end", "band", "NIS", "refused", "notes")
+FLOWN = ("condition", "asked", "NEES at the start", "second half", "end", "band", "NIS", "refused",
+         "attitude at the end, mrad", "claimed", "notes")  # fmt: skip
 
 
 def flights() -> str:
@@ -75,12 +76,14 @@ def flights() -> str:
     rows: list[tuple[str, ...]] = [FLOWN, ("---",) * len(FLOWN)]
     for name, of in kept.items():
         if "error" in of:
-            rows.append((name, of["asked"], *"-" * 6, of["error"]))
+            rows.append((name, of["asked"], *"-" * 8, of["error"]))
             continue
         nees = (f"{of['nees'][when]:.3g}" for when in ("start", "second half", "end"))
         limits = "{:.1f} to {:.1f}".format(*of["band"])
         notes = "; ".join(of["notes"]).replace("|", "/") or "none"
-        rows.append((name, of["asked"], *nees, limits, f"{of['nis']:.2f}", f"{100 * of['refused']:.2g} %", notes))
+        off = (" ".join(f"{value:.2g}" for value in of["attitude"][which]) for which in ("is", "claimed"))
+        shown = f"{of['nis']:.2f}", f"{100 * of['refused']:.2g} %", *off
+        rows.append((name, of["asked"], *nees, limits, *shown, notes))
     return "\n## Flights of the transfer alignment\n\n" + "\n".join(f"| {' | '.join(row)} |" for row in rows) + "\n"
 
 

@@ -9,8 +9,9 @@ import numpy as np
 from boresight import BoresightError
 from boresight.evidence.flights.conditions import CONDITIONS, RUNS, Condition
 from boresight.evidence.flights.fly import band, fly
+from boresight.runtime.array import Array
 from boresight.runtime.transfer import Note, Rules, Verdict
-from boresight.runtime.transfer.delay import TAU
+from boresight.runtime.transfer.history import PHI, TAU
 
 
 def campaign(of: Any, out: Path) -> dict[str, dict[str, Any]]:
@@ -37,6 +38,7 @@ def flown(condition: Condition, runs: int = RUNS) -> dict[str, Any]:
     tau = flight.nees_of([TAU])
     late = nees[count // 2 :]
     came = flight.verdict != Verdict.ABSENT
+    error, variance = flight.errors[-1][:, PHI], np.einsum("rii->ri", flight.P[-1])[:, PHI]
     return {
         **asked,
         "states": n,
@@ -52,10 +54,16 @@ def flown(condition: Condition, runs: int = RUNS) -> dict[str, Any]:
             "second half": round(float(tau[count // 2 :].mean()), 3),
             "end": round(float(tau[-1].mean()), 3),
         },
+        "attitude": {"is": milliradians(np.square(error).mean(0)), "claimed": milliradians(variance.mean(0))},
         "nis": round(float(np.nanmean(flight.nis)), 4),
         "refused": round(float((flight.verdict[came] > Verdict.REOPENED).mean()), 5),
         "notes": lines(flight.loop.notes),
     }
+
+
+def milliradians(mean_square: Array) -> list[float]:
+    """About north, east and down, at the end."""
+    return [round(1e3 * float(value), 3) for value in np.sqrt(mean_square)]
 
 
 def lines(notes: list[Note]) -> list[str]:
