@@ -283,6 +283,7 @@ class Transfer:
         lag = self.time - stamp + loop.nav["tau"]
         lag = np.where(stamp <= self.time + rules.ahead_s, np.maximum(lag, -rules.ahead_s), lag)
         oldest = self.time - self.history.time[0]
+        lag = np.where(trial & (self.time - stamp <= oldest), np.minimum(lag, oldest), lag)
         copied = came & (given.count == self.watch.count)
         if copied.any():
             count = given.count[copied].flat[0]
@@ -415,11 +416,13 @@ class Transfer:
         verdict = np.full(self.runs, int(Verdict.TAKEN))
         verdict[stamp <= self.watch.stamp] = Verdict.OUT_OF_ORDER
         known = self.time - self.history.time[0]
-        verdict[(lag > known) & (known >= rules.buffer_s)] = Verdict.TOO_OLD
+        too_old = (lag > known) & (known >= rules.buffer_s)
+        verdict[too_old] = Verdict.TOO_OLD
         verdict[stamp > self.time + rules.ahead_s] = Verdict.AHEAD
         came = came & np.isfinite(stamp)
-        self.stamps.refused(came & (verdict != Verdict.TAKEN), came, stamp, self.time, rules.reopen_after)
-        trial: Array = came & (verdict != Verdict.TAKEN) & (self.stamps.trial != 0)
+        late = too_old & (stamp > self.watch.stamp) & (self.time - stamp <= known)
+        self.stamps.refused(came & (verdict != Verdict.TAKEN), late, came, stamp, self.time, rules.reopen_after)
+        trial: Array = came & (verdict != Verdict.TAKEN) & ~np.isnan(self.stamps.trial)
         return verdict, trial
 
     def _explain(
