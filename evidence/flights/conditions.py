@@ -187,7 +187,8 @@ def spike(d: Array) -> None:
 
 RUNS = 100
 NORMAL = np.random.default_rng(7).standard_normal(RUNS)
-LEVEL_OFF = 0.6 * DEG * np.random.default_rng(9).standard_normal((RUNS, 3)) * [1, 1, 0]
+THIRTY_OFF = 0.6 * DEG * np.random.default_rng(9).standard_normal((RUNS, 3))
+THIRTY_OFF[:, 2] = 30 * DEG
 FAST, NORTH = np.array([3.0, 0, 0]), np.array([DEG, 0, 0])
 CRUISE = np.array([160.0, 120.0, 0.0])
 # A hull at pitch 85 +- 4 deg; one that rolls after 100 s at rest.
@@ -236,7 +237,7 @@ CONDITIONS = (
         moving(),
         settings={
             "unit": Unit(mounting=(0.6 * DEG, 0.6 * DEG, 30 * DEG)),
-            "estimates": {"q_b2m_wxyz": quaternion(turn(LEVEL_OFF + [0, 0, 30 * DEG]) @ MOUNTING)},
+            "estimates": {"q_b2m_wxyz": quaternion(turn(THIRTY_OFF) @ MOUNTING)},
         },
     ),
     Condition(
