@@ -285,9 +285,7 @@ class Transfer:
         oldest = self.time - self.history.time[0]
         lag = np.where(trial & (self.time - stamp <= oldest), np.minimum(lag, oldest), lag)
         copied = came & (given.count == self.watch.count)
-        if copied.any():
-            count = given.count[copied].flat[0]
-            faults.append((copied, f"its counter, {count:.0f}, is that of the last one"))
+        faults.append((copied, "its counter, {count:.0f}, is that of the last one"))
         if self.lost.any():
             faults.append((self.lost, "the slave stands still, beyond the model's range"))
         verdict = np.full(runs, int(Verdict.TAKEN))

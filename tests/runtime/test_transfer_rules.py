@@ -10,7 +10,8 @@ from boresight.evidence.flights import fly as flights
 from boresight.evidence.flights.conditions import MEMS, printed
 from boresight.evidence.flights.fly import band
 from boresight.evidence.flights.motion import DEG, Motion, parked, swinging, waves
-from boresight.runtime.transfer import Verdict
+from boresight.runtime.transfer import Message, Verdict
+from boresight.runtime.transfer.messages import heard
 
 pytestmark = pytest.mark.usefixtures("compiled_once")
 ROWS = ("v_n", "q_b2n_wxyz", "gyro_bias", "accel_bias", "q_b2m_wxyz", "tau")
@@ -118,6 +119,33 @@ def test_one_bad_number_costs_that_message_of_that_run_and_leaves_nothing_behind
         assert np.isnan(flight.nis[FIRST + run, run])
 
 
+def test_of_several_runs_with_a_bad_number_each_the_line_names_the_first_ones(swing):
+    def bad(k, message):
+        R = np.tile(message.R, (3, 1))
+        R[1:, 4] = [-1.0, -2.0]
+        return replace(message, R=R) if k == 0 else message
+
+    flight = fly(swing, runs=3, seconds=1.6, lost=0.0, imu_hz=25, said=at(3, bad))
+    assert [text.split(": ", 1)[1] for text in texts(flight) if "refused:" in text] == [
+        "a variance in R is -1; each must be finite and above zero (runs 1, 2: 2; numbers of the first of them)"
+    ]
+
+
+@pytest.mark.parametrize(("runs", "sigma", "read"), [
+    ((3,), [1.0, 2.0, 3.0], [[1.0, 2.0, 3.0]] * 3), ((2,), [[1.0], [2.0]], [[1.0] * 3, [2.0] * 3]),
+    ((), 5.0, [5.0] * 3),
+])  # fmt: skip
+def test_three_position_sigmas_are_of_axes_and_one_of_each_run_stands_in_a_column(runs, sigma, read):
+    said = {"v_m_n": np.zeros(3), "q_m2n_wxyz": np.eye(4)[0], "position": np.zeros(3)}
+    given = heard(Message(0.0, np.ones(6), position_sigma=sigma, **said), runs, "q_m2n_wxyz", 1.4)
+    np.testing.assert_array_equal(given.position_sigma, read)
+    assert not any(where.any() for where, _ in given.faults)
+    flat = heard(Message(0.0, np.ones(6), position_sigma=np.ones(4), **said), (4,), "q_m2n_wxyz", 1.4)
+    assert [why for where, why in flat.faults if where.any()] == [
+        "its position_sigma is no array of numbers (..., 3) or (..., 1)"
+    ]
+
+
 def test_a_run_whose_delay_stays_unknown_leaves_the_others_as_they_were(swing):
     """Run 1 hears nothing after the second message, while the others learn their delay to less than 10 ms."""
 
@@ -188,7 +216,7 @@ def test_rows_that_are_missing_are_told_once_until_they_are_back(swing):
 
 # ---------------------------------------------------------------- a master that stands still, and one that is frozen
 
-LEVEL = {"runs": 10, "imu_hz": 25, "jitter": 0.0, "lost": 0.0, "unit": replace(MEMS, velocity=1e-9, attitude=1e-9),
+LEVEL = {"runs": 10, "imu_hz": 25, "jitter": 0.0, "lost": 0.0, "unit": replace(MEMS, velocity=0.0, attitude=0.0),
          "R": np.repeat([0.01, 0.01 * DEG], 3) ** 2 / 12}  # fmt: skip
 
 
@@ -198,13 +226,18 @@ def test_a_master_that_stands_still_is_taken_at_every_message():
     So long that its gyro bias alone would carry the slave to 7 m/s.
     """
 
+    heard = []
+
     def of_half(time, message):
+        heard.append(message)
         q, v = (np.array(getattr(message, name)) for name in ("q_m2n_wxyz", "v_m_n"))
         read = printed(0.01, 0.01)(time, message)
         q[:5], v[:5] = read.q_m2n_wxyz[:5], read.v_m_n[:5]
         return replace(message, q_m2n_wxyz=q, v_m_n=v)
 
     flight = fly(parked(seconds=22), said=of_half, seconds=20.0, **LEVEL)
+    for name in ("v_m_n", "q_m2n_wxyz"):  # without noise: the same number, bit by bit
+        assert all(np.array_equal(getattr(message, name), getattr(heard[0], name)) for message in heard)
     assert flight.verdict.shape[0] >= 99
     assert (flight.verdict == Verdict.TAKEN).all()
     assert np.abs(flight.errors[-1, :, 3:6]).max() < 0.05
