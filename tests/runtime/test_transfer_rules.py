@@ -334,21 +334,51 @@ def test_euler_angles_beyond_80_degrees_are_left_out_and_the_velocity_is_taken()
     assert any("attitude" in text and "range" in text for text in texts(flight))
 
 
-def test_a_slave_that_leaves_the_models_range_is_told_and_the_others_fly_on(swing):
-    """Run 1 is pushed by 450 m/s^2 until its velocity leaves the model's range; nothing is raised."""
+def test_a_slave_that_leaves_the_models_range_begins_anew_and_the_others_fly_on(swing):
+    """Run 1 is pushed by 450 m/s^2 until its velocity leaves the model's range; nothing is raised.
+
+    Of the messages that come later the first one says a latitude beyond that range, and the second one is sound.
+    """
 
     def pushed(time, dtheta, dv):
         dv = dv.copy()
-        if time > 2:
+        if 2 < time < 4.8:
             dv[1, 0] += 450 * 0.02
         return dtheta, dv
 
-    settings = {"runs": 3, "seconds": 5.0, "lost": 0.0, "said": lambda time, m: None if time > 2 else m}
-    flight, clean = fly(swing, sensed=pushed, **settings), fly(swing, **settings)
-    assert flight.loop.lost.tolist() == [False, True, False]
-    assert np.abs(flight.loop.nav["v_n"][1]).max() <= 1000
+    standing, first = [], []
+
+    def said(time, message):
+        if 2 < time < 5.1:
+            return None
+        first.extend([time] if time > 5 and not first else [])
+        there = np.array(message.position * np.ones((3, 1)))
+        there[1, 0] = 89 * DEG if [time] == first else there[1, 0]
+        return replace(message, position=there)
+
+    def watched(*args, **more):
+        loop = flights.started(*args, **more)
+        deliver = loop.slave
+
+        def slave(*increments):
+            deliver(*increments)
+            standing.extend([np.abs(loop.nav["v_n"][1]).max()] if loop.lost[1] else [])
+            assert loop.lost[[0, 2]].tolist() == [False, False]
+
+        loop.slave = slave
+        return loop
+
+    settings = {"runs": 3, "seconds": 7.0, "lost": 0.0, "said": said}
+    flight = fly(swing, sensed=pushed, start=watched, **settings)
+    first.clear()
+    clean = fly(swing, **settings)
+    assert len(standing) > 25 and set(standing) == {1000.0}
     (note,) = [note for note in flight.loop.notes if "v_n" in note.text]
-    assert note.runs.tolist() == [1]
+    assert note.runs.tolist() == [1] and "the filter begins anew from the next message" in note.text
+    late = flight.time > 5
+    assert flight.verdict[late, 1].tolist() == [Verdict.BEYOND, Verdict.BEGUN] + [Verdict.TAKEN] * (late.sum() - 2)
+    assert not flight.loop.lost.any()
+    assert band(1, 16)[0] < flight.nees[-1, 1] < band(1, 16)[1]
     for name in ROWS:
         np.testing.assert_array_equal(flight.loop.nav[name][[0, 2]], clean.loop.nav[name][[0, 2]])
     np.testing.assert_array_equal(flight.loop.P[[0, 2]], clean.loop.P[[0, 2]])
