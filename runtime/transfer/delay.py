@@ -204,33 +204,36 @@ class Suspects:
 class Stamps:
     """What the messages' stamps say among themselves: a clock that is set anew for good is followed.
 
-    clock: (...,) s, added to the stamps.  trial: what is to be added besides, while it is looked at.
+    clock: (...,) s, added to the stamps.  trial: what is to be added besides, while it is looked at, else nan.
     """
 
     SPREAD_S, SPAN_S = 0.1, 0.4  # how well the ages of refused messages agree, and over how long
 
     def __init__(self, runs: tuple[int, ...]):
-        self.clock, self.trial = np.zeros(runs), np.zeros(runs)
+        self.clock, self.trial = np.zeros(runs), np.full(runs, np.nan)
         self.usual = np.full(runs, np.nan)  # s, how old the stamps of messages taken are
         self.count = np.zeros(runs, int)
         self.began, self.age, self.last = (np.zeros(runs) for _ in range(3))
 
-    def refused(self, where: Array, came: Array, stamp: Array, now: float, after: int) -> None:
-        """Look at the stamps (...,), `clock` in them, that are refused in some runs; begins and ends a trial."""
+    def refused(self, where: Array, late: Array, came: Array, stamp: Array, now: float, after: int) -> None:
+        """Look at the stamps (...,), `clock` in them, that are refused in some runs; begins and ends a trial.
+
+        late: (...,) bool, where a stamp lies in the kept past and only the delay's estimate does not: no clock is set.
+        """
         age = now - stamp
         goes_on = where & (self.count > 0) & (stamp > self.last) & (np.abs(age - self.age) < self.SPREAD_S)
         first = where & ~goes_on
         self.count = np.where(first, 1, np.where(goes_on, self.count + 1, np.where(came, 0, self.count)))
         self.began, self.age = np.where(first, now, self.began), np.where(first, age, self.age)
         self.last = np.where(where, stamp, self.last)
-        self.trial = np.where(came & ~goes_on, 0.0, self.trial)
-        due = goes_on & (self.trial == 0) & (self.count >= after) & (now - self.began >= self.SPAN_S)
-        self.trial = np.where(due, self.age - np.nan_to_num(self.usual), self.trial)
+        self.trial = np.where(came & ~goes_on, np.nan, self.trial)
+        due = goes_on & np.isnan(self.trial) & (self.count >= after) & (now - self.began >= self.SPAN_S)
+        self.trial = np.where(due, np.where(late, 0.0, self.age - np.nan_to_num(self.usual)), self.trial)
 
     def end(self, where: Array, follow: Array) -> None:
         """A trial has ended; follow: (...,) bool, the clock is set."""
         self.clock = self.clock + np.where(where & follow, self.trial, 0.0)
-        self.trial, self.count = np.where(where, 0.0, self.trial), np.where(where, 0, self.count)
+        self.trial, self.count = np.where(where, np.nan, self.trial), np.where(where, 0, self.count)
 
     def taken(self, where: Array, age: Array) -> None:
         usual = np.where(np.isnan(self.usual), age, 0.9 * self.usual + 0.1 * age)
@@ -265,6 +268,8 @@ def cause(found: Explanation, run: tuple[int, ...], tau: float, clock_s: float, 
         way = "forward" if clock_s > 0 else "back"
         change = (f"the master's clock has gone {way} by {abs(clock_s):.3f} s; the delay against its stamps was "
                   f"{1e3 * tau:.0f} ms and is {now}")  # fmt: skip
+    elif late:
+        change = f"the master's delay is {now}, not the {1e3 * tau:.0f} ms by which its messages were too old"
     else:
         change = f"the master's delay has changed from {1e3 * tau:.0f} to {now}"
     if delay > 1 - CLEAR:

@@ -21,7 +21,7 @@ from boresight.runtime.transfer.messages import Heard, Message, Note, Result, Ve
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
 from boresight.runtime.transfer.score import Score
-from boresight.runtime.transfer.start import Increments, again
+from boresight.runtime.transfer.start import SHORTEST, Increments, again
 from boresight.runtime.units import STANDARD_GRAVITY
 
 GYRO, ACCEL = slice(0, 3), slice(3, 6)  # of increments (..., 6)
@@ -99,7 +99,6 @@ class Transfer:
         )
         self.gaps = Gaps(self.watch, np.concatenate([np.zeros_like(standing), standing], axis=-1))
         self._left_out = 0
-        self.lost = np.zeros(self.runs, bool)  # runs whose slave left the model's range: they stand still
         where, why = outside(model, self.filter.nav, self.runs)
         if where.any():
             raise BoresightError(f"transfer: the slave's {why}")
@@ -123,6 +122,11 @@ class Transfer:
     def P(self) -> Array:
         """(..., n, n) as of the last message, or of the last step of the covariance."""
         return self.filter.P
+
+    @property
+    def lost(self) -> Array:
+        """(...,) bool: runs that stand still until a message comes to begin anew from."""
+        return self.gaps.lost
 
     # ---- the slave
 
@@ -167,9 +171,9 @@ class Transfer:
             self.gaps.stand_in(everyone, between, missing / count)
             self._interval(end, between * missing / count, missing / count)
 
-    def _lose(self, where: Array, missing_s: float = 0.0) -> None:
+    def _lose(self, where: Array, missing_s: float = 0.0, why: str = "") -> None:
         """These runs have lost their way: attitude and velocity are unknown until they begin anew."""
-        new = self.gaps.lose(where, self.P, self.time, missing_s)
+        new = self.gaps.lose(where, self.P, self.time, missing_s, why)
         if new.any():
             self._open(np.where(new[..., None], np.repeat(UNKNOWN, 3) ** 2, 0.0))
 
@@ -219,12 +223,10 @@ class Transfer:
         """Hold the runs that are lost where they were, those too that are lost from now on, at the range's edge."""
         left, why = self.guard.taken()
         if left.any():
-            text = f"the slave is beyond the model's range and stands still from now on: {why}"
-            self.watch.note(left & ~self.lost, text)
-            self.lost = self.lost | left
+            self._lose(left, why=why)
             held = self.guard.clipped(held)
-        if (still := self.lost | self.gaps.lost).any():
-            self.filter.nav = mixed(still, held, self.filter.nav)
+        if self.lost.any():
+            self.filter.nav = mixed(self.lost, held, self.filter.nav)
 
     def _keep(self) -> None:
         nav = self.filter.nav
@@ -283,12 +285,12 @@ class Transfer:
         lag = self.time - stamp + loop.nav["tau"]
         lag = np.where(stamp <= self.time + rules.ahead_s, np.maximum(lag, -rules.ahead_s), lag)
         oldest = self.time - self.history.time[0]
+        lag = np.where(trial & (self.time - stamp <= oldest), np.minimum(lag, oldest), lag)
         copied = came & (given.count == self.watch.count)
-        if copied.any():
-            count = given.count[copied].flat[0]
-            faults.append((copied, f"its counter, {count:.0f}, is that of the last one"))
-        if self.lost.any():
-            faults.append((self.lost, "the slave stands still, beyond the model's range"))
+        faults.append((copied, "its counter, {count:.0f}, is that of the last one"))
+        faults.append(
+            (self.gaps.left, "the slave has left the model's range, and this is no message to begin anew from")
+        )
         verdict = np.full(runs, int(Verdict.TAKEN))
         for code, where in (
             (Verdict.REPEATED, copied),
@@ -302,7 +304,7 @@ class Transfer:
             ),
             (Verdict.SATURATED, self.watch.saturated_at.max(-1) > self.time - lag - 3 * rules.half_span_s),
             (Verdict.MISSED, self.gaps.lost),
-            (Verdict.BEYOND, self.lost),
+            (Verdict.BEYOND, self.gaps.left),
             (Verdict.INVALID, ~rows.any(-1)),
             (Verdict.ABSENT, ~came),
         ):
@@ -328,15 +330,17 @@ class Transfer:
         R += self._curved(lag, inputs, stamp - self.watch.stamp)
 
         # The residual speaks of the error at the message's time: the covariance goes there and comes back.
-        # Neglected is the process noise of the lag, which stands in P already.
-        F = loop.call("F", **{**inputs, **self._over(np.maximum(lag, 2 * rules.half_span_s).reshape(-1))})
+        # It says nothing of the noise since then, which leaves P for that time; by extrapolation that noise is in it.
+        since = {**inputs, **self._over(np.maximum(lag, 2 * rules.half_span_s).reshape(-1))}
+        F = loop.call("F", **since)
+        Q = (self.way == "buffer") * loop.call("Q", **{**since, "dt": np.maximum(lag, SHORTEST)})
         A = F * lag[..., None, None]
         half = A @ A / 2
         eye = np.eye(A.shape[-1])
         there, back = eye - A + half, eye + A + half
         P_before = loop.P
         P_now = P_before + self._tilted(F)
-        P = there @ P_now @ np.swapaxes(there, -1, -2)
+        P = there @ (P_now - Q) @ np.swapaxes(there, -1, -2)
         rows = rows & (verdict == Verdict.TAKEN)[..., None]
         repeated = self.watch.repeats(said, rows, expected, self._expected_variance(P, inputs), R)
         verdict[repeated] = Verdict.REPEATED
@@ -380,13 +384,12 @@ class Transfer:
         part = np.where(
             beyond | (verdict > Verdict.REOPENED), 0.0, np.minimum(1.0, LARGEST / np.maximum(reach, 1e-300))
         )
-        carried = back @ loop.P @ np.swapaxes(back, -1, -2)
-        opened = back @ P @ np.swapaxes(back, -1, -2)
+        carried, opened = (back @ one @ np.swapaxes(back, -1, -2) + Q for one in (loop.P, P))
         whole = (part == 1.0)[..., None, None]
         corrected = np.where(whole, carried, np.where(reopen[..., None, None], opened, P_now))
         loop.x = np.einsum("...ij,...j->...i", back, part[..., None] * loop.x)
         if by_delay.any():
-            corrected = np.where(by_delay[..., None, None], found.P, corrected)
+            corrected = np.where(by_delay[..., None, None], found.P + Q, corrected)
             loop.x = np.where(by_delay[..., None], found.x, loop.x)
         nav = loop.call("feedback")
         for where, reason in (self.guard.taken(), outside(loop.model, nav, runs)):
@@ -415,11 +418,13 @@ class Transfer:
         verdict = np.full(self.runs, int(Verdict.TAKEN))
         verdict[stamp <= self.watch.stamp] = Verdict.OUT_OF_ORDER
         known = self.time - self.history.time[0]
-        verdict[(lag > known) & (known >= rules.buffer_s)] = Verdict.TOO_OLD
+        too_old = (lag > known) & (known >= rules.buffer_s)
+        verdict[too_old] = Verdict.TOO_OLD
         verdict[stamp > self.time + rules.ahead_s] = Verdict.AHEAD
         came = came & np.isfinite(stamp)
-        self.stamps.refused(came & (verdict != Verdict.TAKEN), came, stamp, self.time, rules.reopen_after)
-        trial: Array = came & (verdict != Verdict.TAKEN) & (self.stamps.trial != 0)
+        late = too_old & (stamp > self.watch.stamp) & (self.time - stamp <= known)
+        self.stamps.refused(came & (verdict != Verdict.TAKEN), late, came, stamp, self.time, rules.reopen_after)
+        trial: Array = came & (verdict != Verdict.TAKEN) & ~np.isnan(self.stamps.trial)
         return verdict, trial
 
     def _explain(
@@ -454,11 +459,11 @@ class Transfer:
         """(...,) bool: the lost runs that have begun anew from this message, which is used up by it."""
         gaps, loop, history, span = self.gaps, self.filter, self.history, 4 * self.rules.half_span_s
         said = {"position": given.position, **given.said}
-        ready = gaps.lost & ~self.lost & given.rows.all(-1) & (given.time > self.watch.stamp) & (lag >= 0)
+        ready = gaps.lost & given.rows.all(-1) & (given.time > self.watch.stamp) & (lag >= 0)
         ready = ready & (self.time - lag - span >= gaps.back_at)
         if given.position is None or len(given.said) < 2:
             return np.zeros(self.runs, bool)
-        ready = ready & np.isfinite(given.position).all(-1)
+        ready = ready & ~outside(loop.model, {"position": given.position, "v_n": given.said["v_m_n"]}, self.runs)[0]
         if not ready.any():
             return ready
         # what the other runs are given is finite, and what comes of it is not used
