@@ -38,7 +38,7 @@ def flown(condition: Condition, runs: int = RUNS) -> dict[str, Any]:
     tau = flight.nees_of([TAU])
     late = nees[count // 2 :]
     came = flight.verdict != Verdict.ABSENT
-    error, variance = flight.errors[-1][:, PHI], np.einsum("rii->ri", flight.P[-1])[:, PHI]
+    off, variance = flight.errors[-1][:, PHI], np.einsum("rii->ri", flight.P[-1])[:, PHI]
     return {
         **asked,
         "states": n,
@@ -54,7 +54,7 @@ def flown(condition: Condition, runs: int = RUNS) -> dict[str, Any]:
             "second half": round(float(tau[count // 2 :].mean()), 3),
             "end": round(float(tau[-1].mean()), 3),
         },
-        "attitude": {"is": milliradians(np.square(error).mean(0)), "claimed": milliradians(variance.mean(0))},
+        "attitude": {"is": milliradians(np.square(off).mean(0)), "claimed": milliradians(variance.mean(0))},
         "nis": round(float(np.nanmean(flight.nis)), 4),
         "refused": round(float((flight.verdict[came] > Verdict.REOPENED).mean()), 5),
         "notes": lines(flight.loop.notes),

@@ -89,6 +89,7 @@ class Transfer:
             self._keep()
         self._earlier: list[Array] = []  # the increments of the last intervals, at most three, the newest first
         self._predicted = self.time  # of the covariance
+        self._told_of = np.full(self.runs, -np.inf)  # (...,) s, when what was last taken was measured
         self._steps = 0
         self.position = PositionWatch(self.runs, self.time)
         self.watch = Watch(self.rules, self.runs, self.time)
@@ -192,6 +193,7 @@ class Transfer:
         """Time goes on, or back, and nothing of the past is left."""
         self.time = self.watch.time = self._predicted = float(time)
         self.history.clear()
+        self._told_of = np.full(self.runs, -np.inf)
         self._earlier, self._steps = [], 0
         self._keep()
 
@@ -333,7 +335,9 @@ class Transfer:
         # It says nothing of the noise since then, which leaves P for that time; by extrapolation that noise is in it.
         since = {**inputs, **self._over(np.maximum(lag, 2 * rules.half_span_s).reshape(-1))}
         F = loop.call("F", **since)
-        Q = (self.way == "buffer") * loop.call("Q", **{**since, "dt": np.maximum(lag, SHORTEST)})
+        # Of the noise before the last message that was taken P has been told: a delay found longer takes none out.
+        noisy = np.maximum(np.minimum(lag, self.time - self._told_of), SHORTEST)
+        Q = (self.way == "buffer") * loop.call("Q", **{**since, "dt": noisy})
         A = F * lag[..., None, None]
         half = A @ A / 2
         eye = np.eye(A.shape[-1])
@@ -398,6 +402,7 @@ class Transfer:
         verdict[beyond & (verdict <= Verdict.REOPENED)] = Verdict.BEYOND
         taken = verdict <= Verdict.REOPENED
         self.stamps.taken(taken, self.time - stamp)
+        self._told_of = np.where(taken, self.time - lag, self._told_of)
         if self.score is not None:
             self.score.end(taken)
         loop.P = np.where(taken[..., None, None], self._turned(corrected, nav), P_before)
