@@ -99,7 +99,6 @@ class Transfer:
         )
         self.gaps = Gaps(self.watch, np.concatenate([np.zeros_like(standing), standing], axis=-1))
         self._left_out = 0
-        self.lost = np.zeros(self.runs, bool)  # runs whose slave left the model's range: they stand still
         where, why = outside(model, self.filter.nav, self.runs)
         if where.any():
             raise BoresightError(f"transfer: the slave's {why}")
@@ -123,6 +122,11 @@ class Transfer:
     def P(self) -> Array:
         """(..., n, n) as of the last message, or of the last step of the covariance."""
         return self.filter.P
+
+    @property
+    def lost(self) -> Array:
+        """(...,) bool: runs that stand still until a message comes to begin anew from."""
+        return self.gaps.lost
 
     # ---- the slave
 
@@ -167,9 +171,9 @@ class Transfer:
             self.gaps.stand_in(everyone, between, missing / count)
             self._interval(end, between * missing / count, missing / count)
 
-    def _lose(self, where: Array, missing_s: float = 0.0) -> None:
+    def _lose(self, where: Array, missing_s: float = 0.0, why: str = "") -> None:
         """These runs have lost their way: attitude and velocity are unknown until they begin anew."""
-        new = self.gaps.lose(where, self.P, self.time, missing_s)
+        new = self.gaps.lose(where, self.P, self.time, missing_s, why)
         if new.any():
             self._open(np.where(new[..., None], np.repeat(UNKNOWN, 3) ** 2, 0.0))
 
@@ -219,12 +223,10 @@ class Transfer:
         """Hold the runs that are lost where they were, those too that are lost from now on, at the range's edge."""
         left, why = self.guard.taken()
         if left.any():
-            text = f"the slave is beyond the model's range and stands still from now on: {why}"
-            self.watch.note(left & ~self.lost, text)
-            self.lost = self.lost | left
+            self._lose(left, why=why)
             held = self.guard.clipped(held)
-        if (still := self.lost | self.gaps.lost).any():
-            self.filter.nav = mixed(still, held, self.filter.nav)
+        if self.lost.any():
+            self.filter.nav = mixed(self.lost, held, self.filter.nav)
 
     def _keep(self) -> None:
         nav = self.filter.nav
@@ -285,11 +287,10 @@ class Transfer:
         oldest = self.time - self.history.time[0]
         lag = np.where(trial & (self.time - stamp <= oldest), np.minimum(lag, oldest), lag)
         copied = came & (given.count == self.watch.count)
-        if copied.any():
-            count = given.count[copied].flat[0]
-            faults.append((copied, f"its counter, {count:.0f}, is that of the last one"))
-        if self.lost.any():
-            faults.append((self.lost, "the slave stands still, beyond the model's range"))
+        faults.append((copied, "its counter, {count:.0f}, is that of the last one"))
+        faults.append(
+            (self.gaps.left, "the slave has left the model's range, and this is no message to begin anew from")
+        )
         verdict = np.full(runs, int(Verdict.TAKEN))
         for code, where in (
             (Verdict.REPEATED, copied),
@@ -303,7 +304,7 @@ class Transfer:
             ),
             (Verdict.SATURATED, self.watch.saturated_at.max(-1) > self.time - lag - 3 * rules.half_span_s),
             (Verdict.MISSED, self.gaps.lost),
-            (Verdict.BEYOND, self.lost),
+            (Verdict.BEYOND, self.gaps.left),
             (Verdict.INVALID, ~rows.any(-1)),
             (Verdict.ABSENT, ~came),
         ):
@@ -457,11 +458,11 @@ class Transfer:
         """(...,) bool: the lost runs that have begun anew from this message, which is used up by it."""
         gaps, loop, history, span = self.gaps, self.filter, self.history, 4 * self.rules.half_span_s
         said = {"position": given.position, **given.said}
-        ready = gaps.lost & ~self.lost & given.rows.all(-1) & (given.time > self.watch.stamp) & (lag >= 0)
+        ready = gaps.lost & given.rows.all(-1) & (given.time > self.watch.stamp) & (lag >= 0)
         ready = ready & (self.time - lag - span >= gaps.back_at)
         if given.position is None or len(given.said) < 2:
             return np.zeros(self.runs, bool)
-        ready = ready & np.isfinite(given.position).all(-1)
+        ready = ready & ~outside(loop.model, {"position": given.position, "v_n": given.said["v_m_n"]}, self.runs)[0]
         if not ready.any():
             return ready
         # what the other runs are given is finite, and what comes of it is not used

@@ -1,4 +1,7 @@
-"""What the slave misses: up to `bridge_s` it is bridged; beyond that a run waits for a message to begin anew."""
+"""What the slave misses: up to `bridge_s` it is bridged; beyond that a run waits for a message to begin anew.
+
+A run whose slave has left the model's range waits for one too.
+"""
 
 from typing import Any
 
@@ -30,6 +33,7 @@ class Gaps:
         self.missed_at = np.full(runs, -np.inf)  # the end of what was bridged
         self.told_at = np.full(runs, -np.inf)
         self.lost = np.zeros(runs, bool)
+        self.left = np.zeros(runs, bool)  # of the lost ones those that have left the model's range
         # of a lost run: how long its state was known, P then, and from when on there are samples again
         self.lost_at, self.P, self.back_at = np.zeros(runs), np.zeros(()), np.full(runs, np.inf)
 
@@ -86,8 +90,11 @@ class Gaps:
                 out[here] = np.mean(off**2, axis=0).reshape(self.rates.shape)[here]
         return np.asarray(out)
 
-    def lose(self, where: Array, P: Array, time: float, missing_s: float = 0.0) -> Array:
-        """Which of these runs lose their way now; P at `time`, behind which another missing_s are missing."""
+    def lose(self, where: Array, P: Array, time: float, missing_s: float = 0.0, left: str = "") -> Array:
+        """Which of these runs lose their way now; P at `time`, behind which another missing_s are missing.
+
+        left: how they have left the model's range, where nothing is missing.
+        """
         new = where & ~self.lost
         if not new.any():
             return new
@@ -95,16 +102,20 @@ class Gaps:
         self.lost_at = np.where(new, time, self.lost_at)
         self.back_at = np.where(new, np.inf, self.back_at)
         self.lost = self.lost | new
+        self.left = self.left | (new & bool(left))
         longest = float(np.max(self.missing_s[new])) + missing_s
-        self.watch.note(new, f"{longest:.3f} s of the slave are missing: the filter begins anew from the next message, "
-                             "and keeps biases, mounting, lever arm and delay")  # fmt: skip
+        cause = (
+            f"the slave is beyond the model's range ({left})" if left else f"{longest:.3f} s of the slave are missing"
+        )
+        self.watch.note(new, f"{cause}: the filter begins anew from the next message, and keeps biases, mounting, "
+                             "lever arm and delay")  # fmt: skip
         return new
 
     def found(self, where: Array, known_from: float) -> None:
         """These runs have begun anew; their past is known from then on."""
         away = float(np.max(self.watch.time - self.lost_at[where]))
         self.watch.note(where, f"the filter has begun anew, {away:.2f} s after the slave was known last")
-        self.lost = self.lost & ~where
+        self.lost, self.left = self.lost & ~where, self.left & ~where
         self.missed_at = np.where(where, known_from, self.missed_at)
 
 

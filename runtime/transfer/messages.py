@@ -40,7 +40,9 @@ class Message:
     q_m2n_wxyz: Any = None  # (..., 4)
     euler_m: Any = None  # (..., 3) rad, instead of the quaternion, for the measurement `euler`
     position: Any = None  # (..., 3) latitude, longitude, height
-    position_sigma: Any = 10.0  # m, (..., 3) of north, east, up, or one number; a plain satellite receiver's
+    # m, (..., 3) of north, east, up, (..., 1) of all three, or one number; so three numbers are one run's three axes,
+    # also where there are three runs.  10: a plain satellite receiver's
+    position_sigma: Any = 10.0
     rows: Any = True  # (..., 6) bool, False for what is missing; all False: nothing came to this run
     count: Any = None  # (...,) the master's own counter, if it has one: a message with the last one's is its copy
 
@@ -89,6 +91,7 @@ class Heard:
     position_sigma: Array  # (..., 3) m
     count: Array  # (...,), nan where there is none
     faults: list[tuple[Array, str]]  # (...,) bool, the runs whose message is refused, and why
+    numbers: dict[str, Array]  # (...,) by name, what in the lines of `faults` stands in braces
 
 
 def heard(message: Message, runs: tuple[int, ...], attitude: str, steepest: float) -> Heard:
@@ -104,8 +107,9 @@ def heard(message: Message, runs: tuple[int, ...], attitude: str, steepest: floa
         try:
             return np.broadcast_to(np.asarray(getattr(message, name), float), (*runs, *size))
         except (TypeError, ValueError):
-            shape = ", ".join(("...", *map(str, size))) + ("" if size else ",")
-            faults.append((everywhere, f"its {name} is no array of numbers ({shape})"))
+            shape = "(" + ", ".join(("...", *map(str, size))) + ("" if size else ",") + ")"
+            shape += " or (..., 1)" if name == "position_sigma" else ""
+            faults.append((everywhere, f"its {name} is no array of numbers {shape}"))
             return np.full((*runs, *size), np.nan)
 
     time, R, mask = array("time"), array("R", 6), array("rows", 6)
@@ -134,12 +138,10 @@ def heard(message: Message, runs: tuple[int, ...], attitude: str, steepest: floa
         faults.append((everywhere, f"it holds neither v_m_n nor {attitude}"))
     sound = (R > 0) & (R < HUGE)
     bad = ~sound & given & fine
-    if bad.any():
-        first = R[tuple(np.argwhere(bad)[0])]
-        faults.append((bad.any(-1), f"a variance in R is {first:.3g}; each must be finite and above zero"))
+    unsound = np.take_along_axis(R, np.argmax(bad, axis=-1)[..., None], axis=-1)[..., 0]
+    faults.append((bad.any(-1), "a variance in R is {R:.3g}; each must be finite and above zero"))
     untimed = came & ~(np.abs(time) < HUGE)
-    if untimed.any():
-        faults.append((untimed, f"its time is {time[untimed].flat[0]}"))
+    faults.append((untimed, "its time is {time}"))
     empty = came & ~(given & fine).any(-1)
     faults.append((empty, "it holds no finite value within the model's range"))
     refused = np.any([where for where, _ in faults], axis=0)
@@ -151,8 +153,9 @@ def heard(message: Message, runs: tuple[int, ...], attitude: str, steepest: floa
         position_sigma = np.where(usable, position_sigma, 1.0)
     count = np.full(runs, np.nan) if message.count is None else array("count")
     whole, faults = came & ~refused, [(where & came, why) for where, why in faults]
+    numbers = {"R": unsound, "time": time, "count": count}
     time = np.where(untimed, np.nan, time)
     return Heard(
         time, np.where(sound, R, 1.0), said, given & fine & whole[..., None], came, whole[..., None] & ~given,
-        whole[..., None] & given & ~fine, position, position_sigma, count, faults,
+        whole[..., None] & given & ~fine, position, position_sigma, count, faults, numbers,
     )  # fmt: skip

@@ -234,9 +234,10 @@ class Watch:
                 now, where = where & which, where & ~which
                 if now.any():
                     first = np.unravel_index(np.argmax(now), now.shape)
-                    numbers = {"nis": nis, "used": used, "lag": lag, "ahead": -lag, "stamp": stamp}
+                    numbers = {"nis": nis, "used": used, "lag": lag, "ahead": -lag, "stamp": stamp} | heard.numbers
                     numbers["worst"] = np.asarray(np.array(ROWS)[np.clip(worst, 0, 5)])  # one run gives no array
-                    self.note(now, text.format(why=why, **{name: value[first] for name, value in numbers.items()}))
+                    line = text.replace("{why}", why)
+                    self.note(now, line.format(**{name: value[first] for name, value in numbers.items()}), "{" in line)
         returned = taken & self.silent
         if returned.any():
             longest = float(np.max(np.where(returned, self.time - self.taken_at, 0.0)))
@@ -257,10 +258,15 @@ class Watch:
         rows = np.where(taken, used, 0)
         return Result(verdict, entered, np.where(rows > 0, nis, np.nan), rows, np.asarray(nis), lag)
 
-    def note(self, where: Array, text: str) -> None:
+    def note(self, where: Array, text: str, of_first: bool = False) -> None:
+        """of_first: whether the numbers in it are those of the first of the runs."""
         which = np.flatnonzero(where)
         if len(which):
             if self.runs:
                 listed = ", ".join(str(run) for run in which[:5]) + (", ..." if len(which) > 5 else "")
-                text += f" (run {listed})" if len(which) == 1 else f" (runs {listed}: {len(which)})"
+                text += (
+                    f" (run {listed})"
+                    if len(which) == 1
+                    else (f" (runs {listed}: {len(which)}{'; numbers of the first of them' if of_first else ''})")
+                )
             self.notes.append(Note(self.time, which, text))

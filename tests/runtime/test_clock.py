@@ -125,5 +125,6 @@ def test_raw_differences_spoil_a_flight_and_the_line_does_not():
             track.append((nav["q_b2n_wxyz"], nav["v_n"]))
         q, v_n = (np.array(part) for part in zip(*track, strict=True))
         off[name] = np.sqrt(np.mean(turn_between(q, C) ** 2)) / DEG, np.sqrt(np.mean((v_n - v) ** 2))
+    assert round(off["raw"][0], 2) == 0.03 and max(off["live"][0], off["recording"][0]) < 4e-5
     for i in range(2):
         assert off["raw"][i] > 20 * off["live"][i] and off["raw"][i] > 50 * off["recording"][i]

@@ -10,7 +10,8 @@ from boresight.evidence.flights import fly as flights
 from boresight.evidence.flights.conditions import MEMS, printed
 from boresight.evidence.flights.fly import band
 from boresight.evidence.flights.motion import DEG, Motion, parked, swinging, waves
-from boresight.runtime.transfer import Verdict
+from boresight.runtime.transfer import Message, Verdict
+from boresight.runtime.transfer.messages import heard
 
 pytestmark = pytest.mark.usefixtures("compiled_once")
 ROWS = ("v_n", "q_b2n_wxyz", "gyro_bias", "accel_bias", "q_b2m_wxyz", "tau")
@@ -118,6 +119,33 @@ def test_one_bad_number_costs_that_message_of_that_run_and_leaves_nothing_behind
         assert np.isnan(flight.nis[FIRST + run, run])
 
 
+def test_of_several_runs_with_a_bad_number_each_the_line_names_the_first_ones(swing):
+    def bad(k, message):
+        R = np.tile(message.R, (3, 1))
+        R[1:, 4] = [-1.0, -2.0]
+        return replace(message, R=R) if k == 0 else message
+
+    flight = fly(swing, runs=3, seconds=1.6, lost=0.0, imu_hz=25, said=at(3, bad))
+    assert [text.split(": ", 1)[1] for text in texts(flight) if "refused:" in text] == [
+        "a variance in R is -1; each must be finite and above zero (runs 1, 2: 2; numbers of the first of them)"
+    ]
+
+
+@pytest.mark.parametrize(("runs", "sigma", "read"), [
+    ((3,), [1.0, 2.0, 3.0], [[1.0, 2.0, 3.0]] * 3), ((2,), [[1.0], [2.0]], [[1.0] * 3, [2.0] * 3]),
+    ((), 5.0, [5.0] * 3),
+])  # fmt: skip
+def test_three_position_sigmas_are_of_axes_and_one_of_each_run_stands_in_a_column(runs, sigma, read):
+    said = {"v_m_n": np.zeros(3), "q_m2n_wxyz": np.eye(4)[0], "position": np.zeros(3)}
+    given = heard(Message(0.0, np.ones(6), position_sigma=sigma, **said), runs, "q_m2n_wxyz", 1.4)
+    np.testing.assert_array_equal(given.position_sigma, read)
+    assert not any(where.any() for where, _ in given.faults)
+    flat = heard(Message(0.0, np.ones(6), position_sigma=np.ones(4), **said), (4,), "q_m2n_wxyz", 1.4)
+    assert [why for where, why in flat.faults if where.any()] == [
+        "its position_sigma is no array of numbers (..., 3) or (..., 1)"
+    ]
+
+
 def test_a_run_whose_delay_stays_unknown_leaves_the_others_as_they_were(swing):
     """Run 1 hears nothing after the second message, while the others learn their delay to less than 10 ms."""
 
@@ -188,7 +216,7 @@ def test_rows_that_are_missing_are_told_once_until_they_are_back(swing):
 
 # ---------------------------------------------------------------- a master that stands still, and one that is frozen
 
-LEVEL = {"runs": 10, "imu_hz": 25, "jitter": 0.0, "lost": 0.0, "unit": replace(MEMS, velocity=1e-9, attitude=1e-9),
+LEVEL = {"runs": 10, "imu_hz": 25, "jitter": 0.0, "lost": 0.0, "unit": replace(MEMS, velocity=0.0, attitude=0.0),
          "R": np.repeat([0.01, 0.01 * DEG], 3) ** 2 / 12}  # fmt: skip
 
 
@@ -198,13 +226,18 @@ def test_a_master_that_stands_still_is_taken_at_every_message():
     So long that its gyro bias alone would carry the slave to 7 m/s.
     """
 
+    heard = []
+
     def of_half(time, message):
+        heard.append(message)
         q, v = (np.array(getattr(message, name)) for name in ("q_m2n_wxyz", "v_m_n"))
         read = printed(0.01, 0.01)(time, message)
         q[:5], v[:5] = read.q_m2n_wxyz[:5], read.v_m_n[:5]
         return replace(message, q_m2n_wxyz=q, v_m_n=v)
 
     flight = fly(parked(seconds=22), said=of_half, seconds=20.0, **LEVEL)
+    for name in ("v_m_n", "q_m2n_wxyz"):  # without noise: the same number, bit by bit
+        assert all(np.array_equal(getattr(message, name), getattr(heard[0], name)) for message in heard)
     assert flight.verdict.shape[0] >= 99
     assert (flight.verdict == Verdict.TAKEN).all()
     assert np.abs(flight.errors[-1, :, 3:6]).max() < 0.05
@@ -301,21 +334,51 @@ def test_euler_angles_beyond_80_degrees_are_left_out_and_the_velocity_is_taken()
     assert any("attitude" in text and "range" in text for text in texts(flight))
 
 
-def test_a_slave_that_leaves_the_models_range_is_told_and_the_others_fly_on(swing):
-    """Run 1 is pushed by 450 m/s^2 until its velocity leaves the model's range; nothing is raised."""
+def test_a_slave_that_leaves_the_models_range_begins_anew_and_the_others_fly_on(swing):
+    """Run 1 is pushed by 450 m/s^2 until its velocity leaves the model's range; nothing is raised.
+
+    Of the messages that come later the first one says a latitude beyond that range, and the second one is sound.
+    """
 
     def pushed(time, dtheta, dv):
         dv = dv.copy()
-        if time > 2:
+        if 2 < time < 4.8:
             dv[1, 0] += 450 * 0.02
         return dtheta, dv
 
-    settings = {"runs": 3, "seconds": 5.0, "lost": 0.0, "said": lambda time, m: None if time > 2 else m}
-    flight, clean = fly(swing, sensed=pushed, **settings), fly(swing, **settings)
-    assert flight.loop.lost.tolist() == [False, True, False]
-    assert np.abs(flight.loop.nav["v_n"][1]).max() <= 1000
+    standing, first = [], []
+
+    def said(time, message):
+        if 2 < time < 5.1:
+            return None
+        first.extend([time] if time > 5 and not first else [])
+        there = np.array(message.position * np.ones((3, 1)))
+        there[1, 0] = 89 * DEG if [time] == first else there[1, 0]
+        return replace(message, position=there)
+
+    def watched(*args, **more):
+        loop = flights.started(*args, **more)
+        deliver = loop.slave
+
+        def slave(*increments):
+            deliver(*increments)
+            standing.extend([np.abs(loop.nav["v_n"][1]).max()] if loop.lost[1] else [])
+            assert loop.lost[[0, 2]].tolist() == [False, False]
+
+        loop.slave = slave
+        return loop
+
+    settings = {"runs": 3, "seconds": 7.0, "lost": 0.0, "said": said}
+    flight = fly(swing, sensed=pushed, start=watched, **settings)
+    first.clear()
+    clean = fly(swing, **settings)
+    assert len(standing) > 25 and set(standing) == {1000.0}
     (note,) = [note for note in flight.loop.notes if "v_n" in note.text]
-    assert note.runs.tolist() == [1]
+    assert note.runs.tolist() == [1] and "the filter begins anew from the next message" in note.text
+    late = flight.time > 5
+    assert flight.verdict[late, 1].tolist() == [Verdict.BEYOND, Verdict.BEGUN] + [Verdict.TAKEN] * (late.sum() - 2)
+    assert not flight.loop.lost.any()
+    assert band(1, 16)[0] < flight.nees[-1, 1] < band(1, 16)[1]
     for name in ROWS:
         np.testing.assert_array_equal(flight.loop.nav[name][[0, 2]], clean.loop.nav[name][[0, 2]])
     np.testing.assert_array_equal(flight.loop.P[[0, 2]], clean.loop.P[[0, 2]])
