@@ -21,7 +21,7 @@ from boresight.runtime.transfer.messages import Heard, Message, Note, Result, Ve
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
 from boresight.runtime.transfer.score import Score
-from boresight.runtime.transfer.start import Increments, again
+from boresight.runtime.transfer.start import SHORTEST, Increments, again
 from boresight.runtime.units import STANDARD_GRAVITY
 
 GYRO, ACCEL = slice(0, 3), slice(3, 6)  # of increments (..., 6)
@@ -330,15 +330,17 @@ class Transfer:
         R += self._curved(lag, inputs, stamp - self.watch.stamp)
 
         # The residual speaks of the error at the message's time: the covariance goes there and comes back.
-        # Neglected is the process noise of the lag, which stands in P already.
-        F = loop.call("F", **{**inputs, **self._over(np.maximum(lag, 2 * rules.half_span_s).reshape(-1))})
+        # It says nothing of the noise since then, which leaves P for that time; by extrapolation that noise is in it.
+        since = {**inputs, **self._over(np.maximum(lag, 2 * rules.half_span_s).reshape(-1))}
+        F = loop.call("F", **since)
+        Q = (self.way == "buffer") * loop.call("Q", **{**since, "dt": np.maximum(lag, SHORTEST)})
         A = F * lag[..., None, None]
         half = A @ A / 2
         eye = np.eye(A.shape[-1])
         there, back = eye - A + half, eye + A + half
         P_before = loop.P
         P_now = P_before + self._tilted(F)
-        P = there @ P_now @ np.swapaxes(there, -1, -2)
+        P = there @ (P_now - Q) @ np.swapaxes(there, -1, -2)
         rows = rows & (verdict == Verdict.TAKEN)[..., None]
         repeated = self.watch.repeats(said, rows, expected, self._expected_variance(P, inputs), R)
         verdict[repeated] = Verdict.REPEATED
@@ -382,13 +384,12 @@ class Transfer:
         part = np.where(
             beyond | (verdict > Verdict.REOPENED), 0.0, np.minimum(1.0, LARGEST / np.maximum(reach, 1e-300))
         )
-        carried = back @ loop.P @ np.swapaxes(back, -1, -2)
-        opened = back @ P @ np.swapaxes(back, -1, -2)
+        carried, opened = (back @ one @ np.swapaxes(back, -1, -2) + Q for one in (loop.P, P))
         whole = (part == 1.0)[..., None, None]
         corrected = np.where(whole, carried, np.where(reopen[..., None, None], opened, P_now))
         loop.x = np.einsum("...ij,...j->...i", back, part[..., None] * loop.x)
         if by_delay.any():
-            corrected = np.where(by_delay[..., None, None], found.P, corrected)
+            corrected = np.where(by_delay[..., None, None], found.P + Q, corrected)
             loop.x = np.where(by_delay[..., None], found.x, loop.x)
         nav = loop.call("feedback")
         for where, reason in (self.guard.taken(), outside(loop.model, nav, runs)):

@@ -182,3 +182,12 @@ def test_messages_too_old_by_a_wrong_estimate_of_the_delay_are_no_clock_set_anew
     assert found == pytest.approx([50, 250], abs=5)
     assert (flight.loop.stamps.clock == 0).all() and (flight.verdict[-1] == Verdict.TAKEN).all()
     assert abs(flight.errors[-1, 0, 15]) < 4 * np.sqrt(flight.P[-1, 0, 15, 15])
+
+
+def test_behind_a_late_message_of_a_fine_master_the_noise_since_then_stays_in_p():
+    """50 urad and 3 mm/s, 0.3 s late; by then the gyros' noise has turned the slave by 55 urad."""
+    fine = Unit(gyro_noise=1e-4, accel_noise=2e-3, velocity=3e-3, attitude=5e-5)
+    flight = fly(swinging(), runs=20, seconds=5.0, unit=fine, tau=0.05, tau_believed=0.05, tau_sigma=1e-3,
+                 hand_over=0.3, lost=0.0, imu_hz=25)  # fmt: skip
+    low, high = band(20, 16)
+    assert low < flight.nees[12:].mean() < high
