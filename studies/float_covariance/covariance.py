@@ -103,7 +103,7 @@ def driver(precision: str) -> ctypes.PyDLL:
     contents = loops.read_text() + json.dumps(manifest["files"], sort_keys=True)
     name = f"float-covariance-{precision}"
     library = open_library(*shared_library(name, contents, sources, folder / "include", PRECISIONS[precision]))
-    first = [*[ctypes.c_int] * 3, ctypes.c_double]
+    first: list[Any] = [*[ctypes.c_int] * 3, ctypes.c_double]
     library.fly.argtypes = [*first, *[ctypes.c_void_p] * 11]
     library.navigate.argtypes = [*first, *[ctypes.c_void_p] * 5, ctypes.c_int, *[ctypes.c_void_p] * 5]
     return library
