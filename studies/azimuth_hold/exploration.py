@@ -9,19 +9,7 @@ import numpy as np
 from boresight.runtime import rotation
 from boresight.runtime.filter import Filter
 from boresight.runtime.units import ARCMIN, MILLI_G
-from boresight.studies.azimuth_hold.alignment import (
-    MODELS,
-    Models,
-    Scenario,
-    align,
-    bias_variances,
-    checked,
-    load_models,
-    place,
-    rest_attitude,
-    rest_noise,
-    rest_specific_force,
-)
+from boresight.studies.azimuth_hold import alignment
 from boresight.studies.azimuth_hold.hold import MODES, bias_summary, hold, marked, root_mean_square
 from boresight.studies.study import Progress, Result, Study, option, shown, silent, table
 
@@ -31,8 +19,8 @@ ZERO_SIGMAS_M_S = (1e-4, 1e-3, 1e-2, 1e-1)
 
 
 def level_sigma(
-    models: Models,
-    scenario: Scenario,
+    models: alignment.Models,
+    scenario: alignment.Scenario,
     start_arcmin: float,
     *,
     accel_drift_ug_sqrt_h: float = 0.0,
@@ -46,12 +34,12 @@ def level_sigma(
     Returns level_arcmin (about east) and combined_arcmin: sigma of phi less the tilt that cancels the accelerometer's
     error, which is what a velocity can see.
     """
-    q, position = rest_attitude(scenario), place(scenario)
+    q, position = alignment.rest_attitude(scenario), alignment.place(scenario)
     C = rotation.matrix_from_quaternion(q)
-    f_b = rest_specific_force(models, position, q)
+    f_b = alignment.rest_specific_force(models, position, q)
     g = np.linalg.norm(f_b)
     floor = np.stack([C[1], -C[0]]) / g  # phi_e, phi_n per error of the bias estimate
-    variances = bias_variances(scenario, f_b)
+    variances = alignment.bias_variances(scenario, f_b)
     P = np.diag([1e-10, 1e-10, 1.0, 0.01, 0.01, 0.01, 0, 0, (2.8 * ARCMIN) ** 2, *variances])
     P[6:8, 6:8] = np.eye(2) * (start_arcmin * ARCMIN) ** 2
     if levelled:
@@ -61,7 +49,7 @@ def level_sigma(
     nav = {"position": position, "q_b2n_wxyz": q} | dict.fromkeys(("v_n", "gyro_bias", "accel_bias"), np.zeros(3))
     loop = Filter(models.hold, nav, P)
     drift = accel_drift_ug_sqrt_h * 1e-3 * MILLI_G / 60
-    noise = rest_noise(scenario) | {"accel_bias_noise": np.full(3, drift)}
+    noise = alignment.rest_noise(scenario) | {"accel_bias_noise": np.full(3, drift)}
     M = np.zeros(15)
     M[6], M[12:] = 1.0, -floor[0]
     level, combined = [], []
@@ -76,7 +64,7 @@ def level_sigma(
 
 
 @dataclass(frozen=True)
-class Asked(Scenario):
+class Asked(alignment.Scenario):
     runs: int = option(10, "Monte Carlo runs of each case.")
     seconds: int = option(600, "At rest, of the last two tables.")
 
@@ -92,8 +80,8 @@ def run(scenario: Asked, progress: Progress = silent) -> Result:
     level_sigma_arcmin (rms of both axes at the end), nees (of the angles, reference mode);
     zaru: on, mode, error_arcmin and sigma_arcmin (3), nees, gyro_deg_h and gyro_sigma_deg_h (rms of three axes).
     """
-    checked(scenario)
-    models = load_models()
+    alignment.checked(scenario)
+    models = alignment.load_models()
     runs, seed, seconds = scenario.runs, scenario.seed, scenario.seconds
     progress("level: where it starts")
     level = [
@@ -110,7 +98,7 @@ def run(scenario: Asked, progress: Progress = silent) -> Result:
     for told in ZERO_SIGMAS_M_S:
         progress(f"zero velocity to {told:g} m/s")
         one = replace(scenario, zupt_sigma_m_s=told)
-        held = hold(models, one, align(models, one, runs=runs, seed=seed), seconds)
+        held = hold(models, one, alignment.align(models, one, runs=runs, seed=seed), seconds)
         zero.append(
             {
                 "zupt_sigma_m_s": told,
@@ -122,7 +110,7 @@ def run(scenario: Asked, progress: Progress = silent) -> Result:
         )
     for on in (False, True):
         progress(f"zero-angular-rate updates: {'on' if on else 'off'}")
-        held = hold(models, scenario, align(models, scenario, runs=runs, seed=seed), seconds, zaru=on)
+        held = hold(models, scenario, alignment.align(models, scenario, runs=runs, seed=seed), seconds, zaru=on)
         for m, mode in enumerate(MODES):
             if mode != "inertial":
                 end, bias = marked(held, {}, seconds, m), bias_summary(held, m)
@@ -150,4 +138,4 @@ def report(result: Result) -> str:
     ])  # fmt: skip
 
 
-STUDY = Study("azimuth-exploration", MODELS, Asked, run, report)
+STUDY = Study("azimuth-exploration", alignment.MODELS, Asked, run, report)

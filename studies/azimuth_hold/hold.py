@@ -18,22 +18,8 @@ from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.simulation import inertial
 from boresight.runtime.units import ARCMIN, DEG, HOUR, MILLI_G
-from boresight.studies.azimuth_hold import figures
-from boresight.studies.azimuth_hold.alignment import (
-    COMPLETE,
-    MODELS,
-    Aligned,
-    Models,
-    Scenario,
-    align,
-    bias_variances,
-    checked,
-    coordinates_per_metre,
-    gyro_walk,
-    load_models,
-    rest_noise,
-    rest_specific_force,
-)
+from boresight.studies.azimuth_hold import alignment, figures
+from boresight.studies.azimuth_hold.alignment import Aligned, Models, Scenario
 from boresight.studies.consistency import chi_square_band, nees
 from boresight.studies.study import Claim, Progress, Result, Study, claim_lines, shown, silent, table
 
@@ -98,9 +84,9 @@ def hold(
     q_ref = loop.nav["q_b2n_wxyz"].copy()
     C_b2n = rotation.matrix_from_quaternion(start.q_b2n_wxyz)
     omega_b = np.einsum("rji,j->ri", C_b2n, start.earth["omega_ie_n"])
-    f_b = rest_specific_force(models, start.position, start.q_b2n_wxyz)
+    f_b = alignment.rest_specific_force(models, start.position, start.q_b2n_wxyz)
     R_zupt = np.full(3, scenario.zupt_sigma_m_s**2)
-    noise = rest_noise(scenario)
+    noise = alignment.rest_noise(scenario)
     history: list[tuple[Array, ...]] = []
     nis: list[tuple[Array, Array]] = []
 
@@ -184,11 +170,11 @@ def budget(models: Models, scenario: Scenario, start: Aligned, time: Array) -> d
     """
     g, omega_ie = start.gravity, start.earth["omega_ie_n"]
     C = rotation.matrix_from_quaternion(start.q_b2n_wxyz)
-    f_b = rest_specific_force(models, start.position, start.q_b2n_wxyz)
+    f_b = alignment.rest_specific_force(models, start.position, start.q_b2n_wxyz)
     gyro, accel = start.drawn.sensors.bias_at(np.einsum("rji,j->ri", C, omega_ie), f_b)
     drift, floor = -np.einsum("rij,rj->ri", C, gyro), cancelling_tilt(start, accel)
     phi0 = rotation.attitude_error(start.nav["q_b2n_wxyz"], start.q_b2n_wxyz)
-    lon, lat, _ = coordinates_per_metre(models, start.position)
+    lon, lat, _ = alignment.coordinates_per_metre(models, start.position)
     radius = 1 / np.array([lat, lon * np.cos(start.position[1])])  # about east: the meridian's
     omega_s = np.sqrt(g / radius)
     v0 = start.nav["v_n"]
@@ -207,7 +193,7 @@ def budget(models: Models, scenario: Scenario, start: Aligned, time: Array) -> d
         + ramp * (1 - np.cos(omega_s * t)) / omega_s**2
     )
     up = phi0[:, 2] + azimuth_rate * t[..., 0] + tan_lat * (level[..., 1] - phi0[:, 1])
-    walk = gyro_walk(scenario)
+    walk = alignment.gyro_walk(scenario)
     seconds = np.asarray(time, float)[:, None]
     level_walk = walk * np.sqrt(seconds / 2 + np.sin(2 * omega_s * seconds) / (4 * omega_s))
     # the same for white noise: of w_u its integral, of w_n tan(lat) times the integral of (cos w(t - s) - 1)
@@ -257,10 +243,10 @@ def run(scenario: Scenario, progress: Progress = silent, models: Models | None =
     azimuth (of 1), mean over the last half;
     history: time_s; error_arcmin (T, modes, runs, 3), sigma_arcmin (T, modes, 3), rms over the runs.
     """
-    scenario, models = checked(scenario), models or load_models()
+    scenario, models = alignment.checked(scenario), models or alignment.load_models()
     runs, seconds = scenario.runs, scenario.seconds
     progress(f"transfer alignment: {runs} runs of {scenario.align_s:g} s")
-    start = align(models, scenario, runs=runs, seed=scenario.seed)
+    start = alignment.align(models, scenario, runs=runs, seed=scenario.seed)
     progress(f"hold: {len(MODES)} modes of {runs} runs, {seconds} s")
     held = hold(models, scenario, start, seconds, progress=progress)
     theory = budget(models, scenario, start, np.arange(seconds + 1))
@@ -322,7 +308,8 @@ def marked(held: Held, theory: dict[str, Array], second: int, mode: int) -> dict
 def ended_summary(
     models: Models, scenario: Scenario, start: Aligned, held: Held, theory: dict[str, Array]
 ) -> dict[str, Any]:
-    floor = bias_variances(scenario, rest_specific_force(models, start.position, start.q_b2n_wxyz[0]))[3:]
+    f_b = alignment.rest_specific_force(models, start.position, start.q_b2n_wxyz[0])
+    floor = alignment.bias_variances(scenario, f_b)[3:]
     beside = held.phi[-1, ..., :2] - remaining_floor(start, held)
     half = len(held.nis_zupt) // 2
     out: dict[str, Any] = {
@@ -367,16 +354,13 @@ def claims(result: Result) -> list[Claim]:
     An axis is held where the attitude has changed since the hand-over by less than what an alignment must reach to be
     complete: 1 arcmin in the level, 2 about up (rms over the runs).
     """
-    last, first = result["marks"][-1], np.array(result["alignment"]["sigma_arcmin"])
-    limit = np.array([COMPLETE.level_sigma, COMPLETE.level_sigma, COMPLETE.azimuth_sigma]) / ARCMIN
-
-    def changes(mode: str) -> Array:
-        return np.array(last[mode]["change_arcmin"])
+    last, first, complete = result["marks"][-1], np.array(result["alignment"]["sigma_arcmin"]), alignment.COMPLETE
+    limit = np.array([complete.level_sigma, complete.level_sigma, complete.azimuth_sigma]) / ARCMIN
 
     def by_axis(values: Any, what: str = "") -> dict[str, float | None]:
         return {f"{what}{axis}": float(value) for axis, value in zip(AXES, values, strict=True)}
 
-    inertial, zupt, azimuth = (changes(mode) for mode in ("inertial", "zupt", "azimuth"))
+    inertial, zupt, azimuth = (np.array(last[mode]["change_arcmin"]) for mode in ("inertial", "zupt", "azimuth"))
     sigma = np.array(last["azimuth"]["sigma_arcmin"])
     out = [
         Claim("pure inertial drifts in all three axes, arcmin", bool((inertial > limit).all()), by_axis(inertial)),
@@ -440,4 +424,4 @@ def report(result: Result) -> str:
     return "\n".join(lines)
 
 
-STUDY = Study("azimuth-hold", MODELS, Scenario, run, report, figures.draw, claims)
+STUDY = Study("azimuth-hold", alignment.MODELS, Scenario, run, report, figures.draw, claims)

@@ -26,19 +26,8 @@ from boresight.runtime.filter import Filter
 from boresight.runtime.simulation import inertial
 from boresight.runtime.status import Status
 from boresight.runtime.units import ARCMIN, DEG, MILLI_G
-from boresight.studies.azimuth_hold import figures
-from boresight.studies.azimuth_hold.alignment import (
-    MODELS,
-    Aligned,
-    Models,
-    Scenario,
-    accel_walk,
-    align,
-    checked,
-    gyro_walk,
-    load_models,
-    rest_noise,
-)
+from boresight.studies.azimuth_hold import alignment, figures
+from boresight.studies.azimuth_hold.alignment import Aligned, Models, Scenario
 from boresight.studies.azimuth_hold.hold import PHI, carry, root_mean_square, start_filter
 from boresight.studies.consistency import nees
 from boresight.studies.study import Claim, Progress, Result, Study, claim_lines, option, silent, table
@@ -102,8 +91,8 @@ def thresholds(scenario: Scenario, start: Aligned) -> detector.Settings:
     dt = 1 / scenario.strapdown_hz
     return detector.settings(
         WINDOW,
-        accel_walk(scenario) / np.sqrt(dt),
-        gyro_walk(scenario) / np.sqrt(dt),
+        alignment.accel_walk(scenario) / np.sqrt(dt),
+        alignment.gyro_walk(scenario) / np.sqrt(dt),
         FALSE_ALARM,
         gravity=start.gravity,
         rest_rate=float(np.linalg.norm(start.earth["omega_ie_n"])) + 4 * scenario.gyro_bias_deg_h * DEG / 3600,
@@ -135,8 +124,8 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
     detector and gate): error_arcmin (T, modes, runs, 3), sigma_arcmin (T, modes, 3); what moves during the event is
     left out (nan).
     """
-    checked(scenario)
-    models = models or load_models()
+    alignment.checked(scenario)
+    models = models or alignment.load_models()
     runs, end_s = scenario.runs, scenario.seconds
     event_s, acquire_s = scenario.times_s
     if not 20 <= event_s < event_s + 25 < acquire_s < end_s:
@@ -144,7 +133,7 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
             f"azimuth-shock needs 20 s before the event, 26 s from it to the fresh azimuth, and an end after that; "
             f"got {event_s}, {acquire_s} and {end_s} s"
         )
-    start = align(models, scenario, runs=runs, seed=scenario.seed)
+    start = alignment.align(models, scenario, runs=runs, seed=scenario.seed)
     names, events, configs = list(EVENTS), len(EVENTS), len(CONFIGS)
     flown = zip(*(event(models, scenario, start, name) for name in names), strict=True)
     moved_dtheta, moved_dv, q_after = (np.stack(part, axis=-3) for part in flown)
@@ -158,7 +147,7 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
     sensors = start.drawn.sensors
     settings, dll = thresholds(scenario, start), detector.library()
     R_zupt = np.full(3, scenario.zupt_sigma_m_s**2)
-    noise = rest_noise(scenario)
+    noise = alignment.rest_noise(scenario)
     q_true = np.broadcast_to(start.q_b2n_wxyz, (events, runs, 4)).copy()
     kept, before, tail = [], None, [np.empty((events, runs, 0, 3))] * 2
     quiet = np.full((events, runs), WAIT_S)
@@ -329,4 +318,4 @@ def report(result: Result) -> str:
     ])  # fmt: skip
 
 
-STUDY = Study("azimuth-shock", MODELS, Disturbed, run, report, figures.draw_shock, claims)
+STUDY = Study("azimuth-shock", alignment.MODELS, Disturbed, run, report, figures.draw_shock, claims)

@@ -19,20 +19,7 @@ from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
 from boresight.studies.consistency import chi_square_band
 from boresight.studies.euler_table import figures
-from boresight.studies.euler_table.table import (
-    CHOSEN,
-    NAMES,
-    PAPER,
-    SWITCHES,
-    Scenario,
-    cell_name,
-    covariance,
-    fly,
-    judged,
-    motion,
-    ratios,
-    switched,
-)
+from boresight.studies.euler_table import table as euler
 from boresight.studies.study import Progress, Result, Seeded, Study, option, silent, table
 
 # Departures in what the paper does not say, one line of the report each.
@@ -65,18 +52,19 @@ COMBINED = (
     ("normal-misalignment", "exact"),
 )
 CONSISTENCY_DEG = (0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0)
-PLAIN = Scenario(misalignment="normal", filter_angle_arcmin=1.0, filter_offset_arcmin=1.0)  # the paper's own numbers
+# The paper's own numbers.
+PLAIN = euler.Scenario(misalignment="normal", filter_angle_arcmin=1.0, filter_offset_arcmin=1.0)
 
 
 SUMMARY = ("agree", "largest_estimated", "smallest_not_estimated")
 
 
-def counted(model: Any, scenario: Scenario, seconds: float, runs: int, seed: int) -> dict[str, Any]:
+def counted(model: Any, scenario: euler.Scenario, seconds: float, runs: int, seed: int) -> dict[str, Any]:
     """Cells out of 147 and the nearest cell's factor, by linear covariance and by Monte Carlo."""
-    flight = fly(model, scenario, seconds, runs=runs, seed=seed)
+    flight = euler.fly(model, scenario, seconds, runs=runs, seed=seed)
     out: dict[str, Any] = {"seconds": seconds, "seed": seed, "lost_runs": int(flight.lost.sum())}
-    for part, history in (("linear", covariance(model, scenario, seconds)), ("monte_carlo", flight.error)):
-        verdict = judged(ratios(history), scenario.threshold)
+    for part, history in (("linear", euler.covariance(model, scenario, seconds)), ("monte_carlo", flight.error)):
+        verdict = euler.judged(euler.ratios(history), scenario.threshold)
         out[part] = {key: verdict[key] for key in SUMMARY}
         out[part]["margin"] = verdict["margin"]["factor"]
     return out
@@ -89,7 +77,7 @@ def drawn_motion(number: int) -> dict[str, Any]:
     return {"motion_period_s": tuple(period.tolist()), "motion_phase_deg": tuple(phase.tolist())}
 
 
-def durations(model: Any, scenario: Scenario, seconds: float = 3600.0) -> list[dict[str, Any]]:
+def durations(model: Any, scenario: euler.Scenario, seconds: float = 3600.0) -> list[dict[str, Any]]:
     """When the table of linear covariance is the paper's, with each cause of further information switched off in turn.
 
     process_noise, earth_rate, second_order: bool.  from_s and to_s: the first and the last update up to which all 147
@@ -100,12 +88,12 @@ def durations(model: Any, scenario: Scenario, seconds: float = 3600.0) -> list[d
     times = np.unique(np.round(np.geomspace(1, seconds / scenario.update_s, 60)).astype(int))
     for bias, earth, second_order in product((scenario.gyro_bias_deg_h, 0.0), (True, False), (True, False)):
         case = replace(scenario, gyro_bias_deg_h=bias, earth_rate=earth)
-        history = covariance(model, case, seconds, first_order=not second_order)
+        history = euler.covariance(model, case, seconds, first_order=not second_order)
         ratio = history / history[0]
         estimated = ratio < case.threshold
-        agree = np.flatnonzero((estimated == PAPER).all((1, 2, 3)))
+        agree = np.flatnonzero((estimated == euler.PAPER).all((1, 2, 3)))
         whole = agree[: int(np.argmin(np.append(np.diff(agree), 0) == 1)) + 1]  # without a break
-        more = estimated & ~PAPER
+        more = estimated & ~euler.PAPER
         late = np.flatnonzero(more.any((1, 2, 3)))
         out.append(
             {
@@ -114,24 +102,24 @@ def durations(model: Any, scenario: Scenario, seconds: float = 3600.0) -> list[d
                 "second_order": second_order,
                 "from_s": int(whole[0]) * case.update_s if len(whole) else None,
                 "to_s": int(whole[-1]) * case.update_s if len(whole) else None,
-                "first_more": cell_name(np.argwhere(more[late[0]])[0]) if len(late) else None,
+                "first_more": euler.cell_name(np.argwhere(more[late[0]])[0]) if len(late) else None,
                 "time_s": (times * case.update_s).tolist(),
-                "smallest": ratio[:, ~PAPER].min(axis=1)[times].tolist(),
+                "smallest": ratio[:, ~euler.PAPER].min(axis=1)[times].tolist(),
             }
         )
     return out
 
 
-def second_order(model: Any, scenario: Scenario, misalignment_deg: float) -> dict[str, float]:
+def second_order(model: Any, scenario: euler.Scenario, misalignment_deg: float) -> dict[str, float]:
     """What (15) and (18) drop, at normal misalignments: the residual of perfect attitudes, which should be zero.
 
     Returns, in arcmin, the rms over cases and rows of its mean in time and of its variation in time, and of what the
     substitution of the missing master's angles adds to them.
     """
-    euler_m = motion(scenario, 60.0, scenario.update_s)[:, None, :, None]  # (T, 1, 7, 1, 3)
+    euler_m = euler.motion(scenario, 60.0, scenario.update_s)[:, None, :, None]  # (T, 1, 7, 1, 3)
     mu = sensors.standard_normals(0, np.arange(20), 3) * misalignment_deg * DEG
     euler_b = model.euler_angles(q_b2n_wxyz=rotation.turned(rotation.quaternion_from_euler(euler_m), mu))
-    rows = CHOSEN[:, None, None, :]
+    rows = euler.CHOSEN[:, None, None, :]
     known = model.euler_z(euler_b=euler_b, euler_m=euler_m, mu=mu)
     substituted = model.euler_z(euler_b=euler_b, euler_m=np.where(rows, euler_m, euler_b), mu=mu)
 
@@ -175,8 +163,8 @@ def consistency(
     scenario = replace(scenario, filter_angle_arcmin=told_arcmin[0], filter_offset_arcmin=told_arcmin[1])
     if exact:
         scenario = replace(scenario, measurement="euler_exact", iterations=iterations, turn_covariance=turn_covariance)
-    flight = fly(model, scenario, seconds, runs=runs, seed=seed)
-    angles = CHOSEN.sum(-1)[:, None]
+    flight = euler.fly(model, scenario, seconds, runs=runs, seed=seed)
+    angles = euler.CHOSEN.sum(-1)[:, None]
     out: dict[str, Any] = {
         "misalignment_deg": misalignment_deg,
         "bias": bias,
@@ -190,7 +178,7 @@ def consistency(
     nees = flight.nees.mean(-1)
     out["nees"], inside, above = against_band(nees, *chi_square_band(6, runs))
     for name, which in (("inside", inside), ("above", above)):
-        out["nees"][f"{name}_by_match"] = dict(zip(NAMES, which.sum(-1).tolist(), strict=True))
+        out["nees"][f"{name}_by_match"] = dict(zip(euler.NAMES, which.sum(-1).tolist(), strict=True))
     out["nees"]["of_all_angles"] = nees[-1].tolist()
     bands = np.array([chi_square_band(1, n * runs * len(flight.nis)) for n in angles[:, 0]])
     out["nis"], *_ = against_band(flight.nis.mean(axis=(0, -1)) / angles, bands[:, :1], bands[:, 1:])
@@ -231,9 +219,9 @@ def run(asked: Asked, progress: Progress = silent, model: Any = None) -> Result:
     consistency: lists, as the functions give them; finished: false if it was interrupted, and then
     later parts are missing.
     """
-    model, declared = model or load("euler-matching"), Scenario()
+    model, declared = model or load("euler-matching"), euler.Scenario()
     result: Result = {"runs": asked.runs, "seed": asked.seed, "finished": False}
-    as_text = SWITCHES["text-noises"].changes
+    as_text = euler.SWITCHES["text-noises"].changes
     motions = [(f"set {number}", drawn_motion(number)) for number in range(asked.drawn)]
     varied: dict[str, list[tuple[str, dict[str, Any]]]] = {
         "seeds": [(f"seed {key}", {"seed": key}) for key in range(asked.seed, asked.seed + 3)],
@@ -243,14 +231,14 @@ def run(asked: Asked, progress: Progress = silent, model: Any = None) -> Result:
         "drawn": motions,
         "drawn_text_noises": [(name, {**as_text, **drawn}) for name, drawn in motions],
         "alternatives": list(ALTERNATIVES.items()),
-        "switches": [(" ".join(names), {"switch": names}) for names in [(name,) for name in SWITCHES] + list(COMBINED)],
+        "switches": [(" ".join(one), {"switch": one}) for one in [*((name,) for name in euler.SWITCHES), *COMBINED]],
     }
     try:
         for part, cases in varied.items():
             for name, changes in cases:
                 progress(f"{part}: {name}")
                 case = replace(declared, **{"seed": asked.seed, **changes})
-                other, case = switched(model, case, case.switch)
+                other, case = euler.switched(model, case, case.switch)
                 counts = counted(other, case, case.seconds, asked.runs, case.seed)
                 result.setdefault(part, []).append({"name": name, **counts})
         progress("durations, to an hour")
@@ -311,9 +299,10 @@ def report(result: Result) -> str:
         rows = [(says(row), *(row[part][key] for part, key in keys)) for row in result["consistency"]]
         lines += ["", *table(head, rows, formats)]
         exact = [row for row in result["consistency"] if row["exact"]]
-        head = ("of 7 motions inside (above)", *(name.replace(", ", "+") for name in NAMES))
+        head = ("of 7 motions inside (above)", *(name.replace(", ", "+") for name in euler.NAMES))
         lines += table(head, [
-            (says(row), *(f"{row['nees']['inside_by_match'][m]} ({row['nees']['above_by_match'][m]})" for m in NAMES))
+            (says(row), *(f"{inside} ({above})" for inside, above in zip(
+                *(row["nees"][f"{name}_by_match"].values() for name in ("inside", "above")), strict=True)))
             for row in exact
         ])  # fmt: skip
     if not result["finished"]:

@@ -102,7 +102,11 @@ def driver(precision: str) -> ctypes.PyDLL:
     sources = dict.fromkeys([loops, *(folder / "src" / f"{stem}.c" for stem in stems)], ())
     contents = loops.read_text() + json.dumps(manifest["files"], sort_keys=True)
     name = f"float-covariance-{precision}"
-    return open_library(*shared_library(name, contents, sources, folder / "include", PRECISIONS[precision]))
+    library = open_library(*shared_library(name, contents, sources, folder / "include", PRECISIONS[precision]))
+    first: list[Any] = [*[ctypes.c_int] * 3, ctypes.c_double]
+    library.fly.argtypes = [*first, *[ctypes.c_void_p] * 11]
+    library.navigate.argtypes = [*first, *[ctypes.c_void_p] * 5, ctypes.c_int, *[ctypes.c_void_p] * 5]
+    return library
 
 
 def pointer(array: Array | None) -> Any:
@@ -174,7 +178,6 @@ def fly(
     updates = len(path) // every
     packed, least, left = np.zeros((updates, 15, 15)), np.zeros(updates), np.zeros((updates, 15))
     e, drawn, seen = (None, None, None) if errors is None else (errors[0].copy(), *errors[1:])
-    library.fly.argtypes = [ctypes.c_int] * 3 + [ctypes.c_double] + [ctypes.c_void_p] * 11
     refused = library.fly(
         FORMS.index(form), len(path), every, dt, pointer(path), pointer(noise), pointer(start.sigma), pointer(start.R),
         pointer(drawn), pointer(seen), address(driver("double").carry), pointer(packed), pointer(least), pointer(e),
@@ -268,7 +271,7 @@ def estimates(start: Start, form: str, seed: int, runs: int) -> dict[str, Any]:
     The navigation's error obeys F: it is drawn from the covariance at the start and grows by the filter's own noise.
     Returns the largest difference of the two in sigmas, in the first ten seconds and after, and NEES of both (of 15).
     """
-    early, apart, nees = round(10 / UPDATE_S), [], []
+    early, apart, weighed = round(10 / UPDATE_S), [], []
     grown = np.repeat([0.0, *NOISE[[3, 0, 6, 9]]], 3) * np.sqrt(STEP_S)  # of position, velocity, phi and biases
     for run in range(runs):
         rng = generator(seed, run)
@@ -281,15 +284,11 @@ def estimates(start: Start, form: str, seed: int, runs: int) -> dict[str, Any]:
         sigma = np.sqrt(np.einsum("tii->ti", double.P))
         worst = np.nan_to_num(np.abs(single.left - double.left) / sigma, nan=np.inf).max(axis=1)
         apart.append((worst[:early].max(), worst[early:].max(initial=0.0)))
-        nees.append([mean_nees(left, double.P) for left in (double.left, single.left)])
+        weighed.append([nees(left, double.P).mean() for left in (double.left, single.left)])
     told = {"start": start.name, "form": form, "runs": runs}
-    (first, later), (double_nees, float_nees) = np.max(apart, axis=0), np.mean(nees, axis=0)
+    (first, later), (double_nees, float_nees) = np.max(apart, axis=0), np.mean(weighed, axis=0)
     found = {"first_10_s": first, "later": later, "nees_double": double_nees, "nees_float": float_nees}
     return told | {name: float(value) if value < 1e6 else None for name, value in found.items()}
-
-
-def mean_nees(error: Array, P: Array) -> float:
-    return float(nees(error, P).mean())
 
 
 def navigations(start: Start, seed: int) -> list[dict[str, Any]]:
@@ -319,9 +318,6 @@ def navigations(start: Start, seed: int) -> list[dict[str, Any]]:
     ):
         library, updates = driver(precision), steps // every
         nav, kept, P = first.copy(), np.zeros((updates, 16)), np.zeros((updates, 15, 15))
-        library.navigate.argtypes = [ctypes.c_int] * 3 + [ctypes.c_double] + [ctypes.c_void_p] * 5 + [ctypes.c_int] + [
-            ctypes.c_void_p
-        ] * 5  # fmt: skip
         refused = library.navigate(
             steps, every // 10, every, STEP_S, pointer(noisy), pointer(NOISE), pointer(start.sigma), pointer(start.R),
             pointer(q), in_float, address(strapdown.dll.sd_step), address(hold.dll.ah_feedback), pointer(nav),
@@ -345,7 +341,7 @@ def navigations(start: Start, seed: int) -> list[dict[str, Any]]:
             "gyro_bias_deg_h": float(np.linalg.norm(rms[9:12]) / DEG_H),
             "apart_sigmas": float(apart.max()),
             "apart_state": hold.states[int(apart.max(axis=0).argmax())],
-            "nees": mean_nees(error, P),
+            "nees": float(nees(error, P).mean()),
         })  # fmt: skip
     return found
 

@@ -123,9 +123,10 @@ def fly(
     R = spread[..., 6:] ** 2
     q = rotation.quaternion_from_euler(master.euler)
 
-    def message(k: int) -> Message:
-        assert master is not None and master.v_n is not None and master.position is not None
-        return Message(master.time[k], R, v_m_n=master.v_n[k], q_m2n_wxyz=q[k], position=master.position[k])
+    said = [
+        Message(time, R, v_m_n=v_n, q_m2n_wxyz=q, position=position)
+        for time, v_n, q, position in zip(master.time, master.v_n, q, master.position, strict=True)
+    ]
 
     tau = start[..., 15]
     constants: dict[str, Any] = {
@@ -150,7 +151,7 @@ def fly(
         del sigmas["lever_b"]
     begin, end, dtheta, dv = imu.increments
     i = int(np.searchsorted(end, master.time[0] + HOLD_S - 1e-6 * imu.dt)) + 1
-    nav, P, past = first(message(0), model, constants, **how, estimates=estimated, matching=MATCHING,
+    nav, P, past = first(said[0], model, constants, **how, estimates=estimated, matching=MATCHING,
                          increments=Increments(begin[:i], end[:i], dtheta[:i], dv[:i]))  # fmt: skip
     reach = HOLD_S + float(np.max(tau)) + 3 * float(np.max(delay_sigma)) + 0.1
     loop = Transfer(
@@ -168,7 +169,7 @@ def fly(
             loop.filter.P = loop.filter.P + np.diag(np.concatenate([np.repeat(imu.doubt[j] ** 2, 3), np.zeros(rest)]))
         while k < len(master.time) and end[j] >= master.time[k] + HOLD_S - 1e-6 * imu.dt:
             try:
-                result = loop.master(message(k))
+                result = loop.master(said[k])
             except BoresightError as error:
                 advice = "the filter, or the one beside it without a delay, is driven off: take another stretch"
                 raise BoresightError(f"{recording.name}, {end[j]:.2f} s: {error}; {advice}") from None
@@ -306,7 +307,7 @@ def run(
         "states": states(model, track["time"], both, recording.reference, prior, more),
         "nis": {name: consistency(part["nu"] / np.sqrt(part["S"]), part["used"]) for name, part in both.items()},
         "notes": [*recording.notes, *(line for runs, line in track["notes"] if 0 in runs)],
-        "history": history(model, track["time"], both),
+        "history": {"time_s": track["time"], "states": model.states, **both},
     }
 
 
@@ -438,25 +439,6 @@ def refused(verdict: Array) -> dict[str, int]:
     """How many messages were refused, by the name of their verdict (K,)."""
     counts = {code: int((verdict == code).sum()) for code in Verdict if code > Verdict.REOPENED}
     return {code.name.lower().replace("_", " "): count for code, count in counts.items() if count}
-
-
-def history(model: Any, time: Array, both: Mapping[str, Any]) -> dict[str, Any]:
-    """What the figures show: estimates and sigmas in units of GROUPS, innovations and their sigmas in SI and rad."""
-    scale = np.ones(len(model.states))
-    for group in GROUPS:
-        if group.first in model.states:
-            at = model.states.index(group.first)
-            scale[at : at + len(group.axes)] = group.scale
-    out: dict[str, Any] = {"time_s": time.tolist(), "states": list(model.states)}
-    for name, track in both.items():
-        out[name] = {
-            "estimate": (track["estimate"][:, : len(scale)] / scale).tolist(),
-            "sigma": (track["sigma"] / scale).tolist(),
-            "innovation": track["nu"].tolist(),
-            "innovation_sigma": np.sqrt(track["S"]).tolist(),
-            "used": track["used"].tolist(),
-        }
-    return out
 
 
 # ---------------------------------------------------------------- saying it
@@ -621,13 +603,12 @@ def described(sensors: Sensors) -> str:
         gyro, accel = (f"{getattr(sensors, f'{sensor}_{names}') / scale:.4g}" for sensor in ("gyro", "accel"))
         both = f"{gyro} {unit}" if gyro == accel else f"{gyro} {unit} of gyros and {accel} {unit} of accelerometers"
         parts += [f"{names} {both}, {how}"] if {gyro, accel} != {"0"} else []
-    for name, unit, size in (
-        ("gyro", "deg/h", UNITS["angular rate"]["deg/h"]),
-        ("accelerometer", "ug", UNITS["acceleration"]["ug"]),
+    for name, sigma, kind, unit in (
+        ("gyro", sensors.gyro_instability, "angular rate", "deg/h"),
+        ("accelerometer", sensors.accel_instability, "acceleration", "ug"),
     ):
-        sigma = sensors.gyro_instability if name == "gyro" else sensors.accel_instability
         if sigma:
-            parts.append(f"{name} instability {sigma / size:.3g} {unit} over {sensors.correlation_s:g} s")
+            parts.append(f"{name} instability {sigma / UNITS[kind][unit]:.3g} {unit} over {sensors.correlation_s:g} s")
     if sensors.bending:
         parts.append(f"bending {sensors.bending * 1e3:.3g} mrad at {sensors.bending_hz:g} Hz")
     return "; ".join(parts)
@@ -657,16 +638,15 @@ def markdown(rows: Sequence[Sequence[str]]) -> list[str]:
 def draw_innovations(result: Mapping[str, Any], axes: Array) -> None:
     """(2, 3) axes: velocity above, attitude below; with the delay within its bands, and without it."""
     history = result["history"]
-    time = np.array(history["time_s"])
+    time = history["time_s"]
     for i, ax in enumerate(axes.ravel()):
         scale, unit = (1e-3, "mm/s") if i < 3 else (UNITS["angle"]["arcmin"], "arcmin")
-        nu, sigma = ({name: np.array(history[name][part])[:, i] / scale for name in ("with", "without")}
-                     for part in ("innovation", "innovation_sigma"))  # fmt: skip
-        ax.plot(time, nu["without"], ".", ms=1.6, color=ORANGE, label="delay taken as 0, where inside")
-        band = BAND * sigma["with"]
-        ax.fill_between(time, -band, band, color=BLUE, alpha=0.25, lw=0, label="95 % band")
-        ax.plot(time, nu["with"], ".", ms=1.6, color=BLUE, label="delay a state")
-        reach = 7 * float(np.median(sigma["with"]))
+        sigma = np.sqrt(history["with"]["S"][:, i]) / scale
+        ax.plot(time, history["without"]["nu"][:, i] / scale, ".", ms=1.6, color=ORANGE,
+                label="delay taken as 0, where inside")  # fmt: skip
+        ax.fill_between(time, -BAND * sigma, BAND * sigma, color=BLUE, alpha=0.25, lw=0, label="95 % band")
+        ax.plot(time, history["with"]["nu"][:, i] / scale, ".", ms=1.6, color=BLUE, label="delay a state")
+        reach = 7 * float(np.median(sigma))
         ax.set_ylim(-reach, reach)  # without the delay most lie far outside
         ax.set_title(f"{ROWS[i]}: NIS {result['nis']['with']['per_row'][i]:.2f}, without "
                      f"{result['nis']['without']['per_row'][i]:.1f}")  # fmt: skip
@@ -678,13 +658,13 @@ def draw_innovations(result: Mapping[str, Any], axes: Array) -> None:
 def draw_states(result: Mapping[str, Any], axes: Array) -> None:
     """(rows, 3) axes: a row for each group of three, then the delay and NIS in time."""
     history = result["history"]
-    time = np.array(history["time_s"])
+    time = history["time_s"]
     places = [*axes[:-1].ravel(), axes[-1, 0]]
     ordered = sorted(result["states"], key=lambda s: s["state"] == "delay")
     for state, ax in zip(ordered, places, strict=True):
         group = next(g for g in GROUPS if g.name == state["state"])
         at = history["states"].index(group.first) + group.axes.index(state["axis"])
-        value, sigma = (np.array(history["with"][part])[:, at] for part in ("estimate", "sigma"))
+        value, sigma = (history["with"][part][:, at] / group.scale for part in ("estimate", "sigma"))
         # The first seconds are off the scale by design: the prior is wide.
         reach = max(12 * sigma[-1], 1.3 * abs((state["reference"] or value[-1]) - value[-1]))
         ax.fill_between(
@@ -692,7 +672,7 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> None:
         )
         ax.plot(time, value, color=BLUE, label="estimate")
         if group.name != "delay":
-            bare = np.array(history["without"]["estimate"])[:, at]
+            bare = history["without"]["estimate"][:, at] / group.scale
             ax.plot(time, bare, color=ORANGE, lw=0.7, label="estimate, delay taken as 0")
         if state["reference"] is not None:
             ax.axhline(state["reference"], color="0.2", ls=(0, (5, 3)), lw=0.9, label="stated")
@@ -703,7 +683,7 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> None:
     over = axes[-1, 1]
     for name, color in (("without", ORANGE), ("with", BLUE)):
         part = history[name]
-        square = np.where(part["used"], np.square(np.array(part["innovation"]) / part["innovation_sigma"]), np.nan)
+        square = np.where(part["used"], part["nu"] ** 2 / part["S"], np.nan)
         count = max(1, len(time) // 50)
         whole = len(time) // count * count
         binned = np.ma.masked_invalid(square[:whole].reshape(-1, count * square.shape[1])).mean(1)

@@ -16,29 +16,18 @@ from boresight.runtime.units import MIL
 from boresight.studies.consistency import chi_square_band, nees
 from boresight.studies.observability import since
 from boresight.studies.sea_state import bench, delay, figures
-from boresight.studies.sea_state.flight import (
-    FILTERS,
-    GRADES,
-    MOTIONS,
-    SETTLED_S,
-    Flight,
-    Scenario,
-    checked,
-    draw,
-    fly,
-    motion_of,
-)
+from boresight.studies.sea_state import flight as at_sea
 from boresight.studies.study import Claim, Progress, Result, Study, claim_lines, silent, table
 
 LIMIT_MIL = 2.0  # the paper's
 
 
-def marks_s(scenario: Scenario) -> tuple[int, int]:
+def marks_s(scenario: at_sea.Scenario) -> tuple[int, int]:
     """Half of a run and all of it: 30 and 60 s."""
     return scenario.seconds // 2, scenario.seconds
 
 
-def table_of(flight: Flight, scenario: Scenario) -> dict[str, Any]:
+def table_of(flight: at_sea.Flight, scenario: at_sea.Scenario) -> dict[str, Any]:
     """What `run` says of one motion, filter by filter and sea state by sea state."""
     h, sigma = flight.heading / MIL, flight.heading_sigma / MIL
     marks = [mark * scenario.update_hz for mark in marks_s(scenario)]
@@ -50,7 +39,7 @@ def table_of(flight: Flight, scenario: Scenario) -> dict[str, Any]:
     fitted = (line[0] + line[1] * time.reshape(-1, 1)).reshape(h[late].shape)
     wander = (h[late] - fitted).std(axis=0).mean(-1)
     out: dict[str, Any] = {}
-    for i, name in enumerate(FILTERS):
+    for i, name in enumerate(at_sea.FILTERS):
         known = slice(0, 16 if name == "with" else 15)  # the delay that is not estimated is in no covariance
         e, P = flight.error[-1, i][..., known], flight.P[-1, i][..., known, known]
         out[name] = {
@@ -67,10 +56,10 @@ def table_of(flight: Flight, scenario: Scenario) -> dict[str, Any]:
     return out
 
 
-def claims_of(one: dict[str, Any], scenario: Scenario, motion: str) -> list[Claim]:
+def claims_of(one: dict[str, Any], scenario: at_sea.Scenario, motion: str) -> list[Claim]:
     """The paper's six, judged for one motion."""
     half, end = marks_s(scenario)
-    w, o = (one[name] for name in FILTERS)
+    w, o = (one[name] for name in at_sea.FILTERS)
     at_half, at_end = (np.array(w["mean_mil"][i]) for i in (0, 1))
     bare_end = np.array(o["mean_mil"][1])
     below_s = [np.inf if at is None else at for at in w["below_limit_s"]]
@@ -105,7 +94,7 @@ def claims(result: Result) -> list[Claim]:
     return [Claim(**claim) for one in result["motions"].values() for claim in one["claims"]]
 
 
-def run(scenario: Scenario, progress: Progress = silent, model: Any = None) -> Result:
+def run(scenario: at_sea.Scenario, progress: Progress = silent, model: Any = None) -> Result:
     """The experiment under each motion: runs, seed, grades, filters, limit_mil, marks_s;
 
     nees_band, nis_band: 95 % bands of the means below, of 16 and of 6 degrees of freedom;
@@ -117,10 +106,10 @@ def run(scenario: Scenario, progress: Progress = silent, model: Any = None) -> R
     `bench.experiment` (both null with no bench_runs);
     history: time_s; NAME -> heading_mil (T, 2, 6, runs), sigma_mil (T, 2, 6); bench.
     """
-    scenario = checked(scenario)
+    scenario = at_sea.checked(scenario)
     runs, seed = scenario.runs, scenario.seed
-    if scenario.seconds < 2 * SETTLED_S:
-        raise BoresightError(f"sea-state: seconds is {scenario.seconds}; it must be at least {2 * SETTLED_S}")
+    if scenario.seconds < 2 * at_sea.SETTLED_S:
+        raise BoresightError(f"sea-state: seconds is {scenario.seconds}; it must be at least {2 * at_sea.SETTLED_S}")
     if runs < 2:
         raise BoresightError(f"sea-state needs at least 2 runs; got {runs}")
     model = model or load("velocity-attitude")
@@ -129,21 +118,21 @@ def run(scenario: Scenario, progress: Progress = silent, model: Any = None) -> R
     result: Result = {
         "runs": runs,
         "seed": seed,
-        "grades": list(GRADES),
-        "filters": list(FILTERS),
+        "grades": list(at_sea.GRADES),
+        "filters": list(at_sea.FILTERS),
         "limit_mil": LIMIT_MIL,
         "marks_s": list(marks_s(scenario)),
         "nees_band": chi_square_band(16, runs),
-        "nis_band": chi_square_band(6, runs * (updates - SETTLED_S * scenario.update_hz)),
+        "nis_band": chi_square_band(6, runs * (updates - at_sea.SETTLED_S * scenario.update_hz)),
         "motions": {},
         "history": history,
     }
     for kind in scenario.motions:
-        progress(f"{MOTIONS[kind]}: {2 * len(GRADES) * runs} runs of {scenario.seconds} s")
+        progress(f"{at_sea.MOTIONS[kind]}: {2 * len(at_sea.GRADES) * runs} runs of {scenario.seconds} s")
         begun = perf_counter()
-        flight = fly(model, kind, scenario, runs=runs, seed=seed)
-        one = {"says": MOTIONS[kind], **table_of(flight, scenario)}
-        motion = motion_of(kind, scenario, draw(scenario, seed, runs).streams)
+        flight = at_sea.fly(model, kind, scenario, runs=runs, seed=seed)
+        one = {"says": at_sea.MOTIONS[kind], **table_of(flight, scenario)}
+        motion = at_sea.motion_of(kind, scenario, at_sea.draw(scenario, seed, runs).streams)
         one["predicted_mil"] = (delay.predicted_heading(motion, flight.delay) / MIL).mean(-1).tolist()
         one["claims"] = [vars(claim) for claim in claims_of(one, scenario, kind)]
         one["seconds"] = round(perf_counter() - begun, 1)
@@ -164,11 +153,11 @@ def run(scenario: Scenario, progress: Progress = silent, model: Any = None) -> R
 def report(result: Result) -> str:
     """The sea-state table of each motion and the paper's claims under it; closed form, ways, bench."""
     half, end = result["marks_s"]
-    head = ["state", *(f"{mark} s {name}" for name in FILTERS for mark in (half, end)), "closed form",
+    head = ["state", *(f"{mark} s {name}" for name in at_sea.FILTERS for mark in (half, end)), "closed form",
             "NIS of 6", "w/o", "NEES of 16"]  # fmt: skip
     lines = [f"transfer alignment at sea: {result['runs']} runs a state, seed {result['seed']}"]
     for one in result["motions"].values():
-        w, o = (one[name] for name in FILTERS)
+        w, o = (one[name] for name in at_sea.FILTERS)
         cells = [list(zip(part["mean_mil"][i], part["worst_mil"][i], strict=True)) for part in (w, o) for i in (0, 1)]
         rows = zip(map(str, result["grades"]), *cells, one["predicted_mil"], w["nis"], o["nis"], w["nees"], strict=True)
         lines += [
@@ -185,4 +174,4 @@ def report(result: Result) -> str:
     return "\n".join([*lines, f"95 % bands: {', '.join(bands)}"])
 
 
-STUDY = Study("sea-state", ("velocity-attitude",), Scenario, run, report, figures.draw, claims)
+STUDY = Study("sea-state", ("velocity-attitude",), at_sea.Scenario, run, report, figures.draw, claims)

@@ -25,20 +25,10 @@ from boresight.runtime.units import DEG, MIL, STANDARD_GRAVITY
 from boresight.studies.consistency import chi_square_band
 from boresight.studies.figures import BLUE, ORANGE, Sheets
 from boresight.studies.observability import Moment, along, since
-from boresight.studies.sea_state.flight import (
-    GRADES,
-    Belief,
-    Flight,
-    Scenario,
-    begin,
-    constants,
-    fly,
-    matching_variances,
-    motion_of,
-)
+from boresight.studies.sea_state import flight as at_sea
 from boresight.studies.study import Claim, Progress, Result, Seeded, Study, option, silent, table
 
-DECLARED = Scenario()
+DECLARED = at_sea.Scenario()
 STATES = ("phi_n", "phi_e", "phi_d", "dv_n", "dv_e", "dv_d", "gyro x", "gyro y", "gyro z", "accel x", "accel y",
           "accel z", "mu_x", "mu_y", "mu_z", "delay", "lever x", "lever y", "lever z")  # fmt: skip
 HEADING = 2
@@ -101,8 +91,8 @@ def motions(time: Array, seed: int) -> dict[str, hull.Pose]:
     }
     streams = [sensors.generator(seed, run) for run in range(SEAS)]
     for kind, letter in (("slope", "b"), ("sea", "c")):
-        poses = hull.ride(motion_of(kind, DECLARED, streams), time)
-        out |= {f"({letter}) sea state {grade}": at_grade(poses, i) for i, grade in enumerate(GRADES)}
+        poses = hull.ride(at_sea.motion_of(kind, DECLARED, streams), time)
+        out |= {f"({letter}) sea state {grade}": at_grade(poses, i) for i, grade in enumerate(at_sea.GRADES)}
     return out
 
 
@@ -121,14 +111,14 @@ def beside(poses: list[hull.Pose]) -> hull.Pose:
 # ---- what a motion shows
 
 
-def initial(model: Any, C_m2n: Array, scenario: Scenario) -> Array:
+def initial(model: Any, C_m2n: Array, scenario: at_sea.Scenario) -> Array:
     """P0 (..., 19, 19): that of the study, and the lever arm's; the attitude is the misalignment's image."""
-    message = Message(time=0.0, R=matching_variances(scenario), v_m_n=np.zeros((*C_m2n.shape[:-2], 3)),
+    message = Message(time=0.0, R=at_sea.matching_variances(scenario), v_m_n=np.zeros((*C_m2n.shape[:-2], 3)),
                       position=np.zeros(3), q_m2n_wxyz=rotation.quaternion_from_matrix(C_m2n))  # fmt: skip
-    return begin(model, message, scenario, Belief())[1]
+    return at_sea.begin(model, message, scenario, at_sea.Belief())[1]
 
 
-def covariances(model: Any, master: hull.Pose, scenario: Scenario) -> Array:
+def covariances(model: Any, master: hull.Pose, scenario: at_sea.Scenario) -> Array:
     """Sigmas (U + 1, K, 19) at the updates, of the filter's covariance along the true motion.
 
     master: sampled in the middle of the steps of the covariance and at their ends: 2 N + 1 times.  The specific force
@@ -145,7 +135,7 @@ def covariances(model: Any, master: hull.Pose, scenario: Scenario) -> Array:
     f_b = to_b(slave.a_n - np.array([0.0, 0.0, STANDARD_GRAVITY]))
     omega_ib_b = slave.omega_nb_b + to_b(sensors.earth_rate_n(s.latitude_deg * DEG))
     position = np.array([s.latitude_deg * DEG, 0.0, 0.0])
-    given = constants(s)
+    given = at_sea.constants(s)
     ends = slice(2 * per_update, None, 2 * per_update)
     there = {"position": position, "v_n": slave.v_n[ends], "q_b2n_wxyz": slave.q_b2n_wxyz[ends],
              "omega_ib_b": omega_ib_b[ends], "lever_b": given["lever_b"], "a_n": master.a_n[ends],
@@ -154,7 +144,7 @@ def covariances(model: Any, master: hull.Pose, scenario: Scenario) -> Array:
         [unit(**{name: there[name] for name in unit.fields}) for unit in (model.velocity_H, model.dcm_H)], axis=-2
     )
     noise = {name: value for name, value in given.items() if name != "lever_b"}
-    R = matching_variances(s)
+    R = at_sea.matching_variances(s)
 
     def moments() -> Iterator[Moment]:
         for k in range(1, len(f_b), 2):
@@ -168,12 +158,12 @@ def covariances(model: Any, master: hull.Pose, scenario: Scenario) -> Array:
     return np.array([np.sqrt(np.diagonal(P, axis1=-2, axis2=-1)) for P in history])
 
 
-def sampled(seconds: float, scenario: Scenario) -> Array:
+def sampled(seconds: float, scenario: at_sea.Scenario) -> Array:
     """The times at which `covariances` wants its motion."""
     return np.arange(round(2 * seconds * scenario.covariance_hz) + 1) / (2 * scenario.covariance_hz)
 
 
-def shown(model: Any, scenario: Scenario, seconds: float, seed: int) -> dict[str, Any]:
+def shown(model: Any, scenario: at_sea.Scenario, seconds: float, seed: int) -> dict[str, Any]:
     """Of every motion and state the seconds until its sigma is below a third for good, and the sigma's part at marks.
 
     motions, states: names.  seconds_to_third (motions, states), None where it does not get there.  part_60_s,
@@ -206,7 +196,7 @@ def shown(model: Any, scenario: Scenario, seconds: float, seed: int) -> dict[str
 # ---- which manoeuvre shows the heading in a calm
 
 
-def manoeuvres(model: Any, scenario: Scenario, seconds: float = 60.0) -> dict[str, Any]:
+def manoeuvres(model: Any, scenario: at_sea.Scenario, seconds: float = 60.0) -> dict[str, Any]:
     """Heading sigma (mil) `seconds` after the start of one manoeuvre in a calm, which begins after 5 s.
 
     turns: of angle_deg in 20 s at speed_m_s.  surges: at acceleration_m_s2 (mean) for length_s.
@@ -231,7 +221,7 @@ def manoeuvres(model: Any, scenario: Scenario, seconds: float = 60.0) -> dict[st
 # ---- closed loops
 
 
-def summary(flight: Flight, case: Any = ()) -> dict[str, Any]:
+def summary(flight: at_sea.Flight, case: Any = ()) -> dict[str, Any]:
     """What the tables say of the runs of one case."""
     h, nees = np.abs(flight.heading[-1][case]) / MIL, flight.nees[case]
     nis = (flight.nis.sum((0, -1)) / flight.rows.sum(0))[case]
@@ -292,10 +282,10 @@ def matchings(model: Any, *, runs: int, seed: int) -> list[dict[str, Any]]:
     C_believed = rotation.matrix_from_quaternion(turned_about_down((mount - 2.0) * DEG))
     # C_hat = exp(-[dmu x]) C
     mounting = rotation.quaternion_from_matrix(rotation.matrix_from_vector(wrong) @ C_believed)
-    belief = Belief(rotation.quaternion_from_matrix(C_believed), 2 * DEG)
+    belief = at_sea.Belief(rotation.quaternion_from_matrix(C_believed), 2 * DEG)
     for name, (attitude, rows) in WAYS.items():
-        flight = fly(model, pitched(pitch), QUICK, mounting=mounting, belief=belief, matching=("velocity", attitude),
-                     rows=rows, runs=runs, seed=seed)  # fmt: skip
+        flight = at_sea.fly(model, pitched(pitch), QUICK, mounting=mounting, belief=belief, rows=rows,
+                            matching=("velocity", attitude), runs=runs, seed=seed)  # fmt: skip
         for case, place in enumerate(PLACES):
             texts = [note.text for note in flight.notes if (note.runs // runs == case).any()]
             refused = texts[-1] if (flight.rows[:, case] <= 3).all() else None  # of the velocity
@@ -318,21 +308,21 @@ def starts(model: Any, *, runs: int, seed: int, grade: int = 5) -> dict[str, Any
     are all over the circle; the same, and from when on its mean was within CONVERGED_MIL.
     """
     streams = [sensors.generator(seed, run) for run in range(runs)]
-    six = motion_of("sea", QUICK, streams)
-    i = GRADES.index(grade)
+    six = at_sea.motion_of("sea", QUICK, streams)
+    i = at_sea.GRADES.index(grade)
     motion = replace(six, freedoms=replace(six.freedoms, omega=six.freedoms.omega[i : i + 1],
                                            amplitude=six.freedoms.amplitude[i : i + 1]))  # fmt: skip
     side = np.where(np.arange(runs) % 2, 1.0, -1.0)
     out: dict[str, Any] = {"grade": grade, "single": []}
     unknown = np.array(UNKNOWN_DEG)[:, None]
     for attitude in SINGLE:
-        flight = fly(model, motion, QUICK, mounting=turned_about_down(np.minimum(unknown, 179.0) * DEG * side),
-                     belief=Belief(heading_sigma=unknown * DEG, velocity_sigma=0.5), matching=("velocity", attitude),
-                     runs=runs, seed=seed)  # fmt: skip
+        belief = at_sea.Belief(heading_sigma=unknown * DEG, velocity_sigma=0.5)
+        flight = at_sea.fly(model, motion, QUICK, mounting=turned_about_down(np.minimum(unknown, 179.0) * DEG * side),
+                            belief=belief, matching=("velocity", attitude), runs=runs, seed=seed)  # fmt: skip
         out["single"] += [{"way": attitude, "unknown_deg": degrees, **summary(flight, case), **converged(flight, case)}
                           for case, degrees in enumerate(UNKNOWN_DEG)]  # fmt: skip
     around = replace(motion, heading=2 * np.pi * (np.arange(runs) + 0.5) / runs)
-    flight = fly(model, around, QUICK, belief=Belief(master_heading=False), runs=runs, seed=seed)
+    flight = at_sea.fly(model, around, QUICK, belief=at_sea.Belief(master_heading=False), runs=runs, seed=seed)
     right = np.abs(flight.heading[:, 0]) < CONVERGED_MIL * MIL
     out["bank"] = {
         "filters": round(2 * np.pi / SPACING),
@@ -344,7 +334,7 @@ def starts(model: Any, *, runs: int, seed: int, grade: int = 5) -> dict[str, Any
     return out
 
 
-def converged(flight: Flight, case: Any) -> dict[str, Any]:
+def converged(flight: at_sea.Flight, case: Any) -> dict[str, Any]:
     return {"converged": float(np.mean(np.abs(flight.heading[-1][case]) < CONVERGED_MIL * MIL))}
 
 

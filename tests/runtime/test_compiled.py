@@ -90,7 +90,7 @@ def test_song_lee_table_is_flown_to_rounding(changes, library, monkeypatch):
 
 
 def test_the_azimuth_hold_of_kim_is_flown_to_rounding(monkeypatch):
-    models, scenario = azimuth_hold.load_models(), azimuth_alignment.Scenario(align_s=5.0)
+    models, scenario = azimuth_alignment.load_models(), azimuth_alignment.Scenario(align_s=5.0)
 
     def fly():
         start = azimuth_alignment.align(models, scenario, runs=2, seed=1)
@@ -100,7 +100,7 @@ def test_the_azimuth_hold_of_kim_is_flown_to_rounding(monkeypatch):
 
 
 def test_the_alignment_of_kim_is_flown_to_rounding(monkeypatch):
-    models, scenario = azimuth_hold.load_models(), azimuth_alignment.Scenario(align_s=10.0)
+    models, scenario = azimuth_alignment.load_models(), azimuth_alignment.Scenario(align_s=10.0)
 
     def fly():
         return azimuth_alignment.align(models, scenario, runs=2, seed=1)

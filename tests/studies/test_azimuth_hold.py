@@ -20,7 +20,7 @@ SECONDS = 700
 
 @pytest.fixture(scope="module")
 def models():
-    return study.load_models()
+    return alignment.load_models()
 
 
 @pytest.fixture(scope="module")

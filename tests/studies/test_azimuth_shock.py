@@ -78,7 +78,7 @@ def test_handling_without_a_guard_spoils_the_hold_that_trusts_its_reference(resu
 
 
 def test_thresholds_come_from_the_noise_alone_and_rest_passes():
-    models, scenario = study.load_models(), alignment.Scenario()
+    models, scenario = alignment.load_models(), alignment.Scenario()
     start = alignment.align(models, alignment.Scenario(align_s=15.0), runs=2, seed=1)
     settings = study.thresholds(scenario, start)
     f_b = alignment.rest_specific_force(models, start.position, start.q_b2n_wxyz)

@@ -130,8 +130,8 @@ def test_closed_loops_have_the_errors_that_the_covariance_along_the_truth_forete
     for name, size in (("roll", 3.0), ("heave", 1.0)):
         amplitude = np.array([size * (DEG if name == "roll" else 1.0) * (part == name) for part in hull.FREEDOMS])
         motion = hull.sinusoids(amplitude[None, None], np.zeros((1, 1, 6)), np.array([[1 / 8]]))
-        belief = study.Belief(heading_sigma=2 * DEG)
-        flight = study.fly(model, motion, scenario, mounting=mounting, belief=belief, runs=runs, seed=0)
+        belief = study.at_sea.Belief(heading_sigma=2 * DEG)
+        flight = study.at_sea.fly(model, motion, scenario, mounting=mounting, belief=belief, runs=runs, seed=0)
         foretold = study.covariances(wide, study.swinging(study.sampled(60.0, scenario), **{name: size}), scenario)
         foretold_mil = foretold[-1, 0, study.HEADING] / MIL
         rms = np.sqrt(np.mean((flight.heading[-1] / MIL) ** 2))
