@@ -618,7 +618,7 @@ class Transfer:
         T = np.broadcast_to(np.eye(P.shape[-1]), P.shape).copy()
         for name, block in (("q_b2n_wxyz", PHI), ("q_b2m_wxyz", MOUNT)):
             old, new = (rotation.matrix_from_quaternion(of[name]) for of in (self.nav, nav))
-            T[..., block, block] = new @ np.swapaxes(old, -1, -2)
+            T[..., block, block] = (np.eye(3) + new @ np.swapaxes(old, -1, -2)) / 2
         return T @ P @ np.swapaxes(T, -1, -2)
 
     def _keep_heading(
