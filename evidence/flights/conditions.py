@@ -119,12 +119,13 @@ def printed(degrees: float, metres_per_second: float) -> Change:
 
 
 def R_of_one(run: int, value: float) -> Change:
-    """The variances of one run are this."""
+    """The variances of one run are this, in a message that comes there."""
 
     def change(time: float, message: Message) -> Message:
         R = np.array(np.broadcast_to(message.R, (len(message.time), 6)))
-        R[run] = value
-        return replace(message, R=R)
+        rows = np.array(np.broadcast_to(message.rows, R.shape))
+        R[run], rows[run] = value, True
+        return replace(message, R=R, rows=rows)
 
     return change
 
