@@ -33,21 +33,25 @@ def tables() -> str:
     for folder in folders():
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
-        lines = [HEAD, ("---",) * len(HEAD), *rows]
-        parts.append(f"\n## {folder.name}\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines) + "\n")
+        parts.append(section(folder.name, HEAD, rows))
     return "".join(parts) + steps() + shown() + flights() + "\n"
+
+
+def section(title: str, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+    lines = [head, ("---",) * len(head), *rows]
+    return f"\n## {title}\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines) + "\n"
 
 
 def steps() -> str:
     """How every single mutation of a step came out, by paper; a dash where nothing is kept."""
-    rows: list[tuple[str, ...]] = [STEPS, ("---",) * len(STEPS)]
+    rows: list[tuple[str, ...]] = []
     for paper in derivations():
         kept = results.read(paper).get("steps", {}).get("units", {}).values()
         numbers = [sum(of[name] for of in kept) for name in ("steps", "evaluated", "prose", "tried")]
         reasons = sum((Counter[str](of["survivors"]) for of in kept), Counter[str]())
         numbers += [numbers[-1] - reasons.total(), *(reasons[reason] for reason in REASONS)]
         rows.append((paper.name, *(map(str, numbers) if kept else "-" * len(numbers))))
-    return "\n## Steps of the derivations\n\n" + "\n".join(f"| {' | '.join(row)} |" for row in rows) + "\n"
+    return section("Steps of the derivations", STEPS, rows)
 
 
 SHOWN = ("paper", "format", "formulas", "changes", "refused", "unequal", "say the same", "left")
@@ -55,13 +59,13 @@ SHOWN = ("paper", "format", "formulas", "changes", "refused", "unequal", "say th
 
 def shown() -> str:
     """How every single change of a shown formula came out, by paper and format."""
-    rows: list[tuple[str, ...]] = [SHOWN, ("---",) * len(SHOWN)]
+    rows: list[tuple[str, ...]] = []
     for paper in derivations():
         for form, of in results.read(paper).get("shown", {}).get("units", {}).items():
             counts = (of[key] for key in ("formulas", "tried", "refused", "unequal"))
             same = ", ".join(f"{count} {reason}" for reason, count in of["same"].items() if count) or "0"
             rows.append((paper.name, form, *map(str, counts), same, str(len(of["left"]))))
-    return "\n## Formulas as they are shown\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in rows) + "\n"
+    return section("Formulas as they are shown", SHOWN, rows)
 
 
 FLOWN = ("condition", "asked", "NEES at the start", "second half", "end", "band", "NIS", "refused",
@@ -73,7 +77,7 @@ def flights() -> str:
     kept = results.read(Flights()).get("tried", {}).get("units", {})
     if not kept:
         return ""
-    rows: list[tuple[str, ...]] = [FLOWN, ("---",) * len(FLOWN)]
+    rows: list[tuple[str, ...]] = []
     for name, of in kept.items():
         if "error" in of:
             rows.append((name, of["asked"], *"-" * 8, of["error"]))
@@ -84,7 +88,7 @@ def flights() -> str:
         off = (" ".join(f"{value:.2g}" for value in of["attitude"][which]) for which in ("is", "claimed"))
         shown = f"{of['nis']:.2f}", f"{100 * of['refused']:.2g} %", *off
         rows.append((name, of["asked"], *nees, limits, *shown, notes))
-    return "\n## Flights of the transfer alignment\n\n" + "\n".join(f"| {' | '.join(row)} |" for row in rows) + "\n"
+    return section("Flights of the transfer alignment", FLOWN, rows)
 
 
 def row(unit: Source, of: dict[str, dict[str, Any]]) -> tuple[str, ...]:

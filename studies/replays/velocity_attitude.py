@@ -516,7 +516,7 @@ def report(result: Mapping[str, Any]) -> str:
         "",
         *markdown(rows),
         "",
-        "- Innovation: what the master measured less what the filter expected of it.",
+        "- Innovation: what the filter expected of the master less what the master measured.",
         "- NIS: an innovation squared over its variance; 1 on average where noises and model are right.",
         "- Neighbours, one innovation and the next, correlate where something is not modelled.",
         "",
@@ -715,7 +715,7 @@ def write(result: Mapping[str, Any], sheets: Sheets) -> None:
         draw_states(result, axes)
         drawing.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
     captions = (
-        "Innovations, what the master measured less what the filter expected, within their 95 % bands",
+        "Innovations, what the filter expected less what the master measured, within their 95 % bands",
         "Estimates in time, within the 95 % bands of the noises alone",
     )
     pictures = list(zip(captions, sheets.written, strict=True))
