@@ -166,9 +166,11 @@ def export_view(
         "sources": sorted(Path(path).name for path in files if re.fullmatch(r"src/\w+\.c", path)),
         "tests": sorted(Path(path).name for path in files if re.fullmatch(r"selftest/\w+\.c", path)),
         "units": [
-            {"name": unit["c_name"], **unit} for unit in manifest["units"].values() if unit.get("operations") is not None
+            {"name": unit["c_name"], **unit}
+            for unit in manifest["units"].values()
+            if unit.get("operations") is not None
         ],
-        "memory": memory(manifest, files, 4 if precision == "float" else 8),
+        "memory": memory(manifest, folder, precision),
         "filter": described,
         "minute": flown,
         "why_not": why_not,
@@ -178,18 +180,15 @@ def export_view(
     }
 
 
-def memory(manifest: dict[str, Any], files: dict[str, str], size: int) -> list[tuple[str, int]]:
-    """Bytes of each struct that the caller holds, its numbers of `size` bytes; of a component its header says it."""
+def memory(manifest: dict[str, Any], folder: Path, precision: str) -> list[tuple[str, int]]:
+    """Bytes of each struct that the caller holds; of a component its header says it."""
     prefix, listed = manifest["c_prefix"], manifest.get("structs", {}).items()
+    size = 4 if precision == "float" else 8
     structs = {name: sum(field["size"] for field in fields) for name, fields in listed if name != "x"}
     found = [(f"{prefix}_{name}", count * size) for name, count in structs.items()]
     if manifest.get("filter"):
-        header = files[f"include/{snake(manifest['model'])}_covariance.h"]
-        counts = {name: int(n) for name, n in re.findall(rf"{prefix.upper()}_N_(\w+) (\d+)", header)}
-        numbers = sum(structs[name] for name in manifest["filter"]["carried"])
-        numbers += len(manifest["states"]) + 2 * counts["PACKED"]
-        numbers += sum(counts.get(k, 0) for k in ("F", "QC", "PHI", "WORK"))
-        found.append((f"{prefix}_filter", size * numbers))
+        numbers = getattr(load(folder, precision=precision).dll, f"{prefix}_filter_size")()
+        found.append((f"{prefix}_filter", numbers * size))
     return found
 
 

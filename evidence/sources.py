@@ -136,7 +136,7 @@ class Source:
 
     @cached_property
     def text(self) -> list[Path]:
-        """The C file and every header of the folder that it includes, directly or not, but for the names of identity."""
+        """The C file and every header of the folder that it includes, directly or not; not the names of identity."""
         found = [self.path]
         for path in found:
             for name in INCLUDED.findall(path.read_text()):
