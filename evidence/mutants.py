@@ -223,7 +223,9 @@ def mutants(folder: Folder, out: Path, most: int = MOST) -> dict[str, dict[str, 
     objects = compile_units(folder, GCC, "double", out)
     common = ["gcc", "-std=c99", "-O1", "-w", "-ffunction-sections", "-I", folder.include]
     tests = compile_sources(
-        [*common, "-I", folder.path / "selftest"], dict.fromkeys(folder.files("selftest/*.c"), ()), out
+        [*common, "-I", folder.path / "selftest"],
+        dict.fromkeys([*folder.files("selftest/*.c"), *folder.identity], ()),
+        out,
     )
     run(["objcopy", "--redefine-sym=main=shipped_main", tests["selftest"]])
     return {

@@ -9,7 +9,7 @@ from typing import Any
 
 from boresight.codegen.stamp import GENERATOR, reached
 from boresight.derive.papers import DERIVATIONS, PAPERS
-from boresight.runtime.manifest import GENERATED, read_manifest
+from boresight.runtime.manifest import GENERATED, read_manifest, sources
 
 TEST = re.compile(r"^int (test_\w+)\(void\)$", re.MULTILINE)
 INCLUDED = re.compile(r'^#include "(\w+\.h)"', re.MULTILINE)
@@ -40,11 +40,16 @@ class Folder:
     @property
     def sources(self) -> list[Path]:
         """What its results depend on."""
-        return self.files("src/*") + self.files("include/*") + self.files("selftest/*")
+        return sources(self.path, self.manifest["files"])
+
+    @property
+    def identity(self) -> list[Path]:
+        """The C file that says what the folder is, which the self-test prints; it computes nothing and is no unit."""
+        return self.files("src/*_identity.c")
 
     @cached_property
     def units(self) -> list["Source"]:
-        return [Source(self, path) for path in self.files("src/*.c")]
+        return [Source(self, path) for path in self.files("src/*.c") if path not in self.identity]
 
 
 @dataclass(frozen=True)
@@ -129,12 +134,12 @@ class Source:
 
     @cached_property
     def text(self) -> list[Path]:
-        """The C file and every header of the folder that it includes, directly or not."""
+        """The C file and every header of the folder that it includes, directly or not; not the names of identity."""
         found = [self.path]
         for path in found:
             for name in INCLUDED.findall(path.read_text()):
                 for place in (self.path.parent / name, self.folder.include / name):
-                    if place.is_file() and place not in found:
+                    if place.is_file() and place not in found and not name.endswith("_identity.h"):
                         found.append(place)
         return found
 

@@ -23,6 +23,7 @@ from boresight.codegen.text.covariance_vectors import vectors_view
 from boresight.codegen.text.elementary import called, tests
 from boresight.codegen.text.equations import FILE, equations_text
 from boresight.codegen.text.filter import filter_view, has_filter, test_view
+from boresight.codegen.text.identity import identity_view, numbers
 from boresight.codegen.text.layout import laid_out
 from boresight.codegen.text.manifest import described
 from boresight.codegen.text.names import file_stem, snake
@@ -41,6 +42,7 @@ def environment() -> Environment:
         undefined=StrictUndefined,
         keep_trailing_newline=True,
     )
+    made.globals["version"] = ".".join(map(str, numbers()))
     made.filters["capitalize_first"] = lambda text: text[:1].upper() + text[1:]
     return made
 
@@ -76,7 +78,8 @@ def folder_files(
     if has_filter(model):
         source, test = f"src/{model.c_prefix}_covariance.c", f"selftest/test_{model.c_prefix}_covariance.c"
         files[test] = kept(test, {source: files[source]}) or covariance_test(model, made)
-    return described(model, made, views), files
+    identity, digest = identity_files(files, model_view(model, []), has_filter(model))
+    return described(model, made, views) | {"hash": digest}, files | identity
 
 
 def unit_files(model: Model, unit: Unit, u: dict[str, Any]) -> dict[str, str]:
@@ -160,11 +163,27 @@ def detector_files() -> tuple[dict[str, Any], dict[str, str]]:
     files = rendered(paths, {}, m=m, f=None)
     source = files[f"src/{stem}.c"]
     lines, digest = len(source.splitlines()), hashlib.sha256(source.encode()).hexdigest()
+    identity, whole = identity_files(files, m, has_filter=False)
     document = {
+        "hash": whole,
         "model": name,  # what a folder is called, whether of a model or not
         "component": component["manifest"],
         "title": component["title"],
         "c_prefix": component["prefix"],
         "units": {stem: {"c_name": stem, "file": stem, "lines": lines, "hash": digest}},
     }
-    return document, files
+    return document, files | identity
+
+
+def identity_files(
+    files: dict[str, str], m: dict[str, Any], has_filter: bool, exported: str = ""
+) -> tuple[dict[str, str], str]:
+    """What says what the folder is, made of all its other C; and the hash of that.
+
+    m: `name`, `snake`, `prefix`.  exported: the precision of an export.
+    """
+    words = {"MODEL": m["snake"], "PREFIX": m["prefix"]}
+    made = rendered(("src/PREFIX_identity.c",), words, m=m)
+    view = identity_view(files | made, m, has_filter, exported)
+    made |= rendered(("include/MODEL_identity.h", "include/boresight_precision.h"), words, **view)
+    return made, view["hash"]
