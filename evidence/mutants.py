@@ -37,11 +37,13 @@ ASSIGNING = {"+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
 LIBRARY = {"sqrt", "atan2", "fabs", *tape.LIBRARY}
 CALLS = {name: other for name, other in SWAPPED.items() if name in LIBRARY}
 REAL = {"bs_real", "double"}
+# what the headers of the system would say
+WORDS = "typedef unsigned int uint32_t; typedef unsigned long uint64_t, size_t;"
 
 
 def parsed(unit: Source) -> Any:
     """The unit with the headers of its folder, preprocessed for double."""
-    text, ours = [], False
+    text, ours = [WORDS], False
     for line in run(["gcc", "-E", "-std=c99", "-I", unit.folder.include, unit.path]).splitlines():
         mark = re.match(r'# (\d+) "([^"]*)"', line)
         if mark:
@@ -127,9 +129,8 @@ class Mutator(c_generator.CGenerator):
         return f"((evidence_mutant == {self.chosen[number]}) ? ({mutant}) : ({otherwise}))"
 
     def visit_FuncDef(self, n: Any) -> str:
-        here = Path(n.coord.file)
         # what all units share is mutated in each that calls it
-        self.inside = here.name != "boresight.h" or n.decl.name in self.types.called
+        self.inside = Path(n.coord.file).parent.name != "include" or n.decl.name in self.types.called
         text = str(super().visit_FuncDef(n))
         self.inside = False
         return text

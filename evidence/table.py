@@ -6,6 +6,7 @@ from typing import Any
 
 from boresight.derive.ledger.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED
 from boresight.evidence import results
+from boresight.evidence.bits import MODEL, NOT_FLOWN
 from boresight.evidence.misra import DEVIATED
 from boresight.evidence.sources import Flights, Source, derivations, folders
 
@@ -34,12 +35,35 @@ def tables() -> str:
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         parts.append(section(folder.name, HEAD, rows))
-    return "".join(parts) + steps() + shown() + flights() + "\n"
+    return "".join(parts) + one_flight() + steps() + shown() + flights() + "\n"
 
 
 def section(title: str, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
     lines = [head, ("---",) * len(head), *rows]
     return f"\n## {title}\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines) + "\n"
+
+
+HASHES = ("build", "samples", "SHA-256 begins", "first difference", "refused", "flush to zero", "control register")
+
+
+def one_flight() -> str:
+    """What each build flew, and when it differed first."""
+    (folder,) = (folder for folder in folders() if folder.name == MODEL)
+    kept = results.read(folder).get("bits", {}).get("units", {})
+    rows: list[tuple[str, ...]] = [
+        (
+            name,
+            str(of["samples"]),
+            of["sha256"][:16],
+            f"within {of['differs']}" if of["differs"] else "none",
+            str(of["refused"]),
+            " and ".join(word for word, on in zip(("results", "inputs"), of["flushed"], strict=True) if on) or "no",
+            hex(of["control"]) if of["control"] else "-",
+        )
+        for name, of in kept.items()
+    ]
+    rows += [(name, *"-" * 5, why) for name, why in NOT_FLOWN.items() if kept]
+    return section("One flight, one hash", HASHES, rows)
 
 
 def steps() -> str:

@@ -20,6 +20,7 @@ from boresight.codegen.functions.units import Unit, units
 from boresight.codegen.text import stationary_detector
 from boresight.codegen.text.covariance import covariance_view, nonzeros
 from boresight.codegen.text.covariance_vectors import vectors_view
+from boresight.codegen.text.digest import digest_view
 from boresight.codegen.text.elementary import called, tests
 from boresight.codegen.text.equations import FILE, equations_text
 from boresight.codegen.text.filter import filter_view, has_filter, test_view
@@ -120,10 +121,13 @@ def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
     if has_filter(model):
         f = filter_view(model, made, views)
         extra |= {"c": covariance_view(model, made), "f": f, "t": test_view(model, made, f)}
-        m["parts"] += [f"{model.c_prefix}_covariance", f"{model.c_prefix}_filter"]
+        extra["d"] = digest_view(model, f["carried"])
+        m["parts"] += [f"{model.c_prefix}_{part}" for part in ("covariance", "filter", "digest")]
         paths += (
             *("include/boresight_filter.h", "include/MODEL_covariance.h", "include/MODEL_filter.h"),
             *("src/PREFIX_covariance.c", "src/PREFIX_filter.c", "selftest/test_PREFIX_filter.c"),
+            *("include/boresight_digest.h", "include/MODEL_digest.h"),
+            *("src/PREFIX_digest.c", "selftest/test_PREFIX_digest.c"),
         )
     return rendered(paths, {"MODEL": m["snake"], "PREFIX": model.c_prefix}, m=m, **extra)
 
