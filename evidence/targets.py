@@ -110,7 +110,8 @@ def build(folder: Folder, target: Target, precision: str, out: Path) -> Build:
     common = [target.compiler, *WARNINGS, *target.flags, *PRECISIONS[precision], "-O0", "-I", folder.include]
     common += ["-I", folder.path / "selftest", f"-DEVIDENCE_ROOM={ROOM}", f"-DEVIDENCE_GROUPS={GROUPS}"]
     harness = {HARNESS / f"{name}.c": ("-fno-builtin",) for name in ("recorder", "quiet")}
-    made = compile_sources(common, {**dict.fromkeys([*folder.files("selftest/*.c"), *folder.identity], ()), **harness}, out)
+    tests = dict.fromkeys([*folder.files("selftest/*.c"), *folder.identity], ())
+    made = compile_sources(common, {**tests, **harness}, out)
     renamed = [f"--redefine-sym={name}=shipped_{name.removeprefix('selftest_')}" for name in RENAMED]
     run([target.tool("objcopy"), *renamed, made["selftest"]])
     image = out / f"image.{'elf' if target.emulated else 'so'}"
