@@ -151,6 +151,11 @@ class Source:
         return key.hexdigest()
 
     @property
+    def elementary(self) -> bool:
+        """Whether it holds the elementary functions that the model calls, which no list and no loop is."""
+        return self.name.endswith("_math")
+
+    @property
     def operations(self) -> int | None:
         """The printed instruction list's length."""
         return None if self.described is None else int(self.described["operations"])

@@ -62,6 +62,7 @@ def called(made: list[Unit]) -> list[dict[str, str]]:
 
 
 def function(name: str) -> dict[str, str]:
+    parameters: tuple[str, ...]
     if name == "sincos":
         parameters, result = ("bs_real angle", "bs_real *sine", "bs_real *cosine"), "void"
     elif name == "atan2":
