@@ -33,7 +33,8 @@ def chosen(model: Model, unit: Unit) -> tuple[list[np.ndarray], list[np.ndarray]
     if not plain:
         return [], []
     small = answered(unit, 0, SMALL, rng, small=True, in_float=True)
-    mixed = np.arange(PLAIN + SMALL)[::-1].reshape(LEAST, -1).T.ravel()  # the first are small, random and corners
+    # the first are a corner, a small one and two random ones
+    mixed = np.roll(np.arange(PLAIN + SMALL)[::-1], CORNERS).reshape(LEAST, -1).T.ravel()
     points = [np.vstack(both)[mixed] for both in zip(plain, small, strict=True)]
     values, bounds = evaluate(unit.tape, points)
     granted = [2 * bound + abs(value) * 2.0**-52 + DIFFERENTIATED for value, bound in zip(values, bounds, strict=True)]
