@@ -106,7 +106,9 @@ def flown(request, tmp_path_factory):
     flags = ["-std=c99", "-O1", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror", *FORMS[request.param]]
     sources = [*sorted((FOLDER / "src").glob("*.c")), out / "probe.c"]
     image = out / "filter.so"
-    subprocess.run(["gcc", "-shared", "-fPIC", *flags, "-I", FOLDER / "include", *sources, "-lm", "-o", image], check=True)
+    subprocess.run(
+        ["gcc", "-shared", "-fPIC", *flags, "-I", FOLDER / "include", *sources, "-lm", "-o", image], check=True
+    )
     dll = ctypes.CDLL(str(image))
 
     def begun(**start):
@@ -142,7 +144,7 @@ def test_a_filter_that_coasts_for_a_day_stays_alive(flown):
     ceiling = load("azimuth-hold").ceiling
     status, sigma = filter.out("sigmas")
     assert status == Status.OK and (sigma <= np.sqrt(ceiling) * (1 + 1e-6)).all()
-    assert (sigma[2] > np.sqrt(ceiling[2]) / 4)  # the height, which runs away first
+    assert sigma[2] > np.sqrt(ceiling[2]) / 4  # the height, which runs away first
     assert filter.measure([1e-4] * 3) in GOOD and filter.used == 7
 
 
@@ -326,8 +328,10 @@ def test_the_header_quotes_the_sentence_and_the_ceilings():
     assert sigmas == pytest.approx(np.sqrt(load("azimuth-hold").ceiling))
 
 
-NAV = {"position": REST[:3], "v_n": REST[3:6], "q_b2n_wxyz": REST[6:10], "gyro_bias": REST[10:13], "accel_bias": REST[13:]}
-NOISES = dict(zip(("gyro_noise", "accel_noise", "gyro_bias_noise", "accel_bias_noise"), NOISE.reshape(4, 3), strict=True))
+NAV = {"position": REST[:3], "v_n": REST[3:6], "q_b2n_wxyz": REST[6:10]}
+NAV |= {"gyro_bias": REST[10:13], "accel_bias": REST[13:]}
+DENSITIES = ("gyro_noise", "accel_noise", "gyro_bias_noise", "accel_bias_noise")
+NOISES = dict(zip(DENSITIES, NOISE.reshape(4, 3), strict=True))
 
 
 @pytest.mark.parametrize("kind", [Filter, CompiledFilter])
