@@ -145,6 +145,7 @@ class Library:
 
     states: names of the state's components; wraps: the places of those that are kept in [-pi, pi).  measurements: by
     name, its `rows`, those of them that are an `angle` (True for all), and whether they are `correlated`.
+    ceiling: (n,) the largest variance that a filter of it lets each state have, or None.
     manifest: what was generated, and the hash of each function.
     real: the NumPy type of the precision, in which the numbers go to the C and come back.
     """
@@ -156,6 +157,8 @@ class Library:
         self.states: tuple[str, ...] = tuple(manifest["states"])
         self.wraps = [self.states.index(name) for name in manifest.get("wraps", ())]
         self.measurements: dict[str, dict[str, Any]] = manifest["measurements"]
+        ceiling = (manifest.get("filter") or {}).get("ceiling")
+        self.ceiling: np.ndarray | None = None if ceiling is None else np.array(ceiling)
         self.field: dict[str, dict[str, Any]] = {}
         self.layout: dict[str, dict[str, slice]] = {}
         self.width: dict[str, int] = {}

@@ -131,7 +131,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
     return {
         "c_name": c_name,
         "file": file_stem(model, unit.name),
-        "guard": file_stem(model, "f") if unit.name == "f" else c_name,  # F and f are read into one file
+        "guard": file_stem(model, unit.name),  # F and f, H and h are read into one file
         "meaning": unit.meaning,
         "equations": ", ".join(unit.equations),
         "column": max(len(named["path"]) for named in args + results),
