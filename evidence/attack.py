@@ -25,7 +25,7 @@ COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 PROTOTYPE = re.compile(r"^bs_status (\w+)\(([^;]*)\);", re.MULTILINE | re.DOTALL)
 PARAMETER = re.compile(r"(const )?((?:unsigned )?\w+) (\*?)(\w+)(?:\[(.*)\])?")
 STATUS = re.compile(r"\b(BS_\w+) = (\d+)")
-WEIGHTS = {"init": 1, "strapdown": 30, "propagate": 30, "correct": 5, "consider": 1}
+WEIGHTS = {"strapdown": 30, "propagate": 30, "correct": 5, "consider": 1}
 MEASURE, OTHER = 10, 2  # weights of the other functions
 ROUNDING = {"float": 1e-5, "double": 1e-13}  # of a sum of squares
 
@@ -42,7 +42,12 @@ class Parameter:
 
     @property
     def nullable(self) -> bool:
-        return self.pointer or bool(self.size)
+        """Whether it is a pointer that must not be null."""
+        return (self.pointer or bool(self.size)) and not self.optional
+
+    @property
+    def optional(self) -> bool:
+        return self.type == "bs_gates"
 
 
 @dataclass(frozen=True)
@@ -58,8 +63,18 @@ class Function:
         return self.name.removeprefix("measure_") if self.name.startswith("measure_") else ""
 
     @property
+    def begins(self) -> bool:
+        """Whether the filter is a new one afterwards."""
+        return self.name.startswith("init") or self.name == "restore"
+
+    @property
+    def reads(self) -> bool:
+        """Whether it leaves the filter as it is."""
+        return any(parameter.const and parameter.name == "filter" for parameter in self.parameters)
+
+    @property
     def weight(self) -> int:
-        return WEIGHTS.get(self.name, MEASURE if self.measurement else OTHER)
+        return 1 if self.begins else WEIGHTS.get(self.name, MEASURE if self.measurement else OTHER)
 
 
 def functions(folder: Folder) -> list[Function]:
@@ -117,6 +132,8 @@ def calls_h(folder: Folder) -> str:
     lines += table("names", "const char *const", [f'"{function.name}"' for function in listed])
     lines += table("weights", "const int", [str(function.weight) for function in listed])
     lines += table("coasts", "const int", [str(int(function.name == "propagate")) for function in listed])
+    lines += table("begins", "const int", [str(int(function.begins)) for function in listed])
+    lines += table("reads", "const int", [str(int(function.reads)) for function in listed])
     lines += table("pointers", "const int", [str(sum(p.nullable for p in f.parameters)) for f in listed])
     for signature, body, otherwise in (
         ("static void prepare(int function)", drawing, ""),
@@ -170,6 +187,8 @@ def state_box(manifest: dict[str, Any]) -> Iterator[str]:
     """How large a state may be, for its variance; its box too where it is total."""
     low, high = ([v for block in manifest["blocks"] for v in block[end]] for end in ("low", "high"))
     half = ", ".join(repr((b - a) / 2) for a, b in zip(low, high, strict=True))
+    sizes = [str(block["size"]) for block in manifest["blocks"]]
+    yield f"static const int block_sizes[{len(sizes)}] = {{ {', '.join(sizes)} }};"
     yield f"static const double state_size[ATTACK_N] = {{ {half} }};"
     yield f"static const double state_low[ATTACK_N] = {{ {', '.join(map(repr, map(float, low)))} }};"
     yield f"static const double state_high[ATTACK_N] = {{ {', '.join(map(repr, map(float, high)))} }};"
@@ -182,6 +201,8 @@ def held(function: Function, parameter: Parameter, manifest: dict[str, Any]) -> 
         return f"given_{struct}"
     if parameter.pointer and parameter.type not in ("bs_real", "int", "unsigned char", "size_t"):
         return f"any_{parameter.type}"
+    if parameter.name == "bytes":
+        return "any_bytes"
     return f"{function.name}_{parameter.name}"
 
 
@@ -205,13 +226,19 @@ def drawing(function: Function, manifest: dict[str, Any]) -> list[str]:
     for parameter in function.parameters:
         name = held(function, parameter, manifest)
         count = f"(int)(sizeof({name}) / sizeof({name}[0]))"
-        if is_filter(parameter) or name.startswith("any_") or (parameter.nullable and not parameter.const):
-            continue  # an output, or what an output has left
-        if name.startswith("given_"):
+        if parameter.optional:
+            lines.append(f"draw_gates(&{name});")
+        elif is_filter(parameter) or ((parameter.pointer or parameter.size) and not parameter.const):
+            continue  # an output
+        elif name == "any_bytes":
+            lines.append(f"change_byte({name}, sizeof({name}));")
+        elif name.startswith("given_"):
             lines.append(f"draw_struct(&box_{name.removeprefix('given_')});")
         elif parameter.type == "bs_real" and parameter.size:
             if parameter.name == "R":
                 lines.append(f"draw_noise({name}, {len(measurement['rows'])}, {int(measurement['correlated'])});")
+            elif parameter.name == "blocks":
+                lines.append(f"draw_blocks({name}, block_sizes, {len(manifest['blocks'])}, state_size);")
             elif "*" in parameter.size:
                 lines.append(f"draw_covariance({name}, ATTACK_N, state_size);")
             elif parameter.name == "x":
@@ -224,16 +251,12 @@ def drawing(function: Function, manifest: dict[str, Any]) -> list[str]:
                 lines.append(f"draw_numbers({name}, {count}, 1e3, 1);")
         elif parameter.type == "unsigned char" and parameter.size:
             lines.append(f"draw_bytes({name}, sizeof({name}));")
-        elif parameter.type == "unsigned int":
-            lines.append(f"{name} = draw_rows();")
-        elif parameter.type == "bs_real" and not parameter.pointer:
-            lines.append(f"{name} = draw_gate();")
         elif parameter.type == "int" and not parameter.pointer:
-            lines.append(f"{name} = draw_int({'4' if function.measurement else 'ATTACK_N'});")
+            lines.append(f"{name} = draw_int({'2' if parameter.name == 'clamp' else 'ATTACK_N + 1'}) - 1;")
         else:
             raise BoresightError(f"{function.symbol}: nothing says how {parameter.type} {parameter.name} is drawn")
     name = innovation(function, manifest)
-    return [*lines, f"{name}.used = 0U;"] if name else lines
+    return [*lines, f"{name}.used = 1U;"] if name else lines
 
 
 def calling(function: Function, manifest: dict[str, Any]) -> list[str]:
@@ -243,6 +266,8 @@ def calling(function: Function, manifest: dict[str, Any]) -> list[str]:
         name = held(function, parameter, manifest)
         if is_filter(parameter):
             words.append("flown")
+        elif parameter.optional:
+            words.append(f"(below(8) == 0) ? NULL : &{name}")
         elif parameter.nullable:
             words.append(f"(null == {pointer}) ? NULL : {'' if parameter.size else '&'}{name}")
         else:
@@ -257,9 +282,9 @@ def outputs(function: Function, manifest: dict[str, Any]) -> list[str]:
     for parameter in function.parameters:
         name = held(function, parameter, manifest)
         if parameter.const or not parameter.nullable:
-            continue
+            continue  # an input
         if parameter.type.endswith("_innovation"):
-            tests.append(f"rows_finite({name}.nu, {name}.S, {name}.used)")
+            tests.append(f"rows_finite({name}.nu, {name}.S, {name}.used) && finite(&{name}.nis, 1)")
         elif parameter.type == "bs_real":
             count = f"(int)(sizeof({name}) / sizeof(bs_real))"
             tests.append(f"finite({'' if parameter.size else '&'}{name}, {count})")

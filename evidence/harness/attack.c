@@ -200,6 +200,14 @@ static bs_real draw_gate(void)
     return (mode < ONE_HOSTILE) ? (bs_real)values[below(6)] : hostile();
 }
 
+static void draw_gates(bs_gates *gates)
+{
+    gates->rows = draw_rows();
+    gates->gate = draw_gate();
+    gates->joint = draw_gate();
+    gates->iterations = draw_int(4);
+}
+
 static void draw_sigmas(bs_real *sigma, int n, const double *high)
 {
     for (int i = 0; i < n; ++i) {
@@ -265,6 +273,24 @@ static int rows_finite(const bs_real *nu, const bs_real *S, unsigned int used)
         all = all && ((((used >> i) & 1U) == 0U) || (finite(&nu[i], 1) && finite(&S[i], 1)));
     }
     return all;
+}
+
+/* The same in blocks along the diagonal. */
+static void draw_blocks(bs_real *blocks, const int *sizes, int count, const double *high)
+{
+    for (int i = 0; i < count; ++i) {
+        draw_covariance(blocks, sizes[i], high);
+        blocks = &blocks[sizes[i] * sizes[i]];
+        high = &high[sizes[i]];
+    }
+}
+
+/* Bytes that another call has left, of which a hostile one changes one. */
+static void change_byte(unsigned char *bytes, size_t n)
+{
+    if (mode >= ONE_HOSTILE) {
+        bytes[below((int)n)] = (unsigned char)below(256);
+    }
 }
 
 #include "attack_calls.h"
@@ -359,7 +385,9 @@ static int judge(int function, int status, int null, int spoilt, int64_t call)
     const int taken = (status == (int)BS_OK) || (status == ATTACK_AT_CEILING);
     found[UNKNOWN_STATUS] = (status < 0) || (status > ATTACK_LAST_STATUS);
     found[NULL_TAKEN] = (null >= 0) && (status != (int)BS_NULL_POINTER);
-    if (taken) {
+    if (taken && (reads[function] != 0)) {
+        found[OUTPUT_NOT_FINITE] = !outputs_finite(function); /* of what it does not read it says nothing */
+    } else if (taken) {
         found[NAV_NOT_FINITE] = !nav_finite();
         found[NAV_BEYOND] = nav_beyond();
         found[X_NOT_FINITE] = !finite(filter.x, ATTACK_N);
@@ -477,7 +505,7 @@ int main(int argc, char **argv)
         was = filter;
         status = (int)called(function, (null == 0) ? NULL : &filter, null);
         ++answers[function][(status >= 0) && (status < 16) ? status : 15];
-        if ((function == ATTACK_INIT) && (status == (int)BS_OK)) {
+        if ((begins[function] != 0) && (status == (int)BS_OK)) {
             spoilt = 0;
         }
         if (judge(function, status, null, spoilt, call) != 0) {

@@ -5,8 +5,8 @@
 
 bs_status sound_correct(em_filter *filter);
 bs_status sound_covariance(const em_filter *filter, bs_real P[EM_N_STATES * EM_N_STATES]);
-bs_status sound_measure_euler(em_filter *filter, const em_angles *angles, const bs_real R[3], unsigned int rows,
-                              bs_real gate, em_innovation *innovation);
+bs_status sound_measure_euler(em_filter *filter, const em_angles *angles, const bs_real R[3],
+                              const bs_gates *gates, em_innovation *innovation);
 
 static bs_real nothing(void)
 {
@@ -66,10 +66,10 @@ bs_status em_filter_covariance(const em_filter *filter, bs_real P[EM_N_STATES * 
     return status;
 }
 
-bs_status em_filter_measure_euler(em_filter *filter, const em_angles *angles, const bs_real R[3], unsigned int rows,
-                                  bs_real gate, em_innovation *innovation)
+bs_status em_filter_measure_euler(em_filter *filter, const em_angles *angles, const bs_real R[3],
+                                  const bs_gates *gates, em_innovation *innovation)
 {
-    const bs_status status = sound_measure_euler(filter, angles, R, rows, gate, innovation);
+    const bs_status status = sound_measure_euler(filter, angles, R, gates, innovation);
     if ((status != BS_OK) && (innovation != NULL) && (TRAITOR == 11)) {
         innovation->used = 1U;
     }
