@@ -233,6 +233,8 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         "files": list(files),
         "checks": list(checks.made.values()),
         "ceiling": ", ".join(map(number, ceilings(model))),
+        "x_low": ", ".join(map(number, state_variable(model).low)),
+        "x_high": ", ".join(map(number, state_variable(model).high)),
         "ceilings": [
             (v.name, v.unit, ", ".join(f"{math.sqrt(c):.0e}" for c in part))
             for v, part in zip(model.states, split(ceilings(model), [v.size for v in model.states]), strict=True)

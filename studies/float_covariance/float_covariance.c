@@ -315,9 +315,9 @@ int navigate(int steps, int predict_every, int update_every, double dt, const do
             ah_innovation innovation;
             double x[N];
             tell(nav, &filter.nav);
-            status = ah_filter_measure_zupt(&filter, variance, BS_ALL_ROWS, BS_REAL(0.0), &innovation);
+            status = ah_filter_measure_zupt(&filter, variance, NULL, &innovation);
             if (status == BS_OK) {
-                status = ah_filter_measure_azimuth(&filter, &reference, &variance[3], BS_ALL_ROWS, BS_REAL(0.0), &innovation);
+                status = ah_filter_measure_azimuth(&filter, &reference, &variance[3], NULL, &innovation);
             }
             for (int i = 0; i < N; ++i) { /* the filter's own correction would do this in bs_real */
                 x[i] = (double)filter.x[i];
