@@ -9,6 +9,7 @@ from typing import Any
 
 from boresight.derive.papers import PAPERS
 from boresight.evidence import results
+from boresight.evidence.attack import attack
 from boresight.evidence.bits import MISSING as BITS_MISSING
 from boresight.evidence.bits import MODEL, bits
 from boresight.evidence.bits import version as bits_version
@@ -57,6 +58,7 @@ KINDS = (
     Kind("riscv", riscv, RV32.missing, lambda: RV32.version),
     Kind("eva", eva, EVA_MISSING, eva_version),
     Kind("bits", bits, BITS_MISSING, bits_version),
+    Kind("attack", attack, GCC.missing, lambda: ""),
 )
 
 # Emulated boards, mutants and Eva cost with the third power of the states, and hours beyond so many of them.
@@ -67,6 +69,7 @@ def kinds_for(folder: Folder) -> tuple[Kind, ...]:
     """What is made of a generated folder."""
     left_out = set() if is_small(folder) else set(DEAR)
     left_out |= set() if folder.name == MODEL else {"bits"}
+    left_out |= set() if folder.manifest.get("filter") else {"attack"}
     return tuple(kind for kind in KINDS if kind.name not in left_out)
 
 

@@ -35,7 +35,7 @@ def tables() -> str:
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         parts.append(section(folder.name, HEAD, rows))
-    return "".join(parts) + one_flight() + steps() + shown() + flights() + "\n"
+    return "".join(parts) + one_flight() + hostile() + steps() + shown() + flights() + "\n"
 
 
 def section(title: str, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
@@ -64,6 +64,20 @@ def one_flight() -> str:
     ]
     rows += [(name, *"-" * 5, why) for name, why in NOT_FLOWN.items() if kept]
     return section("One flight, one hash", HASHES, rows)
+
+
+HOSTILE = ("model", "build", "calls", "OK", "refused", "breaks", "breaks after memory was spoilt")
+
+
+def hostile() -> str:
+    """How often the sentence of the filter's header was broken, by model, precision and form."""
+    rows: list[tuple[str, ...]] = []
+    for folder in folders():
+        for name, of in results.read(folder).get("attack", {}).get("units", {}).items():
+            counts = (of["answers"].get("0", 0), sum(of["answers"].values()) - of["answers"].get("0", 0))
+            broken = (sum(count for count, _ in of[kind].values()) for kind in ("breaks", "spoilt"))
+            rows.append((folder.name, name, str(of["calls"]), *map(str, counts), *map(str, broken)))
+    return section("Hostile calls", HOSTILE, rows)
 
 
 def steps() -> str:

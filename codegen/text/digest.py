@@ -46,7 +46,7 @@ def digest_view(model: Model, carried: list[str]) -> dict[str, Any]:
     """What is added, in order; carried: the structs that the filter holds."""
     fields = [(s.name, v) for s in model.structs if s.name in carried for v in s.fields]
     prefix, n = model.c_prefix.upper(), model.n
-    parts = [
+    parts: list[dict[str, Any]] = [
         {"size": v.size, "access": f"{'' if v.size > 1 else '&'}filter->{struct}.{v.name}"} for struct, v in fields
     ]
     parts += [{"size": f"{prefix}_N_STATES", "access": "filter->x"}]

@@ -155,6 +155,7 @@ int flight(void)
         { BS_REAL(1e-7), BS_REAL(1e-7), BS_REAL(1e-7) },
         { BS_REAL(1e-5), BS_REAL(1e-5), BS_REAL(1e-5) },
     };
+    static const bs_gates gates = { BS_ALL_ROWS, BS_REAL(5.0), BS_REAL(0.0), 1 };
     static const bs_real R_zupt[3] = { BS_REAL(0.0004), BS_REAL(0.0004), BS_REAL(0.0004) };
     static const bs_real R_zaru[3] = { BS_REAL(4e-6), BS_REAL(4e-6), BS_REAL(4e-6) };
     static const bs_real R_azimuth[1] = { BS_REAL(1e-4) };
@@ -193,16 +194,13 @@ int flight(void)
             send(&azimuth, k, &imu);
         }
         if (still.arrives == k) {
-            taken(ah_filter_measure_zupt(&filter, R_zupt, BS_ALL_ROWS, BS_REAL(5.0), &innovation), &innovation);
+            taken(ah_filter_measure_zupt(&filter, R_zupt, &gates, &innovation), &innovation);
             if (turns == 0) {
-                taken(ah_filter_measure_zaru(&filter, &still.imu, R_zaru, BS_ALL_ROWS, BS_REAL(5.0), &innovation),
-                      &innovation);
+                taken(ah_filter_measure_zaru(&filter, &still.imu, R_zaru, &gates, &innovation), &innovation);
             }
         }
         if (azimuth.arrives == k) {
-            taken(ah_filter_measure_azimuth(&filter, &azimuth.reference, R_azimuth, BS_ALL_ROWS, BS_REAL(5.0),
-                                            &innovation),
-                  &innovation);
+            taken(ah_filter_measure_azimuth(&filter, &azimuth.reference, R_azimuth, &gates, &innovation), &innovation);
         }
         if ((k % STEP) == 0) {
             (void)ah_filter_digest(&filter, &digest);
