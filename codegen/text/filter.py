@@ -9,7 +9,7 @@ from boresight.codegen.functions.dynamics import LARGEST
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.units import Unit, state_variable
-from boresight.codegen.text.covariance import Places, nonzeros, table
+from boresight.codegen.text.covariance import Places, arranged, nonzeros, table
 from boresight.codegen.text.names import beyond, norms_beyond, number, rows_of, shared_tables
 from boresight.derive.model import Model, Variable
 
@@ -118,7 +118,7 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         read = ("next", "Phi", "Q", *(("f", "F", "Qc") if model.loops else ()))
         return {
             "structs": given(*read), "fields": fields(*read), "next": call("next", "next"),
-            "Phi": call("Phi", "filter->Phi"), "Phi_dense": call_dense("Phi"),
+            "Phi": call("Phi", "filter->work"), **arranged(model, made), "Phi_dense": call_dense("Phi"),
             "Q": call("Q", "filter->work"), "Q_dense": call_dense("Q"), **scattered(nonzeros(made, "Q")),
         }  # fmt: skip
 
@@ -142,7 +142,6 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         return {
             "files": [by_name[name][1]["file"] for name in ("F", "Qc", "f")], "kernel": kernel, "dt": length()[2],
             "checked": checked, "tables": tables, "table": names, "most": number(LARGEST),
-            "places": ", ".join(str(i * model.n + j) for i, j in nonzeros(made, "Phi")),
             "moved": ", ".join(str(i) for i, _ in nonzeros(made, "f")), "count": len(nonzeros(made, "f")),
             **{name: table(nonzeros(made, name), model.n) for name in ("F", "Qc")},
         }  # fmt: skip
@@ -238,7 +237,7 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
         "x_beyond": beyond(x),
         "x_low_numbers": ", ".join(map(repr, map(float, x.low))),
         "x_high_numbers": ", ".join(map(repr, map(float, x.high))),
-        "places": {name: places(name) for name in (("Phi", "Q") if f["total"] else ("F", "Qc"))},
+        "places": {name: places(name) for name in (() if f["total"] else ("F", "Qc"))},
     }
 
 
