@@ -96,6 +96,8 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     region = max(n * row, down * down)
     # of Qc the upper triangle, first what has a part in rows that move
     upper = sorted((i >= m, p, j * (j + 1) // 2 + i) for p, (i, j) in enumerate(sorted(Qc)) if i <= j)
+    first = reach(n, Qc)
+    coupled = [k for k in reversed(range(n)) if first[k] < k or any(first[j] <= k < j for j in range(n))]
     rows = max(len(m.rows) for m in model.measurements)
     return {
         "packed": n * (n + 1) // 2,
@@ -107,7 +109,11 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "region": region,
         # a measurement keeps H there, dense where its R is; behind it x and the gain, where states are considered, and
         # then the dense P, where it is linearised again
-        "work": max(region + down * max(m + row, row + down), n * rows + n * max(n, rows + 1)),
+        "work": max(
+            region + down * (m + row),
+            region + down * ((row if model.order == 3 else 0) + row + down),
+            n * rows + n * max(n, rows + 1),
+        ),
         **given,
         "sizes": {name: len(nonzeros(made, name)) for name in sized},
         "order": model.order,
@@ -121,6 +127,9 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "Qc_moving": sum(not stays for stays, _, _ in upper),
         "Qc_from": ", ".join(str(p) for _, p, _ in upper),
         "Qc_place": ", ".join(str(at) for _, _, at in upper),
-        "reach": ", ".join(map(str, reach(n, Qc))),
+        "coupled": coupled,
+        "reach": [first[k] for k in coupled],
+        "begin": min([m, *(i for i, _ in Qc)]),  # columns of B before this one meet no noise
+        "staying_pairs": any(m <= i for j, begin in enumerate(first) for i in range(begin, j)),
         "fraction": lambda a, b: repr(a / b),
     }
