@@ -18,8 +18,8 @@ from boresight.codegen.functions.units import Unit, UnitMaker, described
 Values = Mapping[str, Sequence[Any]]  # field name -> components, floats or balls
 Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
 # Q of an error state is a sum of squares, weight B S S' B' with S S' = Qc dt: for each order of Phi the weights, and of
-# each B what stands with the powers of A = F dt.  Order 2 has the two nodes of Radau; order 1 has the middle of the step,
-# and order 3 the mean of Phi over the step with its slope, by Legendre's polynomials.
+# each B what stands with the powers of A = F dt.  Order 2 has the two nodes of Radau; order 1 the middle of the step;
+# order 3 the mean of Phi over the step and its slope, by Legendre's polynomials.
 Node = tuple[Fraction, tuple[Fraction, ...]]
 SPREAD: dict[int, tuple[Node, ...]] = {
     1: ((Fraction(1), (Fraction(1), Fraction(1, 2))),),
@@ -107,7 +107,7 @@ def error_state(maker: UnitMaker) -> list[Unit]:
         Phi += A @ A @ A / 6
     Q, S = ca.SX.zeros(n, n), G @ ca.diag(noise)
     for weight, factors in SPREAD[order]:
-        column, columns, power = S, ca.SX.zeros(*S.shape), 1
+        column, columns, power = S, ca.SX.zeros(*S.shape), ca.SX(1)
         for factor in factors:
             if factor:
                 columns += column * (factor.numerator * power / factor.denominator)

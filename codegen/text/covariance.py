@@ -48,22 +48,33 @@ def even(count: int, most: int) -> tuple[int, int]:
     return size, size * blocks
 
 
+def coupled(first: list[int]) -> list[int]:
+    """The states, from the last, whose columns of a factor have more than a diagonal, or are in the reach of such."""
+    n = len(first)
+    return [k for k in reversed(range(n)) if first[k] < k or any(first[j] <= k < j for j in range(n))]
+
+
 def discretize_cost(n: int, F: Places, Qc: Places, order: int) -> int:
-    """Additions, multiplications and divisions of `discretize` where every state has noise; and there are n roots."""
+    """Additions, multiplications and divisions of `discretize`, where no pivot of Qc vanishes."""
     m = moving(n, F)
     (_, row), (tall, down), first = even(n, BLOCK), even(m, TALL), reach(n, Qc)
     upper = [(i, j) for i, j in Qc if i <= j]
-    inner = sum(i < m for i, _ in upper)
-    off_diagonal = sum(j - begin for j, begin in enumerate(first))
+    inner, wide = sum(i < m for i, _ in upper), n - min([m, *(i for i, _ in Qc)])
+    nodes, blocks = 1 + (order == 3), down // tall * (down // tall + 1) // 2
     cost = len(F) + (order - 1) * 2 * down * row * m + (1, 5, 12)[order - 1] * down * row + 2 * m  # Phi and B
-    cost += len(upper) + 3 * n + off_diagonal  # the factors of Qc, and their roots
-    cost += sum(1 + 2 * (k - begin + 1) for j, begin in enumerate(first) for k in range(begin, j))
-    nodes = 2 if order == 3 else 1
-    blocks = down // tall * (down // tall + 1) // 2
-    cost += nodes * (m * (n + 2 * off_diagonal) + blocks * 2 * n * tall * tall)  # the columns, and their squares
-    cost += sum(2 * m for j in range(m, n) for k in range(j, n) if first[k] <= j)
-    cost += (m * (n - m) if order == 2 else 0) + (order - 1) * m * (m + 1) // 2
-    return cost + len(upper) - inner + (1 + 2 * inner if order == 2 and inner else 0)
+    cost += (order == 2) + len(upper)
+    for k in coupled(first):  # the factors of Qc, and B times them
+        cost += 3 + sum(3 + 2 * (i - first[k]) + 2 * m * nodes for i in range(first[k], k))
+    cost += (2 * nodes - 1) * down * wide + nodes * blocks * 2 * wide * tall * tall  # squares
+    if staying_pairs(m, first):
+        cost += m * (n - m) * (n - m - 1)
+    cost += m * (m + 1) // 2 if order == 3 else 0
+    return cost + len(upper) - inner + (3 * inner if order == 2 else 0)
+
+
+def staying_pairs(m: int, first: list[int]) -> bool:
+    """Whether noises of two states that do not move have a part in common."""
+    return any(m <= i for j, begin in enumerate(first) for i in range(begin, j))
 
 
 def movers(model: Model, made: list[Unit]) -> int:
@@ -97,7 +108,6 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     # of Qc the upper triangle, first what has a part in rows that move
     upper = sorted((i >= m, p, j * (j + 1) // 2 + i) for p, (i, j) in enumerate(sorted(Qc)) if i <= j)
     first = reach(n, Qc)
-    coupled = [k for k in reversed(range(n)) if first[k] < k or any(first[j] <= k < j for j in range(n))]
     rows = max(len(m.rows) for m in model.measurements)
     return {
         "packed": n * (n + 1) // 2,
@@ -127,9 +137,9 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "Qc_moving": sum(not stays for stays, _, _ in upper),
         "Qc_from": ", ".join(str(p) for _, p, _ in upper),
         "Qc_place": ", ".join(str(at) for _, _, at in upper),
-        "coupled": coupled,
-        "reach": [first[k] for k in coupled],
+        "coupled": coupled(first),
+        "reach": [first[k] for k in coupled(first)],
         "begin": min([m, *(i for i, _ in Qc)]),  # columns of B before this one meet no noise
-        "staying_pairs": any(m <= i for j, begin in enumerate(first) for i in range(begin, j)),
+        "staying_pairs": staying_pairs(m, first),
         "fraction": lambda a, b: repr(a / b),
     }
