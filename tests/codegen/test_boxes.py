@@ -10,7 +10,6 @@ from boresight.codegen.boxes import with_boxes
 from boresight.codegen.export import export
 from boresight.codegen.generate import load_model
 
-
 USER = """
 #include <stdio.h>
 #include "azimuth_hold.h"
