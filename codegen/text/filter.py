@@ -57,13 +57,35 @@ class Checks:
         one = {"name": v.name, "size": len(low), "access": v.name, "norm": None, "of": v}
         return f"{self._add(('vector', low, high), f'check_{v.name}', f'const bs_real *{v.name}', [one])}({access})"
 
+    def tables(self, total: bool) -> list[str]:
+        """The tables of all functions: those that two of them read once, in front, and each other in its function."""
+        readers: dict[tuple[str, ...], dict[str, str]] = {}
+        for check in self.made.values():
+            for name, values in check["bounds"].items():
+                readers.setdefault(tuple(map(number, values)), {})[check["function"]] = name
+        # `set_x` reads that of x too
+        shared = {v for v, by in readers.items() if len(by) > 1 or (total and "check_x" in by)}
+        front: dict[str, tuple[float, ...]] = {}
+        for check in self.made.values():
+            own: dict[str, tuple[float, ...]] = {}
+            for name, values in check["bounds"].items():
+                (front if tuple(map(number, values)) in shared else own)[name] = values
+            check["tables"], check["table"] = shared_tables(own)
+        lines, names = shared_tables(front)
+        for check in self.made.values():
+            check["table"] |= {name: names[name] for name in check["bounds"] if name in names}
+        return lines
+
+    def table_of(self, function: str) -> list[str] | None:
+        """The names of the low and the high end that a function reads, if there is such a function."""
+        return next((list(c["table"].values()) for c in self.made.values() if c["function"] == function), None)
+
     def _add(self, key: tuple[Any, ...], name: str, parameter: str, fields: list[dict[str, Any]]) -> str:
         if key not in self.made:
             bounds = {f"{a['name']}_{e}": getattr(a["of"], e) for a in fields for e in ("low", "high")}
-            tables, table = shared_tables(bounds)
             self.made[key] = {
                 "function": name, "parameter": parameter, "fields": fields, "carried": key[0] == "carried",
-                "tables": tables, "table": table,
+                "bounds": bounds,
             }  # fmt: skip
         return str(self.made[key]["function"])
 
@@ -223,6 +245,7 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
     propagate, dt = linear() if model.kind == "error-state" else (total(), None)
     correct, strapdown = change("feedback"), change("strapdown")
     loops = looped() if model.loops else None
+    tables = checks.tables(model.kind == "total-state")
     if loops:
         for name in ("F", "Qc", "f"):
             files[by_name[name][1]["file"]] = None
@@ -230,10 +253,10 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         "total": model.kind == "total-state",
         "loops": loops,
         "files": list(files),
+        "tables": tables,
         "checks": list(checks.made.values()),
+        "x_table": checks.table_of("check_x"),
         "ceiling": ", ".join(map(number, ceilings(model))),
-        "x_low": ", ".join(map(number, state_variable(model).low)),
-        "x_high": ", ".join(map(number, state_variable(model).high)),
         "ceilings": [
             (v.name, v.unit, ", ".join(f"{math.sqrt(c):.0e}" for c in part))
             for v, part in zip(model.states, split(ceilings(model), [v.size for v in model.states]), strict=True)
