@@ -1,4 +1,4 @@
-"""What a status of the filter in C says of x, P and nav holds: coasting, spoilt memory, edges of boxes, wild numbers."""
+"""What a status of the filter in C says of x, P and nav holds: coasting, spoilt memory, edges of boxes."""
 
 import ctypes
 import re
@@ -319,8 +319,9 @@ def test_blocks_are_the_dense_covariance_without_the_rest(flown):
 def test_the_header_quotes_the_sentence_and_the_ceilings():
     text = re.sub(r"\s*\n \* ?", " ", (FOLDER / "include" / "azimuth_hold_filter.h").read_text())
     assert (
-        "BS_OK means that every number of x, nav and P is finite, nav lies in its box and every variance is at least 0; "
-        "with UD also that P is positive semidefinite; with Joseph no more than the diagonal is claimed. With another "
+        "BS_OK means that every number of x, nav and P is finite, nav lies in its box and every variance is at least "
+        "0; with UD also that P is positive semidefinite; with Joseph no more than the diagonal is claimed. With "
+        "another "
         "status (but BS_AT_CEILING, which claims the same as BS_OK) x, P and nav are as they were, bit for bit."
     ) in re.sub(r" +", " ", text)
     (listed,) = re.findall(r"The ceilings, as sigmas: (.*?)\. ", text)
