@@ -123,7 +123,7 @@ def flown(folder: Folder, machine: Machinery, precision: str, samples: int, out:
     link = [*target.link, "-Wl,-e,flight", "-Wl,--gc-sections", "-Wl,--no-warnings"] if target.emulated else []
     run([target.compiler, *target.flags, *machine.flags, *link, *objects.values(), "-lm", "-o", image])
     if target.emulated:
-        return on_core(Build(folder, target, precision, objects, image, image), samples)
+        return on_core(Build(folder, target, precision, objects, image), samples)
     return read([line.split() for line in run([*([machine.runs] if machine.runs else []), image]).splitlines()])
 
 

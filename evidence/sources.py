@@ -7,12 +7,10 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from boresight.codegen.functions.tape import LIBRARY
 from boresight.codegen.stamp import GENERATOR, reached
 from boresight.derive.papers import DERIVATIONS, PAPERS
 from boresight.runtime.manifest import GENERATED, read_manifest
 
-LIBM = re.compile(rf"BS_({'|'.join(name.upper() for name in ('atan2', *sorted(LIBRARY)))})\(")
 TEST = re.compile(r"^int (test_\w+)\(void\)$", re.MULTILINE)
 INCLUDED = re.compile(r'^#include "(\w+\.h)"', re.MULTILINE)
 
@@ -148,14 +146,14 @@ class Source:
         return key.hexdigest()
 
     @property
+    def elementary(self) -> bool:
+        """Whether it holds the elementary functions that the model calls, which no list and no loop is."""
+        return self.name.endswith("_math")
+
+    @property
     def operations(self) -> int | None:
         """The printed instruction list's length."""
         return None if self.described is None else int(self.described["operations"])
-
-    @cached_property
-    def calls_libm(self) -> bool:
-        """Whether a function of the target's library takes part that need not be correctly rounded."""
-        return any(LIBM.search(path.read_text()) for path in self.text if path.name != "boresight.h")
 
 
 def derivations() -> list[Derivations]:

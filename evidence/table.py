@@ -13,7 +13,7 @@ from boresight.evidence.sources import Flights, Source, derivations, folders
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "evidence.md"
 BEGIN, END = "<!-- from here on written by make evidence -->\n", "<!-- to here -->\n"
 HEAD = (
-    *("unit", "operations", "bytes", "M4F float", "M7 float", "M7 double", "bits", "same sines", "M4F double"),
+    *("unit", "operations", "bytes", "M4F float", "M7 float", "M7 double", "bits", "M4F double"),
     *("RISC-V", "mutants killed", "bad input", "rounding", "MISRA", "Eva", "trace"),
 )
 STEPS = (
@@ -144,10 +144,9 @@ def row(unit: Source, of: dict[str, dict[str, Any]]) -> tuple[str, ...]:
         str(golden.get("operations") or "-"),
         str(golden.get("text", {}).get("cortex-m4f float", "-")),
         *(paid(where) for where in ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double")),
-        bits(builds, ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double"), "bits", "ulps"),
-        bits(builds, ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double"), "same_bits", "same_ulps"),
-        bits(builds, ("cortex-m4f double",), "same_bits", "same_ulps"),
-        bits(of.get("riscv", {}).get("builds", {}), ("riscv32 float", "riscv32 double"), "same_bits", "same_ulps"),
+        bits(builds, ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double")),
+        bits(builds, ("cortex-m4f double",)),
+        bits(of.get("riscv", {}).get("builds", {}), ("riscv32 float", "riscv32 double")),
         killed(of.get("mutants", {})),
         refused(of.get("guards", {})),
         rounds(of.get("rounding", {})),
@@ -161,14 +160,14 @@ def worst(cost: dict[str, list[int]]) -> int:
     return max((instructions for instructions, _ in cost.values()), default=0)
 
 
-def bits(builds: dict[str, Any], where: tuple[str, ...], same: str, ulps: str) -> str:
-    """Equal bits, or by how many units in the last place they differ at most."""
+def bits(builds: dict[str, Any], where: tuple[str, ...]) -> str:
+    """Equal bits, or by how many units in the last place they differ at most; and failures, if there are any."""
     found = [builds[name] for name in where if name in builds]
     if not found:
         return "-"
-    failed = sum(build["failures"] for build in found) if same == "bits" else 0
-    off = max(build[ulps] for build in found)
-    word = "equal" if all(build[same] for build in found) else f"{max(off, 0.01):.2g} ulp"
+    failed = sum(build["failures"] for build in found)
+    off = max(build["ulps"] for build in found)
+    word = "equal" if all(build["bits"] for build in found) else f"{max(off, 0.01):.2g} ulp"
     return word + (f", {failed} fail" if failed else "")
 
 
