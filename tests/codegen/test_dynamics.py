@@ -70,7 +70,8 @@ SHARED = replace(
     MASS, name="shared-mass", c_prefix="sm", title="a mass on a spring and what drives it, 5 error states",
     states=(variable("motion", "place speed", "m, m/s", "errors of a mass on a spring", -10.0, 10.0), drift),
     F=Matrix([[0, 1, 0, 0, 0], [-k, -1 / tau, 1, 2, 0], *([[0] * 5] * 3)]),
-    G=Matrix([[0, 0], [1, 0], [1 / tau, 2], [0, 1], [2 / tau, 0]]), measurements=(replace(SEEN, H=Matrix([[1, 0, 0, 0, 0]])),),
+    G=Matrix([[0, 0], [1, 0], [1 / tau, 2], [0, 1], [2 / tau, 0]]),
+    measurements=(replace(SEEN, H=Matrix([[1, 0, 0, 0, 0]])),),
 )  # fmt: skip
 IN = {"x": [1.0, -2.0, 0.5], "spring": [2.0, 1.5], "push": [0.3, 0.7]}
 
