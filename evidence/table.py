@@ -1,12 +1,14 @@
 """The table of docs/evidence.md, from the committed results."""
 
 from collections import Counter
+from math import inf
 from pathlib import Path
 from typing import Any
 
 from boresight.derive.ledger.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED
 from boresight.evidence import results
 from boresight.evidence.misra import DEVIATED
+from boresight.evidence.proofs import kept as proved
 from boresight.evidence.sources import Flights, Source, derivations, folders
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "evidence.md"
@@ -34,7 +36,7 @@ def tables() -> str:
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         parts.append(section(folder.name, HEAD, rows))
-    return "".join(parts) + steps() + shown() + flights() + "\n"
+    return "".join(parts) + proofs() + steps() + shown() + flights() + "\n"
 
 
 def section(title: str, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
@@ -66,6 +68,66 @@ def shown() -> str:
             same = ", ".join(f"{count} {reason}" for reason, count in of["same"].items() if count) or "0"
             rows.append((paper.name, form, *map(str, counts), same, str(len(of["left"]))))
     return section("Formulas as they are shown", SHOWN, rows)
+
+
+PROVED = ("model", "outputs", "bounded", "of these exact", "within ten", "median", "accepted by Coq")
+WITHOUT = ("unit", "outputs", "why")
+
+
+def proofs() -> str:
+    """Of each model how many outputs have a bound on their rounding over the whole box; those without, and the wide."""
+    rows: list[tuple[str, ...]] = []
+    lacking: list[tuple[str, ...]] = []
+    everything: list[proved.Output] = []
+    checked = Counter[str]()
+    for folder in folders():
+        kept = proved.read(folder)
+        found = [output for unit in kept.values() for output in proved.outputs(unit)]
+        coq = Counter[str]()
+        for unit in kept.values():
+            coq.update({key: unit["coq"][key] for key in ("accepted", "of") if "coq" in unit})
+        if found:
+            rows.append((folder.name, *proved_share(found, coq)))
+        everything += found
+        checked += coq
+        for name, unit in kept.items():
+            lacking += without(name, proved.outputs(unit))
+    if not rows:
+        return ""
+    rows.append(("all", *proved_share(everything, checked)))
+    return section("Rounding over the box", PROVED, rows) + section("Rounding over the box: no bound", WITHOUT, lacking)
+
+
+def proved_share(outputs: list[proved.Output], coq: Counter[str]) -> tuple[str, ...]:
+    bounded = [output for output in outputs if output.bound is not None]
+    tight = sum(output.tight for output in bounded)
+    ratios = sorted(output.bound / output.found for output in bounded if output.bound and output.found)
+    return (
+        str(len(outputs)),
+        f"{len(bounded)} ({100 * len(bounded) / len(outputs):.1f} %)",
+        str(sum(output.bound == 0 for output in bounded)),
+        f"{tight} ({100 * tight / max(1, len(bounded)):.1f} %)",
+        f"{ratios[len(ratios) // 2]:.2g}x" if ratios else "-",
+        f"{coq['accepted']} of {coq['of']}" if coq["of"] else "-",
+    )
+
+
+def without(unit: str, outputs: list[proved.Output]) -> list[tuple[str, ...]]:
+    """A line for each reason, and one for the bounds that are wider than is asked, with by how much."""
+    rows: list[tuple[str, ...]] = []
+    for why in dict.fromkeys(output.why for output in outputs if output.bound is None):
+        names = [output.name for output in outputs if output.why == why]
+        rows.append((unit, "all" if len(names) == len(outputs) else listed(names), why))
+    wide = [output for output in outputs if output.bound is not None and not output.tight]
+    if wide:
+        most = max(output.bound / output.found if output.bound and output.found else inf for output in wide)
+        words = f"bounded, but by up to {most:.2g} times the worst error found"
+        rows.append((unit, "all" if len(wide) == len(outputs) else listed([o.name for o in wide]), words))
+    return rows
+
+
+def listed(names: list[str]) -> str:
+    return " ".join(name.replace(", ", ",") for name in names)
 
 
 FLOWN = ("condition", "asked", "NEES at the start", "second half", "end", "band", "NIS", "refused",

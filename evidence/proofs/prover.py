@@ -13,6 +13,7 @@ from boresight.evidence.proofs.script import Range, Script, cone, script, unknow
 
 MISSING = "" if shutil.which("gappa") else "gappa is not installed"
 SECONDS, MEMORY = 60, 3 * 2**30
+QUIET = ("-Wno-null-denominator", "-Wno-hint-difference")  # what is said of a hint, which Coq proves or refuses
 NUMBER = r"(-?\d+(?:b-?\d+)?)"
 ENCLOSED = re.compile(rf"in \[{NUMBER}(?: \{{[^}}]*\}})?, {NUMBER}(?: \{{[^}}]*\}})?\]")
 
@@ -27,9 +28,7 @@ def version() -> str:
     return subprocess.run(["gappa", "--version"], capture_output=True, text=True).stdout.strip()
 
 
-def bound(
-    tape: Tape, position: int, args: tuple[Variable, ...], seconds: float = SECONDS, splits: dict[str, int] | None = None
-) -> float:
+def bound(tape: Tape, position: int, args: tuple[Variable, ...], seconds: float = SECONDS) -> float:
     """What the value at `position`, computed in float, differs at most by from the exact one over the whole box.
 
     Rounded up to three digits.  Raises Unproved with the reason.
@@ -38,7 +37,7 @@ def bound(
     computed, exact = made.pairs[position]
     if computed == exact:
         return 0.0
-    ((low, high),) = ask(made, [f"{computed} - {exact}"], seconds, splits)
+    ((low, high),) = ask(made, [f"{computed} - {exact}"], seconds)
     return upward(max(-low, high))
 
 
@@ -56,8 +55,10 @@ def holds(tape: Tape, position: int, args: tuple[Variable, ...], claimed: float,
 def written(tape: Tape, position: int, args: tuple[Variable, ...], seconds: float) -> Script:
     """The script of one output, with what its sines of computed values need."""
     ops = unknown(tape, position)
+    if "atan2" in ops:
+        raise Unproved("an arctangent: it jumps by a turn, and has no value where both operands vanish")
     if ops:
-        raise Unproved(f"no rule for {ops}")
+        raise Unproved(f"a choice that rounding may decide otherwise ({ops})")
     moved: dict[int, tuple[Range, float]] = {}
     for k in cone(tape, position):
         step = tape.steps[k]
@@ -71,13 +72,13 @@ def written(tape: Tape, position: int, args: tuple[Variable, ...], seconds: floa
     return script(tape, position, args, moved)
 
 
-def ask(made: Script, expressions: list[str], seconds: float, splits: dict[str, int] | None = None) -> list[Range]:
+def ask(made: Script, expressions: list[str], seconds: float) -> list[Range]:
     """What Gappa encloses each expression in."""
     asked = " /\\ ".join(f"{expression} in ?" for expression in expressions)
-    said = gappa(made.question(asked, splits), seconds).stderr
+    said = gappa(made.question(asked), seconds).stderr
     found = [(number(low), number(high)) for low, high in ENCLOSED.findall(said)]
     if len(found) != len(expressions) or not all(isfinite(v) for pair in found for v in pair):
-        raise Unproved("Gappa finds no bound: a divisor or a root's operand may vanish, as far as it can tell")
+        raise Unproved("Gappa finds none: as far as it can tell a divisor or the operand of a root may vanish")
     return found
 
 
@@ -87,9 +88,8 @@ def gappa(text: str, seconds: float) -> subprocess.CompletedProcess[str]:
 
     try:
         return subprocess.run(
-            ["gappa", "-Wno-null-denominator", "-Wno-hint-difference"],
-            input=text, capture_output=True, text=True, timeout=seconds, preexec_fn=limited,
-        )  # fmt: skip
+            ["gappa", *QUIET], input=text, capture_output=True, text=True, timeout=seconds, preexec_fn=limited
+        )
     except subprocess.TimeoutExpired:
         raise Unproved(f"Gappa takes more than {seconds:g} s") from None
 

@@ -1,4 +1,4 @@
-"""One output of an instruction list as a script for Gappa: every value twice, as the C in float computes it and exactly.
+"""One output of an instruction list as a script for Gappa: every value twice, as C in float computes it and exactly.
 
 Inputs are floats of their box, literals are rounded, each operation but negation and doubling rounds to nearest.  What
 Gappa cannot know is assumed, and each assumption is a hypothesis of the theorem that it proves:
@@ -12,7 +12,7 @@ Overflow is no part of it: Gappa's floats have no largest number.
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from math import ceil, cos, floor, inf, nextafter, pi, sin
+from math import ceil, cos, floor, pi, sin
 
 import numpy as np
 
@@ -28,18 +28,17 @@ KNOWN = {*ROUNDED, "sq", "inv", "sqrt", "neg", "twice", "fabs", "sin", "cos", "c
 @dataclass
 class Script:
     """lines: definitions; given: hypotheses; pairs: names of (computed, exact) of each step, equal where nothing was
-    rounded."""
+    rounded; rewritten: hints."""
 
     lines: list[str] = field(default_factory=lambda: [ROUND])
     given: list[str] = field(default_factory=list)
     pairs: dict[int, tuple[str, str]] = field(default_factory=dict)
     rewritten: list[str] = field(default_factory=list)
 
-    def question(self, asked: str, splits: Mapping[str, int] | None = None) -> str:
+    def question(self, asked: str) -> str:
         """The whole script, with a goal."""
-        hints = [*self.rewritten, *(f"$ {name} in {count};" for name, count in (splits or {}).items())]
         given = " /\\\n  ".join(self.given)
-        return "\n".join([*self.lines, "{", f"  {given} ->" if given else "", f"  {asked} }}", *hints, ""])
+        return "\n".join([*self.lines, "{", f"  {given} ->" if given else "", f"  {asked} }}", *self.rewritten, ""])
 
 
 def cone(tape: Tape, position: int) -> list[int]:

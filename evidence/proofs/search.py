@@ -19,6 +19,8 @@ from boresight.evidence.rounding import CHUNK, CORNERS, RUNS
 from boresight.evidence.sources import Source
 
 KEPT, BRED, GENERATIONS = 100, 1000, 60
+FAR, AGAIN, FEW = 8, 4, 20  # where a bound is so many times larger, so many more searches, from so few points each
+Found = tuple[np.ndarray, np.ndarray]  # errors, and the points that have them
 
 
 def in_single(program: Tape, inputs: list[np.ndarray]) -> list[np.ndarray]:
@@ -57,41 +59,54 @@ def errors(program: Tape, inputs: list[np.ndarray], positions: list[int]) -> np.
     return np.where(np.isfinite(off), off, 0.0)
 
 
-def worst(source: Source, unit: Unit) -> dict[int, float]:
-    """Position of a result -> the largest error found."""
-    positions = sorted({position for _, _, position in unit.tape.results})
-    if not unit.args:
-        return dict.fromkeys(positions, 0.0)
+def begun(source: Source, unit: Unit, positions: list[int]) -> dict[int, Found]:
+    """Of each position the worst of so many random points and corners of the unit's box."""
     rng = generator("proofs", source.name)
-    best = [np.zeros(0) for _ in positions]
-    parents: list[np.ndarray] = [np.zeros((0, sum(a.size for a in unit.args))) for _ in positions]
-    for drawn in range(0, RUNS, CHUNK):
+    found: dict[int, Found] = dict.fromkeys(positions, (np.zeros(0), np.zeros((0, sum(a.size for a in unit.args)))))
+    for drawn in range(0, RUNS if unit.args else 0, CHUNK):
         points = points_of(source, CHUNK, CORNERS if drawn == 0 else 0, rng)
         inputs = [points[arg.name].astype(np.float32).astype(float) for arg in unit.args]
-        every, flat = errors(unit.tape, inputs, positions), np.hstack(inputs)
-        for i, off in enumerate(every):
-            top = np.argsort(off)[-KEPT:]
-            best[i], parents[i] = keep(np.append(best[i], off[top]), np.vstack([parents[i], flat[top]]))
-    return {
-        position: bred(sliced(unit.tape, position), unit.args, best[i], parents[i], rng)
-        for i, position in enumerate(positions)
-    }
+        flat = np.hstack(inputs)
+        for position, off in zip(positions, errors(unit.tape, inputs, positions), strict=True):
+            found[position] = keep(*added(found[position], off, flat))
+    return found
 
 
-def keep(off: np.ndarray, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    order = np.argsort(off)[::-1][:KEPT]
+def worst(source: Source, unit: Unit, bounds: dict[int, float]) -> dict[int, float]:
+    """Position -> the largest error found; where its bound is far beyond that, after more effort."""
+    rng = generator("bred", source.name)
+    found = {}
+    for position, (off, points) in begun(source, unit, sorted(bounds)).items():
+        program = sliced(unit.tape, position)
+        most = bred(program, unit.args, (off, points), GENERATIONS, rng) if len(off) else 0.0
+        for _ in range(AGAIN):
+            if most and bounds[position] > FAR * most:
+                some = rng.permutation(len(off))[:FEW]
+                most = max(most, bred(program, unit.args, (off[some], points[some]), 5 * GENERATIONS, rng))
+        found[position] = most
+    return found
+
+
+def added(found: Found, off: np.ndarray, points: np.ndarray) -> Found:
+    return np.append(found[0], off), np.vstack([found[1], points])
+
+
+def keep(off: np.ndarray, points: np.ndarray, count: int = KEPT) -> Found:
+    order = np.argsort(off)[::-1][:count]
     return off[order], points[order]
 
 
-def bred(program: Tape, args: tuple[Variable, ...], off: np.ndarray, points: np.ndarray, rng: Any) -> float:
+def bred(program: Tape, args: tuple[Variable, ...], found: Found, generations: int, rng: Any) -> float:
     """The largest error after some generations: children mix two parents and move in a few numbers, far or a little."""
+    off, points = found
+    count = len(off)
     low, high = (np.concatenate([getattr(a, end) for a in args]).astype(float) for end in ("low", "high"))
     used = sorted({sum(a.size for a in args[: s.source[0]]) + s.source[1] for s in program.steps if s.op == "input"})
     if not off.max() or not used:
         return float(off.max())
     moves = np.isin(np.arange(len(low)), used)
     cuts = np.cumsum([a.size for a in args])[:-1]
-    for _ in range(GENERATIONS):
+    for _ in range(generations):
         one, other = (points[rng.integers(0, len(points), BRED)] for _ in range(2))
         children = np.where(rng.random(one.shape) < 0.5, one, other)
         scale = (high - low) * 10.0 ** rng.uniform(-8, 0, (BRED, 1))
@@ -107,6 +122,6 @@ def bred(program: Tape, args: tuple[Variable, ...], off: np.ndarray, points: np.
                 # a little inside, so that no rounding leaves the range
                 field *= np.clip(length, arg.norm[0] * (1 + 1e-6), arg.norm[1] * (1 - 1e-6)) / np.maximum(length, 1e-9)
         single = [field.astype(np.float32).astype(float) for field in fields]
-        (found,) = errors(program, single, [program.results[0][2]])
-        off, points = keep(np.append(off, found), np.vstack([points, np.hstack(single)]))
+        (of,) = errors(program, single, [program.results[0][2]])
+        off, points = keep(*added((off, points), of, np.hstack(single)), count)
     return float(off.max())
