@@ -71,6 +71,7 @@ def shown() -> str:
 
 
 PROVED = ("model", "outputs", "bounded", "of these exact", "within ten", "median", "accepted by Coq")
+LACKING = "Rounding over the box: without a bound, or with a wide one"
 WITHOUT = ("unit", "outputs", "why")
 
 
@@ -95,7 +96,7 @@ def proofs() -> str:
     if not rows:
         return ""
     rows.append(("all", *proved_share(everything, checked)))
-    return section("Rounding over the box", PROVED, rows) + section("Rounding over the box: no bound", WITHOUT, lacking)
+    return section("Rounding over the box", PROVED, rows) + section(LACKING, WITHOUT, lacking)
 
 
 def proved_share(outputs: list[proved.Output], coq: Counter[str]) -> tuple[str, ...]:

@@ -13,28 +13,42 @@ from boresight.evidence.proofs.script import cone
 from boresight.evidence.sources import Folder, Source, folders
 from boresight.evidence.table import PAGE, page
 
+Known = tuple[float | None, float | None, str]  # bound, worst error found, why there is none
+
 
 @cache
 def made(model: str) -> dict[str, Unit]:
     return {unit.name: unit for unit in units(load_model(model))}
 
 
-def of_unit(source: Source, unit: Unit, seconds: float) -> list[list[Any]]:
-    """Each output: its name, the steps that it depends on, its bound, the worst error found, and why it has none."""
+def alone(unit: Unit, position: int) -> str:
+    """What a bound hangs on: the list of one output and the boxes of what it reads; many models share some."""
+    steps = search.sliced(unit.tape, position).steps
+    read = sorted({step.source[0] for step in steps if step.op == "input"})
+    return repr((steps, [(i, unit.args[i].low, unit.args[i].high, unit.args[i].norm) for i in read]))
+
+
+def of_unit(source: Source, unit: Unit, seconds: float, known: dict[str, Known]) -> list[list[Any]]:
+    """Each output: its name, the steps that it depends on, its bound, the worst error found, and why it has none.
+
+    known: by `alone`, what earlier units gave; added to.
+    """
+    keys = {position: alone(unit, position) for position in sorted({p for _, _, p in unit.tape.results})}
     bounds: dict[int, float] = {}
-    why: dict[int, str] = {}
-    for position in sorted({position for _, _, position in unit.tape.results}):
+    for position, key in keys.items():
+        if key in known:
+            continue
         try:
             bounds[position] = prover.bound(unit.tape, position, unit.args, seconds)
         except prover.Unproved as error:
-            why[position] = str(error)
-    found = search.worst(source, unit, bounds)
+            known[key] = None, None, str(error)
+    for position, error_found in search.worst(source, unit, bounds).items():
+        known[keys[position]] = bounds[position], float(f"{error_found:.3g}"), ""
     listed: list[list[Any]] = []
     for o, k, p in sorted(unit.tape.results):
         result = unit.results[o]
         name = f"{result.name}[{', '.join(map(str, result.nonzeros[k]))}]"
-        worst = float(f"{found[p]:.3g}") if p in found else None
-        listed.append([name, len(cone(unit.tape, p)), bounds.get(p), worst, why.get(p, "")])
+        listed.append([name, len(cone(unit.tape, p)), *known[keys[p]]])
     return listed
 
 
@@ -94,13 +108,14 @@ def main() -> int:
         if not folder.manifest.get("component") and (not options.folders or folder.name in options.folders):
             work += [(unit.operations or 0, folder, unit) for unit in kept.wanted(folder)]
     work.sort(key=lambda item: item[0])
+    known: dict[str, Known] = {}
     for _, folder, source in work:
         before = kept.read(folder)
         assert source.described is not None
         if kept.current(source, before, tool):
             continue
         start = time.monotonic()
-        listed = of_unit(source, made(folder.manifest["model"])[source.described["name"]], options.seconds)
+        listed = of_unit(source, made(folder.manifest["model"])[source.described["name"]], options.seconds, known)
         entry = {"list": source.described["hash"], "tool": tool, "outputs": listed}
         kept.write(folder, {**before, source.name: entry})
         said = kept.outputs(entry)
