@@ -78,8 +78,7 @@ def by_coq(source: Source, unit: Unit, entry: dict[str, Any], accepted: coq.Acce
 def check_by_coq(work: list[tuple[Folder, Source]]) -> None:
     accepted = coq.Accepted()
     for folder, source in work:
-        before = kept.read(folder)
-        entry = before[source.name]
+        entry = kept.read(folder)[source.name]
         assert source.described is not None
         if entry.get("coq", {}).get("tool") == coq.version():
             continue
@@ -88,7 +87,7 @@ def check_by_coq(work: list[tuple[Folder, Source]]) -> None:
         except TimeoutError:
             print(f"{source.name} and larger: Coq has had its {coq.HOURS:g} hours")
             return
-        kept.write(folder, before)
+        kept.write(folder, {**kept.read(folder), source.name: entry})
         print(f"{source.name}: Coq accepts {entry['coq']['accepted']} of {entry['coq']['of']}", flush=True)
 
 
@@ -110,14 +109,13 @@ def main() -> int:
     work.sort(key=lambda item: item[0])
     known: dict[str, Known] = {}
     for _, folder, source in work:
-        before = kept.read(folder)
         assert source.described is not None
-        if kept.current(source, before, tool):
+        if kept.current(source, kept.read(folder), tool):
             continue
         start = time.monotonic()
         listed = of_unit(source, made(folder.manifest["model"])[source.described["name"]], options.seconds, known)
         entry = {"list": source.described["hash"], "tool": tool, "outputs": listed}
-        kept.write(folder, {**before, source.name: entry})
+        kept.write(folder, {**kept.read(folder), source.name: entry})
         said = kept.outputs(entry)
         shares = f"{sum(o.bound is not None for o in said)} of {len(said)} bounded, {sum(o.tight for o in said)} tight"
         print(f"{source.name}: {shares}, {time.monotonic() - start:.0f} s", flush=True)
