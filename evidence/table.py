@@ -1,7 +1,6 @@
 """The table of docs/evidence.md, from the committed results."""
 
 from collections import Counter
-from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -100,9 +99,9 @@ def proofs() -> str:
 
 
 def proved_share(outputs: list[proved.Output], coq: Counter[str]) -> tuple[str, ...]:
-    bounded = [output for output in outputs if output.bound is not None]
+    bounded = [output for output in outputs if output.bounded]
     tight = sum(output.tight for output in bounded)
-    ratios = sorted(output.bound / output.found for output in bounded if output.bound and output.found)
+    ratios = sorted(output.ratio for output in bounded if output.bound)
     return (
         str(len(outputs)),
         f"{len(bounded)} ({100 * len(bounded) / len(outputs):.1f} %)",
@@ -114,17 +113,18 @@ def proved_share(outputs: list[proved.Output], coq: Counter[str]) -> tuple[str, 
 
 
 def without(unit: str, outputs: list[proved.Output]) -> list[tuple[str, ...]]:
-    """A line for each reason, and one for the bounds that are wider than is asked, with by how much."""
-    rows: list[tuple[str, ...]] = []
-    for why in dict.fromkeys(output.why for output in outputs if output.bound is None):
-        names = [output.name for output in outputs if output.why == why]
-        rows.append((unit, "all" if len(names) == len(outputs) else listed(names), why))
-    wide = [output for output in outputs if output.bound is not None and not output.tight]
-    if wide:
-        most = max(output.bound / output.found if output.bound and output.found else inf for output in wide)
-        words = f"bounded, but by up to {most:.2g} times the worst error found"
-        rows.append((unit, "all" if len(wide) == len(outputs) else listed([o.name for o in wide]), words))
-    return rows
+    """A line for each reason, and for the bounds that are wider than is asked, with by how much."""
+    groups = [(why, [o for o in outputs if o.why == why]) for why in dict.fromkeys(o.why for o in outputs if o.why)]
+    nothing = [o for o in outputs if o.bound is not None and not o.bounded]
+    wide = [o for o in outputs if o.bounded and not o.tight]
+    for of, words in ((nothing, "none that says anything: {} times"), (wide, "bounded, but by {} times")):
+        most = max((output.ratio for output in of), default=0)
+        groups.append((words.format(f"up to {most:.2g}") + " the worst error found", of))
+    return [
+        (unit, "all" if len(of) == len(outputs) else listed([output.name for output in of]), words)
+        for words, of in groups
+        if of
+    ]
 
 
 def listed(names: list[str]) -> str:

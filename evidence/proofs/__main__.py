@@ -117,7 +117,7 @@ def main() -> int:
         entry = {"list": source.described["hash"], "tool": tool, "outputs": listed}
         kept.write(folder, {**kept.read(folder), source.name: entry})
         said = kept.outputs(entry)
-        shares = f"{sum(o.bound is not None for o in said)} of {len(said)} bounded, {sum(o.tight for o in said)} tight"
+        shares = f"{sum(o.bounded for o in said)} of {len(said)} bounded, {sum(o.tight for o in said)} tight"
         print(f"{source.name}: {shares}, {time.monotonic() - start:.0f} s", flush=True)
     if options.coq:
         check_by_coq([(folder, source) for operations, folder, source in work if operations <= coq.LARGEST])

@@ -6,6 +6,7 @@ a list may change, and its bounds stand.
 
 import json
 from dataclasses import dataclass
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from boresight.evidence.sources import Folder, Source
 
 PLACE = Path(__file__).resolve().parent.parent / "results" / "proofs"
 WITHIN = 10  # times the worst error found, by which a bound may be larger
+NOTHING = 1e6  # and beyond this it says nothing, and counts as none
 
 
 @dataclass(frozen=True)
@@ -27,9 +29,21 @@ class Output:
     why: str = ""
 
     @property
+    def bounded(self) -> bool:
+        """Whether there is a bound that says something."""
+        return self.bound is not None and self.found is not None and not self.bound > NOTHING * self.found > 0
+
+    @property
     def tight(self) -> bool:
         """Whether the bound is within WITHIN times the worst error found."""
         return self.bound is not None and self.found is not None and self.bound <= WITHIN * self.found
+
+    @property
+    def ratio(self) -> float:
+        """Of bound over worst error found; 1 where there is no rounding."""
+        if not self.bound:
+            return 1.0
+        return self.bound / self.found if self.found else inf
 
 
 def wanted(folder: Folder) -> list[Source]:

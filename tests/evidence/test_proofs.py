@@ -53,7 +53,7 @@ def test_no_bounds_are_of_a_folder_that_is_gone():
 
 
 def test_seven_outputs_of_ten_are_bounded_and_of_these_95_of_100_within_ten_times_the_worst_error_found():
-    bounded = [output for output in OUTPUTS if output.bound is not None]
+    bounded = [output for output in OUTPUTS if output.bounded]
     assert len(bounded) >= 0.7 * len(OUTPUTS)
     assert sum(output.tight for output in bounded) >= 0.95 * len(bounded)
 
