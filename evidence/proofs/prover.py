@@ -12,7 +12,7 @@ from boresight.derive.model import Variable
 from boresight.evidence.proofs.script import Range, Script, cone, script, unknown
 
 MISSING = "" if shutil.which("gappa") else "gappa is not installed"
-SECONDS, MEMORY = 60, 3 * 2**30
+SECONDS, MEMORY = 15, 3 * 2**30
 QUIET = ("-Wno-null-denominator", "-Wno-hint-difference")  # what is said of a hint, which Coq proves or refuses
 NUMBER = r"(-?\d+(?:b-?\d+)?)"
 ENCLOSED = re.compile(rf"in \[{NUMBER}(?: \{{[^}}]*\}})?, {NUMBER}(?: \{{[^}}]*\}})?\]")
