@@ -82,7 +82,8 @@ def proofs() -> str:
     checked = Counter[str]()
     for folder in folders():
         kept = proved.read(folder)
-        found = [output for unit in kept.values() for output in proved.outputs(unit)]
+        judged = proved.judged(folder)
+        found = [output for outputs in judged.values() for output in outputs]
         coq = Counter[str]()
         for unit in kept.values():
             coq.update({key: unit["coq"][key] for key in ("accepted", "of") if "coq" in unit})
@@ -90,8 +91,8 @@ def proofs() -> str:
             rows.append((folder.name, *proved_share(found, coq)))
         everything += found
         checked += coq
-        for name, unit in kept.items():
-            lacking += without(name, proved.outputs(unit))
+        for name, outputs in sorted(judged.items()):
+            lacking += without(name, outputs)
     if not rows:
         return ""
     rows.append(("all", *proved_share(everything, checked)))

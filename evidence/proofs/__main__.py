@@ -105,7 +105,7 @@ def main() -> int:
     work: list[tuple[int, Folder, Source]] = []
     for folder in folders():
         if not folder.manifest.get("component") and (not options.folders or folder.name in options.folders):
-            work += [(unit.operations or 0, folder, unit) for unit in kept.wanted(folder)]
+            work += [(unit.operations or 0, folder, unit) for unit in kept.wanted(folder) if kept.tried(unit)]
     work.sort(key=lambda item: item[0])
     known: dict[str, Known] = {}
     for _, folder, source in work:

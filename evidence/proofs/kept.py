@@ -14,6 +14,8 @@ from boresight.evidence.sources import Folder, Source
 
 PLACE = Path(__file__).resolve().parent.parent / "results" / "proofs"
 WITHIN = 10  # times the worst error found, by which a bound may be larger
+# Of a model of more states, lists beyond so many operations are not tried: together they would take an hour.
+LARGEST, LONGEST = 20, 300
 NOTHING = 1e6  # and beyond this it says nothing, and counts as none
 
 
@@ -70,6 +72,22 @@ def write(folder: Folder, kept: dict[str, dict[str, Any]]) -> None:
 
 def outputs(unit: dict[str, Any]) -> list[Output]:
     return [Output(*output) for output in unit["outputs"]]
+
+
+def tried(unit: Source) -> bool:
+    return len(unit.folder.manifest["states"]) <= LARGEST or (unit.operations or 0) <= LONGEST
+
+
+def judged(folder: Folder) -> dict[str, list[Output]]:
+    """By unit what is kept, and what has no bound because it was not tried."""
+    found = {name: outputs(unit) for name, unit in read(folder).items()}
+    for unit in wanted(folder):
+        assert unit.described is not None
+        if unit.name not in found and not tried(unit):
+            why = f"not tried: {unit.operations} operations, in a model of {len(folder.manifest['states'])} states"
+            count = sum(result["nonzeros"] for result in unit.described["results"])
+            found[unit.name] = [Output(unit.name, unit.operations or 0, None, None, why)] * count
+    return found
 
 
 def current(unit: Source, kept: dict[str, dict[str, Any]], tool: str) -> bool:
