@@ -7,7 +7,7 @@ PYTHON ?= python3
 EXTRAS ?= all
 
 .NOTPARALLEL:
-.PHONY: run test generated check evidence bench clean tools announce
+.PHONY: run test generated check evidence proofs bench clean tools announce
 
 run: announce $(VENV)/.installed
 	$(BIN)/boresight generate
@@ -34,6 +34,10 @@ check: $(VENV)/.tested
 
 evidence: $(VENV)/.tested
 	$(BIN)/python -m boresight.evidence
+
+# Bounds on rounding over the whole box, by Gappa; with COQ=--coq Coq checks those of the small lists.
+proofs: $(VENV)/.tested
+	$(BIN)/python -m boresight.evidence.proofs $(COQ)
 
 bench: $(VENV)/.installed
 	$(BIN)/python -m benchmarks.call

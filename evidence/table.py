@@ -8,6 +8,7 @@ from boresight.derive.ledger.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAI
 from boresight.evidence import results
 from boresight.evidence.bits import MODEL, NOT_FLOWN
 from boresight.evidence.misra import DEVIATED
+from boresight.evidence.proofs import kept as proved
 from boresight.evidence.sources import Flights, Source, derivations, folders
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "evidence.md"
@@ -35,7 +36,8 @@ def tables() -> str:
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         parts.append(section(folder.name, HEAD, rows))
-    return "".join(parts) + one_flight() + hostile() + steps() + shown() + flights() + "\n"
+    return "".join(parts) + one_flight() + hostile() + proofs() + steps() + shown() + flights() + "
+"
 
 
 def section(title: str, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
@@ -104,6 +106,69 @@ def shown() -> str:
             same = ", ".join(f"{count} {reason}" for reason, count in of["same"].items() if count) or "0"
             rows.append((paper.name, form, *map(str, counts), same, str(len(of["left"]))))
     return section("Formulas as they are shown", SHOWN, rows)
+
+
+PROVED = ("model", "outputs", "bounded", "of these exact", "within ten", "median", "accepted by Coq")
+LACKING = "Rounding over the box: without a bound, or with a wide one"
+WITHOUT = ("unit", "outputs", "why")
+
+
+def proofs() -> str:
+    """Of each model how many outputs have a bound on their rounding over the whole box; those without, and the wide."""
+    rows: list[tuple[str, ...]] = []
+    lacking: list[tuple[str, ...]] = []
+    everything: list[proved.Output] = []
+    checked = Counter[str]()
+    for folder in folders():
+        kept = proved.read(folder)
+        judged = proved.judged(folder)
+        found = [output for outputs in judged.values() for output in outputs]
+        coq = Counter[str]()
+        for unit in kept.values():
+            coq.update({key: unit["coq"][key] for key in ("accepted", "of") if "coq" in unit})
+        if found:
+            rows.append((folder.name, *proved_share(found, coq)))
+        everything += found
+        checked += coq
+        for name, outputs in sorted(judged.items()):
+            lacking += without(name, outputs)
+    if not rows:
+        return ""
+    rows.append(("all", *proved_share(everything, checked)))
+    return section("Rounding over the box", PROVED, rows) + section(LACKING, WITHOUT, lacking)
+
+
+def proved_share(outputs: list[proved.Output], coq: Counter[str]) -> tuple[str, ...]:
+    bounded = [output for output in outputs if output.bounded]
+    tight = sum(output.tight for output in bounded)
+    ratios = sorted(output.ratio for output in bounded if output.bound)
+    return (
+        str(len(outputs)),
+        f"{len(bounded)} ({100 * len(bounded) / len(outputs):.1f} %)",
+        str(sum(output.bound == 0 for output in bounded)),
+        f"{tight} ({100 * tight / max(1, len(bounded)):.1f} %)",
+        f"{ratios[len(ratios) // 2]:.2g}x" if ratios else "-",
+        f"{coq['accepted']} of {coq['of']}" if coq["of"] else "-",
+    )
+
+
+def without(unit: str, outputs: list[proved.Output]) -> list[tuple[str, ...]]:
+    """A line for each reason, and for the bounds that are wider than is asked, with by how much."""
+    groups = [(why, [o for o in outputs if o.why == why]) for why in dict.fromkeys(o.why for o in outputs if o.why)]
+    nothing = [o for o in outputs if o.bound is not None and not o.bounded]
+    wide = [o for o in outputs if o.bounded and not o.tight]
+    for of, words in ((nothing, "none that says anything: {} times"), (wide, "bounded, but by {} times")):
+        most = max((output.ratio for output in of), default=0)
+        groups.append((words.format(f"up to {most:.2g}") + " the worst error found", of))
+    return [
+        (unit, "all" if len(of) == len(outputs) else listed([output.name for output in of]), words)
+        for words, of in groups
+        if of
+    ]
+
+
+def listed(names: list[str]) -> str:
+    return " ".join(name.replace(", ", ",") for name in names)
 
 
 FLOWN = ("condition", "asked", "NEES at the start", "second half", "end", "band", "NIS", "refused",
