@@ -6,13 +6,14 @@ from typing import Any
 
 from boresight.derive.ledger.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED
 from boresight.evidence import results
+from boresight.evidence.bits import MODEL, NOT_FLOWN
 from boresight.evidence.misra import DEVIATED
 from boresight.evidence.sources import Flights, Source, derivations, folders
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "evidence.md"
 BEGIN, END = "<!-- from here on written by make evidence -->\n", "<!-- to here -->\n"
 HEAD = (
-    *("unit", "operations", "bytes", "M4F float", "M7 float", "M7 double", "bits", "same sines", "M4F double"),
+    *("unit", "operations", "bytes", "M4F float", "M7 float", "M7 double", "bits", "M4F double"),
     *("RISC-V", "mutants killed", "bad input", "rounding", "MISRA", "Eva", "trace"),
 )
 STEPS = (
@@ -34,12 +35,49 @@ def tables() -> str:
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         parts.append(section(folder.name, HEAD, rows))
-    return "".join(parts) + steps() + shown() + flights() + "\n"
+    return "".join(parts) + one_flight() + hostile() + steps() + shown() + flights() + "\n"
 
 
 def section(title: str, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
     lines = [head, ("---",) * len(head), *rows]
     return f"\n## {title}\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines) + "\n"
+
+
+HASHES = ("build", "samples", "SHA-256 begins", "first difference", "refused", "flush to zero", "control register")
+
+
+def one_flight() -> str:
+    """What each build flew, and when it differed first."""
+    (folder,) = (folder for folder in folders() if folder.name == MODEL)
+    kept = results.read(folder).get("bits", {}).get("units", {})
+    rows: list[tuple[str, ...]] = [
+        (
+            name,
+            str(of["samples"]),
+            of["sha256"][:16],
+            f"within {of['differs']}" if of["differs"] else "none",
+            str(of["refused"]),
+            " and ".join(word for word, on in zip(("results", "inputs"), of["flushed"], strict=True) if on) or "no",
+            hex(of["control"]) if of["control"] else "-",
+        )
+        for name, of in kept.items()
+    ]
+    rows += [(name, *"-" * 5, why) for name, why in NOT_FLOWN.items() if kept]
+    return section("One flight, one hash", HASHES, rows)
+
+
+HOSTILE = ("model", "build", "calls", "OK", "refused", "breaks", "breaks after memory was spoilt")
+
+
+def hostile() -> str:
+    """How often the sentence of the filter's header was broken, by model, precision and form."""
+    rows: list[tuple[str, ...]] = []
+    for folder in folders():
+        for name, of in results.read(folder).get("attack", {}).get("units", {}).items():
+            counts = (of["answers"].get("0", 0), sum(of["answers"].values()) - of["answers"].get("0", 0))
+            broken = (sum(count for count, _ in of[kind].values()) for kind in ("breaks", "spoilt"))
+            rows.append((folder.name, name, str(of["calls"]), *map(str, counts), *map(str, broken)))
+    return section("Hostile calls", HOSTILE, rows)
 
 
 def steps() -> str:
@@ -106,10 +144,9 @@ def row(unit: Source, of: dict[str, dict[str, Any]]) -> tuple[str, ...]:
         str(golden.get("operations") or "-"),
         str(golden.get("text", {}).get("cortex-m4f float", "-")),
         *(paid(where) for where in ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double")),
-        bits(builds, ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double"), "bits", "ulps"),
-        bits(builds, ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double"), "same_bits", "same_ulps"),
-        bits(builds, ("cortex-m4f double",), "same_bits", "same_ulps"),
-        bits(of.get("riscv", {}).get("builds", {}), ("riscv32 float", "riscv32 double"), "same_bits", "same_ulps"),
+        bits(builds, ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double")),
+        bits(builds, ("cortex-m4f double",)),
+        bits(of.get("riscv", {}).get("builds", {}), ("riscv32 float", "riscv32 double")),
         killed(of.get("mutants", {})),
         refused(of.get("guards", {})),
         rounds(of.get("rounding", {})),
@@ -123,14 +160,14 @@ def worst(cost: dict[str, list[int]]) -> int:
     return max((instructions for instructions, _ in cost.values()), default=0)
 
 
-def bits(builds: dict[str, Any], where: tuple[str, ...], same: str, ulps: str) -> str:
-    """Equal bits, or by how many units in the last place they differ at most."""
+def bits(builds: dict[str, Any], where: tuple[str, ...]) -> str:
+    """Equal bits, or by how many units in the last place they differ at most; and failures, if there are any."""
     found = [builds[name] for name in where if name in builds]
     if not found:
         return "-"
-    failed = sum(build["failures"] for build in found) if same == "bits" else 0
-    off = max(build[ulps] for build in found)
-    word = "equal" if all(build[same] for build in found) else f"{max(off, 0.01):.2g} ulp"
+    failed = sum(build["failures"] for build in found)
+    off = max(build["ulps"] for build in found)
+    word = "equal" if all(build["bits"] for build in found) else f"{max(off, 0.01):.2g} ulp"
     return word + (f", {failed} fail" if failed else "")
 
 

@@ -33,7 +33,8 @@ def build(
         sources[folder / "src" / f"{stem}.c"] = instead
         if backend == "casadi":
             sources[folder / "casadi" / f"{stem}_casadi.c"] = ["-Wno-unused-parameter"]
-    sources |= {folder / "src" / f"{stem}.c": [] for stem in (manifest.get("filter") or {}).get("sources", [])}
+    others = (folder / path for path in manifest["files"] if path.startswith("src/") and path.endswith(".c"))
+    sources |= {path: [] for path in others if path not in sources}
     name, contents = f"{folder.name}-{backend}-{precision}", json.dumps(manifest["files"], sort_keys=True)
     return shared_library(name, contents, sources, folder / "include", PRECISIONS[precision])
 

@@ -11,3 +11,4 @@ class Status(IntEnum):
     NOT_READY = 4  # too few samples so far; nothing is decided
     NOT_POSITIVE = 5  # a covariance is none, or a variance is not above zero
     AT_CEILING = 6  # as OK; a variance had reached its ceiling, and P was scaled down (D P D)
+    CONTRACTED = 7  # the compiler changed the arithmetic, as bs_probe of boresight.h finds; nothing is written

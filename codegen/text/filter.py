@@ -11,7 +11,7 @@ from boresight.codegen.functions.dynamics import LARGEST
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.units import Unit, state_variable
-from boresight.codegen.text.covariance import Places, nonzeros, table
+from boresight.codegen.text.covariance import Places, arranged, nonzeros, table
 from boresight.codegen.text.names import beyond, norms_beyond, number, rows_of, shared_tables
 from boresight.derive.model import Model, Variable
 
@@ -226,10 +226,10 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         printed = not model.loops
         return {
             "structs": given(*read), "fields": fields(*read), "next": call("next", "next"),
-            "Phi_dense": call("Phi"), "Q_dense": call("Q"), **scattered(nonzeros(made, "Q")),
+            "Phi_dense": call("Phi"), **arranged(model, made), "Q_dense": call("Q"), **scattered(nonzeros(made, "Q")),
             "checks": checked("propagate", given(*read), fields(*read), x=True),
             "run_next": run("next", ["next"]) if printed else None,
-            "run_Phi": run("Phi", ["filter->Phi"], dense=False) if printed else None,
+            "run_Phi": run("Phi", ["filter->work"], dense=False) if printed else None,
             "run_Q": run("Q", ["filter->work"], dense=False) if printed else None,
         }  # fmt: skip
 
@@ -238,7 +238,6 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         return {
             "kernel": lambda name, state, out: kernel(name, [out], state), "dt": length()[2],
             "check": checks.vector(by_name["next"][0].results[0], "next"), "most": number(LARGEST),
-            "places": ", ".join(str(i * model.n + j) for i, j in nonzeros(made, "Phi")),
             "moved": ", ".join(str(i) for i, _ in nonzeros(made, "f")), "count": len(nonzeros(made, "f")),
             **{name: table(nonzeros(made, name), model.n) for name in ("F", "Qc")},
         }  # fmt: skip
@@ -357,7 +356,7 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
         "x_beyond": beyond(x),
         "x_low_numbers": ", ".join(map(repr, map(float, x.low))),
         "x_high_numbers": ", ".join(map(repr, map(float, x.high))),
-        "places": {name: places(name) for name in (("Phi", "Q") if f["total"] else ("F", "Qc"))},
+        "places": {name: places(name) for name in (() if f["total"] else ("F", "Qc"))},
     }
 
 

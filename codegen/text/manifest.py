@@ -15,7 +15,7 @@ def filter_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]])
     """What a caller of the whole filter in C must know: its sources, its structs and what each function is given."""
     f = filter_view(model, made, views)
     return {
-        "sources": [f"{model.c_prefix}_covariance", f"{model.c_prefix}_filter"],
+        "sources": [f"{model.c_prefix}_{part}" for part in ("covariance", "filter", "digest")],
         "carried": f["carried"],
         "ceiling": ceilings(model),
         "propagate": {key: f["propagate"][key] for key in ("structs", "fields")}

@@ -5,6 +5,7 @@ from typing import Any
 
 from boresight.codegen.functions.samples import norm_ends
 from boresight.codegen.functions.units import Result, Unit
+from boresight.codegen.text.elementary import called
 from boresight.codegen.text.names import (
     beyond,
     file_stem,
@@ -137,6 +138,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         "column": max(len(named["path"]) for named in args + results),
         "operations": unit.tape.operations,
         "hash": unit_hash(unit),
+        "elementary": bool(called([unit])),
         "args": args,
         "results": results,
         "prototype": f"bs_status {c_name}({', '.join(inputs + [r['parameter'] for r in results])})",

@@ -41,7 +41,7 @@ x, y, z = sp.symbols("x y z", real=True)
 
 
 def kept(listed, points, needs=None):
-    values, bounds = evaluate(listed, [points], 4)
+    values, bounds = evaluate(listed, [points])
     granted = [2 * bound + abs(value) * 2.0**-52 for value, bound in zip(values, bounds, strict=True)]
     turning = [False] * len(values)
     needs = np.zeros((0, len(points)), dtype=bool) if needs is None else needs

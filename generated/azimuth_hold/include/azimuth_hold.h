@@ -12,7 +12,11 @@
 #ifndef AZIMUTH_HOLD_H
 #define AZIMUTH_HOLD_H
 
-#include "boresight.h"
+#include "azimuth_hold_identity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* The error state. */
 /* error of the position (rad, rad, m, WGS-84) */
@@ -274,5 +278,9 @@ bs_status ah_feedback(const bs_real x[AH_N_STATES],
                       bs_real q_b2n_wxyz[4],
                       bs_real gyro_bias[3],
                       bs_real accel_bias[3]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -15,8 +15,13 @@
 #ifndef AZIMUTH_HOLD_COVARIANCE_H
 #define AZIMUTH_HOLD_COVARIANCE_H
 
-#include "boresight_filter.h"
 #include "azimuth_hold.h"
+
+#include "boresight_filter.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 #define AH_N_PACKED 120   /* numbers of a packed symmetric matrix */
 #define AH_N_F 60         /* non-zeros of F, as ah_F writes them */
@@ -74,5 +79,9 @@ void ah_ud_add(bs_real UD[AH_N_PACKED], bs_real c, bs_real v[AH_N_STATES]);
 /* P as a dense matrix, row-major. */
 void ah_joseph_dense(const bs_real P[AH_N_PACKED], bs_real dense[AH_N_STATES * AH_N_STATES]);
 void ah_ud_dense(const bs_real UD[AH_N_PACKED], bs_real dense[AH_N_STATES * AH_N_STATES]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,7 @@
 #define AH_Q_KERNEL_H
 
 #include "boresight.h"
+#include "azimuth_hold_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -220,7 +221,7 @@ static void ah_Q_kernel_1(const bs_real position[3],
                           ah_Q_shared *shared,
                           bs_real Q_nz[177])
 {
-    shared->sin_lat = BS_SIN(position[1]);
+    BS_SINCOS(position[1], &shared->sin_lat, &shared->cos_lat);
     shared->t7 = shared->sin_lat * shared->sin_lat;
     const bs_real t8 = BS_REAL(0.006694379990141317) * shared->t7;
     shared->t9 = BS_REAL(1.0) - t8;
@@ -229,7 +230,6 @@ static void ah_Q_kernel_1(const bs_real position[3],
     const bs_real t12 = BS_REAL(6378137.0) * shared->t11;
     const bs_real t13 = position[2] + t12;
     shared->t14 = BS_REAL(1.0) / t13;
-    shared->cos_lat = BS_COS(position[1]);
     const bs_real t16 = BS_REAL(1.0) / shared->cos_lat;
     shared->t17 = shared->t14 * t16;
     const bs_real t19 = q_b2n_wxyz[1] * q_b2n_wxyz[1];
