@@ -55,6 +55,7 @@ class Flown:
 
     def __init__(self, dll, real):
         self.dll, self.real = dll, real
+        self.suffix = "_f32" if real is np.float32 else ""  # every name of the model has it in float
         self.memory = np.zeros(dll.size(), np.uint8)
         start, P, end = (dll.place(k) for k in range(3))
         numbers = self.memory.view(real)
@@ -64,10 +65,13 @@ class Flown:
         self.state = self.memory[:end]
         self.innovation = np.zeros(8, np.float64)
 
+    def function(self, name):
+        return getattr(self.dll, f"ah_filter_{name}{self.suffix}")
+
     def call(self, name, *arguments):
         given = [np.ascontiguousarray(a, self.real) if not isinstance(a, int) else a for a in arguments]
         pointers = [a if isinstance(a, int) else ctypes.c_void_p(a.ctypes.data) for a in given]
-        return Status(getattr(self.dll, f"ah_filter_{name}")(ctypes.c_void_p(self.memory.ctypes.data), *pointers))
+        return Status(self.function(name)(ctypes.c_void_p(self.memory.ctypes.data), *pointers))
 
     def begin(self, sigma=SIGMA, nav=REST):
         assert self.call("init_sigmas", nav, sigma) == Status.OK
@@ -93,7 +97,7 @@ class Flown:
     def out(self, name, *arguments, count=N):
         """Status and the numbers that a function of (filter, ..., out) writes."""
         result = np.full(count, np.nan, self.real)
-        status = getattr(self.dll, f"ah_filter_{name}")(
+        status = self.function(name)(
             ctypes.c_void_p(self.memory.ctypes.data), *arguments, ctypes.c_void_p(result.ctypes.data)
         )
         return Status(status), result
@@ -263,7 +267,7 @@ def test_beyond_the_joint_gate_nothing_is_taken_and_it_is_counted(flown):
 def health(filter):
     result = np.zeros(5, np.uint32)
     pointers = (ctypes.c_void_p(a.ctypes.data) for a in (filter.memory, result))
-    assert filter.dll.ah_filter_health(*pointers) == Status.OK
+    assert filter.function("health")(*pointers) == Status.OK
     return result.tolist()
 
 
@@ -281,7 +285,7 @@ def test_a_snapshot_goes_on_bit_for_bit_and_a_strange_one_is_refused(flown):
     taken = np.zeros(size, np.uint8)
 
     def moved(name, of, held):
-        return getattr(of.dll, f"ah_filter_{name}")(*(ctypes.c_void_p(a.ctypes.data) for a in (of.memory, held)))
+        return of.function(name)(*(ctypes.c_void_p(a.ctypes.data) for a in (of.memory, held)))
 
     assert moved("snapshot", filter, taken) == Status.OK
     before = other.state.copy()
