@@ -381,7 +381,7 @@ size_t ah_filter_consider_batch(size_t n,
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = ah_filter_consider(&filter[i], &considered[i * considered_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -406,7 +406,7 @@ size_t ah_filter_propagate_batch(size_t n,
         const bs_status one = ah_filter_propagate(&filter[i], &imu[i * imu_stride],
                                                   &noise[i * noise_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -431,7 +431,7 @@ size_t ah_filter_strapdown_batch(size_t n,
         const bs_status one = ah_filter_strapdown(&filter[i], &imu[i * imu_stride],
                                                   &increments[i * increments_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -443,7 +443,7 @@ size_t ah_filter_correct_batch(size_t n, ah_filter *filter, unsigned char *statu
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = ah_filter_correct(&filter[i]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -485,7 +485,7 @@ size_t ah_filter_measure_zupt_batch(size_t n,
         }
         one = ah_filter_measure_zupt(&filter[i], &R[i * R_stride], &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -537,7 +537,7 @@ size_t ah_filter_measure_azimuth_batch(size_t n,
         one = ah_filter_measure_azimuth(&filter[i], &reference[i * reference_stride],
                                         &R[i * R_stride], &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 1U; ++k) {
             nu[(i * 1U) + k] = innovation.nu[k];
@@ -589,7 +589,7 @@ size_t ah_filter_measure_zaru_batch(size_t n,
         one = ah_filter_measure_zaru(&filter[i], &imu[i * imu_stride], &R[i * R_stride], &how,
                                      &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];

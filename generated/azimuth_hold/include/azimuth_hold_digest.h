@@ -7,10 +7,18 @@
 #include "boresight_digest.h"
 #include "azimuth_hold_filter.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Add what the filter holds to a digest that was begun: nav, x and P, every number in the order of
  * its struct.  Two machines whose digests agree after a flight have agreed in every bit of these at
  * each call.
  * returns BS_OK, or BS_NULL_POINTER */
 bs_status ah_filter_digest(const ah_filter *filter, bs_digest *digest);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -115,7 +115,8 @@ bs_status ah_filter_propagate(ah_filter *filter, const ah_imu *imu, const ah_noi
  * their covariance with the others is right, and nu and S are those of the optimal filter.  None
  * after ah_filter_init.  A state that is not needed at all is left out by zeros in P and in the
  * noise: it stays as it is by itself.
- * returns BS_OK, or BS_NULL_POINTER */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_POSITIVE: what the
+ * filter holds is wrong */
 bs_status ah_filter_consider(ah_filter *filter, const unsigned char considered[AH_N_STATES]);
 
 /* Velocity of a body at rest, where zero is measured: z = computed - measured; rows e, n, u (m/s).

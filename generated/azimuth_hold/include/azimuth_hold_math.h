@@ -19,9 +19,17 @@
 #define BS_SIN ah_sin
 #endif
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 void BS_SINCOS(bs_real angle, bs_real *sine, bs_real *cosine);
 bs_real BS_COS(bs_real angle);
 bs_real BS_SIN(bs_real angle);
+
+#ifdef __cplusplus
+}
+#endif
 #endif
 
 #endif

@@ -11,6 +11,10 @@
 
 #include "boresight.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define BS_DIGEST_SIZE 32U /* bytes */
 
 /* The running digest: begun by bs_digest_begin. */
@@ -186,5 +190,9 @@ static inline bs_status bs_digest_end(const bs_digest *digest, unsigned char out
     }
     return BS_OK;
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

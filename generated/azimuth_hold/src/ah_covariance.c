@@ -174,28 +174,27 @@ static void across(const bs_real *A, const bs_real *B, int begin, int end, bs_re
     }
 }
 
-/* A packed symmetric matrix becomes its factors U and D.  A pivot that is rounding, or negative,
- * counts as no variance, and its column as no covariance.  Returns whether that was all that was
- * left of it, to TOLERANCE. */
-static bool factorize(bs_real *UD)
+/* Whether a pivot is more than the rounding of its variance. */
+static bool counts(bs_real pivot, bs_real variance)
 {
-    bs_real variance[N];
+    return pivot > ((LEAST_PIVOT * variance) + LEAST);
+}
+
+/* The first n columns of a packed symmetric matrix become their factors U and D.  A pivot that is
+ * rounding of its variance, or negative, counts as no variance, and its column as no covariance.
+ * Returns whether that was all that was left of it, to TOLERANCE. */
+static bool factorize(bs_real *UD, const bs_real *variance, int n)
+{
     bool positive = true;
-    for (int j = 0; j < N; ++j) {
-        variance[j] = UD[column(j) + j];
-    }
-    for (int j = N - 1; j >= 0; --j) {
+    for (int j = n - 1; j >= 0; --j) {
         bs_real *const u = &UD[column(j)];
-        if (u[j] > ((LEAST_PIVOT * variance[j]) + LEAST)) {
+        if (counts(u[j], variance[j])) {
             const bs_real inverse = BS_REAL(1.0) / u[j];
             for (int k = j - 1; k >= 0; --k) {
+                bs_real *const left = &UD[column(k)];
                 const bs_real gain = u[k] * inverse;
-                /* noises of states that stay are mostly apart */
-                if ((k < M) || (gain > BS_REAL(0.0)) || (gain < BS_REAL(0.0))) {
-                    bs_real *const left = &UD[column(k)];
-                    for (int i = 0; i <= k; ++i) {
-                        left[i] -= u[i] * gain;
-                    }
+                for (int i = 0; i <= k; ++i) {
+                    left[i] -= u[i] * gain;
                 }
                 u[k] = gain;
             }
@@ -209,6 +208,14 @@ static bool factorize(bs_real *UD)
         }
     }
     return positive;
+}
+
+/* The diagonal of a packed matrix. */
+static void diagonal(const bs_real *packed, bs_real *value)
+{
+    for (int j = 0; j < N; ++j) {
+        value[j] = packed[column(j) + j];
+    }
 }
 
 /* U D U' becomes U D U' + c v v' in its columns from the last to the first that are given
@@ -271,8 +278,8 @@ void ah_discretize(const bs_real F[AH_N_F],
     for (int p = 0; p < AH_N_PHI; ++p) {
         const bs_real a = Phi[p];
         const bs_real twice = B[p];
-        Phi[p] = a + (BS_REAL(0.5) * twice);
         B[p] = (BS_REAL(0.6666666666666666) * a) + (BS_REAL(0.2222222222222222) * twice);
+        Phi[p] = a + (BS_REAL(0.5) * twice);
     }
     for (int i = 0; i < M; ++i) {
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
@@ -284,13 +291,11 @@ void ah_discretize(const bs_real F[AH_N_F],
     for (int p = 0; p < 18; ++p) {
         Q[place[p]] = Qc[from[p]] * share;
     }
-    for (int k = 0; k < N; ++k) {
-        w[k] = Q[column(k) + k];
-    }
+    diagonal(Q, w);
     for (int p = 0; p < 6; ++p) {
         const int k = (int)coupled[p];
         bs_real *const u = &Q[column(k)];
-        if (w[k] > ((LEAST_PIVOT * u[k]) + LEAST)) {
+        if (counts(w[k], u[k])) {
             const bs_real inverse = BS_REAL(1.0) / w[k];
             for (int l = k - 1; l >= (int)reach[p]; --l) {
                 const bs_real gain = u[l] * inverse;
@@ -349,6 +354,7 @@ void ah_predict_state(const bs_real Phi[AH_N_PHI], bs_real x[AH_N_STATES])
 /* The factors of a dense covariance, into work. */
 static bs_status judge(const bs_real *dense, bs_real *work)
 {
+    bs_real variance[N];
     bool positive = true;
     for (int i = 0; i < (N * N); ++i) {
         if (!is_finite(dense[i])) {
@@ -364,7 +370,8 @@ static bs_status judge(const bs_real *dense, bs_real *work)
             work[column(j) + i] = dense[(i * N) + j];
         }
     }
-    positive = factorize(work) && positive;
+    diagonal(work, variance);
+    positive = factorize(work, variance, N) && positive;
     if (!positive) {
         return BS_NOT_POSITIVE;
     }
@@ -440,10 +447,50 @@ void ah_ud_predict(const bs_real UD[AH_N_PACKED],
     bs_real *const X = work;
     bs_real *const V = &work[REGION];
     bs_real weight[M + N]; /* of the columns of V */
-    for (int i = 0; i < AH_N_PACKED; ++i) {
+    for (int i = 0; (i < AH_N_PACKED) && (next != Q); ++i) {
         next[i] = Q[i];
     }
-    (void)factorize(next);
+    diagonal(next, weight);
+    /* The columns of the states that stay: what they take from all others in rows that move, once
+     * and for all of them. */
+    for (int j = N - 1; j >= M; --j) {
+        bs_real *const u = &next[column(j)];
+        if (counts(u[j], weight[j])) {
+            const bs_real inverse = BS_REAL(1.0) / u[j];
+            for (int k = j - 1; k >= M; --k) {
+                const bs_real gain = u[k] * inverse;
+                /* noises of states that stay are mostly apart */
+                if ((gain > BS_REAL(0.0)) || (gain < BS_REAL(0.0))) {
+                    for (int i = 0; i <= k; ++i) {
+                        next[column(k) + i] -= u[i] * gain;
+                    }
+                }
+                u[k] = gain;
+            }
+            for (int k = 0; k < M; ++k) {
+                X[(k * ROW) + j] = u[k];
+                u[k] *= inverse;
+                V[(k * ROW) + j] = u[k];
+            }
+        } else {
+            clear(u, j + 1);
+            for (int k = 0; k < M; ++k) {
+                X[(k * ROW) + j] = BS_REAL(0.0);
+                V[(k * ROW) + j] = BS_REAL(0.0);
+            }
+        }
+        for (int k = M; k < DOWN; ++k) { /* rows that fill the last block */
+            X[(k * ROW) + j] = BS_REAL(0.0);
+            V[(k * ROW) + j] = BS_REAL(0.0);
+        }
+    }
+    across(X, V, M, N, &V[DOWN * ROW]);
+    for (int j = 0; j < M; ++j) {
+        for (int i = 0; i <= j; ++i) {
+            next[column(j) + i] -= V[(DOWN * ROW) + (j * DOWN) + i];
+        }
+    }
+    (void)factorize(next, weight, M);
     clear(X, N * ROW);
     for (int j = 0; j < N; ++j) {
         for (int i = 0; i < j; ++i) {

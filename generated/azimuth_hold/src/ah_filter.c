@@ -42,6 +42,15 @@ static void copy(bs_real *to, const bs_real *from, int n)
     }
 }
 
+/* q_ref_wxyz_low too */
+static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                           BS_REAL(-1.001) };
+/* q_ref_wxyz_high too */
+static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                            BS_REAL(1.001) };
+static const bs_real dt_low[1] = { BS_REAL(1e-06) };
+static const bs_real dt_high[1] = { BS_REAL(10.0) };
+
 static bs_status check_nav(ah_nav *nav, int clamp)
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
@@ -50,10 +59,6 @@ static bs_status check_nav(ah_nav *nav, int clamp)
                                               BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
     static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
     static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-    static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
-                                               BS_REAL(-1.001) };
-    static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
-                                                BS_REAL(1.001) };
     static const bs_real gyro_bias_low[3] = { BS_REAL(-0.017453292519943295),
                                               BS_REAL(-0.017453292519943295),
                                               BS_REAL(-0.017453292519943295) };
@@ -97,11 +102,7 @@ static bs_status check_nav(ah_nav *nav, int clamp)
 
 static bs_status check_reference_of_measure_azimuth(const ah_reference *reference)
 {
-    static const bs_real q_ref_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
-                                               BS_REAL(-1.001) };
-    static const bs_real q_ref_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
-                                                BS_REAL(1.001) };
-    bs_status status = bs_check(reference->q_ref_wxyz, q_ref_wxyz_low, q_ref_wxyz_high, 4);
+    bs_status status = bs_check(reference->q_ref_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
     if (status == BS_OK) {
         status = bs_check_norm(reference->q_ref_wxyz, BS_REAL(0.998001),
                                BS_REAL(1.0020009999999997), 4);
@@ -121,8 +122,6 @@ static bs_status check_imu_of_propagate(const ah_imu *imu)
 {
     static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-    static const bs_real dt_low[1] = { BS_REAL(1e-06) };
-    static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status = bs_check(imu->f_b, f_b_low, f_b_high, 3);
     if (status == BS_OK) {
         status = bs_check(&imu->dt, dt_low, dt_high, 1);
@@ -175,8 +174,6 @@ static bs_status check_x(const bs_real *x)
 
 static bs_status check_imu_of_strapdown(const ah_imu *imu)
 {
-    static const bs_real dt_low[1] = { BS_REAL(1e-06) };
-    static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status = bs_check(&imu->dt, dt_low, dt_high, 1);
     return status;
 }
@@ -254,10 +251,12 @@ static bs_status judge(const bs_real *x, bs_real *P)
         } else if ((x[i] * x[i]) > ceiling[i]) {
             status = BS_OUT_OF_RANGE;
         } else {
-            while (value > ceiling[i]) {
+            bool above = value > ceiling[i];
+            while (above) {
                 value *= BS_REAL(0.25);
                 scale[i] *= BS_REAL(0.5);
                 status = BS_AT_CEILING;
+                above = value > ceiling[i];
             }
         }
     }
@@ -443,8 +442,9 @@ static bs_status take(ah_filter *filter,
 static bs_status start(ah_filter *filter, const ah_nav *nav, const bs_real *dense)
 {
     bs_real first[AH_N_STATES];
-    ah_nav first_nav = *nav;
+    ah_nav first_nav;
     bs_status status = bs_probe();
+    first_nav = *nav;
     if (status == BS_OK) {
         status = check_nav(&first_nav, 0);
     }
@@ -640,7 +640,7 @@ bs_status ah_filter_measure_zupt(ah_filter *filter,
 {
     static const unsigned short start_of[4] = { 0, 1, 2, 3 };
     static const unsigned short at[3] = { 3, 4, 5 };
-    static const measurement of = { start_of, at, 3, AH_MEASUREMENT_ZUPT };
+    const measurement of = { start_of, at, 3, AH_MEASUREMENT_ZUPT };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -671,7 +671,7 @@ bs_status ah_filter_measure_azimuth(ah_filter *filter,
 {
     static const unsigned short start_of[2] = { 0, 1 };
     static const unsigned short at[1] = { 8 };
-    static const measurement of = { start_of, at, 1, AH_MEASUREMENT_AZIMUTH };
+    const measurement of = { start_of, at, 1, AH_MEASUREMENT_AZIMUTH };
     attempt it;
     bs_real z[1];
     bs_status status;
@@ -705,7 +705,7 @@ bs_status ah_filter_measure_zaru(ah_filter *filter,
 {
     static const unsigned short start_of[4] = { 0, 5, 10, 15 };
     static const unsigned short at[15] = { 1, 6, 7, 8, 9, 1, 6, 7, 8, 10, 1, 6, 7, 8, 11 };
-    static const measurement of = { start_of, at, 3, AH_MEASUREMENT_ZARU };
+    const measurement of = { start_of, at, 3, AH_MEASUREMENT_ZARU };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -764,11 +764,20 @@ bs_status ah_filter_correct(ah_filter *filter)
     return status;
 }
 
-bs_status ah_filter_consider(ah_filter *filter, const unsigned char considered[AH_N_STATES])
+/* What is wrong with the numbers that the filter holds. */
+static bs_status held(const ah_filter *filter)
 {
-    if ((filter == NULL) || (considered == NULL)) {
-        return BS_NULL_POINTER;
+    ah_nav held_nav;
+    bs_status status = sound(filter->x, filter->P);
+    held_nav = filter->nav;
+    if (status == BS_OK) {
+        status = check_nav(&held_nav, 0);
     }
+    return status;
+}
+
+static void choose(ah_filter *filter, const unsigned char *considered)
+{
     filter->considering = 0U;
     for (int i = 0; i < AH_N_STATES; ++i) {
         filter->considered[i] = 0U;
@@ -777,7 +786,30 @@ bs_status ah_filter_consider(ah_filter *filter, const unsigned char considered[A
             filter->considering = 1U;
         }
     }
-    return BS_OK;
+}
+
+/* What is wrong with the numbers that the filter holds. */
+static bs_status held(const ah_filter *filter)
+{
+    ah_nav held_nav = filter->nav;
+    bs_status status = sound(filter->x, filter->P);
+    if (status == BS_OK) {
+        status = check_nav(&held_nav, 0);
+    }
+    return status;
+}
+
+bs_status ah_filter_consider(ah_filter *filter, const unsigned char considered[AH_N_STATES])
+{
+    bs_status status;
+    if ((filter == NULL) || (considered == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = held(filter);
+    if (status == BS_OK) {
+        choose(filter, considered);
+    }
+    return status;
 }
 
 bs_status ah_filter_covariance(const ah_filter *filter, bs_real P[AH_N_STATES * AH_N_STATES])
@@ -789,6 +821,8 @@ bs_status ah_filter_covariance(const ah_filter *filter, bs_real P[AH_N_STATES * 
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
         DENSE(filter->P, P);
+        /* U D U' of finite factors may overflow */
+        status = bs_check_finite(P, AH_N_STATES * AH_N_STATES);
     }
     return status;
 }
@@ -805,6 +839,7 @@ bs_status ah_filter_variance(const ah_filter *filter, int i, bs_real *value)
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
         *value = variance(filter->P, i);
+        status = bs_check_finite(value, 1);
     }
     return status;
 }
@@ -820,23 +855,17 @@ bs_status ah_filter_sigmas(const ah_filter *filter, bs_real sigma[AH_N_STATES])
         for (int i = 0; i < AH_N_STATES; ++i) {
             sigma[i] = BS_SQRT(variance(filter->P, i));
         }
+        status = bs_check_finite(sigma, AH_N_STATES);
     }
     return status;
 }
 
 bs_status ah_filter_health(const ah_filter *filter, ah_health *health)
 {
-    ah_nav held_nav;
-    bs_status status;
     if ((filter == NULL) || (health == NULL)) {
         return BS_NULL_POINTER;
     }
-    held_nav = filter->nav;
-    status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    health->state = status;
+    health->state = held(filter);
     health->ceilings = filter->ceilings;
     for (int i = 0; i < AH_N_MEASUREMENTS; ++i) {
         health->rejected[i] = filter->rejected[i];
@@ -925,7 +954,7 @@ bs_status ah_filter_restore(ah_filter *filter, const unsigned char bytes[AH_SNAP
         at += put((unsigned char *)filter->rejected, &bytes[at], sizeof(filter->rejected));
         at += put((unsigned char *)&filter->ceilings, &bytes[at], sizeof(filter->ceilings));
         (void)put(considered, &bytes[at], sizeof(considered));
-        status = ah_filter_consider(filter, considered);
+        choose(filter, considered);
     }
     return status;
 }

@@ -392,7 +392,7 @@ size_t ahr_filter_consider_batch(size_t n,
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = ahr_filter_consider(&filter[i], &considered[i * considered_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -417,7 +417,7 @@ size_t ahr_filter_propagate_batch(size_t n,
         const bs_status one = ahr_filter_propagate(&filter[i], &imu[i * imu_stride],
                                                    &noise[i * noise_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -442,7 +442,7 @@ size_t ahr_filter_strapdown_batch(size_t n,
         const bs_status one = ahr_filter_strapdown(&filter[i], &imu[i * imu_stride],
                                                    &increments[i * increments_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -454,7 +454,7 @@ size_t ahr_filter_correct_batch(size_t n, ahr_filter *filter, unsigned char *sta
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = ahr_filter_correct(&filter[i]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -496,7 +496,7 @@ size_t ahr_filter_measure_zupt_batch(size_t n,
         }
         one = ahr_filter_measure_zupt(&filter[i], &R[i * R_stride], &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -548,7 +548,7 @@ size_t ahr_filter_measure_zaru_batch(size_t n,
         one = ahr_filter_measure_zaru(&filter[i], &imu[i * imu_stride], &R[i * R_stride], &how,
                                       &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -595,7 +595,7 @@ size_t ahr_filter_measure_azimuth_batch(size_t n,
         }
         one = ahr_filter_measure_azimuth(&filter[i], &R[i * R_stride], &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 1U; ++k) {
             nu[(i * 1U) + k] = innovation.nu[k];

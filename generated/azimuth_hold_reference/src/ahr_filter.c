@@ -42,6 +42,15 @@ static void copy(bs_real *to, const bs_real *from, int n)
     }
 }
 
+/* q_ref_wxyz_low too */
+static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                           BS_REAL(-1.001) };
+/* q_ref_wxyz_high too */
+static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                            BS_REAL(1.001) };
+static const bs_real dt_low[1] = { BS_REAL(1e-06) };
+static const bs_real dt_high[1] = { BS_REAL(10.0) };
+
 static bs_status check_nav(ahr_nav *nav, int clamp)
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
@@ -50,10 +59,6 @@ static bs_status check_nav(ahr_nav *nav, int clamp)
                                               BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
     static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
     static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-    static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
-                                               BS_REAL(-1.001) };
-    static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
-                                                BS_REAL(1.001) };
     static const bs_real gyro_bias_low[3] = { BS_REAL(-0.017453292519943295),
                                               BS_REAL(-0.017453292519943295),
                                               BS_REAL(-0.017453292519943295) };
@@ -97,10 +102,6 @@ static bs_status check_nav(ahr_nav *nav, int clamp)
 
 static bs_status check_reference(ahr_reference *reference, int clamp)
 {
-    static const bs_real q_ref_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
-                                               BS_REAL(-1.001) };
-    static const bs_real q_ref_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
-                                                BS_REAL(1.001) };
     static const bs_real reference_error_low[1] = { BS_REAL(-0.5) };
     static const bs_real reference_error_high[1] = { BS_REAL(0.5) };
     bs_status status = BS_OK;
@@ -109,11 +110,11 @@ static bs_status check_reference(ahr_reference *reference, int clamp)
                           4) != BS_OK) {
             bs_normalize(reference->q_ref_wxyz, BS_REAL(1.0), 4);
         }
-        bs_clamp(reference->q_ref_wxyz, q_ref_wxyz_low, q_ref_wxyz_high, 4);
+        bs_clamp(reference->q_ref_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
         bs_clamp(&reference->reference_error, reference_error_low, reference_error_high, 1);
     }
     if (status == BS_OK) {
-        status = bs_check(reference->q_ref_wxyz, q_ref_wxyz_low, q_ref_wxyz_high, 4);
+        status = bs_check(reference->q_ref_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
     }
     if (status == BS_OK) {
         status = bs_check_norm(reference->q_ref_wxyz, BS_REAL(0.998001),
@@ -138,8 +139,6 @@ static bs_status check_imu_of_propagate(const ahr_imu *imu)
 {
     static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-    static const bs_real dt_low[1] = { BS_REAL(1e-06) };
-    static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status = bs_check(imu->f_b, f_b_low, f_b_high, 3);
     if (status == BS_OK) {
         status = bs_check(&imu->dt, dt_low, dt_high, 1);
@@ -192,8 +191,6 @@ static bs_status check_x(const bs_real *x)
 
 static bs_status check_imu_of_strapdown(const ahr_imu *imu)
 {
-    static const bs_real dt_low[1] = { BS_REAL(1e-06) };
-    static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status = bs_check(&imu->dt, dt_low, dt_high, 1);
     return status;
 }
@@ -271,10 +268,12 @@ static bs_status judge(const bs_real *x, bs_real *P)
         } else if ((x[i] * x[i]) > ceiling[i]) {
             status = BS_OUT_OF_RANGE;
         } else {
-            while (value > ceiling[i]) {
+            bool above = value > ceiling[i];
+            while (above) {
                 value *= BS_REAL(0.25);
                 scale[i] *= BS_REAL(0.5);
                 status = BS_AT_CEILING;
+                above = value > ceiling[i];
             }
         }
     }
@@ -463,9 +462,11 @@ static bs_status start(ahr_filter *filter,
                        const bs_real *dense)
 {
     bs_real first[AHR_N_STATES];
-    ahr_nav first_nav = *nav;
-    ahr_reference first_reference = *reference;
+    ahr_nav first_nav;
+    ahr_reference first_reference;
     bs_status status = bs_probe();
+    first_nav = *nav;
+    first_reference = *reference;
     if (status == BS_OK) {
         status = check_nav(&first_nav, 0);
     }
@@ -685,7 +686,7 @@ bs_status ahr_filter_measure_zupt(ahr_filter *filter,
 {
     static const unsigned short start_of[4] = { 0, 1, 2, 3 };
     static const unsigned short at[3] = { 3, 4, 5 };
-    static const measurement of = { start_of, at, 3, AHR_MEASUREMENT_ZUPT };
+    const measurement of = { start_of, at, 3, AHR_MEASUREMENT_ZUPT };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -719,7 +720,7 @@ bs_status ahr_filter_measure_zaru(ahr_filter *filter,
 {
     static const unsigned short start_of[4] = { 0, 5, 10, 15 };
     static const unsigned short at[15] = { 1, 6, 7, 8, 9, 1, 6, 7, 8, 10, 1, 6, 7, 8, 11 };
-    static const measurement of = { start_of, at, 3, AHR_MEASUREMENT_ZARU };
+    const measurement of = { start_of, at, 3, AHR_MEASUREMENT_ZARU };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -755,7 +756,7 @@ bs_status ahr_filter_measure_azimuth(ahr_filter *filter,
 {
     static const unsigned short start_of[2] = { 0, 2 };
     static const unsigned short at[2] = { 8, 15 };
-    static const measurement of = { start_of, at, 1, AHR_MEASUREMENT_AZIMUTH };
+    const measurement of = { start_of, at, 1, AHR_MEASUREMENT_AZIMUTH };
     attempt it;
     bs_real z[1];
     bs_status status;
@@ -825,11 +826,25 @@ bs_status ahr_filter_correct(ahr_filter *filter)
     return status;
 }
 
-bs_status ahr_filter_consider(ahr_filter *filter, const unsigned char considered[AHR_N_STATES])
+/* What is wrong with the numbers that the filter holds. */
+static bs_status held(const ahr_filter *filter)
 {
-    if ((filter == NULL) || (considered == NULL)) {
-        return BS_NULL_POINTER;
+    ahr_nav held_nav;
+    ahr_reference held_reference;
+    bs_status status = sound(filter->x, filter->P);
+    held_nav = filter->nav;
+    if (status == BS_OK) {
+        status = check_nav(&held_nav, 0);
     }
+    held_reference = filter->reference;
+    if (status == BS_OK) {
+        status = check_reference(&held_reference, 0);
+    }
+    return status;
+}
+
+static void choose(ahr_filter *filter, const unsigned char *considered)
+{
     filter->considering = 0U;
     for (int i = 0; i < AHR_N_STATES; ++i) {
         filter->considered[i] = 0U;
@@ -838,7 +853,34 @@ bs_status ahr_filter_consider(ahr_filter *filter, const unsigned char considered
             filter->considering = 1U;
         }
     }
-    return BS_OK;
+}
+
+/* What is wrong with the numbers that the filter holds. */
+static bs_status held(const ahr_filter *filter)
+{
+    ahr_nav held_nav = filter->nav;
+    ahr_reference held_reference = filter->reference;
+    bs_status status = sound(filter->x, filter->P);
+    if (status == BS_OK) {
+        status = check_nav(&held_nav, 0);
+    }
+    if (status == BS_OK) {
+        status = check_reference(&held_reference, 0);
+    }
+    return status;
+}
+
+bs_status ahr_filter_consider(ahr_filter *filter, const unsigned char considered[AHR_N_STATES])
+{
+    bs_status status;
+    if ((filter == NULL) || (considered == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = held(filter);
+    if (status == BS_OK) {
+        choose(filter, considered);
+    }
+    return status;
 }
 
 bs_status ahr_filter_covariance(const ahr_filter *filter, bs_real P[AHR_N_STATES * AHR_N_STATES])
@@ -850,6 +892,8 @@ bs_status ahr_filter_covariance(const ahr_filter *filter, bs_real P[AHR_N_STATES
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
         DENSE(filter->P, P);
+        /* U D U' of finite factors may overflow */
+        status = bs_check_finite(P, AHR_N_STATES * AHR_N_STATES);
     }
     return status;
 }
@@ -866,6 +910,7 @@ bs_status ahr_filter_variance(const ahr_filter *filter, int i, bs_real *value)
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
         *value = variance(filter->P, i);
+        status = bs_check_finite(value, 1);
     }
     return status;
 }
@@ -881,28 +926,17 @@ bs_status ahr_filter_sigmas(const ahr_filter *filter, bs_real sigma[AHR_N_STATES
         for (int i = 0; i < AHR_N_STATES; ++i) {
             sigma[i] = BS_SQRT(variance(filter->P, i));
         }
+        status = bs_check_finite(sigma, AHR_N_STATES);
     }
     return status;
 }
 
 bs_status ahr_filter_health(const ahr_filter *filter, ahr_health *health)
 {
-    ahr_nav held_nav;
-    ahr_reference held_reference;
-    bs_status status;
     if ((filter == NULL) || (health == NULL)) {
         return BS_NULL_POINTER;
     }
-    held_nav = filter->nav;
-    held_reference = filter->reference;
-    status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    if (status == BS_OK) {
-        status = check_reference(&held_reference, 0);
-    }
-    health->state = status;
+    health->state = held(filter);
     health->ceilings = filter->ceilings;
     for (int i = 0; i < AHR_N_MEASUREMENTS; ++i) {
         health->rejected[i] = filter->rejected[i];
@@ -998,7 +1032,7 @@ bs_status ahr_filter_restore(ahr_filter *filter, const unsigned char bytes[AHR_S
         at += put((unsigned char *)filter->rejected, &bytes[at], sizeof(filter->rejected));
         at += put((unsigned char *)&filter->ceilings, &bytes[at], sizeof(filter->ceilings));
         (void)put(considered, &bytes[at], sizeof(considered));
-        status = ahr_filter_consider(filter, considered);
+        choose(filter, considered);
     }
     return status;
 }

@@ -414,7 +414,7 @@ size_t em_filter_consider_batch(size_t n,
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = em_filter_consider(&filter[i], &considered[i * considered_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -439,7 +439,7 @@ size_t em_filter_propagate_batch(size_t n,
         const bs_status one = em_filter_propagate(&filter[i], &step[i * step_stride],
                                                   &noise[i * noise_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -459,7 +459,7 @@ size_t em_filter_strapdown_batch(size_t n,
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = em_filter_strapdown(&filter[i], &step[i * step_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -471,7 +471,7 @@ size_t em_filter_correct_batch(size_t n, em_filter *filter, unsigned char *statu
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = em_filter_correct(&filter[i]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -518,7 +518,7 @@ size_t em_filter_measure_euler_batch(size_t n,
         one = em_filter_measure_euler(&filter[i], &angles[i * angles_stride], &R[i * R_stride],
                                       &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -570,7 +570,7 @@ size_t em_filter_measure_euler_exact_batch(size_t n,
         one = em_filter_measure_euler_exact(&filter[i], &angles[i * angles_stride],
                                             &R[i * R_stride], &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];

@@ -112,7 +112,8 @@ bs_status em_filter_propagate(em_filter *filter, const em_step *step, const em_n
  * their covariance with the others is right, and nu and S are those of the optimal filter.  None
  * after em_filter_init.  A state that is not needed at all is left out by zeros in P and in the
  * noise: it stays as it is by itself.
- * returns BS_OK, or BS_NULL_POINTER */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_POSITIVE: what the
+ * filter holds is wrong */
 bs_status em_filter_consider(em_filter *filter, const unsigned char considered[EM_N_STATES]);
 
 /* Euler angles of the master, to first order in the misalignment: z = computed - measured; rows

@@ -651,7 +651,7 @@ static int unsound(const char *what, bs_status (*function)(void), bs_real *value
     *value = bad;
     before = flown;
     said.used = 77U;
-    failures = expect(what, bs_good(function()) == 0);
+    failures = expect(what, !bs_good(function()));
     failures += expect("the filter changed", same_state(&flown, &before)) +
         expect("rows stay used", said.used != 1U);
     *value = good;
@@ -933,6 +933,8 @@ static int kept(void)
             expect("sigmas of NaN", em_filter_sigmas(&flown, sigmas) != BS_OK);
         failures += expect("variance of NaN", em_filter_variance(&flown, 0, sigmas) != BS_OK) +
             expect("snapshot of NaN", em_filter_snapshot(&flown, bytes) != BS_OK);
+        failures += expect("consider: memory",
+                           em_filter_consider(&flown, flown.considered) != BS_OK);
         *value = good;
         if (k < 2) {
             failures += unsound("propagate: memory", propagate, value, bad);

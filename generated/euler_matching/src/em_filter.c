@@ -14,8 +14,6 @@
 #include "em_feedback_kernel.h"
 #include "em_strapdown_kernel.h"
 
-#include <stdbool.h>
-
 #if BORESIGHT_UD
 #define INIT em_ud_init
 #define PREDICT em_ud_predict
@@ -43,14 +41,21 @@ static void copy(bs_real *to, const bs_real *from, int n)
     }
 }
 
+/* dtheta_ib_b_low too */
+static const bs_real mu_low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
+/* dtheta_ib_b_high too */
+static const bs_real mu_high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
+static const bs_real omega_in_n_low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
+static const bs_real omega_in_n_high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
+static const bs_real dt_low[1] = { BS_REAL(1e-06) };
+static const bs_real dt_high[1] = { BS_REAL(10.0) };
+
 static bs_status check_nav(em_nav *nav, int clamp)
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
                                                BS_REAL(-1.001) };
     static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
                                                 BS_REAL(1.001) };
-    static const bs_real mu_low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
-    static const bs_real mu_high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
     bs_status status = BS_OK;
     if (clamp != 0) {
         if (bs_check_norm(nav->q_b2n_wxyz, BS_REAL(0.998001), BS_REAL(1.0020009999999997),
@@ -101,10 +106,6 @@ static bs_status check_x(const bs_real *x)
 
 static bs_status check_step_of_propagate(const em_step *step)
 {
-    static const bs_real omega_in_n_low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
-    static const bs_real omega_in_n_high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
-    static const bs_real dt_low[1] = { BS_REAL(1e-06) };
-    static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status = bs_check(step->omega_in_n, omega_in_n_low, omega_in_n_high, 3);
     if (status == BS_OK) {
         status = bs_check(&step->dt, dt_low, dt_high, 1);
@@ -122,13 +123,7 @@ static bs_status check_noise_of_propagate(const em_noise *noise)
 
 static bs_status check_step_of_strapdown(const em_step *step)
 {
-    static const bs_real dtheta_ib_b_low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
-    static const bs_real dtheta_ib_b_high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
-    static const bs_real omega_in_n_low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
-    static const bs_real omega_in_n_high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
-    static const bs_real dt_low[1] = { BS_REAL(1e-06) };
-    static const bs_real dt_high[1] = { BS_REAL(10.0) };
-    bs_status status = bs_check(step->dtheta_ib_b, dtheta_ib_b_low, dtheta_ib_b_high, 3);
+    bs_status status = bs_check(step->dtheta_ib_b, mu_low, mu_high, 3);
     if (status == BS_OK) {
         status = bs_check(step->omega_in_n, omega_in_n_low, omega_in_n_high, 3);
     }
@@ -183,10 +178,12 @@ static bs_status judge(const bs_real *x, bs_real *P)
         } else if ((x[i] * x[i]) > ceiling[i]) {
             status = BS_OUT_OF_RANGE;
         } else {
-            while (value > ceiling[i]) {
+            bool above = value > ceiling[i];
+            while (above) {
                 value *= BS_REAL(0.25);
                 scale[i] *= BS_REAL(0.5);
                 status = BS_AT_CEILING;
+                above = value > ceiling[i];
             }
         }
     }
@@ -485,8 +482,9 @@ static bs_status iterate(attempt *it,
 static bs_status start(em_filter *filter, const em_nav *nav, const bs_real *dense)
 {
     bs_real first[EM_N_STATES];
-    em_nav first_nav = *nav;
+    em_nav first_nav;
     bs_status status = bs_probe();
+    first_nav = *nav;
     if (status == BS_OK) {
         status = check_nav(&first_nav, 0);
     }
@@ -675,7 +673,7 @@ bs_status em_filter_measure_euler(em_filter *filter,
 {
     static const unsigned short start_of[4] = { 0, 5, 9, 14 };
     static const unsigned short at[14] = { 0, 1, 3, 4, 5, 0, 1, 4, 5, 0, 1, 2, 4, 5 };
-    static const measurement of = { start_of, at, 3, EM_MEASUREMENT_EULER, 7U };
+    const measurement of = { start_of, at, 3, EM_MEASUREMENT_EULER, 7U };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -710,7 +708,7 @@ bs_status em_filter_measure_euler_exact(em_filter *filter,
 {
     static const unsigned short start_of[4] = { 0, 6, 12, 18 };
     static const unsigned short at[18] = { 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5 };
-    static const measurement of = { start_of, at, 3, EM_MEASUREMENT_EULER_EXACT, 7U };
+    const measurement of = { start_of, at, 3, EM_MEASUREMENT_EULER_EXACT, 7U };
     attempt it;
     bs_real z[3];
     bs_real target[3];
@@ -772,11 +770,20 @@ bs_status em_filter_correct(em_filter *filter)
     return status;
 }
 
-bs_status em_filter_consider(em_filter *filter, const unsigned char considered[EM_N_STATES])
+/* What is wrong with the numbers that the filter holds. */
+static bs_status held(const em_filter *filter)
 {
-    if ((filter == NULL) || (considered == NULL)) {
-        return BS_NULL_POINTER;
+    em_nav held_nav;
+    bs_status status = sound(filter->x, filter->P);
+    held_nav = filter->nav;
+    if (status == BS_OK) {
+        status = check_nav(&held_nav, 0);
     }
+    return status;
+}
+
+static void choose(em_filter *filter, const unsigned char *considered)
+{
     filter->considering = 0U;
     for (int i = 0; i < EM_N_STATES; ++i) {
         filter->considered[i] = 0U;
@@ -785,7 +792,30 @@ bs_status em_filter_consider(em_filter *filter, const unsigned char considered[E
             filter->considering = 1U;
         }
     }
-    return BS_OK;
+}
+
+/* What is wrong with the numbers that the filter holds. */
+static bs_status held(const em_filter *filter)
+{
+    em_nav held_nav = filter->nav;
+    bs_status status = sound(filter->x, filter->P);
+    if (status == BS_OK) {
+        status = check_nav(&held_nav, 0);
+    }
+    return status;
+}
+
+bs_status em_filter_consider(em_filter *filter, const unsigned char considered[EM_N_STATES])
+{
+    bs_status status;
+    if ((filter == NULL) || (considered == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = held(filter);
+    if (status == BS_OK) {
+        choose(filter, considered);
+    }
+    return status;
 }
 
 bs_status em_filter_covariance(const em_filter *filter, bs_real P[EM_N_STATES * EM_N_STATES])
@@ -797,6 +827,8 @@ bs_status em_filter_covariance(const em_filter *filter, bs_real P[EM_N_STATES * 
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
         DENSE(filter->P, P);
+        /* U D U' of finite factors may overflow */
+        status = bs_check_finite(P, EM_N_STATES * EM_N_STATES);
     }
     return status;
 }
@@ -813,6 +845,7 @@ bs_status em_filter_variance(const em_filter *filter, int i, bs_real *value)
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
         *value = variance(filter->P, i);
+        status = bs_check_finite(value, 1);
     }
     return status;
 }
@@ -828,23 +861,17 @@ bs_status em_filter_sigmas(const em_filter *filter, bs_real sigma[EM_N_STATES])
         for (int i = 0; i < EM_N_STATES; ++i) {
             sigma[i] = BS_SQRT(variance(filter->P, i));
         }
+        status = bs_check_finite(sigma, EM_N_STATES);
     }
     return status;
 }
 
 bs_status em_filter_health(const em_filter *filter, em_health *health)
 {
-    em_nav held_nav;
-    bs_status status;
     if ((filter == NULL) || (health == NULL)) {
         return BS_NULL_POINTER;
     }
-    held_nav = filter->nav;
-    status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    health->state = status;
+    health->state = held(filter);
     health->ceilings = filter->ceilings;
     for (int i = 0; i < EM_N_MEASUREMENTS; ++i) {
         health->rejected[i] = filter->rejected[i];
@@ -933,7 +960,7 @@ bs_status em_filter_restore(em_filter *filter, const unsigned char bytes[EM_SNAP
         at += put((unsigned char *)filter->rejected, &bytes[at], sizeof(filter->rejected));
         at += put((unsigned char *)&filter->ceilings, &bytes[at], sizeof(filter->ceilings));
         (void)put(considered, &bytes[at], sizeof(considered));
-        status = em_filter_consider(filter, considered);
+        choose(filter, considered);
     }
     return status;
 }

@@ -614,7 +614,7 @@ size_t va_filter_consider_batch(size_t n,
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = va_filter_consider(&filter[i], &considered[i * considered_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -639,7 +639,7 @@ size_t va_filter_propagate_batch(size_t n,
         const bs_status one = va_filter_propagate(&filter[i], &imu[i * imu_stride],
                                                   &noise[i * noise_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -664,7 +664,7 @@ size_t va_filter_strapdown_batch(size_t n,
         const bs_status one = va_filter_strapdown(&filter[i], &imu[i * imu_stride],
                                                   &increments[i * increments_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -676,7 +676,7 @@ size_t va_filter_correct_batch(size_t n, va_filter *filter, unsigned char *statu
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = va_filter_correct(&filter[i]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -732,7 +732,7 @@ size_t va_filter_measure_velocity_batch(size_t n,
                                          &mounting[i * mounting_stride], &master[i * master_stride],
                                          &R[i * R_stride], &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -788,7 +788,7 @@ size_t va_filter_measure_dcm_batch(size_t n,
         one = va_filter_measure_dcm(&filter[i], &imu[i * imu_stride], &master[i * master_stride],
                                     &R[i * R_stride], &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -845,7 +845,7 @@ size_t va_filter_measure_quaternion_batch(size_t n,
                                            &master[i * master_stride], &R[i * R_stride], &how,
                                            &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -901,7 +901,7 @@ size_t va_filter_measure_euler_batch(size_t n,
         one = va_filter_measure_euler(&filter[i], &imu[i * imu_stride], &master[i * master_stride],
                                       &R[i * R_stride], &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];

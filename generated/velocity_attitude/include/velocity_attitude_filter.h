@@ -118,7 +118,8 @@ bs_status va_filter_propagate(va_filter *filter, const va_imu *imu, const va_noi
  * their covariance with the others is right, and nu and S are those of the optimal filter.  None
  * after va_filter_init.  A state that is not needed at all is left out by zeros in P and in the
  * noise: it stays as it is by itself.
- * returns BS_OK, or BS_NULL_POINTER */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_POSITIVE: what the
+ * filter holds is wrong */
 bs_status va_filter_consider(va_filter *filter, const unsigned char considered[VA_N_STATES]);
 
 /* Velocity of the master: z = computed - measured; rows n, e, d (m/s).

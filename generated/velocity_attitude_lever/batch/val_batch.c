@@ -624,7 +624,7 @@ size_t val_filter_consider_batch(size_t n,
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = val_filter_consider(&filter[i], &considered[i * considered_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -649,7 +649,7 @@ size_t val_filter_propagate_batch(size_t n,
         const bs_status one = val_filter_propagate(&filter[i], &imu[i * imu_stride],
                                                    &noise[i * noise_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -674,7 +674,7 @@ size_t val_filter_strapdown_batch(size_t n,
         const bs_status one = val_filter_strapdown(&filter[i], &imu[i * imu_stride],
                                                    &increments[i * increments_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -686,7 +686,7 @@ size_t val_filter_correct_batch(size_t n, val_filter *filter, unsigned char *sta
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = val_filter_correct(&filter[i]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -737,7 +737,7 @@ size_t val_filter_measure_dcm_batch(size_t n,
         one = val_filter_measure_dcm(&filter[i], &imu[i * imu_stride], &master[i * master_stride],
                                      &R[i * R_stride], &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -794,7 +794,7 @@ size_t val_filter_measure_quaternion_batch(size_t n,
                                             &master[i * master_stride], &R[i * R_stride], &how,
                                             &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -850,7 +850,7 @@ size_t val_filter_measure_euler_batch(size_t n,
         one = val_filter_measure_euler(&filter[i], &imu[i * imu_stride], &master[i * master_stride],
                                        &R[i * R_stride], &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -907,7 +907,7 @@ size_t val_filter_measure_velocity_batch(size_t n,
                                           &master[i * master_stride], &R[i * R_stride], &how,
                                           &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];

@@ -128,7 +128,8 @@ bs_status val_filter_propagate(val_filter *filter, const val_imu *imu, const val
  * their covariance with the others is right, and nu and S are those of the optimal filter.  None
  * after val_filter_init.  A state that is not needed at all is left out by zeros in P and in the
  * noise: it stays as it is by itself.
- * returns BS_OK, or BS_NULL_POINTER */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_POSITIVE: what the
+ * filter holds is wrong */
 bs_status val_filter_consider(val_filter *filter, const unsigned char considered[VAL_N_STATES]);
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one; rows n, e, d

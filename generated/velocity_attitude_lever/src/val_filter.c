@@ -18,8 +18,6 @@
 #include "val_feedback_kernel.h"
 #include "val_strapdown_kernel.h"
 
-#include <stdbool.h>
-
 #if BORESIGHT_UD
 #define INIT val_ud_init
 #define PREDICT val_ud_predict
@@ -47,20 +45,35 @@ static void copy(bs_real *to, const bs_real *from, int n)
     }
 }
 
+/* v_m_n_low too */
+static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+/* v_m_n_high too */
+static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+/* q_b2m_wxyz_low, q_m2n_wxyz_low too */
+static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                           BS_REAL(-1.001) };
+/* q_b2m_wxyz_high, q_m2n_wxyz_high too */
+static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                            BS_REAL(1.001) };
+static const bs_real tau_low[1] = { BS_REAL(-1.0) }; /* lag_low too */
+static const bs_real tau_high[1] = { BS_REAL(1.0) }; /* lag_high too */
+/* dv_b_low, dv_before_low too */
+static const bs_real lever_b_low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
+/* dv_b_high, dv_before_high too */
+static const bs_real lever_b_high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
+/* f_b_low too */
+static const bs_real a_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
+/* f_b_high too */
+static const bs_real a_n_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
+static const bs_real dt_low[1] = { BS_REAL(1e-06) };
+static const bs_real dt_high[1] = { BS_REAL(10.0) };
+
 static bs_status check_nav(val_nav *nav, int clamp)
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
                                              BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802),
                                               BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-    static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
-    static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-    /* q_b2m_wxyz_low too */
-    static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
-                                               BS_REAL(-1.001) };
-    /* q_b2m_wxyz_high too */
-    static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
-                                                BS_REAL(1.001) };
     static const bs_real gyro_bias_low[3] = { BS_REAL(-0.017453292519943295),
                                               BS_REAL(-0.017453292519943295),
                                               BS_REAL(-0.017453292519943295) };
@@ -69,8 +82,6 @@ static bs_status check_nav(val_nav *nav, int clamp)
                                                BS_REAL(0.017453292519943295) };
     static const bs_real accel_bias_low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
     static const bs_real accel_bias_high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-    static const bs_real tau_low[1] = { BS_REAL(-1.0) };
-    static const bs_real tau_high[1] = { BS_REAL(1.0) };
     bs_status status = BS_OK;
     if (clamp != 0) {
         bs_clamp(nav->position, position_low, position_high, 3);
@@ -121,8 +132,6 @@ static bs_status check_nav(val_nav *nav, int clamp)
 
 static bs_status check_mounting(val_mounting *mounting, int clamp)
 {
-    static const bs_real lever_b_low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
-    static const bs_real lever_b_high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
     bs_status status = BS_OK;
     if (clamp != 0) {
         bs_clamp(mounting->lever_b, lever_b_low, lever_b_high, 3);
@@ -143,19 +152,13 @@ static bs_status check_imu_of_measure_dcm(const val_imu *imu)
 
 static bs_status check_master_of_measure_dcm(const val_master *master)
 {
-    static const bs_real q_m2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
-                                               BS_REAL(-1.001) };
-    static const bs_real q_m2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
-                                                BS_REAL(1.001) };
-    static const bs_real lag_low[1] = { BS_REAL(-1.0) };
-    static const bs_real lag_high[1] = { BS_REAL(1.0) };
-    bs_status status = bs_check(master->q_m2n_wxyz, q_m2n_wxyz_low, q_m2n_wxyz_high, 4);
+    bs_status status = bs_check(master->q_m2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
     if (status == BS_OK) {
         status = bs_check_norm(master->q_m2n_wxyz, BS_REAL(0.998001), BS_REAL(1.0020009999999997),
                                4);
     }
     if (status == BS_OK) {
-        status = bs_check(&master->lag, lag_low, lag_high, 1);
+        status = bs_check(&master->lag, tau_low, tau_high, 1);
     }
     return status;
 }
@@ -190,40 +193,28 @@ static bs_status check_master_of_measure_euler(const val_master *master)
     static const bs_real euler_m_high[3] = { BS_REAL(3.141592653589793),
                                              BS_REAL(1.3962634015954636),
                                              BS_REAL(3.141592653589793) };
-    static const bs_real lag_low[1] = { BS_REAL(-1.0) };
-    static const bs_real lag_high[1] = { BS_REAL(1.0) };
     bs_status status = bs_check(master->euler_m, euler_m_low, euler_m_high, 3);
     if (status == BS_OK) {
-        status = bs_check(&master->lag, lag_low, lag_high, 1);
+        status = bs_check(&master->lag, tau_low, tau_high, 1);
     }
     return status;
 }
 
 static bs_status check_master_of_measure_velocity(const val_master *master)
 {
-    static const bs_real v_m_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
-    static const bs_real v_m_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-    static const bs_real a_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
-    static const bs_real a_n_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-    static const bs_real lag_low[1] = { BS_REAL(-1.0) };
-    static const bs_real lag_high[1] = { BS_REAL(1.0) };
-    bs_status status = bs_check(master->v_m_n, v_m_n_low, v_m_n_high, 3);
+    bs_status status = bs_check(master->v_m_n, v_n_low, v_n_high, 3);
     if (status == BS_OK) {
         status = bs_check(master->a_n, a_n_low, a_n_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(&master->lag, lag_low, lag_high, 1);
+        status = bs_check(&master->lag, tau_low, tau_high, 1);
     }
     return status;
 }
 
 static bs_status check_imu_of_propagate(const val_imu *imu)
 {
-    static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
-    static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-    static const bs_real dt_low[1] = { BS_REAL(1e-06) };
-    static const bs_real dt_high[1] = { BS_REAL(10.0) };
-    bs_status status = bs_check(imu->f_b, f_b_low, f_b_high, 3);
+    bs_status status = bs_check(imu->f_b, a_n_low, a_n_high, 3);
     if (status == BS_OK) {
         status = bs_check(&imu->dt, dt_low, dt_high, 1);
     }
@@ -261,8 +252,6 @@ static bs_status check_noise_of_propagate(const val_noise *noise)
 
 static bs_status check_imu_of_strapdown(const val_imu *imu)
 {
-    static const bs_real dt_low[1] = { BS_REAL(1e-06) };
-    static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status = bs_check(&imu->dt, dt_low, dt_high, 1);
     return status;
 }
@@ -273,19 +262,15 @@ static bs_status check_increments_of_strapdown(const val_increments *increments)
     static const bs_real dtheta_ib_b_low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
     /* dtheta_before_high too */
     static const bs_real dtheta_ib_b_high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
-    /* dv_before_low too */
-    static const bs_real dv_b_low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
-    /* dv_before_high too */
-    static const bs_real dv_b_high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
     bs_status status = bs_check(increments->dtheta_ib_b, dtheta_ib_b_low, dtheta_ib_b_high, 3);
     if (status == BS_OK) {
-        status = bs_check(increments->dv_b, dv_b_low, dv_b_high, 3);
+        status = bs_check(increments->dv_b, lever_b_low, lever_b_high, 3);
     }
     if (status == BS_OK) {
         status = bs_check(increments->dtheta_before, dtheta_ib_b_low, dtheta_ib_b_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(increments->dv_before, dv_b_low, dv_b_high, 3);
+        status = bs_check(increments->dv_before, lever_b_low, lever_b_high, 3);
     }
     return status;
 }
@@ -342,10 +327,12 @@ static bs_status judge(const bs_real *x, bs_real *P)
         } else if ((x[i] * x[i]) > ceiling[i]) {
             status = BS_OUT_OF_RANGE;
         } else {
-            while (value > ceiling[i]) {
+            bool above = value > ceiling[i];
+            while (above) {
                 value *= BS_REAL(0.25);
                 scale[i] *= BS_REAL(0.5);
                 status = BS_AT_CEILING;
+                above = value > ceiling[i];
             }
         }
     }
@@ -643,9 +630,11 @@ static bs_status start(val_filter *filter,
                        const bs_real *dense)
 {
     bs_real first[VAL_N_STATES];
-    val_nav first_nav = *nav;
-    val_mounting first_mounting = *mounting;
+    val_nav first_nav;
+    val_mounting first_mounting;
     bs_status status = bs_probe();
+    first_nav = *nav;
+    first_mounting = *mounting;
     if (status == BS_OK) {
         status = check_nav(&first_nav, 0);
     }
@@ -869,7 +858,7 @@ bs_status val_filter_measure_dcm(val_filter *filter,
     static const unsigned short start_of[4] = { 0, 5, 10, 15 };
     static const unsigned short at[15] = { 0, 12, 13, 14, 15, 1, 12, 13, 14, 15, 2, 12, 13, 14,
                                            15 };
-    static const measurement of = { start_of, at, 3, VAL_MEASUREMENT_DCM, 0U };
+    const measurement of = { start_of, at, 3, VAL_MEASUREMENT_DCM, 0U };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -915,7 +904,7 @@ bs_status val_filter_measure_quaternion(val_filter *filter,
     static const unsigned short start_of[4] = { 0, 10, 20, 30 };
     static const unsigned short at[30] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 0, 1, 2, 6, 7, 8, 12,
                                            13, 14, 15, 0, 1, 2, 6, 7, 8, 12, 13, 14, 15 };
-    static const measurement of = { start_of, at, 3, VAL_MEASUREMENT_QUATERNION, 0U };
+    const measurement of = { start_of, at, 3, VAL_MEASUREMENT_QUATERNION, 0U };
     attempt it;
     bs_real z[3];
     bs_real target[3];
@@ -969,7 +958,7 @@ bs_status val_filter_measure_euler(val_filter *filter,
     static const unsigned short start_of[4] = { 0, 6, 11, 17 };
     static const unsigned short at[17] = { 0, 1, 12, 13, 14, 15, 0, 1, 13, 14, 15, 0, 1, 2, 13, 14,
                                            15 };
-    static const measurement of = { start_of, at, 3, VAL_MEASUREMENT_EULER, 7U };
+    const measurement of = { start_of, at, 3, VAL_MEASUREMENT_EULER, 7U };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -1016,7 +1005,7 @@ bs_status val_filter_measure_velocity(val_filter *filter,
     static const unsigned short start_of[4] = { 0, 11, 22, 33 };
     static const unsigned short at[33] = { 0, 1, 2, 3, 6, 7, 8, 15, 16, 17, 18, 0, 1, 2, 4, 6, 7, 8,
                                            15, 16, 17, 18, 0, 1, 2, 5, 6, 7, 8, 15, 16, 17, 18 };
-    static const measurement of = { start_of, at, 3, VAL_MEASUREMENT_VELOCITY, 0U };
+    const measurement of = { start_of, at, 3, VAL_MEASUREMENT_VELOCITY, 0U };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -1095,11 +1084,25 @@ bs_status val_filter_correct(val_filter *filter)
     return status;
 }
 
-bs_status val_filter_consider(val_filter *filter, const unsigned char considered[VAL_N_STATES])
+/* What is wrong with the numbers that the filter holds. */
+static bs_status held(const val_filter *filter)
 {
-    if ((filter == NULL) || (considered == NULL)) {
-        return BS_NULL_POINTER;
+    val_nav held_nav;
+    val_mounting held_mounting;
+    bs_status status = sound(filter->x, filter->P);
+    held_nav = filter->nav;
+    if (status == BS_OK) {
+        status = check_nav(&held_nav, 0);
     }
+    held_mounting = filter->mounting;
+    if (status == BS_OK) {
+        status = check_mounting(&held_mounting, 0);
+    }
+    return status;
+}
+
+static void choose(val_filter *filter, const unsigned char *considered)
+{
     filter->considering = 0U;
     for (int i = 0; i < VAL_N_STATES; ++i) {
         filter->considered[i] = 0U;
@@ -1108,7 +1111,34 @@ bs_status val_filter_consider(val_filter *filter, const unsigned char considered
             filter->considering = 1U;
         }
     }
-    return BS_OK;
+}
+
+/* What is wrong with the numbers that the filter holds. */
+static bs_status held(const val_filter *filter)
+{
+    val_nav held_nav = filter->nav;
+    val_mounting held_mounting = filter->mounting;
+    bs_status status = sound(filter->x, filter->P);
+    if (status == BS_OK) {
+        status = check_nav(&held_nav, 0);
+    }
+    if (status == BS_OK) {
+        status = check_mounting(&held_mounting, 0);
+    }
+    return status;
+}
+
+bs_status val_filter_consider(val_filter *filter, const unsigned char considered[VAL_N_STATES])
+{
+    bs_status status;
+    if ((filter == NULL) || (considered == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = held(filter);
+    if (status == BS_OK) {
+        choose(filter, considered);
+    }
+    return status;
 }
 
 bs_status val_filter_covariance(const val_filter *filter, bs_real P[VAL_N_STATES * VAL_N_STATES])
@@ -1120,6 +1150,8 @@ bs_status val_filter_covariance(const val_filter *filter, bs_real P[VAL_N_STATES
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
         DENSE(filter->P, P);
+        /* U D U' of finite factors may overflow */
+        status = bs_check_finite(P, VAL_N_STATES * VAL_N_STATES);
     }
     return status;
 }
@@ -1136,6 +1168,7 @@ bs_status val_filter_variance(const val_filter *filter, int i, bs_real *value)
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
         *value = variance(filter->P, i);
+        status = bs_check_finite(value, 1);
     }
     return status;
 }
@@ -1151,28 +1184,17 @@ bs_status val_filter_sigmas(const val_filter *filter, bs_real sigma[VAL_N_STATES
         for (int i = 0; i < VAL_N_STATES; ++i) {
             sigma[i] = BS_SQRT(variance(filter->P, i));
         }
+        status = bs_check_finite(sigma, VAL_N_STATES);
     }
     return status;
 }
 
 bs_status val_filter_health(const val_filter *filter, val_health *health)
 {
-    val_nav held_nav;
-    val_mounting held_mounting;
-    bs_status status;
     if ((filter == NULL) || (health == NULL)) {
         return BS_NULL_POINTER;
     }
-    held_nav = filter->nav;
-    held_mounting = filter->mounting;
-    status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    if (status == BS_OK) {
-        status = check_mounting(&held_mounting, 0);
-    }
-    health->state = status;
+    health->state = held(filter);
     health->ceilings = filter->ceilings;
     for (int i = 0; i < VAL_N_MEASUREMENTS; ++i) {
         health->rejected[i] = filter->rejected[i];
@@ -1268,7 +1290,7 @@ bs_status val_filter_restore(val_filter *filter, const unsigned char bytes[VAL_S
         at += put((unsigned char *)filter->rejected, &bytes[at], sizeof(filter->rejected));
         at += put((unsigned char *)&filter->ceilings, &bytes[at], sizeof(filter->ceilings));
         (void)put(considered, &bytes[at], sizeof(considered));
-        status = val_filter_consider(filter, considered);
+        choose(filter, considered);
     }
     return status;
 }

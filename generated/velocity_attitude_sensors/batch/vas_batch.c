@@ -852,7 +852,7 @@ size_t vas_filter_consider_batch(size_t n,
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = vas_filter_consider(&filter[i], &considered[i * considered_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -877,7 +877,7 @@ size_t vas_filter_propagate_batch(size_t n,
         const bs_status one = vas_filter_propagate(&filter[i], &imu[i * imu_stride],
                                                    &noise[i * noise_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -902,7 +902,7 @@ size_t vas_filter_strapdown_batch(size_t n,
         const bs_status one = vas_filter_strapdown(&filter[i], &imu[i * imu_stride],
                                                    &increments[i * increments_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -914,7 +914,7 @@ size_t vas_filter_correct_batch(size_t n, vas_filter *filter, unsigned char *sta
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = vas_filter_correct(&filter[i]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -965,7 +965,7 @@ size_t vas_filter_measure_dcm_batch(size_t n,
         one = vas_filter_measure_dcm(&filter[i], &imu[i * imu_stride], &master[i * master_stride],
                                      &R[i * R_stride], &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -1022,7 +1022,7 @@ size_t vas_filter_measure_quaternion_batch(size_t n,
                                             &master[i * master_stride], &R[i * R_stride], &how,
                                             &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -1078,7 +1078,7 @@ size_t vas_filter_measure_euler_batch(size_t n,
         one = vas_filter_measure_euler(&filter[i], &imu[i * imu_stride], &master[i * master_stride],
                                        &R[i * R_stride], &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -1135,7 +1135,7 @@ size_t vas_filter_measure_velocity_batch(size_t n,
                                           &master[i * master_stride], &R[i * R_stride], &how,
                                           &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];

@@ -18,8 +18,6 @@
 #include "vas_feedback_kernel.h"
 #include "vas_strapdown_kernel.h"
 
-#include <stdbool.h>
-
 #if BORESIGHT_UD
 #define INIT vas_ud_init
 #define PREDICT vas_ud_predict
@@ -47,30 +45,59 @@ static void copy(bs_real *to, const bs_real *from, int n)
     }
 }
 
+/* v_m_n_low too */
+static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+/* flexure_noise_high, v_m_n_high too */
+static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+/* q_b2m_wxyz_low, q_m2n_wxyz_low too */
+static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                           BS_REAL(-1.001) };
+/* q_b2m_wxyz_high, q_m2n_wxyz_high too */
+static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                            BS_REAL(1.001) };
+/* gyro_turn_on_low too */
+static const bs_real gyro_bias_low[3] = { BS_REAL(-0.017453292519943295),
+                                          BS_REAL(-0.017453292519943295),
+                                          BS_REAL(-0.017453292519943295) };
+/* gyro_turn_on_high too */
+static const bs_real gyro_bias_high[3] = { BS_REAL(0.017453292519943295),
+                                           BS_REAL(0.017453292519943295),
+                                           BS_REAL(0.017453292519943295) };
+/* flexure_rate_low, accel_turn_on_low too */
+static const bs_real accel_bias_low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
+/* flexure_rate_high, accel_turn_on_high too */
+static const bs_real accel_bias_high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
+static const bs_real tau_low[1] = { BS_REAL(-1.0) }; /* lag_low too */
+static const bs_real tau_high[1] = { BS_REAL(1.0) }; /* lag_high too */
+/* dv_b_low, dv_before_low too */
+static const bs_real lever_b_low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
+/* flexure_omega_high, dv_b_high, dv_before_high too */
+static const bs_real lever_b_high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
+/* gyro_scale_low, accel_scale_low, accel_axes_low too */
+static const bs_real flexure_low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
+/* gyro_scale_high, accel_scale_high, accel_axes_high, gyro_noise_high, gyro_bias_noise_high,
+ * mu_noise_high too */
+static const bs_real flexure_high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
+/* flexure_noise_low, gyro_bias_beta_low, accel_bias_beta_low, gyro_noise_low, accel_noise_low,
+ * gyro_bias_noise_low, accel_bias_noise_low, mu_noise_low too */
+static const bs_real flexure_damping_low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
+/* gyro_bias_beta_high, accel_bias_beta_high, accel_noise_high, accel_bias_noise_high too */
+static const bs_real flexure_damping_high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
+static const bs_real omega_ib_b_low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
+static const bs_real omega_ib_b_high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
+/* f_b_low too */
+static const bs_real a_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
+/* f_b_high too */
+static const bs_real a_n_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
+static const bs_real dt_low[1] = { BS_REAL(1e-06) };
+static const bs_real dt_high[1] = { BS_REAL(10.0) };
+
 static bs_status check_nav(vas_nav *nav, int clamp)
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
                                              BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802),
                                               BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-    static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
-    static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-    /* q_b2m_wxyz_low too */
-    static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
-                                               BS_REAL(-1.001) };
-    /* q_b2m_wxyz_high too */
-    static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
-                                                BS_REAL(1.001) };
-    static const bs_real gyro_bias_low[3] = { BS_REAL(-0.017453292519943295),
-                                              BS_REAL(-0.017453292519943295),
-                                              BS_REAL(-0.017453292519943295) };
-    static const bs_real gyro_bias_high[3] = { BS_REAL(0.017453292519943295),
-                                               BS_REAL(0.017453292519943295),
-                                               BS_REAL(0.017453292519943295) };
-    static const bs_real accel_bias_low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
-    static const bs_real accel_bias_high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-    static const bs_real tau_low[1] = { BS_REAL(-1.0) };
-    static const bs_real tau_high[1] = { BS_REAL(1.0) };
     bs_status status = BS_OK;
     if (clamp != 0) {
         bs_clamp(nav->position, position_low, position_high, 3);
@@ -121,8 +148,6 @@ static bs_status check_nav(vas_nav *nav, int clamp)
 
 static bs_status check_mounting(vas_mounting *mounting, int clamp)
 {
-    static const bs_real lever_b_low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
-    static const bs_real lever_b_high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
     bs_status status = BS_OK;
     if (clamp != 0) {
         bs_clamp(mounting->lever_b, lever_b_low, lever_b_high, 3);
@@ -135,134 +160,100 @@ static bs_status check_mounting(vas_mounting *mounting, int clamp)
 
 static bs_status check_bending(vas_bending *bending, int clamp)
 {
-    static const bs_real flexure_low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
-    static const bs_real flexure_high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-    static const bs_real flexure_rate_low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
-    static const bs_real flexure_rate_high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
     static const bs_real flexure_omega_low[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
-    static const bs_real flexure_omega_high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-    /* flexure_noise_low too */
-    static const bs_real flexure_damping_low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
-    static const bs_real flexure_damping_high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-    static const bs_real flexure_noise_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0),
-                                                   BS_REAL(1000.0) };
     bs_status status = BS_OK;
     if (clamp != 0) {
         bs_clamp(bending->flexure, flexure_low, flexure_high, 3);
-        bs_clamp(bending->flexure_rate, flexure_rate_low, flexure_rate_high, 3);
-        bs_clamp(bending->flexure_omega, flexure_omega_low, flexure_omega_high, 3);
+        bs_clamp(bending->flexure_rate, accel_bias_low, accel_bias_high, 3);
+        bs_clamp(bending->flexure_omega, flexure_omega_low, lever_b_high, 3);
         bs_clamp(bending->flexure_damping, flexure_damping_low, flexure_damping_high, 3);
-        bs_clamp(bending->flexure_noise, flexure_damping_low, flexure_noise_high, 3);
+        bs_clamp(bending->flexure_noise, flexure_damping_low, v_n_high, 3);
     }
     if (status == BS_OK) {
         status = bs_check(bending->flexure, flexure_low, flexure_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(bending->flexure_rate, flexure_rate_low, flexure_rate_high, 3);
+        status = bs_check(bending->flexure_rate, accel_bias_low, accel_bias_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(bending->flexure_omega, flexure_omega_low, flexure_omega_high, 3);
+        status = bs_check(bending->flexure_omega, flexure_omega_low, lever_b_high, 3);
     }
     if (status == BS_OK) {
         status = bs_check(bending->flexure_damping, flexure_damping_low, flexure_damping_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(bending->flexure_noise, flexure_damping_low, flexure_noise_high, 3);
+        status = bs_check(bending->flexure_noise, flexure_damping_low, v_n_high, 3);
     }
     return status;
 }
 
 static bs_status check_triads(vas_triads *triads, int clamp)
 {
-    /* accel_scale_low, accel_axes_low too */
-    static const bs_real gyro_scale_low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
-    /* accel_scale_high, accel_axes_high too */
-    static const bs_real gyro_scale_high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
     static const bs_real gyro_axes_low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
                                               BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
     static const bs_real gyro_axes_high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                                BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
     bs_status status = BS_OK;
     if (clamp != 0) {
-        bs_clamp(triads->gyro_scale, gyro_scale_low, gyro_scale_high, 3);
-        bs_clamp(triads->accel_scale, gyro_scale_low, gyro_scale_high, 3);
+        bs_clamp(triads->gyro_scale, flexure_low, flexure_high, 3);
+        bs_clamp(triads->accel_scale, flexure_low, flexure_high, 3);
         bs_clamp(triads->gyro_axes, gyro_axes_low, gyro_axes_high, 6);
-        bs_clamp(triads->accel_axes, gyro_scale_low, gyro_scale_high, 3);
+        bs_clamp(triads->accel_axes, flexure_low, flexure_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(triads->gyro_scale, gyro_scale_low, gyro_scale_high, 3);
+        status = bs_check(triads->gyro_scale, flexure_low, flexure_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(triads->accel_scale, gyro_scale_low, gyro_scale_high, 3);
+        status = bs_check(triads->accel_scale, flexure_low, flexure_high, 3);
     }
     if (status == BS_OK) {
         status = bs_check(triads->gyro_axes, gyro_axes_low, gyro_axes_high, 6);
     }
     if (status == BS_OK) {
-        status = bs_check(triads->accel_axes, gyro_scale_low, gyro_scale_high, 3);
+        status = bs_check(triads->accel_axes, flexure_low, flexure_high, 3);
     }
     return status;
 }
 
 static bs_status check_biases(vas_biases *biases, int clamp)
 {
-    static const bs_real gyro_turn_on_low[3] = { BS_REAL(-0.017453292519943295),
-                                                 BS_REAL(-0.017453292519943295),
-                                                 BS_REAL(-0.017453292519943295) };
-    static const bs_real gyro_turn_on_high[3] = { BS_REAL(0.017453292519943295),
-                                                  BS_REAL(0.017453292519943295),
-                                                  BS_REAL(0.017453292519943295) };
-    static const bs_real accel_turn_on_low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
-    static const bs_real accel_turn_on_high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-    /* accel_bias_beta_low too */
-    static const bs_real gyro_bias_beta_low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
-    /* accel_bias_beta_high too */
-    static const bs_real gyro_bias_beta_high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
     bs_status status = BS_OK;
     if (clamp != 0) {
-        bs_clamp(biases->gyro_turn_on, gyro_turn_on_low, gyro_turn_on_high, 3);
-        bs_clamp(biases->accel_turn_on, accel_turn_on_low, accel_turn_on_high, 3);
-        bs_clamp(biases->gyro_bias_beta, gyro_bias_beta_low, gyro_bias_beta_high, 3);
-        bs_clamp(biases->accel_bias_beta, gyro_bias_beta_low, gyro_bias_beta_high, 3);
+        bs_clamp(biases->gyro_turn_on, gyro_bias_low, gyro_bias_high, 3);
+        bs_clamp(biases->accel_turn_on, accel_bias_low, accel_bias_high, 3);
+        bs_clamp(biases->gyro_bias_beta, flexure_damping_low, flexure_damping_high, 3);
+        bs_clamp(biases->accel_bias_beta, flexure_damping_low, flexure_damping_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(biases->gyro_turn_on, gyro_turn_on_low, gyro_turn_on_high, 3);
+        status = bs_check(biases->gyro_turn_on, gyro_bias_low, gyro_bias_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(biases->accel_turn_on, accel_turn_on_low, accel_turn_on_high, 3);
+        status = bs_check(biases->accel_turn_on, accel_bias_low, accel_bias_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(biases->gyro_bias_beta, gyro_bias_beta_low, gyro_bias_beta_high, 3);
+        status = bs_check(biases->gyro_bias_beta, flexure_damping_low, flexure_damping_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(biases->accel_bias_beta, gyro_bias_beta_low, gyro_bias_beta_high, 3);
+        status = bs_check(biases->accel_bias_beta, flexure_damping_low, flexure_damping_high, 3);
     }
     return status;
 }
 
 static bs_status check_imu_of_measure_dcm(const vas_imu *imu)
 {
-    static const bs_real omega_ib_b_low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
-    static const bs_real omega_ib_b_high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
     bs_status status = bs_check(imu->omega_ib_b, omega_ib_b_low, omega_ib_b_high, 3);
     return status;
 }
 
 static bs_status check_master_of_measure_dcm(const vas_master *master)
 {
-    static const bs_real q_m2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
-                                               BS_REAL(-1.001) };
-    static const bs_real q_m2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
-                                                BS_REAL(1.001) };
-    static const bs_real lag_low[1] = { BS_REAL(-1.0) };
-    static const bs_real lag_high[1] = { BS_REAL(1.0) };
-    bs_status status = bs_check(master->q_m2n_wxyz, q_m2n_wxyz_low, q_m2n_wxyz_high, 4);
+    bs_status status = bs_check(master->q_m2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
     if (status == BS_OK) {
         status = bs_check_norm(master->q_m2n_wxyz, BS_REAL(0.998001), BS_REAL(1.0020009999999997),
                                4);
     }
     if (status == BS_OK) {
-        status = bs_check(&master->lag, lag_low, lag_high, 1);
+        status = bs_check(&master->lag, tau_low, tau_high, 1);
     }
     return status;
 }
@@ -313,42 +304,28 @@ static bs_status check_master_of_measure_euler(const vas_master *master)
     static const bs_real euler_m_high[3] = { BS_REAL(3.141592653589793),
                                              BS_REAL(1.3962634015954636),
                                              BS_REAL(3.141592653589793) };
-    static const bs_real lag_low[1] = { BS_REAL(-1.0) };
-    static const bs_real lag_high[1] = { BS_REAL(1.0) };
     bs_status status = bs_check(master->euler_m, euler_m_low, euler_m_high, 3);
     if (status == BS_OK) {
-        status = bs_check(&master->lag, lag_low, lag_high, 1);
+        status = bs_check(&master->lag, tau_low, tau_high, 1);
     }
     return status;
 }
 
 static bs_status check_master_of_measure_velocity(const vas_master *master)
 {
-    static const bs_real v_m_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
-    static const bs_real v_m_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-    static const bs_real a_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
-    static const bs_real a_n_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-    static const bs_real lag_low[1] = { BS_REAL(-1.0) };
-    static const bs_real lag_high[1] = { BS_REAL(1.0) };
-    bs_status status = bs_check(master->v_m_n, v_m_n_low, v_m_n_high, 3);
+    bs_status status = bs_check(master->v_m_n, v_n_low, v_n_high, 3);
     if (status == BS_OK) {
         status = bs_check(master->a_n, a_n_low, a_n_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(&master->lag, lag_low, lag_high, 1);
+        status = bs_check(&master->lag, tau_low, tau_high, 1);
     }
     return status;
 }
 
 static bs_status check_imu_of_propagate(const vas_imu *imu)
 {
-    static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
-    static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-    static const bs_real omega_ib_b_low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
-    static const bs_real omega_ib_b_high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-    static const bs_real dt_low[1] = { BS_REAL(1e-06) };
-    static const bs_real dt_high[1] = { BS_REAL(10.0) };
-    bs_status status = bs_check(imu->f_b, f_b_low, f_b_high, 3);
+    bs_status status = bs_check(imu->f_b, a_n_low, a_n_high, 3);
     if (status == BS_OK) {
         status = bs_check(imu->omega_ib_b, omega_ib_b_low, omega_ib_b_high, 3);
     }
@@ -360,26 +337,20 @@ static bs_status check_imu_of_propagate(const vas_imu *imu)
 
 static bs_status check_noise_of_propagate(const vas_noise *noise)
 {
-    /* accel_noise_low, gyro_bias_noise_low, accel_bias_noise_low, mu_noise_low too */
-    static const bs_real gyro_noise_low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
-    /* gyro_bias_noise_high, mu_noise_high too */
-    static const bs_real gyro_noise_high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-    /* accel_bias_noise_high too */
-    static const bs_real accel_noise_high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
     static const bs_real tau_noise_low[1] = { BS_REAL(0.0) };
     static const bs_real tau_noise_high[1] = { BS_REAL(0.1) };
-    bs_status status = bs_check(noise->gyro_noise, gyro_noise_low, gyro_noise_high, 3);
+    bs_status status = bs_check(noise->gyro_noise, flexure_damping_low, flexure_high, 3);
     if (status == BS_OK) {
-        status = bs_check(noise->accel_noise, gyro_noise_low, accel_noise_high, 3);
+        status = bs_check(noise->accel_noise, flexure_damping_low, flexure_damping_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(noise->gyro_bias_noise, gyro_noise_low, gyro_noise_high, 3);
+        status = bs_check(noise->gyro_bias_noise, flexure_damping_low, flexure_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(noise->accel_bias_noise, gyro_noise_low, accel_noise_high, 3);
+        status = bs_check(noise->accel_bias_noise, flexure_damping_low, flexure_damping_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(noise->mu_noise, gyro_noise_low, gyro_noise_high, 3);
+        status = bs_check(noise->mu_noise, flexure_damping_low, flexure_high, 3);
     }
     if (status == BS_OK) {
         status = bs_check(&noise->tau_noise, tau_noise_low, tau_noise_high, 1);
@@ -389,8 +360,6 @@ static bs_status check_noise_of_propagate(const vas_noise *noise)
 
 static bs_status check_imu_of_strapdown(const vas_imu *imu)
 {
-    static const bs_real dt_low[1] = { BS_REAL(1e-06) };
-    static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status = bs_check(&imu->dt, dt_low, dt_high, 1);
     return status;
 }
@@ -401,19 +370,15 @@ static bs_status check_increments_of_strapdown(const vas_increments *increments)
     static const bs_real dtheta_ib_b_low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
     /* dtheta_before_high too */
     static const bs_real dtheta_ib_b_high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
-    /* dv_before_low too */
-    static const bs_real dv_b_low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
-    /* dv_before_high too */
-    static const bs_real dv_b_high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
     bs_status status = bs_check(increments->dtheta_ib_b, dtheta_ib_b_low, dtheta_ib_b_high, 3);
     if (status == BS_OK) {
-        status = bs_check(increments->dv_b, dv_b_low, dv_b_high, 3);
+        status = bs_check(increments->dv_b, lever_b_low, lever_b_high, 3);
     }
     if (status == BS_OK) {
         status = bs_check(increments->dtheta_before, dtheta_ib_b_low, dtheta_ib_b_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(increments->dv_before, dv_b_low, dv_b_high, 3);
+        status = bs_check(increments->dv_before, lever_b_low, lever_b_high, 3);
     }
     return status;
 }
@@ -483,10 +448,12 @@ static bs_status judge(const bs_real *x, bs_real *P)
         } else if ((x[i] * x[i]) > ceiling[i]) {
             status = BS_OUT_OF_RANGE;
         } else {
-            while (value > ceiling[i]) {
+            bool above = value > ceiling[i];
+            while (above) {
                 value *= BS_REAL(0.25);
                 scale[i] *= BS_REAL(0.5);
                 status = BS_AT_CEILING;
+                above = value > ceiling[i];
             }
         }
     }
@@ -787,12 +754,17 @@ static bs_status start(vas_filter *filter,
                        const bs_real *dense)
 {
     bs_real first[VAS_N_STATES];
-    vas_nav first_nav = *nav;
-    vas_mounting first_mounting = *mounting;
-    vas_bending first_bending = *bending;
-    vas_triads first_triads = *triads;
-    vas_biases first_biases = *biases;
+    vas_nav first_nav;
+    vas_mounting first_mounting;
+    vas_bending first_bending;
+    vas_triads first_triads;
+    vas_biases first_biases;
     bs_status status = bs_probe();
+    first_nav = *nav;
+    first_mounting = *mounting;
+    first_bending = *bending;
+    first_triads = *triads;
+    first_biases = *biases;
     if (status == BS_OK) {
         status = check_nav(&first_nav, 0);
     }
@@ -1099,7 +1071,7 @@ bs_status vas_filter_measure_dcm(vas_filter *filter,
     static const unsigned short start_of[4] = { 0, 8, 16, 24 };
     static const unsigned short at[24] = { 0, 12, 13, 14, 15, 19, 20, 21, 1, 12, 13, 14, 15, 19, 20,
                                            21, 2, 12, 13, 14, 15, 19, 20, 21 };
-    static const measurement of = { start_of, at, 3, VAS_MEASUREMENT_DCM, 0U };
+    const measurement of = { start_of, at, 3, VAS_MEASUREMENT_DCM, 0U };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -1160,7 +1132,7 @@ bs_status vas_filter_measure_quaternion(vas_filter *filter,
                                            13, 14, 15, 19, 20, 21, 22, 23, 24, 25, 26, 27, 31, 32,
                                            33, 34, 35, 36, 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 19, 20,
                                            21, 22, 23, 24, 25, 26, 27, 31, 32, 33, 34, 35, 36 };
-    static const measurement of = { start_of, at, 3, VAS_MEASUREMENT_QUATERNION, 0U };
+    const measurement of = { start_of, at, 3, VAS_MEASUREMENT_QUATERNION, 0U };
     attempt it;
     bs_real z[3];
     bs_real target[3];
@@ -1228,7 +1200,7 @@ bs_status vas_filter_measure_euler(vas_filter *filter,
     static const unsigned short start_of[4] = { 0, 9, 16, 24 };
     static const unsigned short at[24] = { 0, 1, 12, 13, 14, 15, 19, 20, 21, 0, 1, 13, 14, 15, 20,
                                            21, 0, 1, 2, 13, 14, 15, 20, 21 };
-    static const measurement of = { start_of, at, 3, VAS_MEASUREMENT_EULER, 7U };
+    const measurement of = { start_of, at, 3, VAS_MEASUREMENT_EULER, 7U };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -1291,7 +1263,7 @@ bs_status vas_filter_measure_velocity(vas_filter *filter,
                                            31, 32, 33, 34, 35, 36, 0, 1, 2, 5, 6, 7, 8, 12, 13, 14,
                                            15, 16, 17, 18, 22, 23, 24, 25, 26, 27, 31, 32, 33, 34,
                                            35, 36 };
-    static const measurement of = { start_of, at, 3, VAS_MEASUREMENT_VELOCITY, 0U };
+    const measurement of = { start_of, at, 3, VAS_MEASUREMENT_VELOCITY, 0U };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -1417,11 +1389,40 @@ bs_status vas_filter_correct(vas_filter *filter)
     return status;
 }
 
-bs_status vas_filter_consider(vas_filter *filter, const unsigned char considered[VAS_N_STATES])
+/* What is wrong with the numbers that the filter holds. */
+static bs_status held(const vas_filter *filter)
 {
-    if ((filter == NULL) || (considered == NULL)) {
-        return BS_NULL_POINTER;
+    vas_nav held_nav;
+    vas_mounting held_mounting;
+    vas_bending held_bending;
+    vas_triads held_triads;
+    vas_biases held_biases;
+    bs_status status = sound(filter->x, filter->P);
+    held_nav = filter->nav;
+    if (status == BS_OK) {
+        status = check_nav(&held_nav, 0);
     }
+    held_mounting = filter->mounting;
+    if (status == BS_OK) {
+        status = check_mounting(&held_mounting, 0);
+    }
+    held_bending = filter->bending;
+    if (status == BS_OK) {
+        status = check_bending(&held_bending, 0);
+    }
+    held_triads = filter->triads;
+    if (status == BS_OK) {
+        status = check_triads(&held_triads, 0);
+    }
+    held_biases = filter->biases;
+    if (status == BS_OK) {
+        status = check_biases(&held_biases, 0);
+    }
+    return status;
+}
+
+static void choose(vas_filter *filter, const unsigned char *considered)
+{
     filter->considering = 0U;
     for (int i = 0; i < VAS_N_STATES; ++i) {
         filter->considered[i] = 0U;
@@ -1430,7 +1431,46 @@ bs_status vas_filter_consider(vas_filter *filter, const unsigned char considered
             filter->considering = 1U;
         }
     }
-    return BS_OK;
+}
+
+/* What is wrong with the numbers that the filter holds. */
+static bs_status held(const vas_filter *filter)
+{
+    vas_nav held_nav = filter->nav;
+    vas_mounting held_mounting = filter->mounting;
+    vas_bending held_bending = filter->bending;
+    vas_triads held_triads = filter->triads;
+    vas_biases held_biases = filter->biases;
+    bs_status status = sound(filter->x, filter->P);
+    if (status == BS_OK) {
+        status = check_nav(&held_nav, 0);
+    }
+    if (status == BS_OK) {
+        status = check_mounting(&held_mounting, 0);
+    }
+    if (status == BS_OK) {
+        status = check_bending(&held_bending, 0);
+    }
+    if (status == BS_OK) {
+        status = check_triads(&held_triads, 0);
+    }
+    if (status == BS_OK) {
+        status = check_biases(&held_biases, 0);
+    }
+    return status;
+}
+
+bs_status vas_filter_consider(vas_filter *filter, const unsigned char considered[VAS_N_STATES])
+{
+    bs_status status;
+    if ((filter == NULL) || (considered == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = held(filter);
+    if (status == BS_OK) {
+        choose(filter, considered);
+    }
+    return status;
 }
 
 bs_status vas_filter_covariance(const vas_filter *filter, bs_real P[VAS_N_STATES * VAS_N_STATES])
@@ -1442,6 +1482,8 @@ bs_status vas_filter_covariance(const vas_filter *filter, bs_real P[VAS_N_STATES
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
         DENSE(filter->P, P);
+        /* U D U' of finite factors may overflow */
+        status = bs_check_finite(P, VAS_N_STATES * VAS_N_STATES);
     }
     return status;
 }
@@ -1458,6 +1500,7 @@ bs_status vas_filter_variance(const vas_filter *filter, int i, bs_real *value)
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
         *value = variance(filter->P, i);
+        status = bs_check_finite(value, 1);
     }
     return status;
 }
@@ -1473,43 +1516,17 @@ bs_status vas_filter_sigmas(const vas_filter *filter, bs_real sigma[VAS_N_STATES
         for (int i = 0; i < VAS_N_STATES; ++i) {
             sigma[i] = BS_SQRT(variance(filter->P, i));
         }
+        status = bs_check_finite(sigma, VAS_N_STATES);
     }
     return status;
 }
 
 bs_status vas_filter_health(const vas_filter *filter, vas_health *health)
 {
-    vas_nav held_nav;
-    vas_mounting held_mounting;
-    vas_bending held_bending;
-    vas_triads held_triads;
-    vas_biases held_biases;
-    bs_status status;
     if ((filter == NULL) || (health == NULL)) {
         return BS_NULL_POINTER;
     }
-    held_nav = filter->nav;
-    held_mounting = filter->mounting;
-    held_bending = filter->bending;
-    held_triads = filter->triads;
-    held_biases = filter->biases;
-    status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    if (status == BS_OK) {
-        status = check_mounting(&held_mounting, 0);
-    }
-    if (status == BS_OK) {
-        status = check_bending(&held_bending, 0);
-    }
-    if (status == BS_OK) {
-        status = check_triads(&held_triads, 0);
-    }
-    if (status == BS_OK) {
-        status = check_biases(&held_biases, 0);
-    }
-    health->state = status;
+    health->state = held(filter);
     health->ceilings = filter->ceilings;
     for (int i = 0; i < VAS_N_MEASUREMENTS; ++i) {
         health->rejected[i] = filter->rejected[i];
@@ -1626,7 +1643,7 @@ bs_status vas_filter_restore(vas_filter *filter, const unsigned char bytes[VAS_S
         at += put((unsigned char *)filter->rejected, &bytes[at], sizeof(filter->rejected));
         at += put((unsigned char *)&filter->ceilings, &bytes[at], sizeof(filter->ceilings));
         (void)put(considered, &bytes[at], sizeof(considered));
-        status = vas_filter_consider(filter, considered);
+        choose(filter, considered);
     }
     return status;
 }

@@ -444,7 +444,7 @@ size_t vd_filter_consider_batch(size_t n,
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = vd_filter_consider(&filter[i], &considered[i * considered_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -469,7 +469,7 @@ size_t vd_filter_propagate_batch(size_t n,
         const bs_status one = vd_filter_propagate(&filter[i], &imu[i * imu_stride],
                                                   &noise[i * noise_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -494,7 +494,7 @@ size_t vd_filter_strapdown_batch(size_t n,
         const bs_status one = vd_filter_strapdown(&filter[i], &imu[i * imu_stride],
                                                   &increments[i * increments_stride]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -506,7 +506,7 @@ size_t vd_filter_correct_batch(size_t n, vd_filter *filter, unsigned char *statu
     for (size_t i = 0; i < n; ++i) {
         const bs_status one = vd_filter_correct(&filter[i]);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -553,7 +553,7 @@ size_t vd_filter_measure_velocity_batch(size_t n,
         one = vd_filter_measure_velocity(&filter[i], &master[i * master_stride], &R[i * R_stride],
                                          &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -605,7 +605,7 @@ size_t vd_filter_measure_dcm_batch(size_t n,
         one = vd_filter_measure_dcm(&filter[i], &master[i * master_stride], &R[i * R_stride], &how,
                                     &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
@@ -657,7 +657,7 @@ size_t vd_filter_measure_dcm_exact_batch(size_t n,
         one = vd_filter_measure_dcm_exact(&filter[i], &master[i * master_stride], &R[i * R_stride],
                                           &how, &innovation);
         status[i] = (unsigned char)one;
-        failed += (bs_good(one) == 0) ? 1U : 0U;
+        failed += bs_good(one) ? 0U : 1U;
         nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];

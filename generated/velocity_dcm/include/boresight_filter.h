@@ -3,6 +3,8 @@
 #ifndef BORESIGHT_FILTER_H
 #define BORESIGHT_FILTER_H
 
+#include <stdbool.h>
+
 #include "boresight.h"
 
 /* The form in which the filters carry their covariance: factors U D U' in single precision, the
@@ -48,9 +50,9 @@ typedef struct {
 #define BS_SNAPSHOT_HEAD 72
 
 /* Whether a step was taken. */
-static inline int bs_good(bs_status status)
+static inline bool bs_good(bs_status status)
 {
-    return ((status == BS_OK) || (status == BS_AT_CEILING)) ? 1 : 0;
+    return (status == BS_OK) || (status == BS_AT_CEILING);
 }
 
 /* Finite numbers outside their box are put on its edge. */

@@ -115,7 +115,8 @@ bs_status vd_filter_propagate(vd_filter *filter, const vd_imu *imu, const vd_noi
  * their covariance with the others is right, and nu and S are those of the optimal filter.  None
  * after vd_filter_init.  A state that is not needed at all is left out by zeros in P and in the
  * noise: it stays as it is by itself.
- * returns BS_OK, or BS_NULL_POINTER */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_POSITIVE: what the
+ * filter holds is wrong */
 bs_status vd_filter_consider(vd_filter *filter, const unsigned char considered[VD_N_STATES]);
 
 /* Velocity of the slave tau_hat ago, where the master's is measured: z = computed - measured; rows

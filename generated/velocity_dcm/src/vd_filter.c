@@ -16,8 +16,6 @@
 #include "vd_feedback_kernel.h"
 #include "vd_strapdown_kernel.h"
 
-#include <stdbool.h>
-
 #if BORESIGHT_UD
 #define INIT vd_ud_init
 #define PREDICT vd_ud_predict
@@ -45,20 +43,33 @@ static void copy(bs_real *to, const bs_real *from, int n)
     }
 }
 
+/* v_m_n_low too */
+static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+/* v_m_n_high too */
+static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+/* q_m2n_wxyz_low too */
+static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                           BS_REAL(-1.001) };
+/* q_m2n_wxyz_high too */
+static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                            BS_REAL(1.001) };
+/* dtheta_ib_b_low, dtheta_before_low too */
+static const bs_real mu_low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
+/* dtheta_ib_b_high, dtheta_before_high too */
+static const bs_real mu_high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
+/* f_b_low too */
+static const bs_real a_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
+/* f_b_high too */
+static const bs_real a_n_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
+static const bs_real dt_low[1] = { BS_REAL(1e-06) };
+static const bs_real dt_high[1] = { BS_REAL(10.0) };
+
 static bs_status check_nav(vd_nav *nav, int clamp)
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
                                              BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586),
                                               BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
-    static const bs_real v_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
-    static const bs_real v_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-    static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
-                                               BS_REAL(-1.001) };
-    static const bs_real q_b2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
-                                                BS_REAL(1.001) };
-    static const bs_real mu_low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
-    static const bs_real mu_high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
     static const bs_real tau_low[1] = { BS_REAL(-1.0) };
     static const bs_real tau_high[1] = { BS_REAL(1.0) };
     bs_status status = BS_OK;
@@ -96,11 +107,7 @@ static bs_status check_nav(vd_nav *nav, int clamp)
 
 static bs_status check_master_of_measure_velocity(const vd_master *master)
 {
-    static const bs_real v_m_n_low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
-    static const bs_real v_m_n_high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-    static const bs_real a_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
-    static const bs_real a_n_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-    bs_status status = bs_check(master->v_m_n, v_m_n_low, v_m_n_high, 3);
+    bs_status status = bs_check(master->v_m_n, v_n_low, v_n_high, 3);
     if (status == BS_OK) {
         status = bs_check(master->a_n, a_n_low, a_n_high, 3);
     }
@@ -109,13 +116,9 @@ static bs_status check_master_of_measure_velocity(const vd_master *master)
 
 static bs_status check_master_of_measure_dcm(const vd_master *master)
 {
-    static const bs_real q_m2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
-                                               BS_REAL(-1.001) };
-    static const bs_real q_m2n_wxyz_high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
-                                                BS_REAL(1.001) };
     static const bs_real omega_nm_n_low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
     static const bs_real omega_nm_n_high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-    bs_status status = bs_check(master->q_m2n_wxyz, q_m2n_wxyz_low, q_m2n_wxyz_high, 4);
+    bs_status status = bs_check(master->q_m2n_wxyz, q_b2n_wxyz_low, q_b2n_wxyz_high, 4);
     if (status == BS_OK) {
         status = bs_check_norm(master->q_m2n_wxyz, BS_REAL(0.998001), BS_REAL(1.0020009999999997),
                                4);
@@ -140,11 +143,7 @@ static bs_status check_x(const bs_real *x)
 
 static bs_status check_imu_of_propagate(const vd_imu *imu)
 {
-    static const bs_real f_b_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
-    static const bs_real f_b_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-    static const bs_real dt_low[1] = { BS_REAL(1e-06) };
-    static const bs_real dt_high[1] = { BS_REAL(10.0) };
-    bs_status status = bs_check(imu->f_b, f_b_low, f_b_high, 3);
+    bs_status status = bs_check(imu->f_b, a_n_low, a_n_high, 3);
     if (status == BS_OK) {
         status = bs_check(&imu->dt, dt_low, dt_high, 1);
     }
@@ -166,28 +165,22 @@ static bs_status check_noise_of_propagate(const vd_noise *noise)
 
 static bs_status check_imu_of_strapdown(const vd_imu *imu)
 {
-    static const bs_real dt_low[1] = { BS_REAL(1e-06) };
-    static const bs_real dt_high[1] = { BS_REAL(10.0) };
     bs_status status = bs_check(&imu->dt, dt_low, dt_high, 1);
     return status;
 }
 
 static bs_status check_increments_of_strapdown(const vd_increments *increments)
 {
-    /* dtheta_before_low too */
-    static const bs_real dtheta_ib_b_low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
-    /* dtheta_before_high too */
-    static const bs_real dtheta_ib_b_high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
     /* dv_before_low too */
     static const bs_real dv_b_low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
     /* dv_before_high too */
     static const bs_real dv_b_high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-    bs_status status = bs_check(increments->dtheta_ib_b, dtheta_ib_b_low, dtheta_ib_b_high, 3);
+    bs_status status = bs_check(increments->dtheta_ib_b, mu_low, mu_high, 3);
     if (status == BS_OK) {
         status = bs_check(increments->dv_b, dv_b_low, dv_b_high, 3);
     }
     if (status == BS_OK) {
-        status = bs_check(increments->dtheta_before, dtheta_ib_b_low, dtheta_ib_b_high, 3);
+        status = bs_check(increments->dtheta_before, mu_low, mu_high, 3);
     }
     if (status == BS_OK) {
         status = bs_check(increments->dv_before, dv_b_low, dv_b_high, 3);
@@ -242,10 +235,12 @@ static bs_status judge(const bs_real *x, bs_real *P)
         } else if ((x[i] * x[i]) > ceiling[i]) {
             status = BS_OUT_OF_RANGE;
         } else {
-            while (value > ceiling[i]) {
+            bool above = value > ceiling[i];
+            while (above) {
                 value *= BS_REAL(0.25);
                 scale[i] *= BS_REAL(0.5);
                 status = BS_AT_CEILING;
+                above = value > ceiling[i];
             }
         }
     }
@@ -525,8 +520,9 @@ static bs_status iterate(attempt *it,
 static bs_status start(vd_filter *filter, const vd_nav *nav, const bs_real *dense)
 {
     bs_real first[VD_N_STATES];
-    vd_nav first_nav = *nav;
+    vd_nav first_nav;
     bs_status status = bs_probe();
+    first_nav = *nav;
     if (status == BS_OK) {
         status = check_nav(&first_nav, 0);
     }
@@ -721,7 +717,7 @@ bs_status vd_filter_measure_velocity(vd_filter *filter,
 {
     static const unsigned short start_of[4] = { 0, 2, 4, 6 };
     static const unsigned short at[6] = { 0, 9, 1, 9, 2, 9 };
-    static const measurement of = { start_of, at, 3, VD_MEASUREMENT_VELOCITY };
+    const measurement of = { start_of, at, 3, VD_MEASUREMENT_VELOCITY };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -755,7 +751,7 @@ bs_status vd_filter_measure_dcm(vd_filter *filter,
 {
     static const unsigned short start_of[4] = { 0, 5, 10, 15 };
     static const unsigned short at[15] = { 3, 6, 7, 8, 9, 4, 6, 7, 8, 9, 5, 6, 7, 8, 9 };
-    static const measurement of = { start_of, at, 3, VD_MEASUREMENT_DCM };
+    const measurement of = { start_of, at, 3, VD_MEASUREMENT_DCM };
     attempt it;
     bs_real z[3];
     bs_status status;
@@ -790,7 +786,7 @@ bs_status vd_filter_measure_dcm_exact(vd_filter *filter,
     static const unsigned short start_of[4] = { 0, 7, 14, 21 };
     static const unsigned short at[21] = { 3, 4, 5, 6, 7, 8, 9, 3, 4, 5, 6, 7, 8, 9, 3, 4, 5, 6, 7,
                                            8, 9 };
-    static const measurement of = { start_of, at, 3, VD_MEASUREMENT_DCM_EXACT };
+    const measurement of = { start_of, at, 3, VD_MEASUREMENT_DCM_EXACT };
     attempt it;
     bs_real z[3];
     bs_real target[3];
@@ -855,11 +851,20 @@ bs_status vd_filter_correct(vd_filter *filter)
     return status;
 }
 
-bs_status vd_filter_consider(vd_filter *filter, const unsigned char considered[VD_N_STATES])
+/* What is wrong with the numbers that the filter holds. */
+static bs_status held(const vd_filter *filter)
 {
-    if ((filter == NULL) || (considered == NULL)) {
-        return BS_NULL_POINTER;
+    vd_nav held_nav;
+    bs_status status = sound(filter->x, filter->P);
+    held_nav = filter->nav;
+    if (status == BS_OK) {
+        status = check_nav(&held_nav, 0);
     }
+    return status;
+}
+
+static void choose(vd_filter *filter, const unsigned char *considered)
+{
     filter->considering = 0U;
     for (int i = 0; i < VD_N_STATES; ++i) {
         filter->considered[i] = 0U;
@@ -868,7 +873,30 @@ bs_status vd_filter_consider(vd_filter *filter, const unsigned char considered[V
             filter->considering = 1U;
         }
     }
-    return BS_OK;
+}
+
+/* What is wrong with the numbers that the filter holds. */
+static bs_status held(const vd_filter *filter)
+{
+    vd_nav held_nav = filter->nav;
+    bs_status status = sound(filter->x, filter->P);
+    if (status == BS_OK) {
+        status = check_nav(&held_nav, 0);
+    }
+    return status;
+}
+
+bs_status vd_filter_consider(vd_filter *filter, const unsigned char considered[VD_N_STATES])
+{
+    bs_status status;
+    if ((filter == NULL) || (considered == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = held(filter);
+    if (status == BS_OK) {
+        choose(filter, considered);
+    }
+    return status;
 }
 
 bs_status vd_filter_covariance(const vd_filter *filter, bs_real P[VD_N_STATES * VD_N_STATES])
@@ -880,6 +908,8 @@ bs_status vd_filter_covariance(const vd_filter *filter, bs_real P[VD_N_STATES * 
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
         DENSE(filter->P, P);
+        /* U D U' of finite factors may overflow */
+        status = bs_check_finite(P, VD_N_STATES * VD_N_STATES);
     }
     return status;
 }
@@ -896,6 +926,7 @@ bs_status vd_filter_variance(const vd_filter *filter, int i, bs_real *value)
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
         *value = variance(filter->P, i);
+        status = bs_check_finite(value, 1);
     }
     return status;
 }
@@ -911,23 +942,17 @@ bs_status vd_filter_sigmas(const vd_filter *filter, bs_real sigma[VD_N_STATES])
         for (int i = 0; i < VD_N_STATES; ++i) {
             sigma[i] = BS_SQRT(variance(filter->P, i));
         }
+        status = bs_check_finite(sigma, VD_N_STATES);
     }
     return status;
 }
 
 bs_status vd_filter_health(const vd_filter *filter, vd_health *health)
 {
-    vd_nav held_nav;
-    bs_status status;
     if ((filter == NULL) || (health == NULL)) {
         return BS_NULL_POINTER;
     }
-    held_nav = filter->nav;
-    status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    health->state = status;
+    health->state = held(filter);
     health->ceilings = filter->ceilings;
     for (int i = 0; i < VD_N_MEASUREMENTS; ++i) {
         health->rejected[i] = filter->rejected[i];
@@ -1016,7 +1041,7 @@ bs_status vd_filter_restore(vd_filter *filter, const unsigned char bytes[VD_SNAP
         at += put((unsigned char *)filter->rejected, &bytes[at], sizeof(filter->rejected));
         at += put((unsigned char *)&filter->ceilings, &bytes[at], sizeof(filter->ceilings));
         (void)put(considered, &bytes[at], sizeof(considered));
-        status = vd_filter_consider(filter, considered);
+        choose(filter, considered);
     }
     return status;
 }
