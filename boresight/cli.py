@@ -436,6 +436,14 @@ def export(
         ),
     ] = "double",
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
+    box: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=LOW:HIGH",
+            help="Another box of a component of an input or a state, in its unit; may be repeated.  The hash changes, "
+            "and there is no evidence of it.",
+        ),
+    ] = None,
 ) -> None:
     """Write a folder of C that needs nothing of Python.
 
@@ -444,7 +452,7 @@ def export(
     """
     from boresight.codegen.export import export as export_model
 
-    written = export_model(target, out, precision, folder)
+    written = export_model(target, out, precision, folder, tuple(box or ()))
     if written.warning:
         print(f"boresight: {written.warning}", file=sys.stderr)
     goals = "test example" if out / "example" / "main.c" in written.files else "test"

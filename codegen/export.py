@@ -12,8 +12,9 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.codegen.boxes import with_boxes
 from boresight.codegen.functions.samples import generator
-from boresight.codegen.generate import generate, generated_folder
+from boresight.codegen.generate import generate, generated_folder, load_model
 from boresight.codegen.stamp import PACKAGE
 from boresight.codegen.text.files import identity_files, rendered
 from boresight.codegen.text.names import snake
@@ -24,6 +25,7 @@ from boresight.runtime.manifest import folder_of, read_manifest, sources, source
 PRECISIONS = ("double", "float")
 RESULTS = PACKAGE / "evidence" / "results"
 NO_EVIDENCE = "it is kept of Boresight's own models alone; 'boresight verify' tries a model of your own"
+OTHER_BOXES = "boxes were chosen for this export, {}: its C is other than that of which evidence is kept"
 OTHER_EVIDENCE = "what is kept was found of other C, with another hash"
 SECONDS = 60  # of the example
 GENTLE, WIDE = 1e-4, 1e-3  # of half a box: how far the example's inputs stray from its middle; one sigma at its start
@@ -40,24 +42,38 @@ class Exported:
     warning: str
 
 
-def export(target: str, out: Path, precision: str, folder: Path | None = None) -> Exported:
+def export(target: str, out: Path, precision: str, folder: Path | None = None, boxes: tuple[str, ...] = ()) -> Exported:
     """Write the folder `out`, which must not exist or be empty.
 
-    target, folder: as for `generate`, whose output must be what the model says now.
+    target, folder: as for `generate`, whose output must be what the model says now.  boxes: see `with_boxes`; the C is
+    then generated anew, has another hash, and of it there is no evidence.
     """
     if precision not in PRECISIONS:
         raise BoresightError(f"there is no precision {precision!r}; choose {' or '.join(PRECISIONS)}")
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise BoresightError(f"{out} is not empty; choose another folder with -o, or remove it first")
+    if boxes:
+        with tempfile.TemporaryDirectory() as aside:
+            model = with_boxes(load_model(target), boxes)
+            made = generate(target, Path(aside) / snake(model.name), model=model).folder
+            return exported(made, out, precision, OTHER_BOXES.format(", ".join(boxes)))
     if ":" in target:
         folder = generated_folder(target, folder)
     folder = folder or folder_of(target)  # from wherever the command is run
     report = generate(target, folder, check=True)
     if report.written:
         raise BoresightError(f"{report.folder} is not what {target} says now; run 'boresight generate {target}' first")
-    manifest = read_manifest(report.folder)
+    return exported(report.folder, out, precision, NO_EVIDENCE if ":" in target else "")
+
+
+def exported(folder: Path, out: Path, precision: str, unproven: str) -> Exported:
+    """A generated folder, written to `out` in one precision.
+
+    unproven: why there can be no evidence of it, or nothing.
+    """
+    manifest = read_manifest(folder)
     files = {
-        path: (report.folder / path).read_text()
+        path: (folder / path).read_text()
         for path in manifest["files"]
         if not path.startswith(("casadi/", "batch/", "CMakeLists", "equations"))
     }
@@ -65,8 +81,8 @@ def export(target: str, out: Path, precision: str, folder: Path | None = None) -
     identity, digest = identity_files(files, names, bool(manifest.get("filter")), precision)
     assert digest == manifest["hash"]  # whatever the precision
     files |= identity
-    proof = evidence(report.folder, manifest, own=":" in target)
-    view = export_view(manifest, report.folder, files, precision, proof)
+    proof = evidence(folder, manifest, unproven)
+    view = export_view(manifest, folder, files, precision, proof)
     made = ["Makefile", "CMakeLists.txt", "README.md", "LICENSE", "package.pc.in"]
     made += ["example/main.c", "example/minute.h"] if view["minute"] else []
     texts = rendered(tuple(f"export/{path}" for path in made), {"export/": "", "package": view["package"]}, e=view)
@@ -81,15 +97,15 @@ def as_json(document: dict[str, Any]) -> str:
     return json.dumps(document, indent=1, sort_keys=True) + "\n"
 
 
-def evidence(folder: Path, manifest: dict[str, Any], own: bool) -> dict[str, Any]:
+def evidence(folder: Path, manifest: dict[str, Any], unproven: str) -> dict[str, Any]:
     """The committed evidence of exactly this C and its self-test: by kind, tools and units; else "none", and why.
 
-    own: the model is a user's, of which no evidence is kept.
+    unproven: why there can be none, or nothing.
     """
     said = {"model": manifest["model"], "hash": manifest["hash"]}
     kept = RESULTS / f"{folder.name}.json"
-    if own or not kept.is_file():
-        return said | {"evidence": "none", "why": NO_EVIDENCE}
+    if unproven or not kept.is_file():
+        return said | {"evidence": "none", "why": unproven or NO_EVIDENCE}
     digest = sources_hash(sources(folder, manifest["files"]))
     found = {
         kind: {"tools": of["tools"], "units": of["units"]}

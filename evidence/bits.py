@@ -19,7 +19,6 @@ from boresight.runtime.compiler import PRECISIONS, compile_sources, run
 
 MODEL = "azimuth_hold"  # what is flown
 SAMPLES, EVERY = 1_000_000, 10_000  # of the flight; from digest to digest
-SINES = HARNESS / "same_sines.c"
 V3 = "-march=x86-64-v3"
 CPU = Path("/proc/cpuinfo")
 
@@ -84,7 +83,7 @@ def bits(folder: Folder, out: Path, samples: int = SAMPLES) -> dict[str, dict[st
     """By build: what it flew, and after how many samples it differed first from the first build of its precision."""
     found: dict[str, dict[str, Any]] = {}
     for precision in PRECISIONS:
-        flights = {f"{machine.name} {precision}": flown(folder, machine, precision, samples, out / "own")
+        flights = {f"{machine.name} {precision}": flown(folder, machine, precision, samples, out)
                    for machine in MACHINES if precision in machine.precisions and not machine.missing}  # fmt: skip
         if precision == "double":
             flights["Python"] = in_python(samples)
@@ -110,21 +109,21 @@ def differs(one: Flown, other: Flown) -> int:
     return next(((i + 1) * EVERY for i, (a, b) in enumerate(pairs) if a != b), 0)
 
 
-def flown(folder: Folder, machine: Machinery, precision: str, samples: int, out: Path, *, same: bool = False) -> Flown:
-    """The flight by one build.  same: with the sines of harness/same_sines.c in place of the library's."""
+def flown(folder: Folder, machine: Machinery, precision: str, samples: int, out: Path) -> Flown:
+    """The flight by one build."""
     target = machine.target
     out = out / f"{machine.name.replace(' ', '')}-{precision}"
     out.mkdir(parents=True, exist_ok=True)
     flags = (*machine.flags, *PRECISIONS[precision], f"-DFLIGHT_SAMPLES={samples}")
     flags += () if target.emulated else ("-DFLIGHT_MAIN",)
     common = [target.compiler, *WARNINGS, *target.flags, *flags, "-I", folder.include]
-    harness = {HARNESS / "flight.c": (), **({SINES: ("-fno-builtin",)} if same else {})}
-    objects = compile_sources(common, {**{unit.path: () for unit in folder.units}, **harness}, out)
+    sources = [*(unit.path for unit in folder.units), HARNESS / "flight.c"]
+    objects = compile_sources(common, dict.fromkeys(sources, ()), out)
     image = out / "flight.elf"
     link = [*target.link, "-Wl,-e,flight", "-Wl,--gc-sections", "-Wl,--no-warnings"] if target.emulated else []
     run([target.compiler, *target.flags, *machine.flags, *link, *objects.values(), "-lm", "-o", image])
     if target.emulated:
-        return on_core(Build(folder, target, precision, objects, image, image), samples)
+        return on_core(Build(folder, target, precision, objects, image), samples)
     return read([line.split() for line in run([*([machine.runs] if machine.runs else []), image]).splitlines()])
 
 

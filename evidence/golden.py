@@ -63,10 +63,8 @@ def golden(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
                 for function in public_functions(made.objects[unit.name]):
                     if function in costs:
                         cost = costs[function]
-                        found[unit.name]["cost"].setdefault(function.removesuffix("_f32"), {})[name] = [
-                            cost.most,
-                            cost.stack,
-                        ]
+                        plain = function.removesuffix("_f32")  # one name of both precisions
+                        found[unit.name]["cost"].setdefault(plain, {})[name] = [cost.most, cost.stack]
             if precision == "float":
                 for stem, words in doubles(made).items():
                     found[stem]["doubles"] += [f"{name}: {word}" for word in words]

@@ -103,10 +103,10 @@ def compile_units(folder: Folder, target: Target, precision: str, out: Path, *fl
     return compile_sources([*common, "-I", folder.include], {unit.path: () for unit in folder.units}, out)
 
 
-def build(folder: Folder, target: Target, precision: str, out: Path) -> Build:
-    """The folder's units and self-test for one target, below `out`."""
+def build(folder: Folder, target: Target, precision: str, out: Path, *flags: str) -> Build:
+    """The folder's units, by these flags in place of the usual ones, and its self-test for one target, below `out`."""
     out = out / f"{folder.name}-{target.name.replace(' ', '-')}-{precision}"
-    objects = compile_units(folder, target, precision, out)
+    objects = compile_units(folder, target, precision, out, *flags)
     common = [target.compiler, *WARNINGS, *target.flags, *PRECISIONS[precision], "-O0", "-I", folder.include]
     common += ["-I", folder.path / "selftest", f"-DEVIDENCE_ROOM={ROOM}", f"-DEVIDENCE_GROUPS={GROUPS}"]
     harness = {HARNESS / f"{name}.c": ("-fno-builtin",) for name in ("recorder", "quiet")}

@@ -64,6 +64,15 @@ WHOLE = replace(MASS, name="whole-mass", c_prefix="wm", title="a mass on a sprin
                 f=STIFF * motion.vector)  # fmt: skip
 GUSTY = replace(WHOLE, name="gusty-mass", c_prefix="gm", f=Matrix([speed, force - k * sin(place), -force / tau]),
                 G=Matrix([[sin(speed), 0], [1, place / 4], [place * speed / 8, 1]]))  # fmt: skip
+# States that stay stand last; their noises have a part in common with each other and with that of one that moves.
+drift = variable("drift", "b_1 b_2 b_3", "m/s^2", "constants that drive it", -1.0, 1.0)
+SHARED = replace(
+    MASS, name="shared-mass", c_prefix="sm", title="a mass on a spring and what drives it, 5 error states",
+    states=(variable("motion", "place speed", "m, m/s", "errors of a mass on a spring", -10.0, 10.0), drift),
+    F=Matrix([[0, 1, 0, 0, 0], [-k, -1 / tau, 1, 2, 0], *([[0] * 5] * 3)]),
+    G=Matrix([[0, 0], [1, 0], [1 / tau, 2], [0, 1], [2 / tau, 0]]),
+    measurements=(replace(SEEN, H=Matrix([[1, 0, 0, 0, 0]])),),
+)  # fmt: skip
 IN = {"x": [1.0, -2.0, 0.5], "spring": [2.0, 1.5], "push": [0.3, 0.7]}
 
 
@@ -260,6 +269,23 @@ def test_the_loops_in_c_carry_what_the_printed_phi_and_q_say(ordered):
             loop.predict(spring=IN["spring"], push=IN["push"], dt=0.5)
     assert pytest.approx(loops[0].P, rel=1e-13) == loops[1].P
     assert loops[1].x == pytest.approx(loops[0].x, rel=1e-13)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_noises_in_common_of_states_that_stay_are_carried_in_both_forms(order, compiled_once, tmp_path):
+    """discretize and both predicts against Phi P Phi' + Q of the printed units, and the self-test."""
+    folder = generated("SHARED", order, tmp_path / "shared")
+    assert "#define SM_N_MOVING 2 " in (folder / "include" / "shared_mass_covariance.h").read_text()
+    for form in (0, 1):
+        (tmp_path / str(form)).mkdir()
+        done = self_test(folder, tmp_path / str(form), *STRICT, "-O2", f"-DBORESIGHT_UD={form}")
+        assert (done.returncode, done.stdout) == (0, "7 passed, 0 failed\n"), done.stdout + done.stderr
+    library = load(folder)
+    loops = [kind(library, {}, np.diag([0.1, 0.2, 0.3, 0.4, 0.5])) for kind in (Filter, CompiledFilter)]
+    for loop in loops:
+        for _ in range(5):
+            loop.predict(spring=IN["spring"], push=IN["push"], dt=0.5)
+    assert pytest.approx(loops[0].P, rel=1e-12) == loops[1].P
 
 
 def test_the_self_test_knows_the_order(ordered, tmp_path):

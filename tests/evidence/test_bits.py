@@ -27,14 +27,10 @@ EVERYWHERE = [(machine, precision) for machine in (*HERE, *OTHERS) for precision
 
 @pytest.fixture(scope="module")
 def first(tmp_path_factory):
-    """The flight by gcc -O2, by precision and whether its sines are those of a few operations."""
+    """The flight by gcc -O2, by precision."""
     out = tmp_path_factory.mktemp("first")
     machine = next(machine for machine in X86 if machine.flags == ("-O2",))
-    return {
-        (precision, same): flown(folder_of(MODEL), machine, precision, FEW, out / str(same), same=same)
-        for precision in PRECISIONS
-        for same in (False, True)
-    }
+    return {precision: flown(folder_of(MODEL), machine, precision, FEW, out) for precision in PRECISIONS}
 
 
 @pytest.mark.parametrize("precision", PRECISIONS)
@@ -55,24 +51,24 @@ def test_what_is_not_flown_is_named():
 
 
 @pytest.mark.parametrize(("machine", "precision"), EVERYWHERE, ids=lambda value: getattr(value, "name", value))
-def test_but_for_the_sines_a_flight_has_the_same_bits_everywhere(machine, precision, first, tmp_path):
+def test_a_flight_has_the_same_bits_everywhere(machine, precision, first, tmp_path):
     if machine.missing:
         pytest.skip(machine.missing)
-    one = flown(folder_of(MODEL), machine, precision, FEW, tmp_path, same=True)
-    assert differs(one, first[precision, True]) == 0
-    assert (one.refused, one.taken, one.flushed) == (0, first[precision, True].taken, (False, False))
+    one = flown(folder_of(MODEL), machine, precision, FEW, tmp_path)
+    assert differs(one, first[precision]) == 0
+    assert (one.refused, one.taken, one.flushed) == (0, first[precision].taken, (False, False))
 
 
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_the_flight_takes_messages_and_loses_some(precision, first):
-    one = first[precision, False]
+    one = first[precision]
     sent = FEW // 128 * 2
     assert one.refused == 0 and sent * 0.6 < one.taken < sent
     assert len(set(one.digests)) == FEW // EVERY
 
 
 def test_python_flies_the_same_bits(first):
-    assert differs(in_python(FEW), first["double", False]) == 0
+    assert differs(in_python(FEW), first["double"]) == 0
 
 
 def test_the_first_ten_thousand_that_differ_are_named():
@@ -89,4 +85,4 @@ def test_flushing_to_zero_and_a_bit_elsewhere_are_seen(first, tmp_path):
     contracted = Machinery(GCC, ("-O2", "-march=x86-64-v3", "-ffp-contract=fast"))
     if not X86[-1].missing:
         other = flown(folder_of(MODEL), contracted, "float", FEW, tmp_path)
-        assert differs(other, first["float", False]) == EVERY
+        assert differs(other, first["float"]) == EVERY

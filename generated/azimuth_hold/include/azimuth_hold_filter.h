@@ -50,8 +50,8 @@ typedef struct {
     bs_real F[AH_N_F];
     bs_real Qc[AH_N_QC];
     bs_real Phi[AH_N_PHI];
-    bs_real Q[AH_N_PACKED]; /* P as it was, during a measurement */
-    bs_real next[AH_N_PACKED]; /* P as it will be, until it is judged */
+    bs_real Q[AH_N_PACKED]; /* P as it was, during a measurement; as it will be, until it is
+                             * judged */
     bs_real work[AH_N_WORK];
 } ah_filter;
 

@@ -18,7 +18,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "a8a2183e7086bf8a77513a0416cd5346ab489dd7382ad98a3d64fea4d42d8e97"
+#define AH_MODEL_HASH "a83039197d252cfa39fabe86aa1798f7a09ed744420b8c5650b5869afb64a56f"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

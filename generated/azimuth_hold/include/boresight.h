@@ -30,10 +30,10 @@
 #error "numbers are computed in more than their own precision, as by x87: compile with -msse2 -mfpmath=sse"
 #endif
 #endif
-#if (FLT_RADIX != 2) || (FLT_MANT_DIG != 24)
+#if defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24)
 #error "a float is not IEEE 754's of 32 bits"
 #endif
-#if !defined(BORESIGHT_FLOAT) && (DBL_MANT_DIG != 53)
+#if !defined(BORESIGHT_FLOAT) && defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53)
 #error "a double is not IEEE 754's of 64 bits: compile with -DBORESIGHT_FLOAT, or export in float"
 #endif
 

@@ -23,9 +23,10 @@
 #ifdef BORESIGHT_FLOAT
 #define BS_MATH_ANGLE 50.0F /* up to which the three parts of pi/2 times whole numbers are exact */
 #define BS_MATH_SHIFT 12582912.0F /* 3 2^22: what is added to it is rounded to whole numbers */
-#define BS_MATH_HALF_PI_1 1.570797F
-#define BS_MATH_HALF_PI_2 -6.397586e-07F
-#define BS_MATH_HALF_PI_3 7.443548e-13F
+#define BS_MATH_HALF_PI_1 1.5707932F /* each below what it stands for, so that a zero keeps its
+                                      * sign */
+#define BS_MATH_HALF_PI_2 3.1749369e-06F
+#define BS_MATH_HALF_PI_3 2.563344e-12F
 #define BS_MATH_EIGHTH_1 0.78539824F /* pi/4 */
 #define BS_MATH_EIGHTH_2 -8.146034e-08F
 #define BS_MATH_LOG_2_1 0.69314575F

@@ -67,6 +67,7 @@ static ah_filter before;
 static ah_innovation said;
 static ah_innovation said_by_hand;
 static bs_real P0[N * N];
+static bs_real next_P[AH_N_PACKED];
 static bs_real dense[15 * N];
 static bs_real residual[AH_MAX_ROWS];
 static bs_real R[AH_MAX_ROWS];
@@ -134,7 +135,8 @@ static bs_status hand_propagate(ah_filter *filter, const ah_imu *imu, const ah_n
     if (status == BS_OK) {
         ah_discretize(filter->F, filter->Qc, imu->dt, filter->Phi, filter->Q, filter->work);
         ah_predict_state(filter->Phi, filter->x);
-        PREDICT(filter->P, filter->Phi, filter->Q, filter->work);
+        PREDICT(filter->P, filter->Phi, filter->Q, next_P, filter->work);
+        memcpy(filter->P, next_P, sizeof(next_P));
     }
     return status;
 }
@@ -282,6 +284,7 @@ static bs_status set_nav(void)
 {
     return ah_filter_set_nav(&flown, &given_nav, clamp);
 }
+
 
 static bs_status init_sigmas(void)
 {

@@ -444,18 +444,18 @@ static bs_status start(ah_filter *filter, const ah_nav *nav, const bs_real *dens
 {
     bs_real first[AH_N_STATES];
     ah_nav first_nav = *nav;
-    bs_status status = BS_OK;
+    bs_status status = bs_probe();
     if (status == BS_OK) {
         status = check_nav(&first_nav, 0);
     }
     if (status == BS_OK) {
-        status = INIT(dense, filter->next, filter->work);
+        status = INIT(dense, filter->Q, filter->work);
     }
     if (status == BS_OK) {
         for (int i = 0; i < AH_N_STATES; ++i) {
             first[i] = BS_REAL(0.0);
         }
-        status = judge(first, filter->next);
+        status = judge(first, filter->Q);
     }
     if (status == BS_AT_CEILING) {
         status = BS_OUT_OF_RANGE;
@@ -463,7 +463,7 @@ static bs_status start(ah_filter *filter, const ah_nav *nav, const bs_real *dens
     if (status == BS_OK) {
         filter->nav = first_nav;
         copy(filter->x, first, AH_N_STATES);
-        copy(filter->P, filter->next, AH_N_PACKED);
+        copy(filter->P, filter->Q, AH_N_PACKED);
         filter->considering = 0U;
         for (int i = 0; i < AH_N_STATES; ++i) {
             filter->considered[i] = 0U;
@@ -588,12 +588,11 @@ bs_status ah_filter_strapdown(ah_filter *filter, const ah_imu *imu, const ah_inc
 static bs_status carry(ah_filter *filter, const bs_real *x)
 {
     bs_status status;
-    copy(filter->next, filter->P, AH_N_PACKED);
-    PREDICT(filter->next, filter->Phi, filter->Q, filter->work);
-    status = judge(x, filter->next);
+    PREDICT(filter->P, filter->Phi, filter->Q, filter->Q, filter->work);
+    status = judge(x, filter->Q);
     if (bs_good(status)) {
         copy(filter->x, x, AH_N_STATES);
-        copy(filter->P, filter->next, AH_N_PACKED);
+        copy(filter->P, filter->Q, AH_N_PACKED);
     }
     if ((status == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
         filter->ceilings += 1U;
@@ -895,7 +894,7 @@ bs_status ah_filter_restore(ah_filter *filter, const unsigned char bytes[AH_SNAP
     bs_real x[AH_N_STATES];
     ah_nav next_nav;
     int at = BS_SNAPSHOT_HEAD;
-    bs_status status = BS_OK;
+    bs_status status = bs_probe();
     if ((filter == NULL) || (bytes == NULL)) {
         return BS_NULL_POINTER;
     }
@@ -908,12 +907,12 @@ bs_status ah_filter_restore(ah_filter *filter, const unsigned char bytes[AH_SNAP
     }
     at += put((unsigned char *)&next_nav, &bytes[at], sizeof(next_nav));
     at += put((unsigned char *)x, &bytes[at], sizeof(x));
-    at += put((unsigned char *)filter->next, &bytes[at], sizeof(filter->next));
+    at += put((unsigned char *)filter->Q, &bytes[at], sizeof(filter->Q));
     if (status == BS_OK) {
         status = check_nav(&next_nav, 0);
     }
     if (status == BS_OK) {
-        status = judge(x, filter->next);
+        status = judge(x, filter->Q);
     }
     if (status == BS_AT_CEILING) {
         status = BS_OUT_OF_RANGE;
@@ -922,7 +921,7 @@ bs_status ah_filter_restore(ah_filter *filter, const unsigned char bytes[AH_SNAP
         unsigned char considered[AH_N_STATES];
         filter->nav = next_nav;
         copy(filter->x, x, AH_N_STATES);
-        copy(filter->P, filter->next, AH_N_PACKED);
+        copy(filter->P, filter->Q, AH_N_PACKED);
         at += put((unsigned char *)filter->rejected, &bytes[at], sizeof(filter->rejected));
         at += put((unsigned char *)&filter->ceilings, &bytes[at], sizeof(filter->ceilings));
         (void)put(considered, &bytes[at], sizeof(considered));
