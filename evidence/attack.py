@@ -73,6 +73,11 @@ class Function:
         return any(parameter.const and parameter.name == "filter" for parameter in self.parameters)
 
     @property
+    def navigates(self) -> bool:
+        """Whether it leaves x and P alone, as the header says; of what is spoilt there it says nothing."""
+        return self.name == "strapdown"
+
+    @property
     def weight(self) -> int:
         return 1 if self.begins else WEIGHTS.get(self.name, MEASURE if self.measurement else OTHER)
 
@@ -134,6 +139,7 @@ def calls_h(folder: Folder) -> str:
     lines += table("coasts", "const int", [str(int(function.name == "propagate")) for function in listed])
     lines += table("begins", "const int", [str(int(function.begins)) for function in listed])
     lines += table("reads", "const int", [str(int(function.reads)) for function in listed])
+    lines += table("navigates", "const int", [str(int(function.navigates)) for function in listed])
     lines += table("pointers", "const int", [str(sum(p.nullable for p in f.parameters)) for f in listed])
     for signature, body, otherwise in (
         ("static void prepare(int function)", drawing, ""),

@@ -390,9 +390,11 @@ static int judge(int function, int status, int null, int spoilt, int64_t call)
     } else if (taken) {
         found[NAV_NOT_FINITE] = !nav_finite();
         found[NAV_BEYOND] = nav_beyond();
-        found[X_NOT_FINITE] = !finite(filter.x, ATTACK_N);
-        found[P_NOT_FINITE] = !finite(filter.P, ATTACK_PACKED);
-        found[NEGATIVE] = negative_variance();
+        if ((navigates[function] == 0) || (spoilt == 0)) {
+            found[X_NOT_FINITE] = !finite(filter.x, ATTACK_N);
+            found[P_NOT_FINITE] = !finite(filter.P, ATTACK_PACKED);
+            found[NEGATIVE] = negative_variance();
+        }
         found[OUTPUT_NOT_FINITE] = !outputs_finite(function);
     } else {
         found[NAV_WRITTEN] = carried_differs();

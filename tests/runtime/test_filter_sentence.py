@@ -165,8 +165,9 @@ def test_no_number_in_memory_passes_for_a_sound_filter(part, flown):
                 filter.measure([1e-6], which=1),
                 filter.measure([1e-4] * 3, rows=0),
                 filter.call("correct"),
-                filter.call("strapdown", np.r_[np.zeros(6), 0.01], np.zeros(12)),
             ]
+            if part == "nav":  # a strapdown reads nothing else
+                said.append(filter.call("strapdown", np.r_[np.zeros(6), 0.01], np.zeros(12)))
             assert not set(said) & set(GOOD), (bad, place, said)
             assert np.array_equal(filter.state, before)
             if part != "nav":

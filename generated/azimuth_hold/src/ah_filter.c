@@ -558,7 +558,7 @@ bs_status ah_filter_strapdown(ah_filter *filter, const ah_imu *imu, const ah_inc
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
-    status = sound(filter->x, filter->P);
+    status = BS_OK;
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -786,17 +786,6 @@ static void choose(ah_filter *filter, const unsigned char *considered)
             filter->considering = 1U;
         }
     }
-}
-
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const ah_filter *filter)
-{
-    ah_nav held_nav = filter->nav;
-    bs_status status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    return status;
 }
 
 bs_status ah_filter_consider(ah_filter *filter, const unsigned char considered[AH_N_STATES])

@@ -23,11 +23,11 @@
 #endif
 #endif
 #if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
-#error "-funsafe-math-optimizations, -fassociative-math and -freciprocal-math change results; compile without them"
+#error "-fassociative-math and -freciprocal-math change results; compile without them"
 #endif
 #ifdef FLT_EVAL_METHOD
 #if (FLT_EVAL_METHOD != 0) && (FLT_EVAL_METHOD != 16) /* 16 widens nothing but half precision */
-#error "numbers are computed in more than their own precision, as by x87: compile with -msse2 -mfpmath=sse"
+#error "x87 computes in more than a number's own precision: compile with -msse2 -mfpmath=sse"
 #endif
 #endif
 #if defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24)

@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "euler_matching is of Boresight 0.1.0, and a header of another version was seen before: include them in two files"
+#error "euler_matching is of Boresight 0.1.0; another version was seen before: use two files"
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "5cbc99e52b1075189f693e4c0eb69cfbde7a9c6de128378f1a9e863ded8d3862"
+#define EM_MODEL_HASH "c4f74592672eed7deb272c077d9b1070f2eb7ac9aad173300204805af0f83918"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

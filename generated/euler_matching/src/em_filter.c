@@ -598,7 +598,7 @@ bs_status em_filter_strapdown(em_filter *filter, const em_step *step)
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
-    status = sound(filter->x, filter->P);
+    status = BS_OK;
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -792,17 +792,6 @@ static void choose(em_filter *filter, const unsigned char *considered)
             filter->considering = 1U;
         }
     }
-}
-
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const em_filter *filter)
-{
-    em_nav held_nav = filter->nav;
-    bs_status status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    return status;
 }
 
 bs_status em_filter_consider(em_filter *filter, const unsigned char considered[EM_N_STATES])

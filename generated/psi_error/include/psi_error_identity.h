@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "psi_error is of Boresight 0.1.0, and a header of another version was seen before: include them in two files"
+#error "psi_error is of Boresight 0.1.0; another version was seen before: use two files"
 #endif
 
 #define PSI_MODEL "psi-error"
-#define PSI_MODEL_HASH "d21faa7997b61eb7c2c758a17cdafa550265733db04f75a8e2809a74a6b3d656"
+#define PSI_MODEL_HASH "39dd98189364414f3fb375d43dbd93c7892a373851d967d8201212195061988e"
 #define PSI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PSI_VERSION_MAJOR 0
 #define PSI_VERSION_MINOR 1

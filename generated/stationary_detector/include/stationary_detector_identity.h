@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "stationary_detector is of Boresight 0.1.0, and a header of another version was seen before: include them in two files"
+#error "stationary_detector is of Boresight 0.1.0; another version was seen before: use two files"
 #endif
 
 #define DET_MODEL "stationary-detector"
-#define DET_MODEL_HASH "96e7dafdbd82997b8c1405e74ee3b6726477c753814f1995b1d52e6b2a00e0db"
+#define DET_MODEL_HASH "71b9a6a2e06c12096576d87114b094cfaf4b65d4b5491564d0862bd6cd7a9e23"
 #define DET_VERSION "0.1.0" /* of the Boresight that printed it */
 #define DET_VERSION_MAJOR 0
 #define DET_VERSION_MINOR 1

@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "strapdown is of Boresight 0.1.0, and a header of another version was seen before: include them in two files"
+#error "strapdown is of Boresight 0.1.0; another version was seen before: use two files"
 #endif
 
 #define SD_MODEL "strapdown"
-#define SD_MODEL_HASH "b0f466b072a82562b0df12829a3562e3f7e92898c8b8c9e001794d65bf51b21a"
+#define SD_MODEL_HASH "3d72bd46ccc51df08c1225aa83f7359f4f3284b0b97f6996aa4e74ac8eb27bc0"
 #define SD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define SD_VERSION_MAJOR 0
 #define SD_VERSION_MINOR 1

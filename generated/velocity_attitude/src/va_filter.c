@@ -733,7 +733,7 @@ bs_status va_filter_strapdown(va_filter *filter, const va_imu *imu, const va_inc
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
-    status = sound(filter->x, filter->P);
+    status = BS_OK;
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -1049,17 +1049,6 @@ static void choose(va_filter *filter, const unsigned char *considered)
             filter->considering = 1U;
         }
     }
-}
-
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const va_filter *filter)
-{
-    va_nav held_nav = filter->nav;
-    bs_status status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    return status;
 }
 
 bs_status va_filter_consider(va_filter *filter, const unsigned char considered[VA_N_STATES])

@@ -13,7 +13,8 @@
  * mounting, bending, triads, biases lie in their boxes and every variance is at least 0; with UD
  * also that P is positive semidefinite; with Joseph no more than the diagonal is claimed.  With
  * another status (but BS_AT_CEILING, which claims the same as BS_OK) x, P and nav, mounting,
- * bending, triads, biases are as they were, bit for bit.
+ * bending, triads, biases are as they were, bit for bit.  x and P are judged by every call that
+ * reads or writes them: by all but vas_filter_strapdown.
  * A measurement is taken with all of its rows that pass, or not at all: with a status that is
  * neither BS_OK nor BS_AT_CEILING no row of it stays taken, and innovation->used is 0.
  * A variance has a ceiling.  Where a step carries one beyond it, its row and column of P are
@@ -134,7 +135,7 @@ bs_status vas_filter_set_nav(vas_filter *filter,
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE: an input, or the result, lies
- * outside its box; BS_NOT_POSITIVE: P is none */
+ * outside its box */
 bs_status vas_filter_strapdown(vas_filter *filter,
                                const vas_imu *imu,
                                const vas_increments *increments);

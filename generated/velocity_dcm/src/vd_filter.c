@@ -636,7 +636,7 @@ bs_status vd_filter_strapdown(vd_filter *filter, const vd_imu *imu, const vd_inc
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
-    status = sound(filter->x, filter->P);
+    status = BS_OK;
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -873,17 +873,6 @@ static void choose(vd_filter *filter, const unsigned char *considered)
             filter->considering = 1U;
         }
     }
-}
-
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const vd_filter *filter)
-{
-    vd_nav held_nav = filter->nav;
-    bs_status status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    return status;
 }
 
 bs_status vd_filter_consider(vd_filter *filter, const unsigned char considered[VD_N_STATES])
