@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks import interleaved
 from benchmarks.peers.compiled import EQUAL, Differs
 from benchmarks.peers.formulas import FUNCTIONS, Problem, apart, matrices, numbers, reference, statements
-from benchmarks.timing import interleaved
 
 STEPS = ("propagate", "updates, Joseph")
 SIZES = (1, 16, 256, 4096)
@@ -71,6 +71,12 @@ def by_numpy(p: Problem, v: np.ndarray, P: np.ndarray) -> Made:
     return {"propagate": partial(propagated, p, np, v, P), "updates, Joseph": partial(updated, p, np, v, P)}
 
 
+def ready(jitted: Callable[..., Any], *arguments: Any) -> Any:
+    import jax
+
+    return jax.block_until_ready(jitted(*arguments))
+
+
 def by_jax(p: Problem, v: np.ndarray, P: np.ndarray) -> Made:
     import jax
 
@@ -79,7 +85,7 @@ def by_jax(p: Problem, v: np.ndarray, P: np.ndarray) -> Made:
     v, P = jax.numpy.asarray(v), jax.numpy.asarray(P)
     for kind, function in zip(STEPS, (propagated, updated), strict=True):
         jitted = jax.jit(jax.vmap(partial(function, p, jax.numpy)))
-        made[kind] = lambda jitted=jitted: jax.block_until_ready(jitted(v, P))
+        made[kind] = partial(ready, jitted, v, P)
     return made
 
 
@@ -250,14 +256,16 @@ TOOLS: dict[str, tuple[Callable[..., Made], int]] = {  # and the most runs at on
 
 def measure(p: Problem, sizes: tuple[int, ...] = SIZES, rounds: int = 15) -> tuple[dict[Any, float], dict[str, str]]:
     """(tool, step, N) -> ns a run; and the tools that are missing, with the reason.  Raises Differs."""
-    found, missing, given = {}, {}, numbers(p)
+    found: dict[Any, float] = {}
+    missing: dict[str, str] = {}
+    given = numbers(p)
     place = tuple(np.array(p.upper).T)
     dense = np.zeros((p.n, p.n))
     dense[place] = dense[place[::-1]] = given["P"]
     for N in sizes:
         functions = {}
         for tool, (make, most) in TOOLS.items():
-            if N > most or tool in missing:
+            if most < N or tool in missing:
                 continue
             v, P = np.tile(given["v"], (N, 1)), np.tile(dense, (N, 1, 1))
             try:

@@ -4,19 +4,26 @@ import hashlib
 import re
 import shutil
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 import numpy as np
 
 from benchmarks.peers.formulas import Problem, apart, numbers, reference
 
-FLAGS = {"-O2": ("-O2",), "-O3 v3": ("-O3", "-march=x86-64-v3")}
-LANGUAGES = {"c": ("gcc", "-std=c99", "-ffp-contract=off"), "cc": ("g++", "-std=c++17")}
-EQUAL, ROUNDS, SECONDS = 1e-12, 21, 2e-3
+# Beside the flags of the language, which are those of a tool's users: C++ contracts a * b + c where the machine can.
+HOSTS = {"-O2": ("-O2",), "-O3 v3": ("-O3", "-march=x86-64-v3")}
+M7 = (
+    *("-mcpu=cortex-m7", "-mfpu=fpv5-d16", "-mfloat-abi=hard", "-mthumb"),
+    *("-O2", "-ffunction-sections", "-fdata-sections"),
+)
+C = ("gcc", "-std=c99", "-ffp-contract=off")
+LANGUAGES = {"c": C, "cc": ("g++", "-std=c++17", "-fno-exceptions")}
+EQUAL, ROUNDS, SLOT = 1e-12, 21, 2e-3
 
 
 class Differs(Exception):
@@ -25,7 +32,7 @@ class Differs(Exception):
 
 @dataclass
 class Task:
-    """One function of one tool: its name in C, its sources (text, suffix) and what was measured of it by flags."""
+    """One function of one tool: its name in C, its source, further sources that it calls, and what was measured."""
 
     tool: str
     kind: str
@@ -36,86 +43,99 @@ class Task:
     sources: Sequence[Path] = ()
     include: Sequence[Path] = ()
     apart: float = np.nan
-    ns: dict[str, float] = field(default_factory=dict)
+    ns: dict[str, float] = field(default_factory=dict)  # by flags
     instructions: dict[str, int] = field(default_factory=dict)
+    text_bytes: int | None = None
 
 
-def run(command: Sequence[object], **keywords: object) -> subprocess.CompletedProcess[bytes]:
-    done = subprocess.run([str(word) for word in command], capture_output=True, check=False, **keywords)  # type: ignore[call-overload]
+def run(command: Sequence[object]) -> bytes:
+    """Standard output.  Raises RuntimeError with the first line of what went wrong."""
+    done = subprocess.run([str(word) for word in command], capture_output=True, check=False)
     if done.returncode != 0:
-        raise RuntimeError(f"{command[0]}: {done.stderr.decode(errors='replace').strip()[:400]}")
-    return done
+        lines = done.stderr.decode(errors="replace").splitlines() or [f"ended with {done.returncode}"]
+        raise RuntimeError(f"{command[0]}: {next((line for line in lines if 'error' in line), lines[0])}")
+    return done.stdout
 
 
-def compiled(text: str, suffix: str, flags: Sequence[str], include: Sequence[Path], folder: Path, of: str = "") -> Path:
-    """The object of a source, from the cache if it is there.  of: what the headers say, besides."""
-    command = [*LANGUAGES[suffix], *flags, "-fPIC", *(f"-I{path}" for path in include)]
-    key = hashlib.sha256("\0".join([text, of, *command]).encode()).hexdigest()[:24]
-    out = folder / f"{key}.o"
-    if not out.exists():
-        source, aside = folder / f"{key}.{suffix}", folder / f"{key}.part"
-        source.write_text(text)
-        run([*command, "-c", source, "-o", aside])
-        aside.rename(out)
-    return out
+def compiled(task: Task, flags: Sequence[str], folder: Path, prefix: str = "") -> list[Path]:
+    """The objects of a task, from the cache if they are there.  prefix: of the compiler's name."""
+    headers = (
+        "".join(path.read_text() for top in task.include for path in sorted(top.glob("*.h"))) if task.sources else ""
+    )
+    objects = []
+    for text, suffix in ((task.text, task.suffix), *((path.read_text(), "c") for path in task.sources)):
+        command = [*LANGUAGES[suffix], *flags, "-fPIC", *(f"-I{path}" for path in task.include)]
+        command[0] = prefix + command[0]
+        if prefix:
+            command.remove("-fPIC")
+        key = hashlib.sha256("\0".join([text, headers, *command]).encode()).hexdigest()[:24]
+        out, source, aside = (folder / f"{key}.{end}" for end in ("o", suffix, "part"))
+        if not out.exists():
+            source.write_text(text)
+            run([*command, "-c", source, "-o", aside])
+            aside.rename(out)
+        objects.append(out)
+    return objects
 
 
-def library(tasks: Sequence[Task], flags: Sequence[str], folder: Path) -> Path:
-    """One shared library of all tasks."""
-    jobs: dict[tuple[str, str, tuple[Path, ...]], str] = {}
-    for task in tasks:
-        headers = "".join(
-            path.read_text() for source in task.sources for path in sorted(source.parent.parent.rglob("*.h"))
-        )[:10_000_000] if task.sources else ""
-        jobs[task.text, task.suffix, tuple(task.include)] = headers
-        for path in task.sources:
-            jobs[path.read_text(), "c", tuple(task.include)] = headers
+def built(
+    tasks: Sequence[Task], flags: Sequence[str], folder: Path, prefix: str = ""
+) -> tuple[dict[str, list[Path]], dict[str, str]]:
+    """Task -> objects; and tool -> why it does not compile."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for first in {tuple(task.sources): task for task in tasks if task.sources}.values():
+        compiled(first, flags, folder, prefix)  # what tasks share is made once, before the pool
+    objects, failed = {}, {}
     with ThreadPoolExecutor(2) as pool:
-        objects = list(
-            pool.map(lambda job: compiled(job[0][0], job[0][1], flags, job[0][2], folder, job[1]), jobs.items())
-        )
-    out = folder / "all.so"
-    run(["g++", "-shared", *dict.fromkeys(objects), "-lm", "-o", out])
-    return out
+        futures = {task.name: pool.submit(compiled, task, flags, folder, prefix) for task in tasks}
+    for task in tasks:
+        try:
+            objects[task.name] = futures[task.name].result()
+        except RuntimeError as error:
+            if task.tool.startswith("Boresight"):
+                raise
+            failed[task.tool] = str(error)
+    return objects, failed
 
 
 def driver(folder: Path, callgrind: bool) -> Path:
-    out = folder / ("counted" if callgrind else "drive")
-    source = Path(__file__).with_name("drive.c")
-    run(["gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O2", *(["-DCALLGRIND"] if callgrind else []), source, "-ldl", "-o", out])
+    out, source = folder / ("counted" if callgrind else "drive"), Path(__file__).with_name("drive.c")
+    flags = ["-Wall", "-Wextra", "-Werror", "-O2", *(["-DCALLGRIND"] if callgrind else [])]
+    run([*C, *flags, source, "-ldl", "-o", out])
     return out
 
 
-def measure(tasks: list[Task], label: str, folder: Path, rounds: int = ROUNDS) -> None:
-    """Check, then time and count every task under one set of flags.  All are of one problem.
+def measure(tasks: list[Task], label: str, folder: Path, rounds: int = ROUNDS) -> dict[str, str]:
+    """Check, then time and count every task of one problem under one set of flags.  Returns tool -> why it is missing.
 
     Raises Differs before anything is timed.
     """
     folder = (folder / "objects").resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    p = tasks[0].problem
-    shared, given, names = library(tasks, FLAGS[label], folder), numbers(p), [task.name for task in tasks]
+    objects, missing = built(tasks, HOSTS[label], folder)
+    tasks = [task for task in tasks if task.name in objects]
+    p, shared = tasks[0].problem, folder / "all.so"
+    run(["g++", "-shared", *dict.fromkeys(path for task in tasks for path in objects[task.name]), "-lm", "-o", shared])
+    given, names = numbers(p), [task.name for task in tasks]
     widest = max(p.n**2, max(p.writes(task.kind) for task in tasks))
     head = [given["v"].size, given["P"].size, widest, 0]
     np.concatenate([head, given["v"], given["P"], given["Q"]]).tofile(folder / "numbers")
     call = [driver(folder, False), shared, folder / "numbers"]
-    out = np.frombuffer(run([*call, "check", 1, 0, *names]).stdout).reshape(len(tasks), widest)
-    hold(tasks, out, given)
-    text = run([*call, "time", rounds, SECONDS, *names]).stdout.decode()
-    for task, ns in zip(tasks, medians(text), strict=True):
+    hold(tasks, np.frombuffer(run([*call, "check", 1, 0, *names])).reshape(len(tasks), widest), given)
+    for task, ns in zip(tasks, medians(run([*call, "time", rounds, SLOT, *names]).decode()), strict=True):
         task.ns[label] = ns
     if shutil.which("valgrind"):
-        counted = folder / "counts"
-        shutil.rmtree(counted, ignore_errors=True)
-        counted.mkdir()
-        command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={counted}/out"]
-        run([*command, driver(folder, True), shared, folder / "numbers", "count", 1, 0, *names])
-        counts = instructions([path.read_text() for path in counted.iterdir()])
+        counts = folder / "counts"
+        shutil.rmtree(counts, ignore_errors=True)
+        counts.mkdir()
+        command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={counts}/out", driver(folder, True)]
+        run([*command, shared, folder / "numbers", "count", 1, 0, *names])
+        found = instructions([path.read_text() for path in counts.iterdir()])
         for task in tasks:
-            task.instructions[label] = counts[task.name]
+            task.instructions[label] = found[task.name]
+    return missing
 
 
-def hold(tasks: Sequence[Task], out: np.ndarray, given: dict[str, np.ndarray]) -> None:
+def hold(tasks: Sequence[Task], out: np.ndarray, given: Mapping[str, np.ndarray]) -> None:
     """Every task's numbers against those of NumPy.  Raises Differs."""
     for task, row in zip(tasks, out, strict=True):
         wanted = reference(task.problem, task.kind, given)
@@ -126,7 +146,8 @@ def hold(tasks: Sequence[Task], out: np.ndarray, given: dict[str, np.ndarray]) -
 
 def medians(text: str) -> list[float]:
     """Of the driver's lines, one a round."""
-    return [median(column) for column in zip(*([float(word) for word in line.split()] for line in text.splitlines()))]
+    rounds = [[float(word) for word in line.split()] for line in text.splitlines()]
+    return [median(column) for column in zip(*rounds, strict=True)]
 
 
 def instructions(dumps: Sequence[str]) -> dict[str, int]:
@@ -138,3 +159,36 @@ def instructions(dumps: Sequence[str]) -> dict[str, int]:
         if name and total:
             found[name[1]] = int(total[1])
     return found
+
+
+def sizes(tasks: Sequence[Task], folder: Path) -> str:
+    """Bytes of code and tables on a Cortex-M7 without the C library's own.  Returns why there are none, or nothing."""
+    prefix, folder = "arm-none-eabi-", (folder / "objects").resolve()
+    if not shutil.which(f"{prefix}gcc"):
+        return f"{prefix}gcc is not installed"
+    objects, failed = built(tasks, M7, folder, prefix)
+    for task in tasks:
+        if task.name in objects:
+            link = [f"{prefix}gcc", *M7, "-nostdlib", "-Wl,--gc-sections", "-Wl,--unresolved-symbols=ignore-all"]
+            out = folder / "m7.elf"
+            run([*link, f"-Wl,-e,{task.name}", *objects[task.name], "-o", out])
+            task.text_bytes = text_of(run([f"{prefix}size", out]).decode())
+    return "; ".join(f"{tool}: {why}" for tool, why in failed.items())
+
+
+def text_of(table: str) -> int:
+    """The first number below `text` of what `size` prints."""
+    return int(table.splitlines()[1].split()[0])
+
+
+def clock(folder: Path) -> float:
+    """GHz at which additions that wait for one another run, or nan where the driver cannot say."""
+    return float(run([driver((folder / "objects").resolve(), False), "clock"]) or "nan")
+
+
+def limit(p: Problem, kind: str, done: Mapping[str, int], lanes: int, ghz: float) -> float:
+    """ns below which no order of the operations gets: two multiplications, two additions, two loads or one store of
+    `lanes` numbers a cycle, without fused operations, whichever takes longest."""
+    read: Any = {"F": 0, "updates, plain": 1, "updates, Joseph": 1, "propagate": 1}.get(kind, 2) * len(p.upper)
+    wanted = (done["multiply"] / 2, done.get("add", 0) / 2, read / 2, p.writes(kind))
+    return max(wanted) / lanes / ghz

@@ -1,5 +1,6 @@
 /* Calls functions of a library, all with one signature, on the same numbers.
- * usage: drive LIBRARY NUMBERS check|count|time ROUNDS SECONDS NAME...
+ * usage: drive clock, or
+ *        drive LIBRARY NUMBERS check|count|time ROUNDS SECONDS NAME...
  * NUMBERS: four counts (v, P, out and 0), then v, P, Q, in doubles.
  * check: writes what each function gives to standard output; time: prints ns a call, a line a round, the rounds
  * interleaved; count: has callgrind count one call of each, when run below it. */
@@ -50,12 +51,40 @@ static double seconds(const task *one, long calls)
     return now() - start;
 }
 
+/* GHz of the processor: an addition that waits for the one before it takes a cycle. */
+static double clock_ghz(void)
+{
+#if defined(__x86_64__)
+    long x = 0, turns = 2000000;
+    double best = 1.0;
+    for (int round = 0; round < 9; ++round) {
+        const double start = now();
+        for (long k = 0; k < turns; ++k)
+            __asm__ volatile("add $1,%0\nadd $1,%0\nadd $1,%0\nadd $1,%0\nadd $1,%0\nadd $1,%0\nadd $1,%0\nadd $1,%0"
+                             : "+r"(x));
+        const double spent = now() - start;
+        best = (spent < best) ? spent : best;
+    }
+    return 8e-9 * (double)turns / best;
+#else
+    return 0.0 / 0.0;
+#endif
+}
+
 int main(int argc, char **argv)
 {
+    if (argc == 2 && strcmp(argv[1], "clock") == 0) {
+        printf("%.3f\n", clock_ghz());
+        return 0;
+    }
+    if (argc < 7) {
+        fprintf(stderr, "drive: too few arguments\n");
+        return 1;
+    }
     void *const library = dlopen(argv[1], RTLD_NOW);
     static double numbers[4 * ROOM];
     FILE *const file = fopen(argv[2], "rb");
-    if (argc < 7 || library == NULL || file == NULL || fread(numbers, sizeof(double), 4 * ROOM, file) < 4) {
+    if (library == NULL || file == NULL || fread(numbers, sizeof(double), 4 * ROOM, file) < 4) {
         fprintf(stderr, "drive: %s\n", library == NULL ? dlerror() : "cannot read the numbers");
         return 1;
     }

@@ -5,7 +5,7 @@ What a tool reads is `v`, the numbers of the model's structs one after another, 
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, reduce
 from operator import add
@@ -51,8 +51,10 @@ class Plain(StrPrinter):
 
 @dataclass(frozen=True)
 class Problem:
-    """inputs: name and size of the fields at the head of v; names: their scalars.  entries: F and Qc, (i, j) -> expression.  statements: (name, text) of their
-    common terms, then of `entries`, in the subset of `Plain`.  rows: h, {state: value}, of each scalar measurement."""
+    """inputs: name and size of the fields at the head of v; names: their scalars.  entries: F and Qc, (i, j) ->
+    expression.  statements: (name, text) of their common terms, then of `entries`, in the subset of `Plain`.
+    rows: h, {state: value}, of each scalar measurement.
+    """
 
     n: int
     inputs: tuple[tuple[str, int], ...]
@@ -75,18 +77,23 @@ class Problem:
         return self.n**2 if kind == "F" else len(self.upper) + self.n * (kind in WRITES_X)
 
 
+def nonzeros(M: Any) -> dict[tuple[int, int], Any]:
+    return {(i, j): M[i, j] for i in range(M.rows) for j in range(M.cols) if M[i, j] != 0}
+
+
 def problem(model: Model | None = None) -> Problem:
     """Of a model in which every scalar measurement but those of `zaru` is taken, one after another."""
     model = model or azimuth_hold()
     F = numeric(model.F)
     Qc = numeric(model.G) * sp.diag(*(w**2 for w in model.noise)) * numeric(model.G).T
-    entries = tuple({(i, j): M[i, j] for i in range(model.n) for j in range(model.n) if M[i, j] != 0} for M in (F, Qc))
+    entries = nonzeros(F), nonzeros(Qc)
     terms, values = sp.cse([value for part in entries for value in part.values()], sp.numbered_symbols("t"))
     labels = [f"{name}_{i}_{j}" for name, part in zip(("F", "Qc"), entries, strict=True) for i, j in part]
     text = Plain().doprint
     statements = [(str(name), text(value)) for name, value in terms]
     statements += [(label, text(value)) for label, value in zip(labels, values, strict=True)]
-    H = [numeric(m.H)[i, :] for m in model.measurements if m.name != "zaru" for i in range(m.H.rows)]
+    taken = [numeric(m.H) for m in model.measurements if m.H is not None and m.name != "zaru"]
+    H = [whole[i, :] for whole in taken for i in range(whole.rows)]
     rows = tuple({k: float(h[k]) for k in range(model.n) if h[k] != 0} for h in H)
     inputs = tuple((item.name, item.size) for item in model.inputs)
     names = tuple(str(symbol) for item in model.inputs for symbol in item.symbols)
@@ -163,18 +170,16 @@ def lyapunov(A: Rows, X: Rows) -> Rows:
 def outputs(
     p: Problem,
     kind: str,
-    v: Any,
-    P: Any,
-    Q: Any,
+    given: Sequence[Any],
     functions: dict[str, Any],
     named: Callable[[Rows], Rows] = lambda rows: rows,
-    made: tuple[Rows, Rows] | None = None,
 ) -> list[Any]:
-    """What a kind writes.  named: is given each matrix once it is made, and may put names in its place; made: F, Qc."""
+    """What a kind writes.  given: v, P and Q.  named: is given each matrix and may put names in its place."""
+    v, P, Q = given
     x = [v[len(v) - p.n + i] for i in range(p.n)]
     if kind.startswith("updates"):
         return updates(p, v, P, x, kind.endswith("Joseph"), named)
-    F, Qc = made or matrices(p, v, functions, kind == "propagate")
+    F, Qc = matrices(p, v, functions, kind == "propagate")
     if kind == "F":
         return [F[i].get(j, 0.0) for i in range(p.n) for j in range(p.n)]
     dt = v[p.names.index("dt")]
@@ -254,7 +259,7 @@ def operations(p: Problem, kind: str) -> dict[str, int]:
     done: dict[str, int] = {}
     one = Counted(done)
     packed = [one] * len(p.upper)
-    outputs(p, kind, [one] * p.width, packed, packed, dict.fromkeys(FUNCTIONS, lambda a: a._one("function")))
+    outputs(p, kind, ([one] * p.width, packed, packed), dict.fromkeys(FUNCTIONS, lambda a: a._one("function")))
     return done
 
 
@@ -287,7 +292,7 @@ def numbers(p: Problem, seed: int = 0) -> dict[str, np.ndarray]:
     return {"v": v, "P": covariance(1.0), "Q": covariance(1e-4)}
 
 
-def reference(p: Problem, kind: str, given: dict[str, np.ndarray]) -> np.ndarray:
+def reference(p: Problem, kind: str, given: Mapping[str, np.ndarray]) -> np.ndarray:
     """The same by dense matrices in NumPy, in the textbook's form: what every tool is held against."""
     v, n, m = given["v"], p.n, len(p.rows)
     functions = {name: getattr(np, name) for name in FUNCTIONS}
@@ -328,4 +333,5 @@ def apart(p: Problem, kind: str, got: Any, wanted: np.ndarray) -> float:
     count = len(i)
     sigma = np.sqrt(wanted[:count][i == j])
     off = np.abs(got - wanted)
-    return float(max((off[:count] / (sigma[i] * sigma[j])).max(), (off[count:] / sigma[: len(off) - count]).max(initial=0.0)))
+    of_x = off[count:] / sigma[: len(off) - count]
+    return float(max((off[:count] / (sigma[i] * sigma[j])).max(), of_x.max(initial=0.0)))

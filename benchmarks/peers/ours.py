@@ -48,10 +48,13 @@ def calls(p: Problem, model: Model, kind: str, name: str, tool: str) -> str | No
             memset(out, 0, sizeof(double) * {p.n**2});
             for (int k = 0; k < {len(places)}; ++k) out[at[k]] = nz[k];"""
     elif kind.startswith("predict") and form:
+        F = set(p.entries[0])
+        Phi = F | {(i, i) for i in range(p.n)} | {(i, j) for i, k in F for m, j in F if m == k and kind != "predict 1"}
+        function = f"{x}_Phi" if len(Phi) == p.n**2 else f"{x}_Phi_nz"  # what is full has no form without zeros
         Q = "Q" if form == "joseph" else "factors"
         body = f"""bs_real Phi[{X}_N_PHI], work[{X}_N_WORK], factors[{X}_N_PACKED];
             (void)factors;
-            (void){x}_Phi_nz({nav}, {step}, Phi);
+            (void){function}({nav}, {step}, Phi);
             {copy}
             {"" if form == "joseph" else "memcpy(factors, Q, sizeof factors);"}
             {x}_{form}_predict(out, Phi, {Q}, work);"""
@@ -63,7 +66,8 @@ def calls(p: Problem, model: Model, kind: str, name: str, tool: str) -> str | No
             for h, where, row, _ in rows
         )
         steps = "".join(
-            f"{{ bs_row row = {{ {h}, {where}, {len(row)}, v[{first + r}], v[{first + m + r}], 0.0, 0.0, 0.0, 1, NULL }};"
+            f"{{ bs_row row = {{ {h}, {where}, {len(row)}, v[{first + r}], v[{first + m + r}], "
+            "0.0, 0.0, 0.0, 1, NULL };"
             f"(void){x}_{form}_update(out, &out[{X}_N_PACKED], &row); }}"
             for h, where, row, r in rows
         )

@@ -32,7 +32,7 @@ def casadi(p: Problem, kind: str, name: str) -> tuple[str, str]:
 
     symbols = {key: ca.SX.sym(key, size) for key, size in sizes(p).items()}
     parts = {key: [whole[k] for k in range(whole.numel())] for key, whole in symbols.items()}
-    values = outputs(p, kind, *parts.values(), functions={f: getattr(ca, f) for f in FUNCTIONS})
+    values = outputs(p, kind, [*parts.values()], {f: getattr(ca, f) for f in FUNCTIONS})
     value = ca.cse(ca.densify(ca.vertcat(*values)))
     function = ca.Function(f"{name}_casadi", list(symbols.values()), [value])
     generator = ca.CodeGenerator(name, {"casadi_int": "int", "with_header": False, "static_aux": True})
@@ -68,7 +68,7 @@ def sympy_cse(p: Problem, kind: str, name: str) -> tuple[str, str]:
     """All outputs through one cse."""
     import sympy as sp
 
-    values = outputs(p, kind, *sympy_symbols(p), functions={f: getattr(sp, f) for f in FUNCTIONS})
+    values = outputs(p, kind, sympy_symbols(p), {f: getattr(sp, f) for f in FUNCTIONS})
     return in_c(name, cse_lines(values, "t", "out[{}]".format)), "c"
 
 
@@ -82,12 +82,10 @@ def sympy_staged(p: Problem, kind: str, name: str) -> tuple[str, str]:
         at = [(i, j) for i, row in enumerate(rows) for j, value in row.items() if getattr(value, "args", ())]
         first = len(lines)
         symbols = {key: sp.Symbol(f"s{first}_{k}") for k, key in enumerate(at)}
-        lines.extend(
-            cse_lines([rows[i][j] for i, j in at], f"c{first}_", lambda k: f"const double {symbols[at[k]]}")
-        )
+        lines.extend(cse_lines([rows[i][j] for i, j in at], f"c{first}_", lambda k: f"const double {symbols[at[k]]}"))
         return [{j: symbols.get((i, j), value) for j, value in row.items()} for i, row in enumerate(rows)]
 
-    values = outputs(p, kind, *sympy_symbols(p), functions={f: getattr(sp, f) for f in FUNCTIONS}, named=named)
+    values = outputs(p, kind, sympy_symbols(p), {f: getattr(sp, f) for f in FUNCTIONS}, named=named)
     return in_c(name, lines + cse_lines(values, "t", "out[{}]".format)), "c"
 
 
@@ -102,7 +100,7 @@ def symforce(p: Problem, kind: str, name: str) -> tuple[str, str]:
 
     symbols = {key: sf.Matrix(size, 1).symbolic(key) for key, size in sizes(p).items()}
     parts = [[whole[k] for k in range(whole.shape[0])] for whole in symbols.values()]
-    values = outputs(p, kind, *parts, functions={f: getattr(sf, f) for f in FUNCTIONS})
+    values = outputs(p, kind, parts, {f: getattr(sf, f) for f in FUNCTIONS})
     code = Codegen(
         inputs=Values(**symbols),
         outputs=Values(out=sf.Matrix(len(values), 1, values)),
@@ -127,7 +125,7 @@ def wrenfold(p: Problem, kind: str, name: str) -> tuple[str, str]:
 
     def described(v: Any, P: Any, Q: Any) -> list[Any]:
         parts = [[whole[k] for k in range(whole.shape[0])] for whole in (v, P, Q)]
-        values = outputs(p, kind, *parts, functions={f: getattr(sym, f) for f in FUNCTIONS})
+        values = outputs(p, kind, parts, {f: getattr(sym, f) for f in FUNCTIONS})
         return [code_generation.OutputArg(sym.matrix(values), name="out")]
 
     described.__annotations__ = {key: Annotated[sym.MatrixExpr, Shape(size, 1)] for key, size in sizes(p).items()}
@@ -142,15 +140,15 @@ def span(key: str, size: int) -> str:
 
 
 def eigen(p: Problem, kind: str, name: str) -> tuple[str, str]:
-    """By hand, with dense matrices of fixed size, as an engineer writes it who has no generator; P and out are dense."""
+    """By hand, with dense matrices of fixed size, as one writes it without a generator; P and out are dense."""
     names = {key: f"v[{k}]" for k, key in enumerate(p.names)}
     n, m, first = p.n, len(p.rows), len(p.names)
     lines = [f"using M = Eigen::Matrix<double, {n}, {n}, Eigen::RowMajor>; using V = Eigen::Matrix<double, {n}, 1>;"]
     if not kind.startswith("updates"):
-        text = statements(p.statements, kind == "propagate")
-        read = {word for _, line in text for word in re.findall(r"[A-Za-z_]\w*", line)}
+        terms = statements(p.statements, kind == "propagate")
+        read = {word for _, line in terms for word in re.findall(r"[A-Za-z_]\w*", line)}
         lines += [f"const double {key} = {place};" for key, place in names.items() if key in read | {"dt"}]
-        lines += [f"const double {key} = {line};" for key, line in text]
+        lines += [f"const double {key} = {line};" for key, line in terms]
         for matrix, entries in zip(("F", "Qc")[: 1 + (kind == "propagate")], p.entries, strict=False):
             lines.append(f"M {matrix} = M::Zero();")
             lines += [f"{matrix}({i}, {j}) = {matrix}_{i}_{j};" for i, j in entries]
