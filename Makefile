@@ -69,7 +69,7 @@ $(BENCH)/.installed: pyproject.toml benchmarks/constraints.txt | tools
 			|| echo "make: $$peer does not install"; \
 	done
 	@test -e /usr/include/eigen3 || { mkdir -p $(BENCH)/debian && cd $(BENCH)/debian \
-		&& apt-get -qq download libeigen3-dev && dpkg -x libeigen3-dev_*.deb .; } \
+		&& apt-get -qq -o APT::Sandbox::User=root download libeigen3-dev && dpkg -x libeigen3-dev_*.deb .; } \
 		|| echo "make: there is no libeigen3-dev"
 	@touch $@
 

@@ -79,25 +79,33 @@ def test_what_the_tools_print_is_read():
         compiled.text_of("   text    data     bss     dec     hex filename\n   1234       8       0    1242  4da x\n")
         == 1234
     )
+    assert report.without_paths("g++: /home/me/a/b.cc:1: error: 1/2") == "g++: b.cc:1: error: 1/2"
     assert report.machine("processor\t: 0\nmodel name\t: Some CPU 7\n") == "Some CPU 7"
 
 
 def test_the_table_says_who_wins():
-    cells = {("Boresight", "a"): 2.0, ("Boresight, UD", "a"): 9.0, ("peer", "a"): 1.0, ("other", "a"): 3.0,
+    cells = {("Boresight", "a"): 2.0, ("Boresight, UD factors", "a"): 0.5, ("peer", "a"): 1.0, ("other", "a"): 3.0,
              ("Boresight", "b"): 1.0, ("peer", "b"): 4.0, ("peer", "c"): 5.0}  # fmt: skip
     table = report.compared("title", cells, "abc", {("peer", "a"): 70.0}, [("limit", {"a": "0.5"})])
     assert table.markdown().splitlines()[2:] == [
         "|  | a | b | c |",
         "|---|---|---|---|",
         "| Boresight | 2 | **1** | - |",
-        "| Boresight, UD | 9 | - | - |",
+        "| Boresight, UD factors | 0 * | - | - |",
         "| peer | **1** / 70 | 4 | **5** |",
         "| other | 3 | - | - |",
-        "| Boresight's best over the best peer | 2.00, peer wins | 0.25, Boresight wins | - |",
+        "| Boresight over the best peer | 2.00, peer wins | 0.25, Boresight wins | - |",
         "| limit | 0.5 | - | - |",
     ]
     assert [len(line) for line in table.text().splitlines()[1:]] == [len(table.text().splitlines()[1])] * 7
     assert "**" not in table.text()
+    plain = report.compared(
+        "", {("Boresight", "updates, Joseph"): 3.0, ("peer", "updates, plain"): 2.0}, formulas.KINDS
+    )
+    assert plain.rows[-1][1][3:5] == [
+        "1.50, peer wins",
+        "-",
+    ]  # ours has no plain form: its Joseph form stands beside it
 
 
 def test_the_page_is_written_between_its_markers_alone(tmp_path):

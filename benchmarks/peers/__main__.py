@@ -118,8 +118,8 @@ def main() -> None:
     foot = [f"Measured on {report.machine(Path('/proc/cpuinfo').read_text())}; {versions()}."]
     foot.append(f"Every tool's numbers are those of NumPy within {compiled.EQUAL:.0e}; the furthest was "
                 f"{max(task.apart for task in tasks):.0e}.")  # fmt: skip
-    foot += [f"Missing: {tool} ({why})." for tool, why in missing.items()]
-    foot += [f"No code sizes: {no_sizes}."] if no_sizes else []
+    foot += [f"Missing: {tool} ({report.without_paths(why)})." for tool, why in missing.items()]
+    foot += [f"No code sizes: {report.without_paths(no_sizes)}."] if no_sizes else []
     print("\n\n".join([*(table.text() for table in tables), *foot]))
     text = "\n\n".join([*(table.markdown() for table in tables), *map(wrapped, foot)])
     (folder / "benchmarks.md").write_text(text + "\n")

@@ -36,8 +36,17 @@ class Table:
         return "\n".join([self.title.replace("**", ""), *rows])
 
 
-def ours(tool: str) -> bool:
-    return tool.startswith(OURS)
+ASIDE = {  # what has another form or result than its column says; a tool, or a tool in one column
+    "Boresight, non-zeros alone",
+    "Boresight, UD factors",
+    "simdkalman, plain form",
+    ("wrenfold", "updates, Joseph"),
+}
+STAND_IN = {"updates, plain": "updates, Joseph"}  # what ours is compared in a column that it has not
+
+
+def aside(tool: str, column: str) -> bool:
+    return tool in ASIDE or (tool, column) in ASIDE
 
 
 def compared(
@@ -50,35 +59,41 @@ def compared(
 ) -> Table:
     """A row a tool, the least of each column in bold, and what we need over the best peer.
 
-    beside: is put behind each number.  further: rows of other things, by column.
+    What is ASIDE has a star, and no part in that.  beside: is put behind each number.  further: rows of other things, by column.
     """
     tools = dict.fromkeys(tool for tool, _ in cells)
     table = Table(title, columns)
 
-    def of(column: str, which: Callable[[str], bool]) -> dict[str, float]:
-        return {tool: value for (tool, kind), value in cells.items() if kind == column and which(tool)}
+    def of(column: str, mine: bool) -> dict[str, float]:
+        return {
+            tool: value
+            for (tool, kind), value in cells.items()
+            if kind == column and tool.startswith(OURS) == mine and not aside(tool, column)
+        }
 
     for tool in tools:
         row = []
         for column in columns:
             value = cells.get((tool, column))
             text = "-" if value is None else form(value)
-            if value is not None and value == min(of(column, lambda _: True).values()):
+            if value is not None and value == min((of(column, True) | of(column, False)).values(), default=None):
                 text = f"**{text}**"
             if beside and (tool, column) in beside:
                 text += f" / {beside[tool, column]:.0f}"
+            if value is not None and aside(tool, column):
+                text += " *"
             row.append(text)
         table.rows.append((tool, row))
     verdicts = []
     for column in columns:
-        mine, theirs = of(column, ours), of(column, lambda tool: not ours(tool))
+        mine, theirs = of(column, True) or of(STAND_IN.get(column, ""), True), of(column, False)
         if not mine or not theirs:
             verdicts.append("-")
             continue
         best = min(theirs, key=theirs.__getitem__)
         ratio = min(mine.values()) / theirs[best]
         verdicts.append(f"{ratio:.2f}, {best if ratio > 1 else OURS} wins")
-    table.rows.append(("Boresight's best over the best peer", verdicts))
+    table.rows.append((f"{OURS} over the best peer", verdicts))
     table.rows += [(name, [cells.get(column, "-") for column in columns]) for name, cells in further]
     return table
 
@@ -96,6 +111,11 @@ def machine(cpuinfo: str) -> str:
     """The processor's name, of /proc/cpuinfo."""
     found = re.search(r"^model name\s*: (.+)$", cpuinfo, re.MULTILINE)
     return found[1] if found else "unknown processor"
+
+
+def without_paths(text: str) -> str:
+    """Only the last part of each absolute path."""
+    return re.sub(r"(?<![\w.])/(?:[^\s/:,;'\"()]+/)+", "", text)
 
 
 Line = Sequence[tuple[float, float]]
