@@ -59,9 +59,10 @@ def compared(
 ) -> Table:
     """A row a tool, the least of each column in bold, and what we need over the best peer.
 
-    What is ASIDE has a star, and no part in that.  beside: is put behind each number.  further: rows of other things, by column.
+    What is ASIDE has a star, and no part in that.  beside: is put behind each number.  further: rows of other things,
+    by column.
     """
-    tools = dict.fromkeys(tool for tool, _ in cells)
+    tools = sorted(dict.fromkeys(tool for tool, _ in cells), key=lambda tool: not tool.startswith(OURS))
     table = Table(title, columns)
 
     def of(column: str, mine: bool) -> dict[str, float]:
@@ -131,17 +132,29 @@ def figure(path: Path, bars: Cells, batch: Mapping[str, Line], growth: Mapping[s
 
     fig, axes = plt.subplots(2, 2, figsize=(12, 9), constrained_layout=True)
 
+    drawn = (*(tool for tool, _ in bars), *batch, *growth, *(tool for tool, _ in bytes_of))
+    color = {tool: f"C{k % 10}" for k, tool in enumerate(dict.fromkeys(drawn))}
+
     def grouped(axis: Any, cells: Cells, label: str) -> None:
         kinds, tools = ([*dict.fromkeys(key[at] for key in cells)] for at in (1, 0))
         for k, tool in enumerate(tools):
-            at = [i + 0.8 * k / len(tools) - 0.4 for i, kind in enumerate(kinds) if (tool, kind) in cells]
-            axis.bar(at, [cells[tool, kind] for kind in kinds if (tool, kind) in cells], 0.8 / len(tools), label=tool)
+            at = [i + (0.8 * k + 0.4) / len(tools) - 0.4 for i, kind in enumerate(kinds) if (tool, kind) in cells]
+            axis.bar(
+                at,
+                [cells[tool, kind] for kind in kinds if (tool, kind) in cells],
+                0.8 / len(tools),
+                label=tool,
+                color=color[tool],
+            )
         axis.set_xticks(range(len(kinds)), kinds, fontsize=8)
         axis.set_ylabel(label)
 
     def curves(axis: Any, lines: Mapping[str, Line], x: str, y: str) -> None:
         for tool, points in lines.items():
-            axis.loglog(*zip(*points, strict=True), "o-", label=tool)
+            axis.loglog(*zip(*points, strict=True), "o-", label=tool, color=color[tool])
+        at = sorted({point for points in lines.values() for point, _ in points})
+        axis.set_xticks(at, map(str, at), minor=False)
+        axis.set_xticks([], minor=True)
         axis.set_xlabel(x)
         axis.set_ylabel(y)
 
