@@ -9,7 +9,7 @@ BENCH := .venv-bench
 PEERS := symforce wrenfold casadi sympy filterpy python-ins simdkalman numba jax
 
 .NOTPARALLEL:
-.PHONY: run test generated check evidence bench clean tools announce
+.PHONY: run test generated check evidence proofs bench clean tools announce
 
 run: announce $(VENV)/.installed
 	$(BIN)/boresight generate
@@ -36,6 +36,10 @@ check: $(VENV)/.tested
 
 evidence: $(VENV)/.tested
 	$(BIN)/python -m boresight.evidence
+
+# Bounds on rounding over the whole box, by Gappa; with COQ=--coq Coq checks those of the small lists.
+proofs: $(VENV)/.tested
+	$(BIN)/python -m boresight.evidence.proofs $(COQ)
 
 # Boresight beside its peers, in an environment of their own; the table goes into docs/benchmarks.md.  Never in CI.
 bench: $(BENCH)/.installed

@@ -436,17 +436,27 @@ def export(
         ),
     ] = "double",
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
+    box: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=LOW:HIGH",
+            help="Another box of a component of an input or a state, in its unit; may be repeated.  The hash changes, "
+            "and there is no evidence of it.",
+        ),
+    ] = None,
 ) -> None:
     """Write a folder of C that needs nothing of Python.
 
-    It holds the filter, its self-test, an example, a Makefile and a CMake package.
+    It holds the functions, the filter of a model that has one with an example, their self-test, a Makefile, a CMake
+    package and pkg-config; LICENSE, manifest.json with hashes, and evidence.json, what was found of exactly this C.
     """
     from boresight.codegen.export import export as export_model
 
-    written = export_model(target, out, precision, folder)
+    written = export_model(target, out, precision, folder, tuple(box or ()))
     if written.warning:
         print(f"boresight: {written.warning}", file=sys.stderr)
-    print(f"{counted(len(written.files), 'file')} in {out}; try 'make -C {out} test example'")
+    goals = "test example" if out / "example" / "main.c" in written.files else "test"
+    print(f"{counted(len(written.files), 'file')} in {out}; try 'make -C {out} {goals}'")
 
 
 Svg = Annotated[bool, typer.Option("--svg", help="Figures as SVG, for a paper, and not as PNG.")]

@@ -1,5 +1,7 @@
 """One folder of C that needs nothing of Python: a generated model in one precision, with its tests and an example."""
 
+import hashlib
+import json
 import re
 import shutil
 import tempfile
@@ -10,14 +12,21 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.codegen.boxes import with_boxes
 from boresight.codegen.functions.samples import generator
-from boresight.codegen.generate import generate, generated_folder
-from boresight.codegen.text.files import rendered
+from boresight.codegen.generate import generate, generated_folder, load_model
+from boresight.codegen.stamp import PACKAGE
+from boresight.codegen.text.files import identity_files, rendered
+from boresight.codegen.text.names import snake
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import Library, load
-from boresight.runtime.manifest import folder_of, read_manifest
+from boresight.runtime.manifest import folder_of, read_manifest, sources, sources_hash
 
 PRECISIONS = ("double", "float")
+RESULTS = PACKAGE / "evidence" / "results"
+NO_EVIDENCE = "it is kept of Boresight's own models alone; 'boresight verify' tries a model of your own"
+OTHER_BOXES = "boxes were chosen for this export, {}: its C is other than that of which evidence is kept"
+OTHER_EVIDENCE = "what is kept was found of other C, with another hash"
 SECONDS = 60  # of the example
 GENTLE, WIDE = 1e-4, 1e-3  # of half a box: how far the example's inputs stray from its middle; one sigma at its start
 PLACE = re.compile(r"(?<![a-z])(lat|lon|latitude|longitude)(?![a-z])")
@@ -33,44 +42,77 @@ class Exported:
     warning: str
 
 
-def export(target: str, out: Path, precision: str, folder: Path | None = None) -> Exported:
+def export(target: str, out: Path, precision: str, folder: Path | None = None, boxes: tuple[str, ...] = ()) -> Exported:
     """Write the folder `out`, which must not exist or be empty.
 
-    target, folder: as for `generate`, whose output must be what the model says now.
+    target, folder: as for `generate`, whose output must be what the model says now.  boxes: see `with_boxes`; the C is
+    then generated anew, has another hash, and of it there is no evidence.
     """
     if precision not in PRECISIONS:
         raise BoresightError(f"there is no precision {precision!r}; choose {' or '.join(PRECISIONS)}")
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise BoresightError(f"{out} is not empty; choose another folder with -o, or remove it first")
+    if boxes:
+        with tempfile.TemporaryDirectory() as aside:
+            model = with_boxes(load_model(target), boxes)
+            made = generate(target, Path(aside) / snake(model.name), model=model).folder
+            return exported(made, out, precision, OTHER_BOXES.format(", ".join(boxes)))
     if ":" in target:
         folder = generated_folder(target, folder)
     folder = folder or folder_of(target)  # from wherever the command is run
     report = generate(target, folder, check=True)
     if report.written:
         raise BoresightError(f"{report.folder} is not what {target} says now; run 'boresight generate {target}' first")
-    manifest = read_manifest(report.folder)
-    if not manifest.get("filter"):
-        raise BoresightError(f"{target} has no filter to export; take its folder {report.folder} as it is")
+    return exported(report.folder, out, precision, NO_EVIDENCE if ":" in target else "")
+
+
+def exported(folder: Path, out: Path, precision: str, unproven: str) -> Exported:
+    """A generated folder, written to `out` in one precision.
+
+    unproven: why there can be no evidence of it, or nothing.
+    """
+    manifest = read_manifest(folder)
     files = {
-        path: (report.folder / path).read_text()
+        path: (folder / path).read_text()
         for path in manifest["files"]
         if not path.startswith(("casadi/", "batch/", "CMakeLists", "equations"))
     }
-    if precision == "float":
-        files["include/boresight.h"] = in_float(files["include/boresight.h"])
-    view = export_view(manifest, load(report.folder), files, precision)
-    made: tuple[str, ...] = ("Makefile", "CMakeLists.txt", "README.md")
-    made += ("example/main.c", "example/minute.h") if view["minute"] else ()
-    texts = rendered(tuple(f"export/{path}" for path in made), {}, e=view)
-    made_files = write(out, files | {path.removeprefix("export/"): text for path, text in texts.items()})
-    return Exported(made_files, view["cost"])
+    names = {"name": manifest["model"], "snake": snake(manifest["model"]), "prefix": manifest["c_prefix"]}
+    identity, digest = identity_files(files, names, bool(manifest.get("filter")), precision)
+    assert digest == manifest["hash"]  # whatever the precision
+    files |= identity
+    proof = evidence(folder, manifest, unproven)
+    view = export_view(manifest, folder, files, precision, proof)
+    made = ["Makefile", "CMakeLists.txt", "README.md", "LICENSE", "package.pc.in"]
+    made += ["example/main.c", "example/minute.h"] if view["minute"] else []
+    texts = rendered(tuple(f"export/{path}" for path in made), {"export/": "", "package": view["package"]}, e=view)
+    files |= texts | {"evidence.json": as_json(proof)}
+    listed = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
+    whole = {key: manifest[key] for key in ("model", "title", "c_prefix", "hash", "version")}
+    whole |= {"precision": precision, "form": view["form"], "files": listed}
+    return Exported(write(out, files | {"manifest.json": as_json(whole)}), view["cost"])
 
 
-def in_float(header: str) -> str:
-    """boresight.h for single precision, whatever the compiler is told."""
-    guard = "#define BORESIGHT_H\n"
-    choice = "\n#ifndef BORESIGHT_FLOAT\n#define BORESIGHT_FLOAT /* exported in single precision */\n#endif\n"
-    return header.replace(guard, guard + choice, 1)
+def as_json(document: dict[str, Any]) -> str:
+    return json.dumps(document, indent=1, sort_keys=True) + "\n"
+
+
+def evidence(folder: Path, manifest: dict[str, Any], unproven: str) -> dict[str, Any]:
+    """The committed evidence of exactly this C and its self-test: by kind, tools and units; else "none", and why.
+
+    unproven: why there can be none, or nothing.
+    """
+    said = {"model": manifest["model"], "hash": manifest["hash"]}
+    kept = RESULTS / f"{folder.name}.json"
+    if unproven or not kept.is_file():
+        return said | {"evidence": "none", "why": unproven or NO_EVIDENCE}
+    digest = sources_hash(sources(folder, manifest["files"]))
+    found = {
+        kind: {"tools": of["tools"], "units": of["units"]}
+        for kind, of in json.loads(kept.read_text()).items()
+        if of["sources"] == digest
+    }
+    return said | ({"evidence": found} if found else {"evidence": "none", "why": OTHER_EVIDENCE})
 
 
 def write(out: Path, files: dict[str, str]) -> list[Path]:
@@ -114,47 +156,56 @@ def cost_of_float(manifest: dict[str, Any]) -> str:
     )
 
 
-def export_view(manifest: dict[str, Any], library: Library, files: dict[str, str], precision: str) -> dict[str, Any]:
-    prefix, snake = manifest["c_prefix"], manifest["model"].replace("-", "_")
-    size = 4 if precision == "float" else 8
-    structs = {
-        name: sum(field["size"] for field in fields) for name, fields in manifest["structs"].items() if name != "x"
-    }
-    header = files[f"include/{snake}_covariance.h"]
-    counts = {name: int(n) for name, n in re.findall(rf"{prefix.upper()}_N_(\w+) (\d+)", header)}
-    n = len(manifest["states"])
-    carried = sum(structs[name] for name in manifest["filter"]["carried"])
-    try:
-        flown, why_not = minute(manifest, library, precision), ""
-    except BoresightError as error:  # the middle of the boxes need not suit every model, nor an error state of zero
-        flown, why_not = None, str(error)
+def export_view(
+    manifest: dict[str, Any], folder: Path, files: dict[str, str], precision: str, proof: dict[str, Any]
+) -> dict[str, Any]:
+    stem, found, described = snake(manifest["model"]), proof["evidence"], manifest.get("filter")
+    flown, why_not = None, ""
+    if described:
+        try:
+            flown = minute(manifest, load(folder), precision)
+        except BoresightError as error:  # the middle of the boxes need not suit every model, nor an error state of zero
+            why_not = str(error)
+    form = "none" if not described else "UD" if precision == "float" else "Joseph"
     return {
         "title": manifest["title"],
         "model": manifest["model"],
-        "snake": snake,
-        "prefix": prefix,
+        "hash": manifest["hash"],
+        "snake": stem,
+        "package": stem + ("_f32" if precision == "float" else ""),
+        "prefix": manifest["c_prefix"],
         "precision": precision,
-        "form": "UD factors" if precision == "float" else "symmetric Joseph form",
-        "n": n,
-        "states": manifest["states"],
+        "form": form,
+        "form_words": "UD factors" if form == "UD" else "symmetric Joseph form",
+        "evidence_words": f"none: {proof['why']}" if found == "none" else f"{', '.join(found)}, in `evidence.json`",
+        "states": manifest.get("states", []),
         "sources": sorted(Path(path).name for path in files if re.fullmatch(r"src/\w+\.c", path)),
         "tests": sorted(Path(path).name for path in files if re.fullmatch(r"selftest/\w+\.c", path)),
-        "units": [{"name": unit["c_name"], **unit} for unit in manifest["units"].values()],
-        "memory": [(f"{prefix}_{name}", count * size) for name, count in structs.items()]
-        + [
-            (
-                f"{prefix}_filter",
-                size * (carried + n + 2 * counts["PACKED"] + sum(counts.get(k, 0) for k in ("F", "QC", "PHI", "WORK"))),
-            )
+        "units": [
+            {"name": unit["c_name"], **unit}
+            for unit in manifest["units"].values()
+            if unit.get("operations") is not None
         ],
-        "measurements": manifest["measurements"],
-        "filter": manifest["filter"],
+        "memory": memory(manifest, folder, precision),
+        "filter": described,
         "minute": flown,
         "why_not": why_not,
         "seconds": SECONDS,
         "near": NEAR[precision],
-        "cost": cost_of_float(manifest) if precision == "float" else "",
+        "cost": cost_of_float(manifest) if described and precision == "float" else "",
     }
+
+
+def memory(manifest: dict[str, Any], folder: Path, precision: str) -> list[tuple[str, int]]:
+    """Bytes of each struct that the caller holds; of a component its header says it."""
+    prefix, listed = manifest["c_prefix"], manifest.get("structs", {}).items()
+    size = 4 if precision == "float" else 8
+    structs = {name: sum(field["size"] for field in fields) for name, fields in listed if name != "x"}
+    found = [(f"{prefix}_{name}", count * size) for name, count in structs.items()]
+    if manifest.get("filter"):
+        numbers = getattr(load(folder, precision=precision).dll, f"{prefix}_filter_size")()
+        found.append((f"{prefix}_filter", numbers * size))
+    return found
 
 
 def minute(manifest: dict[str, Any], library: Library, precision: str) -> dict[str, Any]:

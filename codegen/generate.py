@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from boresight import BoresightError, did_you_mean
+from boresight import BoresightError, __version__, did_you_mean
 from boresight.codegen.stamp import PACKAGE, made_from
 from boresight.derive.models import MODELS, built_in
 
@@ -226,7 +226,8 @@ def generate(
             f"{folder / by_hand[0]} was edited since it was generated; put the change into the model, delete the file, "
             "and generate again"
         )
-    stamp = {"made_from": made_from(source_of(target) if ":" not in target else None), "versions": versions()}
+    origin = made_from(source_of(target) if ":" not in target else None)
+    stamp = {"made_from": origin, "versions": versions(), "version": __version__}
     complete = before and all((folder / path).is_file() for path in before["files"])
     if not check and ":" not in target and complete and all(before.get(key) == value for key, value in stamp.items()):
         strange = strange_files(folder, {*before["files"], "manifest.json"})

@@ -37,7 +37,7 @@ def guards(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
         # after a run in the same process the counts have to be asked for
         dump = place / "dump.c"
         dump.write_text("void __gcov_dump(void);\nvoid dump(void);\nvoid dump(void)\n{\n    __gcov_dump();\n}\n")
-        more = [*folder.files("batch/*.c"), *folder.files("selftest/*.c"), dump]
+        more = [*folder.files("batch/*.c"), *folder.files("selftest/*.c"), *folder.identity, dump]
         tests = compile_sources(plain, {**dict.fromkeys(more, ()), HARNESS / "quiet.c": ("-fno-builtin",)}, place)
         image = place / f"{folder.name}-guards-{precision}.so"
         link = ["gcc", "-shared", "-Wl,-Bsymbolic", "--coverage", *GCC.flags]
@@ -114,7 +114,8 @@ def null_pointers(unit: Unit, base: Points) -> tuple[int, list[str]]:
     given = [array for array, _ in unit.library.pack(unit.structs, base, (1,))]
     outputs, dll = unit.outputs(1), unit.library.dll
     tried, wrong = 0, []
-    for name in (unit.described["c_name"], unit.described["c_name"] + "_nz"):
+    ending = "_f32" if unit.library.precision == "float" else ""
+    for name in (unit.described["c_name"] + ending, unit.described["c_name"] + "_nz" + ending):
         if not hasattr(dll, name):
             continue
         for k in range(len(given) + len(outputs)):

@@ -9,6 +9,10 @@ from typing import Any
 
 from boresight.derive.papers import PAPERS
 from boresight.evidence import results
+from boresight.evidence.attack import attack
+from boresight.evidence.bits import MISSING as BITS_MISSING
+from boresight.evidence.bits import MODEL, bits
+from boresight.evidence.bits import version as bits_version
 from boresight.evidence.eva import MISSING as EVA_MISSING
 from boresight.evidence.eva import eva
 from boresight.evidence.eva import version as eva_version
@@ -53,6 +57,8 @@ KINDS = (
     Kind("misra", misra, MISRA_MISSING, misra_version),
     Kind("riscv", riscv, RV32.missing, lambda: RV32.version),
     Kind("eva", eva, EVA_MISSING, eva_version),
+    Kind("bits", bits, BITS_MISSING, bits_version),
+    Kind("attack", attack, GCC.missing, lambda: ""),
 )
 
 # Emulated boards, mutants and Eva cost with the third power of the states, and hours beyond so many of them.
@@ -61,8 +67,15 @@ LARGEST, DEAR = 20, ("golden", "mutants", "eva")
 
 def kinds_for(folder: Folder) -> tuple[Kind, ...]:
     """What is made of a generated folder."""
-    small = len(folder.manifest.get("states", ())) <= LARGEST
-    return tuple(kind for kind in KINDS if small or kind.name not in DEAR)
+    left_out = set() if is_small(folder) else set(DEAR)
+    left_out |= set() if folder.name == MODEL else {"bits"}
+    left_out |= set() if folder.manifest.get("filter") else {"attack"}
+    return tuple(kind for kind in KINDS if kind.name not in left_out)
+
+
+def is_small(folder: Folder) -> bool:
+    """Whether its evidence that costs with the third power of the states is made."""
+    return len(folder.manifest.get("states", ())) <= LARGEST
 
 
 # Of papers, not of generated folders.

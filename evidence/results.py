@@ -1,11 +1,11 @@
 """The committed results: a file for each generated folder and each paper, an entry for each kind of evidence."""
 
-import hashlib
 import json
 from pathlib import Path
 from typing import Any
 
 from boresight.evidence.sources import Derivations, Examples, Flights, Folder
+from boresight.runtime import manifest
 
 PLACE = Path(__file__).resolve().parent / "results"
 
@@ -13,10 +13,7 @@ PLACE = Path(__file__).resolve().parent / "results"
 def sources_hash(folder: Folder | Derivations | Examples | Flights) -> str:
     """Of everything that a result depends on: of a folder its C, its headers, its tests; of a paper the derivations, of
     the examples all that makes and flies them."""
-    key = hashlib.sha256()
-    for path in folder.sources:
-        key.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
-    return key.hexdigest()
+    return manifest.sources_hash(folder.sources)
 
 
 def read(folder: Folder | Derivations | Examples | Flights) -> dict[str, Any]:

@@ -18,7 +18,6 @@ from boresight.evidence.sources import Folder, Source
 from boresight.runtime.library import Unit as CompiledUnit
 
 RUNS, CORNERS, CHUNK = 100_000, 2_000, 4_000
-LIBM_ULPS = 1.0  # what the functions of this machine's library may err by; hyperbolic ones twice that
 
 
 def rounding(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
@@ -51,8 +50,8 @@ def of_unit(source: Source, unit: Unit, compiled: CompiledUnit) -> dict[str, Any
         drawn += CHUNK
         outputs, status = call(compiled, points)
         inputs = [points[arg.name] for arg in unit.args]
-        values, floats = evaluate(unit.tape, inputs, LIBM_ULPS, np.float32)
-        _, doubles = evaluate(unit.tape, inputs, LIBM_ULPS)
+        values, floats = evaluate(unit.tape, inputs, np.float32)
+        _, doubles = evaluate(unit.tape, inputs)
         keep = (status == 0) & np.isfinite(np.array(floats)).all(axis=0)
         for i, (o, nz, _) in enumerate(results):
             result = unit.results[o]

@@ -7,12 +7,10 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from boresight.codegen.functions.tape import LIBRARY
 from boresight.codegen.stamp import GENERATOR, reached
 from boresight.derive.papers import DERIVATIONS, PAPERS
-from boresight.runtime.manifest import GENERATED, read_manifest
+from boresight.runtime.manifest import GENERATED, read_manifest, sources
 
-LIBM = re.compile(rf"BS_({'|'.join(name.upper() for name in ('atan2', *sorted(LIBRARY)))})\(")
 TEST = re.compile(r"^int (test_\w+)\(void\)$", re.MULTILINE)
 INCLUDED = re.compile(r'^#include "(\w+\.h)"', re.MULTILINE)
 
@@ -42,11 +40,16 @@ class Folder:
     @property
     def sources(self) -> list[Path]:
         """What its results depend on."""
-        return self.files("src/*") + self.files("include/*") + self.files("selftest/*")
+        return sources(self.path, self.manifest["files"])
+
+    @property
+    def identity(self) -> list[Path]:
+        """The C file that says what the folder is, which the self-test prints; it computes nothing and is no unit."""
+        return self.files("src/*_identity.c")
 
     @cached_property
     def units(self) -> list["Source"]:
-        return [Source(self, path) for path in self.files("src/*.c")]
+        return [Source(self, path) for path in self.files("src/*.c") if path not in self.identity]
 
 
 @dataclass(frozen=True)
@@ -131,12 +134,12 @@ class Source:
 
     @cached_property
     def text(self) -> list[Path]:
-        """The C file and every header of the folder that it includes, directly or not."""
+        """The C file and every header of the folder that it includes, directly or not; not the names of identity."""
         found = [self.path]
         for path in found:
             for name in INCLUDED.findall(path.read_text()):
                 for place in (self.path.parent / name, self.folder.include / name):
-                    if place.is_file() and place not in found:
+                    if place.is_file() and place not in found and not name.endswith("_identity.h"):
                         found.append(place)
         return found
 
@@ -148,14 +151,14 @@ class Source:
         return key.hexdigest()
 
     @property
+    def elementary(self) -> bool:
+        """Whether it holds the elementary functions that the model calls, which no list and no loop is."""
+        return self.name.endswith("_math")
+
+    @property
     def operations(self) -> int | None:
         """The printed instruction list's length."""
         return None if self.described is None else int(self.described["operations"])
-
-    @cached_property
-    def calls_libm(self) -> bool:
-        """Whether a function of the target's library takes part that need not be correctly rounded."""
-        return any(LIBM.search(path.read_text()) for path in self.text if path.name != "boresight.h")
 
 
 def derivations() -> list[Derivations]:

@@ -6,13 +6,15 @@ from typing import Any
 
 from boresight.derive.ledger.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED
 from boresight.evidence import results
+from boresight.evidence.bits import MODEL, NOT_FLOWN
 from boresight.evidence.misra import DEVIATED
+from boresight.evidence.proofs import kept as proved
 from boresight.evidence.sources import Flights, Source, derivations, folders
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "evidence.md"
 BEGIN, END = "<!-- from here on written by make evidence -->\n", "<!-- to here -->\n"
 HEAD = (
-    *("unit", "operations", "bytes", "M4F float", "M7 float", "M7 double", "bits", "same sines", "M4F double"),
+    *("unit", "operations", "bytes", "M4F float", "M7 float", "M7 double", "bits", "M4F double"),
     *("RISC-V", "mutants killed", "bad input", "rounding", "MISRA", "Eva", "trace"),
 )
 STEPS = (
@@ -34,12 +36,49 @@ def tables() -> str:
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         parts.append(section(folder.name, HEAD, rows))
-    return "".join(parts) + steps() + shown() + flights() + "\n"
+    return "".join(parts) + one_flight() + hostile() + proofs() + steps() + shown() + flights() + "\n"
 
 
 def section(title: str, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
     lines = [head, ("---",) * len(head), *rows]
     return f"\n## {title}\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines) + "\n"
+
+
+HASHES = ("build", "samples", "SHA-256 begins", "first difference", "refused", "flush to zero", "control register")
+
+
+def one_flight() -> str:
+    """What each build flew, and when it differed first."""
+    (folder,) = (folder for folder in folders() if folder.name == MODEL)
+    kept = results.read(folder).get("bits", {}).get("units", {})
+    rows: list[tuple[str, ...]] = [
+        (
+            name,
+            str(of["samples"]),
+            of["sha256"][:16],
+            f"within {of['differs']}" if of["differs"] else "none",
+            str(of["refused"]),
+            " and ".join(word for word, on in zip(("results", "inputs"), of["flushed"], strict=True) if on) or "no",
+            hex(of["control"]) if of["control"] else "-",
+        )
+        for name, of in kept.items()
+    ]
+    rows += [(name, *"-" * 5, why) for name, why in NOT_FLOWN.items() if kept]
+    return section("One flight, one hash", HASHES, rows)
+
+
+HOSTILE = ("model", "build", "calls", "OK", "refused", "breaks", "breaks after memory was spoilt")
+
+
+def hostile() -> str:
+    """How often the sentence of the filter's header was broken, by model, precision and form."""
+    rows: list[tuple[str, ...]] = []
+    for folder in folders():
+        for name, of in results.read(folder).get("attack", {}).get("units", {}).items():
+            counts = (of["answers"].get("0", 0), sum(of["answers"].values()) - of["answers"].get("0", 0))
+            broken = (sum(count for count, _ in of[kind].values()) for kind in ("breaks", "spoilt"))
+            rows.append((folder.name, name, str(of["calls"]), *map(str, counts), *map(str, broken)))
+    return section("Hostile calls", HOSTILE, rows)
 
 
 def steps() -> str:
@@ -66,6 +105,69 @@ def shown() -> str:
             same = ", ".join(f"{count} {reason}" for reason, count in of["same"].items() if count) or "0"
             rows.append((paper.name, form, *map(str, counts), same, str(len(of["left"]))))
     return section("Formulas as they are shown", SHOWN, rows)
+
+
+PROVED = ("model", "outputs", "bounded", "of these exact", "within ten", "median", "accepted by Coq")
+LACKING = "Rounding over the box: without a bound, or with a wide one"
+WITHOUT = ("unit", "outputs", "why")
+
+
+def proofs() -> str:
+    """Of each model how many outputs have a bound on their rounding over the whole box; those without, and the wide."""
+    rows: list[tuple[str, ...]] = []
+    lacking: list[tuple[str, ...]] = []
+    everything: list[proved.Output] = []
+    checked = Counter[str]()
+    for folder in folders():
+        kept = proved.read(folder)
+        judged = proved.judged(folder)
+        found = [output for outputs in judged.values() for output in outputs]
+        coq = Counter[str]()
+        for unit in kept.values():
+            coq.update({key: unit["coq"][key] for key in ("accepted", "of") if "coq" in unit})
+        if found:
+            rows.append((folder.name, *proved_share(found, coq)))
+        everything += found
+        checked += coq
+        for name, outputs in sorted(judged.items()):
+            lacking += without(name, outputs)
+    if not rows:
+        return ""
+    rows.append(("all", *proved_share(everything, checked)))
+    return section("Rounding over the box", PROVED, rows) + section(LACKING, WITHOUT, lacking)
+
+
+def proved_share(outputs: list[proved.Output], coq: Counter[str]) -> tuple[str, ...]:
+    bounded = [output for output in outputs if output.bounded]
+    tight = sum(output.tight for output in bounded)
+    ratios = sorted(output.ratio for output in bounded if output.bound)
+    return (
+        str(len(outputs)),
+        f"{len(bounded)} ({100 * len(bounded) / len(outputs):.1f} %)",
+        str(sum(output.bound == 0 for output in bounded)),
+        f"{tight} ({100 * tight / max(1, len(bounded)):.1f} %)",
+        f"{ratios[len(ratios) // 2]:.2g}x" if ratios else "-",
+        f"{coq['accepted']} of {coq['of']}" if coq["of"] else "-",
+    )
+
+
+def without(unit: str, outputs: list[proved.Output]) -> list[tuple[str, ...]]:
+    """A line for each reason, and for the bounds that are wider than is asked, with by how much."""
+    groups = [(why, [o for o in outputs if o.why == why]) for why in dict.fromkeys(o.why for o in outputs if o.why)]
+    nothing = [o for o in outputs if o.bound is not None and not o.bounded]
+    wide = [o for o in outputs if o.bounded and not o.tight]
+    for of, words in ((nothing, "none that says anything: {} times"), (wide, "bounded, but by {} times")):
+        most = max((output.ratio for output in of), default=0)
+        groups.append((words.format(f"up to {most:.2g}") + " the worst error found", of))
+    return [
+        (unit, "all" if len(of) == len(outputs) else listed([output.name for output in of]), words)
+        for words, of in groups
+        if of
+    ]
+
+
+def listed(names: list[str]) -> str:
+    return " ".join(name.replace(", ", ",") for name in names)
 
 
 FLOWN = ("condition", "asked", "NEES at the start", "second half", "end", "band", "NIS", "refused",
@@ -106,10 +208,9 @@ def row(unit: Source, of: dict[str, dict[str, Any]]) -> tuple[str, ...]:
         str(golden.get("operations") or "-"),
         str(golden.get("text", {}).get("cortex-m4f float", "-")),
         *(paid(where) for where in ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double")),
-        bits(builds, ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double"), "bits", "ulps"),
-        bits(builds, ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double"), "same_bits", "same_ulps"),
-        bits(builds, ("cortex-m4f double",), "same_bits", "same_ulps"),
-        bits(of.get("riscv", {}).get("builds", {}), ("riscv32 float", "riscv32 double"), "same_bits", "same_ulps"),
+        bits(builds, ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double")),
+        bits(builds, ("cortex-m4f double",)),
+        bits(of.get("riscv", {}).get("builds", {}), ("riscv32 float", "riscv32 double")),
         killed(of.get("mutants", {})),
         refused(of.get("guards", {})),
         rounds(of.get("rounding", {})),
@@ -123,14 +224,14 @@ def worst(cost: dict[str, list[int]]) -> int:
     return max((instructions for instructions, _ in cost.values()), default=0)
 
 
-def bits(builds: dict[str, Any], where: tuple[str, ...], same: str, ulps: str) -> str:
-    """Equal bits, or by how many units in the last place they differ at most."""
+def bits(builds: dict[str, Any], where: tuple[str, ...]) -> str:
+    """Equal bits, or by how many units in the last place they differ at most; and failures, if there are any."""
     found = [builds[name] for name in where if name in builds]
     if not found:
         return "-"
-    failed = sum(build["failures"] for build in found) if same == "bits" else 0
-    off = max(build[ulps] for build in found)
-    word = "equal" if all(build[same] for build in found) else f"{max(off, 0.01):.2g} ulp"
+    failed = sum(build["failures"] for build in found)
+    off = max(build["ulps"] for build in found)
+    word = "equal" if all(build["bits"] for build in found) else f"{max(off, 0.01):.2g} ulp"
     return word + (f", {failed} fail" if failed else "")
 
 

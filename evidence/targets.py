@@ -83,15 +83,13 @@ CORES = (M4F, M7)
 
 @dataclass(frozen=True)
 class Build:
-    """objects: of the units, by name.  image: what can be run: a shared library on this machine, else an ELF file.
-    same: the same objects with the sines of harness/same_sines.c in place of the library's."""
+    """objects: of the units, by name.  image: what can be run: a shared library on this machine, else an ELF file."""
 
     folder: Folder
     target: Target
     precision: str
     objects: dict[str, Path]
     image: Path
-    same: Path
 
     @property
     def real(self) -> type[np.floating]:
@@ -105,28 +103,26 @@ def compile_units(folder: Folder, target: Target, precision: str, out: Path, *fl
     return compile_sources([*common, "-I", folder.include], {unit.path: () for unit in folder.units}, out)
 
 
-def build(folder: Folder, target: Target, precision: str, out: Path) -> Build:
-    """The folder's units and self-test for one target, below `out`."""
+def build(folder: Folder, target: Target, precision: str, out: Path, *flags: str) -> Build:
+    """The folder's units, by these flags in place of the usual ones, and its self-test for one target, below `out`."""
     out = out / f"{folder.name}-{target.name.replace(' ', '-')}-{precision}"
-    objects = compile_units(folder, target, precision, out)
+    objects = compile_units(folder, target, precision, out, *flags)
     common = [target.compiler, *WARNINGS, *target.flags, *PRECISIONS[precision], "-O0", "-I", folder.include]
     common += ["-I", folder.path / "selftest", f"-DEVIDENCE_ROOM={ROOM}", f"-DEVIDENCE_GROUPS={GROUPS}"]
-    harness = {HARNESS / f"{name}.c": ("-fno-builtin",) for name in ("recorder", "quiet", "same_sines")}
-    made = compile_sources(common, {**dict.fromkeys(folder.files("selftest/*.c"), ()), **harness}, out)
-    same_sines = made.pop("same_sines")
+    harness = {HARNESS / f"{name}.c": ("-fno-builtin",) for name in ("recorder", "quiet")}
+    tests = dict.fromkeys([*folder.files("selftest/*.c"), *folder.identity], ())
+    made = compile_sources(common, {**tests, **harness}, out)
     renamed = [f"--redefine-sym={name}=shipped_{name.removeprefix('selftest_')}" for name in RENAMED]
     run([target.tool("objcopy"), *renamed, made["selftest"]])
-    linked, images = [*objects.values(), *made.values()], []
-    for name, more in (("image", []), ("same", [same_sines])):
-        images.append(out / f"{name}.{'elf' if target.emulated else 'so'}")
-        if target.emulated:
-            kept = [f"-Wl,-u,{unit.test_function}" for unit in folder.units if unit.test.is_file()]
-            link = [*target.link, "-Wl,-e,shipped_main", "-Wl,--gc-sections", *kept]
-            link += ["-Wl,--no-warnings"]  # of the C library's missing files and processes, which nothing uses
-        else:
-            link = ["-shared", "-Wl,-Bsymbolic"]
-        run([target.compiler, *target.flags, *link, *linked, *more, "-lm", "-o", images[-1]])
-    return Build(folder, target, precision, objects, *images)
+    image = out / f"image.{'elf' if target.emulated else 'so'}"
+    if target.emulated:
+        kept = [f"-Wl,-u,{unit.test_function}" for unit in folder.units if unit.test.is_file()]
+        link = [*target.link, "-Wl,-e,shipped_main", "-Wl,--gc-sections", *kept]
+        link += ["-Wl,--no-warnings"]  # of the C library's missing files and processes, which nothing uses
+    else:
+        link = ["-shared", "-Wl,-Bsymbolic"]
+    run([target.compiler, *target.flags, *link, *objects.values(), *made.values(), "-lm", "-o", image])
+    return Build(folder, target, precision, objects, image)
 
 
 def link_alone(made: Build, unit: str) -> Path:
@@ -196,9 +192,9 @@ def recorded(failures: int, values: np.ndarray, lengths: np.ndarray, count: int,
     return Run(failures, np.split(values, np.cumsum(lengths)[:-1]))
 
 
-def run_on_host(made: Build, image: Path) -> dict[str, Run]:
+def run_on_host(made: Build) -> dict[str, Run]:
     """Each unit's test in this process, by the unit's name."""
-    library = ctypes.CDLL(str(image))
+    library = ctypes.CDLL(str(made.image))
     count, groups = (ctypes.c_int.in_dll(library, f"evidence_{name}") for name in ("count", "groups"))
     real = ctypes.c_float if made.precision == "float" else ctypes.c_double
     record = np.ctypeslib.as_array((real * ROOM).in_dll(library, "evidence_record"))
@@ -225,24 +221,6 @@ def same_bits(a: Run, b: Run) -> bool:
 
 
 def ulps_apart(a: Run, b: Run) -> float:
-    """The largest difference of two runs in units in the last place of the largest number of the same output.
-
-    Infinite if a number is finite in one alone, or if the runs did not compare the same numbers.
-    """
-    if [x.shape for x in a.outputs] != [x.shape for x in b.outputs]:
-        return float("inf")
-    worst = 0.0
-    for x, y in zip(a.outputs, b.outputs, strict=True):
-        finite = np.isfinite(x)
-        if (finite != np.isfinite(y)).any():
-            return float("inf")
-        if finite.any():
-            difference = np.abs(x[finite].astype(float) - y[finite].astype(float)).max()
-            worst = max(worst, float(difference / np.spacing(np.abs(x[finite]).max())))
-    return worst
-
-
-def ulps_each(a: Run, b: Run) -> float:
     """The largest difference of two runs in units in the last place of each number itself."""
     if [x.shape for x in a.outputs] != [x.shape for x in b.outputs]:
         return float("inf")

@@ -20,6 +20,8 @@ from boresight.evidence.sources import Folder, Source, folders
 FUNCTION = re.compile(r"^static void (\w+)\(([^)]*)\)\n\{\n(.*?)\n\}$", re.MULTILINE | re.DOTALL)
 PARAMETER = re.compile(r"(\w+)(?:\[\d+\])?(?:,|$)")
 STATEMENT = re.compile(r"^    (?:const bs_real |shared->)(\w+) = (.*);$")
+DECLARED = re.compile(r"^    bs_real \w+;$")
+PAIR = re.compile(r"^    BS_SINCOS\((.*), &((?:shared->)?\w+), &((?:shared->)?\w+)\);$")
 OUTPUT = re.compile(r"^    (\w+)_nz\[(\d+)\] = (.*); /\* (.*) \*/$")
 READ = re.compile(r"([A-Za-z_]\w*)(\[\d+\])?")
 PLACES = re.compile(r"static const unsigned short at_(\w+)\[\d+\] = \{ ([\d,\s]*) \};")
@@ -88,12 +90,26 @@ def statements(path: Path) -> list[str]:
     arguments named as their parameters."""
     *parts, (_, _, body) = FUNCTION.findall(path.read_text())
     if not parts:
-        return body.splitlines()
+        return single(body)
     calls = [f"{name}({', '.join(PARAMETER.findall(listed))});" for name, listed, _ in parts]
     called = [line.strip() for line in re.sub(r",\n *", ", ", body).replace("&", "").splitlines()]
     if [line for line in called if not line.endswith("_shared shared;")] != calls:
         raise BoresightError(f"{path.name}: its functions are not called one after another, each with its parameters")
-    return [line for _, _, lines in parts for line in lines.splitlines()]
+    return [line for _, _, lines in parts for line in single(lines)]
+
+
+def single(body: str) -> list[str]:
+    """The lines with each call that gives a sine and a cosine as the two statements that it stands for."""
+    lines = []
+    for line in body.splitlines():
+        pair = PAIR.match(line)
+        if pair:
+            for name, value in zip(("BS_SIN", "BS_COS"), pair.groups()[1:], strict=True):
+                left = value if "->" in value else f"const bs_real {value}"
+                lines.append(f"    {left} = {name}({pair[1]});")
+        elif not DECLARED.match(line):
+            lines.append(line)
+    return lines
 
 
 @cache

@@ -39,13 +39,17 @@ def one_run(fields: Mapping[str, Any], nav: Mapping[str, Array]) -> bool:
     return all(np.ndim(value) == (fields[name]["size"] > 1) for name, value in nav.items() if name in fields)
 
 
-def check_taking(measurement: str, rows: Any, gate: Any, iterations: Any) -> None:
-    """Raise BoresightError on rows that are neither True nor False, a gate of no size, or iterations of no number."""
+def check_taking(measurement: str, rows: Any, gate: Any, joint: Any, iterations: Any) -> None:
+    """Raise BoresightError on rows that are neither True nor False, gates of no size, or iterations of no number."""
     if np.asarray(rows).dtype.kind not in "biuf":
         raise BoresightError(f"{measurement}: rows is {rows!r}; give True or False for each row")
     if gate is not None and not (np.asarray(gate).dtype.kind in "iuf" and 0 < gate < np.inf):
         raise BoresightError(
             f"{measurement}: gate is {gate!r} sigmas; give a number above zero, or leave it out for no gate"
+        )
+    if joint is not None and not (np.asarray(joint).dtype.kind in "iuf" and 0 < joint < np.inf):
+        raise BoresightError(
+            f"{measurement}: joint is {joint!r}; give a quantile of chi-square above zero, or leave it out for no gate"
         )
     if not (isinstance(iterations, int | np.integer) and iterations >= 1):
         raise BoresightError(f"{measurement}: iterations is {iterations!r}; it must be at least 1, and whole")

@@ -61,12 +61,13 @@ class CompiledFilter(Filter):
         *,
         rows: Any = True,
         gate: float | None = None,
+        joint: float | None = None,
         iterations: int = 1,
         considered: Any = None,
         **inputs: Any,
     ) -> Innovation:
         """Take one measurement, row after row: see `Filter.update`.  R is (..., m, m) of a correlated one alone."""
-        check_taking(measurement, rows, gate, iterations)
+        check_taking(measurement, rows, gate, joint, iterations)
         kept = self._considered(measurement, considered)
         z = self._brought(measurement, inputs)
         described = self.described["measurements"][measurement]
@@ -81,10 +82,11 @@ class CompiledFilter(Filter):
                 )
             R = R.reshape((*R.shape[:-2], m * m))
         vectors = {"R": R} if z is None else {"z": z, "R": R}
-        nu, S, used = self._fly(
-            f"measure_{measurement}", described, inputs, vectors, (rows, m, gate or 0.0, iterations, kept)
+        gates = np.array([gate or 0.0, joint or 0.0])
+        nu, S, nis, used = self._fly(
+            f"measure_{measurement}", described, inputs, vectors, (rows, m, gates, iterations, kept)
         )
-        return Innovation(nu, S, used)
+        return Innovation(nu, S, used, nis)
 
     def feedback(self) -> None:
         """Correct nav by the estimate and begin again from zero."""
@@ -98,12 +100,12 @@ class CompiledFilter(Filter):
         described: dict[str, Any],
         inputs: dict[str, Any],
         vectors: dict[str, Array] | None = None,
-        measured: tuple[Array, int, float, int, Array | None] | None = None,
+        measured: tuple[Array, int, Array, int, Array | None] | None = None,
     ) -> Any:
         """Call `function` of the C filter for all runs.  vectors: z if brought (..., m), and R.
 
-        measured: rows (..., m) bool, m, gate, iterations and the considered states (..., n) bool, or None, of a
-        measurement, for which nu, S and used are returned.
+        measured: rows (..., m) bool, m, the gates of a row and the joint one, iterations and the considered states
+        (..., n) bool, or None, of a measurement, for which nu, S, nis and used are returned.
         """
         library: Library = self.model
         check_inputs(function, library, inputs, self.nav, self.P)
@@ -123,8 +125,7 @@ class CompiledFilter(Filter):
             self._memory, self._considering = np.zeros((*runs, self._width)), False
         memory = self._memory
         for name, part in self._carried.items():
-            if name in given:
-                memory[..., part] = given[name]
+            memory[..., part] = given[name] if name in given else inside(library.field[name])
         memory[..., self._x] = self.x
         memory[..., self._P] = self.P[(..., *self._upper)]
         arguments: list[Any] = [ctypes.c_size_t(n), ctypes.c_void_p(memory.ctypes.data)]
@@ -134,17 +135,15 @@ class CompiledFilter(Filter):
             arguments += [ctypes.c_void_p(packed.ctypes.data), ctypes.c_size_t(stride)]
         out: tuple[Array, ...] = ()
         if measured is not None:
-            rows, m, gate, iterations, kept_states = measured
+            rows, m, gates, iterations, kept_states = measured
             self._consider(n, runs, kept_states)
             for vector in (vectors or {}).values():
                 kept.append(np.ascontiguousarray(np.broadcast_to(vector, (*runs, vector.shape[-1]))))
                 arguments += [ctypes.c_void_p(kept[-1].ctypes.data), ctypes.c_size_t(vector.shape[-1])]
             kept.append(np.ascontiguousarray(np.broadcast_to(rows, (*runs, m)), dtype=np.uint8))
             arguments.append(ctypes.c_void_p(kept[-1].ctypes.data))
-            arguments.append(ctypes.byref(ctypes.c_double(gate)))
-            if described["nonlinear"]:
-                arguments.append(ctypes.byref(ctypes.c_int(iterations)))
-            out = np.zeros((*runs, m)), np.zeros((*runs, m)), np.zeros((*runs, m), dtype=np.uint8)
+            arguments += [ctypes.c_void_p(gates.ctypes.data), ctypes.byref(ctypes.c_int(iterations))]
+            out = np.zeros((*runs, m)), np.zeros((*runs, m)), np.zeros(runs), np.zeros((*runs, m), dtype=np.uint8)
             arguments += [ctypes.c_void_p(part.ctypes.data) for part in out]
         status = np.empty(n, dtype=np.uint8)
         arguments.append(ctypes.c_void_p(status.ctypes.data))
@@ -152,13 +151,15 @@ class CompiledFilter(Filter):
         called.restype = ctypes.c_size_t
         if called(*arguments):
             self._explain(function, given, runs, status.reshape(runs))
+        if function == "propagate":
+            self.at_ceiling = (status == Status.AT_CEILING).reshape(runs)
         self.x = memory[..., self._x].copy()
         self.P = memory[..., self._P][..., self._place]
         if function == "correct":
             for name in described["written"]:
                 value = memory[..., self._carried[name]]
                 self.nav[name] = value.copy() if library.field[name]["size"] > 1 else value[..., 0]
-        return (*out[:2], out[2].astype(bool)) if out else None
+        return (*out[:3], out[3].astype(bool)) if out else None
 
     def _consider(self, n: int, runs: tuple[int, ...], considered: Array | None) -> None:
         """Tell the C of n runs which states (..., n) bool no measurement corrects; it keeps that in its memory."""
@@ -175,11 +176,23 @@ class CompiledFilter(Filter):
         self._considering = considered is not None
 
     def _explain(self, function: str, given: dict[str, Array], runs: tuple[int, ...], status: Array) -> None:
-        where = tuple(int(i) for i in np.argwhere(status != 0)[0])
-        if status[where] == Status.NOT_POSITIVE:
+        bad = (status != Status.OK) & (status != Status.AT_CEILING)
+        where = tuple(int(i) for i in np.argwhere(bad)[0])
+        held = [np.broadcast_to(self.P, (*runs, *self.P.shape[-2:]))[where]]
+        held.append(np.broadcast_to(self.x, (*runs, self.x.shape[-1]))[where])
+        if status[where] == Status.NOT_POSITIVE or not all(np.isfinite(part).all() for part in held):
             at = f" of run {where[0] if len(where) == 1 else where}" if where else ""
             raise BoresightError(
-                f"{function}: an innovation or its variance{at} is no number; P has left what a double holds, so start "
-                "again from a new one"
+                f"{function}: an innovation or its variance{at} is no number, or a variance is negative; start again "
+                "from a new P"
             )
-        self.model.explain(function, {**given, "x": self.x}, runs, status)
+        self.model.explain(function, {**given, "x": self.x}, runs, np.where(bad, status, Status.OK))
+
+
+def inside(field: dict[str, Any]) -> Array:
+    """A value of a field that the filter carries and nobody has given: it stands in no function that is called."""
+    low, high = np.array(field["low"]), np.array(field["high"])
+    value = np.where((low <= 0) & (high >= 0), 0.0, (low + high) / 2)
+    if field["norm"]:
+        value[0] = sum(field["norm"]) / 2
+    return value

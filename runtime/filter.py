@@ -5,7 +5,7 @@ compiled C of `boresight.runtime.library` and any object that offers the same fu
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -19,16 +19,21 @@ STILL = 0.01  # sigmas by which an estimate may move and need not be linearised 
 
 @dataclass(frozen=True)
 class Innovation:
-    """The innovation of one measurement.  Rows that were masked or gated have used = False and add nothing to nis."""
+    """The innovation of one measurement.  Rows that were masked or gated have used = False and add nothing to nis.
+
+    Where the joint gate leaves a measurement out, used is False in every row, and nis is what was held against it.
+    """
 
     nu: Array  # (..., m) z - h(x), or z - H x: row after row, each given the rows before it; of the last linearisation
     S: Array  # (..., m) the variance of nu
     used: Array  # (..., m) bool; by the first linearisation
+    # (...,) sum of nu^2 / S over the rows used: chi-square with `used.sum(-1)` degrees of freedom; computed if left out
+    nis: Array = field(default=None)  # type: ignore[arg-type]
 
-    @property
-    def nis(self) -> Array:
-        """(...,) sum of nu^2 / S over the rows used: chi-square with `used.sum(-1)` degrees of freedom."""
-        return np.sum(np.where(self.used, self.nu**2 / self.S, 0.0), axis=-1)
+    def __post_init__(self) -> None:
+        if self.nis is None:
+            nis = np.sum(np.where(self.used, self.nu**2 / self.S, 0.0), axis=-1)
+            object.__setattr__(self, "nis", nis)
 
 
 class Filter:
@@ -46,6 +51,7 @@ class Filter:
     """
 
     considered: Any = None
+    at_ceiling: Any = False  # (...,) bool: whether the last prediction met a ceiling of a variance
 
     def __init__(self, model: Any, nav: dict[str, Array], P: Array, x: Any = None):
         self.model = model
@@ -53,6 +59,15 @@ class Filter:
         self.P = np.array(P, dtype=float)
         check_start(model, self.nav, self.P)
         check_covariance("P", self.P)
+        self._ceiling = getattr(model, "ceiling", None)
+        if self._ceiling is not None:
+            variance = np.einsum("...ii->...i", self.P)
+            if (variance > self._ceiling).any():
+                over = int(np.argwhere(variance > self._ceiling)[0][-1])
+                raise BoresightError(
+                    f"P: the sigma of {model.states[over]} is {np.sqrt(variance[..., over].max()):.3g}; the filter "
+                    f"lets it be {np.sqrt(self._ceiling[over]):.3g} at most"
+                )
         self.total = "next" in dir(model)
         if x is None and self.total:
             raise BoresightError(f"{getattr(model, 'name', model)!s} has a total state; give x, where it begins")
@@ -89,11 +104,15 @@ class Filter:
         self.nav.update(named(self.call("strapdown", **inputs), self.nav))
 
     def predict(self, **inputs: Any) -> None:
-        """Carry x and P over `dt`: a total state by `next`, an error state by Phi."""
+        """Carry x and P over `dt`: a total state by `next`, an error state by Phi.
+
+        A variance beyond its ceiling, which the generated filter's header says, becomes a quarter as often as it takes,
+        its row and column a half as often; `at_ceiling` says so.
+        """
         Phi, Q = self.call("Phi", **inputs), self.call("Q", **inputs)
         after = self.call("next", **inputs) if self.total else np.einsum("...ij,...j->...i", Phi, self.x)
         self.x = self.wrapped(after)
-        self.P = Phi @ self.P @ np.swapaxes(Phi, -1, -2) + Q
+        self.P, self.at_ceiling = lowered(Phi @ self.P @ np.swapaxes(Phi, -1, -2) + Q, self._ceiling)
 
     def update(
         self,
@@ -102,6 +121,7 @@ class Filter:
         *,
         rows: Any = True,
         gate: float | None = None,
+        joint: float | None = None,
         iterations: int = 1,
         considered: Any = None,
         **inputs: Any,
@@ -114,6 +134,8 @@ class Filter:
         rows: (..., m) bool, False for a row that is absent, which has no part in L.
         gate: a row whose |nu| exceeds this many sigmas, where it is linearised first, is left out; of correlated rows
         each is judged by itself, before R is factored without those that are left out.
+        joint: a measurement whose nis, of the rows within their gate, exceeds this quantile of chi-square where it is
+        linearised first is left out as a whole.
         iterations: how often at most a nonlinear measurement is linearised, about the last estimate and always from the
         same x and P; 1 is the plain extended filter.  It ends where no state and no row moves by more than .01 sigma.
         Where one moves by more than a sigma and by more than before, or x leaves its box, the first result is taken.
@@ -122,7 +144,7 @@ class Filter:
         nu and S are those of the optimal filter, so that nis is chi-square.
         z: (..., m) the measured value, of a measurement that has no `NAME_z`.
         """
-        check_taking(measurement, rows, gate, iterations)
+        check_taking(measurement, rows, gate, joint, iterations)
         kept = self._considered(measurement, considered)
         z, rows = self._measured(measurement, inputs), np.asarray(rows, dtype=bool)
         D, L_inverse = self._noise(measurement, R, z.shape, rows)
@@ -141,9 +163,18 @@ class Filter:
         x, P, innovation = self._rows(target, H, D, rows, gate, kept)
         if not (np.isfinite(innovation.nu).all() and np.isfinite(innovation.S).all() and (innovation.S > 0).all()):
             raise BoresightError(f"{measurement}: an innovation or its variance is no number; start from a new P")
+        beyond = False if joint is None else ~(innovation.nis <= joint)
+        first = innovation.nis
         if iterations > 1 and "x" in getattr(self.model, f"{measurement}_H").fields:
             x, P, innovation = self._again(linear, D, iterations - 1, kept, H, x, P, innovation)
-        self.x, self.P = self.wrapped(x), P
+        x = self.wrapped(x)
+        if joint is not None:
+            keep = np.asarray(beyond)
+            x, P = np.where(keep[..., None], self.x, x), np.where(keep[..., None, None], self.P, P)
+            innovation = Innovation(
+                innovation.nu, innovation.S, innovation.used & ~keep[..., None], np.where(keep, first, innovation.nis)
+            )
+        self.x, self.P = x, P
         return innovation
 
     def _measured(self, measurement: str, inputs: dict[str, Any]) -> Array:
@@ -323,6 +354,19 @@ class Filter:
         """Correct nav by the estimate and begin again from zero."""
         self.nav.update(named(self.call("feedback"), self.nav))
         self.x = np.zeros_like(self.x)
+
+
+def lowered(P: Array, ceiling: Array | None) -> tuple[Array, Array | bool]:
+    """P with no variance above its ceiling (n,), by powers of two that change no correlation; and (...,) where."""
+    if ceiling is None:
+        return P, False
+    variance = np.einsum("...ii->...i", P)
+    over = variance > ceiling
+    if not over.any():
+        return P, over.any(-1)
+    ratio = np.where(over, variance, ceiling) / ceiling
+    scale = np.where(over, 0.5 ** np.ceil(np.log2(ratio) / 2), 1.0)
+    return P * scale[..., :, None] * scale[..., None, :], over.any(-1)
 
 
 def named(result: Any, nav: dict[str, Array]) -> dict[str, Array]:

@@ -33,7 +33,8 @@ def build(
         sources[folder / "src" / f"{stem}.c"] = instead
         if backend == "casadi":
             sources[folder / "casadi" / f"{stem}_casadi.c"] = ["-Wno-unused-parameter"]
-    sources |= {folder / "src" / f"{stem}.c": [] for stem in (manifest.get("filter") or {}).get("sources", [])}
+    others = (folder / path for path in manifest["files"] if path.startswith("src/") and path.endswith(".c"))
+    sources |= {path: [] for path in others if path not in sources}
     name, contents = f"{folder.name}-{backend}-{precision}", json.dumps(manifest["files"], sort_keys=True)
     return shared_library(name, contents, sources, folder / "include", PRECISIONS[precision])
 
@@ -145,6 +146,7 @@ class Library:
 
     states: names of the state's components; wraps: the places of those that are kept in [-pi, pi).  measurements: by
     name, its `rows`, those of them that are an `angle` (True for all), and whether they are `correlated`.
+    ceiling: (n,) the largest variance that a filter of it lets each state have, or None.
     manifest: what was generated, and the hash of each function.
     real: the NumPy type of the precision, in which the numbers go to the C and come back.
     """
@@ -156,6 +158,8 @@ class Library:
         self.states: tuple[str, ...] = tuple(manifest["states"])
         self.wraps = [self.states.index(name) for name in manifest.get("wraps", ())]
         self.measurements: dict[str, dict[str, Any]] = manifest["measurements"]
+        ceiling = (manifest.get("filter") or {}).get("ceiling")
+        self.ceiling: np.ndarray | None = None if ceiling is None else np.array(ceiling)
         self.field: dict[str, dict[str, Any]] = {}
         self.layout: dict[str, dict[str, slice]] = {}
         self.width: dict[str, int] = {}

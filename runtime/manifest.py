@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ from platformdirs import user_cache_path
 from boresight import BoresightError
 
 GENERATED = Path(__file__).parent.parent / "generated"
+EVIDENT = ("src/", "include/", "selftest/")
 
 
 def built_in() -> list[str]:
@@ -58,6 +60,21 @@ def read_manifest(folder: Path) -> dict[str, Any]:
                 "and run 'boresight generate'"
             )
     return manifest
+
+
+def sources(folder: Path, files: Iterable[str]) -> list[Path]:
+    """Of a manifest's files what evidence depends on: C, headers, self-test; not what tells the version alone."""
+    used = (name for name in sorted(files) if not name.endswith("_identity.h"))
+    listed = [(place, name) for name in used for place in EVIDENT if name.startswith(place)]
+    return [folder / name for _, name in sorted(listed, key=lambda one: EVIDENT.index(one[0]))]
+
+
+def sources_hash(paths: Iterable[Path]) -> str:
+    """Of names and contents, in the order given."""
+    key = hashlib.sha256()
+    for path in paths:
+        key.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
+    return key.hexdigest()
 
 
 def cache_folder() -> Path:

@@ -44,10 +44,10 @@ def discrete(p: Problem, xp: Any, v: Any) -> tuple[Any, Any]:
         for M in matrices(p, columns, {name: getattr(xp, name) for name in FUNCTIONS})
     )
     dt = v[..., p.names.index("dt"), None, None]
-    A, S = F * dt, Qc * dt
-    AS = A @ S
-    AB = A @ (S / 2 + (AS + xp.swapaxes(AS, -1, -2)) / 6)
-    return xp.eye(p.n) + A + A @ A / 2, S + AB + xp.swapaxes(AB, -1, -2)
+    A, W = F * dt, Qc * dt
+    AA = A @ A
+    B = xp.eye(p.n) + A * (2 / 3) + AA * (2 / 9)
+    return xp.eye(p.n) + A + AA / 2, W / 4 + 0.75 * (B @ W @ xp.swapaxes(B, -1, -2))
 
 
 def propagated(p: Problem, xp: Any, v: Any, P: Any) -> tuple[Any, Any]:
@@ -110,11 +110,11 @@ def propagate(v, P, P_out, x_out):
         {read}
         {text}
         {fill}
-        A, S = F * dt, Qc * dt
-        AS = A @ S
-        AB = A @ (S / 2 + (AS + AS.T) / 6)
-        Phi = one + A + A @ A / 2
-        P_out[k] = Phi @ P[k] @ Phi.T + S + AB + AB.T
+        A, W = F * dt, Qc * dt
+        AA = A @ A
+        B = one + A * (2 / 3) + AA * (2 / 9)
+        Phi = one + A + AA / 2
+        P_out[k] = Phi @ P[k] @ Phi.T + W / 4 + 0.75 * (B @ W @ B.T)
         x_out[k] = Phi @ v[k, {first + 2 * m}:]
 
 def update(v, P, H, P_out, x_out):

@@ -161,12 +161,6 @@ def full(packed: Any, n: int) -> Rows:
     return [{j: packed[max(i, j) * (max(i, j) + 1) // 2 + min(i, j)] for j in range(n)} for i in range(n)]
 
 
-def lyapunov(A: Rows, X: Rows) -> Rows:
-    """A X + (A X)'."""
-    AX = product(A, X)
-    return plus(AX, [{i: AX[i][j] for i in range(len(A)) if j in AX[i]} for j in range(len(A))])
-
-
 def outputs(
     p: Problem,
     kind: str,
@@ -185,13 +179,15 @@ def outputs(
     dt = v[p.names.index("dt")]
     A = named(scaled(named(F), dt))
     identity: Rows = [{i: 1} for i in range(p.n)]
-    Phi = plus(identity, A) if kind == "predict 1" else plus(identity, A, product(scaled(A, 0.5), A))
-    Phi = named(Phi)
+    squared = [] if kind == "predict 1" else [named(product(scaled(A, 0.5), A))]
+    Phi = named(plus(identity, A, *squared))
     if kind == "propagate":
-        S = named(scaled(named(Qc), dt))
-        added = named(plus(scaled(S, 0.5), scaled(lyapunov(A, S), 1 / 6)))
-        noise = plus(S, lyapunov(A, added))
-        Q = [noise[i].get(j, 0.0) for i, j in p.upper]
+        # as Boresight has it at second order, a sum of squares: W / 4 + 3/4 B W B', B = I + 2/3 A + 2/9 A^2, W = Qc dt
+        W = named(scaled(named(Qc), 0.25 * dt))
+        B = named(plus(identity, scaled(A, 2 / 3), scaled(squared[0], 4 / 9)))
+        BW = named(product(B, scaled(W, 3.0)))
+        terms = {(i, j): [times(BW[i][k], b) for k, b in B[j].items() if k in BW[i]] for i, j in p.upper}
+        Q = [total([*terms[i, j], *([W[i][j]] if j in W[i] else [])] or [0.0]) for i, j in p.upper]
         x = [total(times(a, x[k]) for k, a in row.items()) for row in Phi]
     Y = named(product(Phi, full(P, p.n)))
     out = [total(times(Y[i][k], a) for k, a in Phi[j].items()) + q for (i, j), q in zip(p.upper, Q, strict=True)]
@@ -315,9 +311,8 @@ def reference(p: Problem, kind: str, given: Mapping[str, np.ndarray]) -> np.ndar
     A = F * v[p.names.index("dt")]
     Phi = np.eye(n) + A + (0 if kind == "predict 1" else A @ A / 2)
     if kind == "propagate":
-        S = Qc * v[p.names.index("dt")]
-        L = A @ S + (A @ S).T
-        Q = S + L / 2 + (A @ L + (A @ L).T) / 6
+        W, B = Qc * v[p.names.index("dt")], np.eye(n) + A * 2 / 3 + A @ A * 2 / 9
+        Q = W / 4 + 3 / 4 * B @ W @ B.T
     P = Phi @ P @ Phi.T + Q
     return np.concatenate([P[at], Phi @ x]) if kind == "propagate" else P[at]
 

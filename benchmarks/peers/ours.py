@@ -48,16 +48,15 @@ def calls(p: Problem, model: Model, kind: str, name: str, tool: str) -> str | No
             memset(out, 0, sizeof(double) * {p.n**2});
             for (int k = 0; k < {len(places)}; ++k) out[at[k]] = nz[k];"""
     elif kind.startswith("predict") and form:
-        F = set(p.entries[0])
-        Phi = F | {(i, i) for i in range(p.n)} | {(i, j) for i, k in F for m, j in F if m == k and kind != "predict 1"}
-        function = f"{x}_Phi" if len(Phi) == p.n**2 else f"{x}_Phi_nz"  # what is full has no form without zeros
-        Q = "Q" if form == "joseph" else "factors"
-        body = f"""bs_real Phi[{X}_N_PHI], work[{X}_N_WORK], factors[{X}_N_PACKED];
-            (void)factors;
-            (void){function}({nav}, {step}, Phi);
-            {copy}
-            {"" if form == "joseph" else "memcpy(factors, Q, sizeof factors);"}
-            {x}_{form}_predict(out, Phi, {Q}, work);"""
+        body = f"""bs_real Phi[{X}_N_STATES * {X}_N_STATES], work[{X}_N_WORK];
+            (void){x}_Phi({nav}, {step}, Phi);
+#if {X}_ROW == {X}_N_STATES
+            {x}_{form}_predict(P, Phi, Q, out, work);
+#else
+            bs_real rows[{X}_N_PHI] = {{ 0 }};
+            for (int i = 0; i < {X}_N_MOVING; ++i) memcpy(&rows[i * {X}_ROW], &Phi[i * {p.n}], sizeof(bs_real) * {p.n});
+            {x}_{form}_predict(P, rows, Q, out, work);
+#endif"""
     elif kind == "updates, Joseph" and form:
         rows = [(f"h{r}", f"at{r}", h, r) for r, h in enumerate(p.rows)]
         tables = "".join(

@@ -169,11 +169,11 @@ def eigen(p: Problem, kind: str, name: str) -> tuple[str, str]:
     else:
         lines.append("const M A = F * dt; M Phi = A; Phi.diagonal().array() += 1.0;")
         if kind != "predict 1":
-            lines.append("Phi.noalias() += 0.5 * A * A;")
+            lines.append("const M AA = A * A; Phi += 0.5 * AA;")
         lines.append("Eigen::Map<M> o(out);")
         if kind == "propagate":
-            lines.append("const M S = Qc * dt; M L = A * S; L = (L + L.transpose()).eval();")
-            lines.append("const M B = A * (S / 2 + L / 6); const M N = S + B + B.transpose();")
+            lines.append("M B = A * (2.0 / 3.0) + AA * (2.0 / 9.0); B.diagonal().array() += 1.0;")
+            lines.append("const M W = Qc * dt; const M BW = B * W; M N = BW * B.transpose(); N = 0.75 * N + 0.25 * W;")
             lines.append(f"Eigen::Map<const V> x(&v[{first + 2 * m}]); Eigen::Map<V> ox(&out[{n * n}]); ox = Phi * x;")
         else:
             lines.append("Eigen::Map<const M> N(Q);")

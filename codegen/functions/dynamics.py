@@ -5,6 +5,7 @@ whole step, the reference puts the step together from values and Jacobians of f,
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from math import factorial
 from typing import Any
 
@@ -16,6 +17,18 @@ from boresight.codegen.functions.units import Unit, UnitMaker, described
 
 Values = Mapping[str, Sequence[Any]]  # field name -> components, floats or balls
 Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
+# Q of an error state is a sum of squares, weight B S S' B' with S S' = Qc dt: for each order of Phi the weights, and of
+# each B what stands with the powers of A = F dt.  Order 2 has the two nodes of Radau; order 1 the middle of the step;
+# order 3 the mean of Phi over the step and its slope, by Legendre's polynomials.
+Node = tuple[Fraction, tuple[Fraction, ...]]
+SPREAD: dict[int, tuple[Node, ...]] = {
+    1: ((Fraction(1), (Fraction(1), Fraction(1, 2))),),
+    2: ((Fraction(1, 4), (Fraction(1),)), (Fraction(3, 4), (Fraction(1), Fraction(2, 3), Fraction(2, 9)))),
+    3: (
+        (Fraction(1), (Fraction(1), Fraction(1, 2), Fraction(1, 6), Fraction(1, 24))),
+        (Fraction(1, 3), (Fraction(0), Fraction(1, 2), Fraction(1, 4))),
+    ),
+}
 LARGEST = 3e38  # a float holds it: what is not below it counts as not finite
 
 
@@ -85,19 +98,21 @@ def error_state(maker: UnitMaker) -> list[Unit]:
     F_exact = maker.numeric(model.F)
     dt, dt_exact = maker.symbols[model.dt], step(maker)
     A = F * dt
-    spread, spread_exact = density(maker)
-    FS = F @ spread
-    FFS = F @ FS
-    twice = FFS + FFS.T + 2 * FS @ F.T  # L(L(spread)), where L(X) = F X + (F X)'
-    thrice = F @ twice
+    G, noise = maker.convert(model.G, model.noise)
+    root_exact = root(maker)
     Phi = ca.SX.eye(n) + A
-    Q = spread * dt + (FS + FS.T) * (dt * dt / 2)
     if order > 1:
         Phi += A @ A / 2
-        Q += twice * (dt * dt * dt / 6)
     if order > 2:
         Phi += A @ A @ A / 6
-        Q += (thrice + thrice.T) * (dt * dt * dt * dt / 24)
+    Q, S = ca.SX.zeros(n, n), G @ ca.diag(noise)
+    for weight, factors in SPREAD[order]:
+        column, columns, power = S, ca.SX.zeros(*S.shape), ca.SX(1)
+        for factor in factors:
+            if factor:
+                columns += column * (factor.numerator * power / factor.denominator)
+            column, power = F @ column, power * dt
+        Q += weight.numerator * dt / weight.denominator * (columns @ columns.T)
 
     def powers(values: Values) -> list[tuple[Any, Rows]]:
         """1, F, F F / 2, ...: what stands with the powers of dt in Phi."""
@@ -112,17 +127,17 @@ def error_state(maker: UnitMaker) -> list[Unit]:
             return [weighted(*((u * h**i, term) for i, (u, term) in enumerate(powers(values))))]
 
     def Q_exact(values: Values) -> list[Entries]:
-        """The integral of Phi(s) S Phi(s)' over the step, cut after one more power of dt than Phi has."""
+        """The same squares, of the powers of F and not, as in C, of columns that F is taken to one after another."""
         with precise():
-            h, s, of_Phi = dt_exact(values), spread_exact(values), powers(values)
-            # Each pair of terms of Phi around S, with the power of its integral; the pair (j, i) is (i, j) transposed,
-            # as S is symmetric.
-            terms = []
-            pairs = [(i, j) for i in range(order + 1) for j in range(i, order + 1 - i)]
-            for i, j in pairs:
-                (u, left), (v, right) = of_Phi[i], of_Phi[j]
-                weight, term = u * v * h ** (i + j + 1) / (i + j + 1), times(times(left, s), transposed(right, n))
-                terms += [(weight, term)] if i == j else [(weight, term), (weight, transposed(term, n))]
+            h, s, f = dt_exact(values), root_exact(values), by_rows(F_exact(values)[0], n)
+            powers, terms = [identity(n)], []
+            for _ in range(order):
+                powers.append(times(powers[-1], f))
+            for weight, factors in SPREAD[order]:
+                scaled = ((arb(a.numerator) / a.denominator * h**k, powers[k]) for k, a in enumerate(factors))
+                columns = times(by_rows(weighted(*scaled), n), s)
+                square = times(columns, transposed(columns, model.noise.rows))
+                terms.append((arb(weight.numerator) / weight.denominator * h, square))
             return [weighted(*terms)]
 
     return [
@@ -143,7 +158,7 @@ def error_state(maker: UnitMaker) -> list[Unit]:
         noise_per_second(maker),
         maker.unit(
             "Q",
-            f"covariance that the noise adds over dt, to dt^{order + 1}, with F as it is at the start",
+            f"covariance that the noise adds over dt, to dt^{order + 1}, as squares, with F as it is at the start",
             [(symmetric(Q), described("Q", "mixed", "covariance of the noise"))],
             Q_exact,
             source,
@@ -159,6 +174,24 @@ def series(order: int) -> str:
 def left_out(order: int) -> str:
     """What is left out of Phi begins with this, where F stands; and where it moves."""
     return f"(F dt)^{order + 1} / {factorial(order + 1)}, and dt^2 / 2 times the rate of F"
+
+
+def spread(order: int) -> str:
+    """Q of an error state as text, with S S' = Qc dt and A = F dt."""
+    return (
+        "B S S' B', B = I + A / 2",
+        "S S' / 4 + 3/4 B S S' B', B = I + 2/3 A + 2/9 A^2",
+        "B S S' B' + 1/3 C S S' C', B = I + A / 2 + A^2 / 6 + A^3 / 24, C = A / 2 + A^2 / 4",
+    )[order - 1]
+
+
+def left_of_Q(order: int) -> str:
+    """What Q leaves out of the integral over a step in which F stands: the lowest power of dt, with W = Qc dt."""
+    return (
+        "(A^2 W + W A'^2) / 6 + A W A' / 12",
+        "(A^3 W + W A'^3) / 24 + (A^2 W A' + A W A'^2) / 72",
+        "(A^4 W + W A'^4) / 120 + (A^3 W A' + A W A'^3) / 80 + A^2 W A'^2 / 720",
+    )[order - 1]
 
 
 def step(maker: UnitMaker) -> Callable[[Values], Any]:

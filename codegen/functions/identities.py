@@ -147,7 +147,7 @@ def identified(inputs: list[Any], outputs: list[Any], points: list[np.ndarray]) 
     for k, (step, number) in enumerate(zip(source.steps, listed, strict=True)):
         opposite = tuple((roots, PRIME - factor) for roots, factor in number)
 
-        own = rounding(step, at[k], [(at[i], errors[i]) for i in step.args], 1.0, np.float64)
+        own = rounding(step, at[k], [(at[i], errors[i]) for i in step.args], np.float64)
 
         def fits(i: int, need: int = needs[k], own: np.ndarray = own) -> bool:
             return not needs[i] & ~need and not (errors[i] > 2 * own)[np.isfinite(own)].any()

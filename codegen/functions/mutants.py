@@ -23,7 +23,7 @@ SPELT: dict[str, Callable[..., Any]] = {  # operations that C spells with anothe
 }
 SCALED = ("twice", "inv")
 TRUTHS = ("lt", "le", "eq", "ne", "not", "and", "or")
-LEAST = 8  # vectors of a unit
+LEAST = 2  # vectors of a unit
 NUMBERS, MEMORY = 2**11, 2**24  # of one step of the mutants that are run side by side, and of all steps
 
 Mutant = tuple[int, Callable[..., Any]]  # position of a step, and what is computed there instead from its operands

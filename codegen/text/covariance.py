@@ -2,11 +2,11 @@
 
 from typing import Any
 
-from boresight.codegen.functions.dynamics import left_out, series
+from boresight.codegen.functions.dynamics import left_of_Q, left_out, series, spread
 from boresight.codegen.functions.units import Unit
 from boresight.derive.model import Model
 
-BLOCK = 5  # columns of a product that are summed at a time: what the registers of a small target hold
+BLOCK, TALL = 5, 3  # columns and rows of a product that are summed at a time: what the registers of a small target hold
 
 Places = tuple[tuple[int, int], ...]
 
@@ -27,30 +27,67 @@ def nonzeros(made: list[Unit], name: str) -> Places:
     return unit.results[0].nonzeros
 
 
-def phi_places(n: int, F: Places, order: int) -> Places:
-    """Non-zeros of I + F + F F ... to the power `order`, whatever the numbers."""
-    below: dict[int, set[int]] = {i: {column for row, column in F if row == i} for i in range(n)}
-    places = power = {(i, i) for i in range(n)}
-    for _ in range(order):
-        power = {(i, column) for i, k in power for column in below[k]}
-        places = places | power
-    return tuple(sorted(places))
+def moving(n: int, F: Places) -> int:
+    """How many states there are up to the last with a row in F, at least one: those behind keep their values."""
+    return max((i + 1 for i, _ in F), default=1)
 
 
-def discretize_cost(n: int, F: Places, Qc: Places, order: int, row: int) -> int:
-    """Additions and multiplications of `discretize`."""
-    of_F, of_Qc = ([sum(i == k for i, _ in places) for k in range(n)] for places in (F, Qc))
-    cost = len(F) + len(Qc) + n  # times dt; 1 on the diagonal
-    for _, k in F:
-        cost += 1
-        if order > 1:
-            cost += 1 + 2 * of_F[k] + 2 * of_Qc[k]
-        if order > 2:
-            cost += sum(2 + 2 * of_F[column] for i, column in F if i == k)
-    level = 2 * len(Qc) + 2 * len(F) * row  # F X, with what is added to X
-    cost += level + (2 * n * n if order == 2 else 0)
-    cost += level + 3 * n * n if order == 3 else 0
-    return cost + n * (n + 1) // 2 + sum(j <= i for i, j in Qc)
+def reach(n: int, places: Places) -> list[int]:
+    """Of each column of U in U D U', the factors of a symmetric matrix, the first row that may not be zero."""
+    first = [min([j, *(i for i, column in places if column == j)]) for j in range(n)]
+    for j in reversed(range(n)):
+        for k in range(first[j], j):
+            first[k] = min(first[k], first[j])
+    return first
+
+
+def even(count: int, most: int) -> tuple[int, int]:
+    """Blocks of at most this size, as even as `count` allows: their size, and the numbers in all of them."""
+    blocks = -(-count // most)
+    size = -(-count // blocks)
+    return size, size * blocks
+
+
+def coupled(first: list[int]) -> list[int]:
+    """The states, from the last, whose columns of a factor have more than a diagonal, or are in the reach of such."""
+    n = len(first)
+    return [k for k in reversed(range(n)) if first[k] < k or any(first[j] <= k < j for j in range(n))]
+
+
+def discretize_cost(n: int, F: Places, Qc: Places, order: int) -> int:
+    """Additions, multiplications and divisions of `discretize`, where no pivot of Qc vanishes."""
+    m = moving(n, F)
+    (_, row), (tall, down), first = even(n, BLOCK), even(m, TALL), reach(n, Qc)
+    upper = [(i, j) for i, j in Qc if i <= j]
+    inner, wide = sum(i < m for i, _ in upper), n - min([m, *(i for i, _ in Qc)])
+    nodes, blocks = 1 + (order == 3), down // tall * (down // tall + 1) // 2
+    cost = len(F) + (order - 1) * 2 * down * row * m + (1, 5, 12)[order - 1] * down * row + 2 * m  # Phi and B
+    cost += (order == 2) + len(upper)
+    for k in coupled(first):  # the factors of Qc, and B times them
+        cost += 3 + sum(3 + 2 * (i - first[k]) + 2 * m * nodes for i in range(first[k], k))
+    cost += (2 * nodes - 1) * down * wide + nodes * blocks * 2 * wide * tall * tall  # squares
+    if staying_pairs(m, first):
+        cost += m * (n - m) * (n - m - 1)
+    cost += m * (m + 1) // 2 if order == 3 else 0
+    return cost + len(upper) - inner + (3 * inner if order == 2 else 0)
+
+
+def staying_pairs(m: int, first: list[int]) -> bool:
+    """Whether noises of two states that do not move have a part in common."""
+    return any(m <= i for j, begin in enumerate(first) for i in range(begin, j))
+
+
+def movers(model: Model, made: list[Unit]) -> int:
+    """How many states of a model may move: in discrete time, where no rate of them says it, all."""
+    by_rate = model.kind == "error-state" or model.f is not None
+    return moving(model.n, nonzeros(made, "F")) if by_rate else model.n
+
+
+def arranged(model: Model, made: list[Unit]) -> dict[str, Any]:
+    """Where the printed non-zeros of Phi stand in the rows that move."""
+    (_, row), m = even(model.n, BLOCK), movers(model, made)
+    places = [i * row + j for i, j in nonzeros(made, "Phi") if i < m]
+    return {"Phi_count": len(places), "Phi_places": ", ".join(map(str, places))}
 
 
 def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
@@ -58,41 +95,53 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     n = model.n
     F: Places = ()
     Qc: Places = ()
+    given: dict[str, Any]
     if model.kind == "error-state":
         F, Qc = nonzeros(made, "F"), nonzeros(made, "Qc")
-        Phi = phi_places(n, F, model.order)
-        given: dict[str, Any] = {"F": table(F, n), "Qc": table(Qc, n)}
+        given = {"F": table(F, n), "Qc": table(Qc, n)}
     else:
-        Phi, given = nonzeros(made, "Phi"), {"F": None, "Q": table(nonzeros(made, "Q"), n)}
+        given = {"F": None, "Phi": table(nonzeros(made, "Phi"), n), "Q": table(nonzeros(made, "Q"), n)}
     sized = ("F", "Qc") if model.kind == "error-state" or model.loops else ()  # what the filter keeps
-    block = -(-n // -(-n // BLOCK))  # as even as the number of states allows
-    row = -(-n // block) * block
-    leftmost = [min([j, *(column for i, column in Phi if i == j)]) for j in range(n)]
-    packed = n * (n + 1) // 2
+    m = movers(model, made)
+    (block, row), (tall, down) = even(n, BLOCK), even(m, TALL)
+    region = max(n * row, down * down)
+    # of Qc the upper triangle, first what has a part in rows that move
+    upper = sorted((i >= m, p, j * (j + 1) // 2 + i) for p, (i, j) in enumerate(sorted(Qc)) if i <= j)
+    first = reach(n, Qc)
     rows = max(len(m.rows) for m in model.measurements)
     return {
-        "packed": packed,
+        "packed": n * (n + 1) // 2,
         "block": block,
         "row": row,
-        # a measurement keeps H there, dense where its R is; behind it x and the gain, where states are considered, and
-        # then the dense P, where it is linearised again
-        "work": max(2 * row * row, n * rows + n * max(n, rows + 1)),
+        "tall": tall,
+        "down": down,
+        "moving": m,
+        "region": region,
+        # a measurement keeps H there, dense where its R is, and behind it the gain, where states are considered; a
+        # beginning keeps its factors and a dense P, a step by loops two dense matrices
+        "work": max(
+            region + down * (m + row),
+            region + down * ((row if model.order == 3 else 0) + row + down),
+            2 * n * rows,
+            n * (n + 1) // 2 + n * n,
+            2 * n * n if model.loops else 0,
+        ),
         **given,
         "sizes": {name: len(nonzeros(made, name)) for name in sized},
         "order": model.order,
         "series": series(model.order),
         "left_out": left_out(model.order),
-        "cost": discretize_cost(n, F, Qc, model.order, row) if model.kind == "error-state" else None,
-        "powers": " + ".join(["I", "F", "F F", "F F F"][: model.order + 1]),
-        "highest": ("second", "third", "fourth")[model.order - 1],
-        "spread": (
-            "Qc + L(Qc) / 2 = Qc + L(Qc / 2)",
-            "Qc + L(Qc) / 2 + L(L(Qc)) / 6 = Qc + L(Qc / 2 + L(Qc) / 6)",
-            "Qc + L(Qc) / 2 + L(L(Qc)) / 6 + L(L(L(Qc))) / 24 = Qc + L(Qc / 2 + L(Qc / 6 + L(Qc) / 24))",
-        )[model.order - 1],
-        "Phi": table(Phi, n),
-        "first": ", ".join(str(min(leftmost[j:])) for j in range(n)),
-        "third": repr(1 / 3),
-        "sixth": repr(1 / 6),
-        "twentyfourth": repr(1 / 24),
+        "left_of_Q": left_of_Q(model.order),
+        "cost": discretize_cost(n, F, Qc, model.order) if model.kind == "error-state" else None,
+        "spread": spread(model.order),
+        "F_place": ", ".join(str(i * row + j) for i, j in sorted(F)),
+        "Qc_count": len(upper),
+        "Qc_moving": sum(not stays for stays, _, _ in upper),
+        "Qc_from": ", ".join(str(p) for _, p, _ in upper),
+        "Qc_place": ", ".join(str(at) for _, _, at in upper),
+        "coupled": coupled(first),
+        "reach": [first[k] for k in coupled(first)],
+        "begin": min([m, *(i for i, _ in Qc)]),  # columns of B before this one meet no noise
+        "staying_pairs": staying_pairs(m, first),
+        "fraction": lambda a, b: repr(a / b),
     }

@@ -20,8 +20,8 @@ from math import factorial, ldexp, sqrt
 from typing import Any
 
 import numpy as np
-from flint import fmpz_mat
 
+from boresight.codegen.functions.dynamics import SPREAD
 from boresight.codegen.text.names import rows_of, three_digits
 
 VECTORS = 8  # one of each kind: three kill every mutant of the loops that 64 kill
@@ -111,13 +111,6 @@ def total(terms: Iterable[float]) -> float:
     return result
 
 
-def semidefinite(matrix: Any) -> bool:
-    """Of a symmetric matrix of integers, exactly: no root of the characteristic polynomial, all of which are real, is
-    negative if its coefficients change their signs in turn."""
-    coefficients = fmpz_mat(matrix.tolist()).charpoly().coeffs()
-    return all(c * (-1) ** (len(matrix) - k) >= 0 for k, c in enumerate(coefficients))
-
-
 @dataclass(frozen=True)
 class Step:
     """Integers: Phi, and what bounds it, in 1 / per; Q in 1 / parts; and the variances that bound Q's elements."""
@@ -137,7 +130,7 @@ def step(case: Case, order: int | None) -> Step:
     n = len(case.scale)
     one = np.array([[int(i == j) for j in range(n)] for i in range(n)], dtype=object)
     a = 8 - DT_POWER  # F dt and Qc dt in 2^-a
-    per, parts = factorial(order) * 2 ** (a * order), factorial(order + 1) * 2 ** (a * (order + 1))
+    per = factorial(order) * 2 ** (a * order)
 
     def series(A: Any) -> Any:
         """1 + A + A A / 2 + ..., in 1 / per."""
@@ -146,15 +139,18 @@ def step(case: Case, order: int | None) -> Step:
             total, power = total + (per // (factorial(i) * 2 ** (a * i))) * power, power @ A
         return total
 
-    # Q = S + L(S) / 2 + L(L(S)) / 6 + ..., where L(X) = A X + (A X)'
-    Q, grown = 0 * one, case.B
-    for i in range(1, order + 2):
-        Q, grown = Q + (parts // (factorial(i) * 2 ** (a * i))) * grown, case.A @ grown + (case.A @ grown).T
+    # Q = weight B S B' + ..., with B in 1 / (72 2^(a order)): all factors are in 1 / 72, and the weights in 1 / 12
+    Q, parts = 0 * one, 12 * 72**2 * 2 ** (a * (2 * order + 1))
+    for weight, factors in SPREAD[order]:
+        B, power = 0 * one, one
+        for i, factor in enumerate(factors):
+            B, power = B + int(72 * factor) * 2 ** (a * (order - i)) * power, power @ case.A
+        Q = Q + int(12 * weight) * B @ case.B @ B.T
     return Step(series(case.A), series(abs(case.A)), per, Q, parts, [v / 2**a for v in np.diag(case.B)])
 
 
-def predicted(case: Case, order: int | None) -> tuple[list[float], list[float], list[float], list[float], bool]:
-    """Phi P Phi' + Q packed, Phi x, sizes of rounding errors in both; whether Q is a covariance."""
+def predicted(case: Case, order: int | None) -> tuple[list[float], list[float], list[float], list[float]]:
+    """Phi P Phi' + Q packed, Phi x, sizes of rounding errors in both."""
     n = len(case.scale)
     s = step(case, order)
     PhiPPhi = s.Phi @ case.P @ s.Phi.T
@@ -173,7 +169,7 @@ def predicted(case: Case, order: int | None) -> tuple[list[float], list[float], 
         [ldexp(v, scale) for v, scale in zip(values, case.scale, strict=True)]
         for values in (size, [v / (s.per * 2**4) for v in size_x])
     )
-    return P, x, size, size_x, semidefinite(s.Q)
+    return P, x, size, size_x
 
 
 def updated(case: Case) -> tuple[list[float], list[float], list[float], list[float], list[float]]:
@@ -230,7 +226,6 @@ def vectors_view(n: int, A: Places, B: Places, order: int | None) -> dict[str, A
         "predicted_x": rows_of([row[1] for row in ahead]),
         "predicted_size": rows_of([row[2] for row in ahead], three_digits),
         "predicted_size_x": rows_of([row[3] for row in ahead], three_digits),
-        "definite": ", ".join(str(int(row[4])) for row in ahead),
         "updated_P": rows_of([row[0] for row in taken]),
         "updated_x": rows_of([row[1] for row in taken]),
         "updated_size": rows_of([row[2] for row in taken], three_digits),

@@ -15,17 +15,20 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from boresight.codegen.functions.reference import DIGITS
 from boresight.codegen.functions.singular import refuse_singular
-from boresight.codegen.functions.tape import LIBRARY
+from boresight.codegen.functions.tape import LIBRARY, ULPS
 from boresight.codegen.functions.units import Unit, units
 from boresight.codegen.text import stationary_detector
 from boresight.codegen.text.covariance import covariance_view, nonzeros
 from boresight.codegen.text.covariance_vectors import vectors_view
+from boresight.codegen.text.digest import digest_view
+from boresight.codegen.text.elementary import called, tests
 from boresight.codegen.text.equations import FILE, equations_text
 from boresight.codegen.text.filter import filter_view, has_filter, test_view
+from boresight.codegen.text.identity import identity_view, numbers
 from boresight.codegen.text.layout import laid_out
 from boresight.codegen.text.manifest import described
 from boresight.codegen.text.names import file_stem, snake
-from boresight.codegen.text.vectors import LIBM_ULPS, vectors
+from boresight.codegen.text.vectors import vectors
 from boresight.codegen.text.views import model_view, view
 from boresight.derive.model import Model
 
@@ -40,6 +43,7 @@ def environment() -> Environment:
         undefined=StrictUndefined,
         keep_trailing_newline=True,
     )
+    made.globals["version"] = ".".join(map(str, numbers()))
     made.filters["capitalize_first"] = lambda text: text[:1].upper() + text[1:]
     return made
 
@@ -75,28 +79,28 @@ def folder_files(
     if has_filter(model):
         source, test = f"src/{model.c_prefix}_covariance.c", f"selftest/test_{model.c_prefix}_covariance.c"
         files[test] = kept(test, {source: files[source]}) or covariance_test(model, made)
-    return described(model, made, views), files
+    identity, digest = identity_files(files, model_view(model, []), has_filter(model))
+    return described(model, made, views) | {"hash": digest}, files | identity
 
 
 def unit_files(model: Model, unit: Unit, u: dict[str, Any]) -> dict[str, str]:
     """What belongs to one printed unit alone, but for its self-test."""
     m = model_view(model, [])
     paths = ("src/UNIT.c", "src/UNIT_kernel.h", "casadi/UNIT_kernel.h")
-    return rendered(paths, {"UNIT": u["file"]}, u=u, m=m) | {f"casadi/{u['file']}_casadi.c": casadi_c(unit)}
+    return rendered(paths, {"UNIT": u["file"]}, u=u, m=m) | {f"casadi/{u['file']}_casadi.c": casadi_c(unit, m["snake"])}
 
 
 def unit_test(model: Model, unit: Unit, u: dict[str, Any]) -> str:
     """The self-test of one printed unit, whose golden vectors cost most of the time."""
     views = {"u": u, "m": model_view(model, []), "vectors": vectors(model, unit)}
-    (text,) = rendered(("selftest/test_UNIT.c",), {}, **views, digits=DIGITS, libm=of_the_library(unit)).values()
+    (text,) = rendered(("selftest/test_UNIT.c",), {}, **views, digits=DIGITS, functions=of_the_functions(unit)).values()
     return text
 
 
-def of_the_library(unit: Unit) -> str:
-    """What the self-test grants the functions of a target's library, in words."""
-    if not {step.op for step in unit.tape.steps} & (LIBRARY - {"sin", "cos"}):
-        return f"sine, cosine and arctangent within {LIBM_ULPS} ulp"
-    return f"functions of the library within {LIBM_ULPS} ulp, hyperbolic ones within {2 * LIBM_ULPS}"
+def of_the_functions(unit: Unit) -> str:
+    """What the self-test grants the elementary functions, in words."""
+    worse = max((ULPS.get(step.op, 1) for step in unit.tape.steps if step.op in LIBRARY), default=1)
+    return "elementary functions within 1 ulp" + (f", some within {worse}" if worse > 1 else "")
 
 
 def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, str]:
@@ -104,13 +108,26 @@ def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
     m = model_view(model, views)
     paths: tuple[str, ...] = (*SELFTEST, "include/MODEL.h", "batch/PREFIX_batch.c")
     extra: dict[str, Any] = {"f": None}
+    m["elementary"] = called(made)
+    if m["elementary"]:
+        extra["tests"] = tests(m["elementary"])
+        m["parts"] = [f"{model.c_prefix}_math"]
+        paths += (
+            "include/boresight_math.h",
+            "include/MODEL_math.h",
+            "src/PREFIX_math.c",
+            "selftest/test_PREFIX_math.c",
+        )
     if has_filter(model):
         f = filter_view(model, made, views)
-        extra = {"c": covariance_view(model, made), "f": f, "t": test_view(model, made, f)}
-        m["parts"] = [f"{model.c_prefix}_covariance", f"{model.c_prefix}_filter"]
+        extra |= {"c": covariance_view(model, made), "f": f, "t": test_view(model, made, f)}
+        extra["d"] = digest_view(model, f["carried"])
+        m["parts"] += [f"{model.c_prefix}_{part}" for part in ("covariance", "filter", "digest")]
         paths += (
             *("include/boresight_filter.h", "include/MODEL_covariance.h", "include/MODEL_filter.h"),
             *("src/PREFIX_covariance.c", "src/PREFIX_filter.c", "selftest/test_PREFIX_filter.c"),
+            *("include/boresight_digest.h", "include/MODEL_digest.h"),
+            *("src/PREFIX_digest.c", "selftest/test_PREFIX_digest.c"),
         )
     return rendered(paths, {"MODEL": m["snake"], "PREFIX": model.c_prefix}, m=m, **extra)
 
@@ -125,14 +142,16 @@ def covariance_test(model: Model, made: list[Unit]) -> str:
     return text
 
 
-def casadi_c(unit: Unit) -> str:
-    """CasADi's own C of the unit."""
+def casadi_c(unit: Unit, snake: str) -> str:
+    """CasADi's own C of the unit, but for the elementary functions, which are those of the model."""
     generator = ca.CodeGenerator(
         unit.function.name(),
         {"casadi_int": "int", "with_header": False, "static_aux": True, "prefix": unit.function.name() + "_"},
     )
     generator.add(unit.function)
-    return generator.dump()
+    text, include = generator.dump(), "#include <math.h>\n"
+    ours = [f"#define {f['name']} BS_{f['name'].upper()}\n" for f in called([unit]) if f["name"] != "sincos"]
+    return text.replace(include, f'{include}#include "{snake}_math.h"\n{"".join(ours)}', 1) if ours else text
 
 
 def detector_files() -> tuple[dict[str, Any], dict[str, str]]:
@@ -148,11 +167,27 @@ def detector_files() -> tuple[dict[str, Any], dict[str, str]]:
     files = rendered(paths, {}, m=m, f=None)
     source = files[f"src/{stem}.c"]
     lines, digest = len(source.splitlines()), hashlib.sha256(source.encode()).hexdigest()
+    identity, whole = identity_files(files, m, has_filter=False)
     document = {
+        "hash": whole,
         "model": name,  # what a folder is called, whether of a model or not
         "component": component["manifest"],
         "title": component["title"],
         "c_prefix": component["prefix"],
         "units": {stem: {"c_name": stem, "file": stem, "lines": lines, "hash": digest}},
     }
-    return document, files
+    return document, files | identity
+
+
+def identity_files(
+    files: dict[str, str], m: dict[str, Any], has_filter: bool, exported: str = ""
+) -> tuple[dict[str, str], str]:
+    """What says what the folder is, made of all its other C; and the hash of that.
+
+    m: `name`, `snake`, `prefix`.  exported: the precision of an export.
+    """
+    words = {"MODEL": m["snake"], "PREFIX": m["prefix"]}
+    made = rendered(("src/PREFIX_identity.c",), words, m=m)
+    view = identity_view(files | made, m, has_filter, exported)
+    made |= rendered(("include/MODEL_identity.h", "include/boresight_precision.h"), words, **view)
+    return made, view["hash"]

@@ -1,5 +1,7 @@
 """The whole filter as its templates see it, from a model and its units; and what its self-test flies."""
 
+import itertools
+import math
 from typing import Any
 
 import numpy as np
@@ -9,12 +11,15 @@ from boresight.codegen.functions.dynamics import LARGEST
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.units import Unit, state_variable
-from boresight.codegen.text.covariance import Places, nonzeros, table
+from boresight.codegen.text.covariance import Places, arranged, nonzeros, table
 from boresight.codegen.text.names import beyond, norms_beyond, number, rows_of, shared_tables
 from boresight.derive.model import Model, Variable
 
+PLACES = {"place": "given_", "held": "flown."}  # of a carried field in the self-test: as given, and in the filter
 FLOWN = 2  # points at which the self-test flies the filter
 LEAST_R, MOST_R = 1e-30, 1e30  # variances of measurements, within the range of a float
+BEYOND_BOX = 3  # powers of ten by which a sigma may exceed its state's box, rounded up to a power of ten
+WIDEST = 12  # and the most that a sigma may have: its variance times the square of Phi must stay within a float
 
 
 def has_filter(model: Model) -> bool:
@@ -22,13 +27,82 @@ def has_filter(model: Model) -> bool:
     return model.n > 0 and bool(model.measurements)
 
 
+def ceilings(model: Model) -> list[float]:
+    """The largest variance that each state may have, in the square of its unit."""
+    ends = [max(abs(lo), abs(hi)) for v in model.states for lo, hi in zip(v.low, v.high, strict=True)]
+    return [10.0 ** (2 * min(WIDEST, math.ceil(math.log10(end or 1.0)) + BEYOND_BOX)) for end in ends]
+
+
+class Checks:
+    """The static functions that hold a struct, or a vector, against its box: each once, however many calls need it."""
+
+    def __init__(self, prefix: str):
+        self.prefix = prefix
+        self.made: dict[tuple[Any, ...], dict[str, Any]] = {}
+
+    def carried(self, struct: str, fields: list[Variable]) -> None:
+        parameter = f"{self.prefix}_{struct} *{struct}, int clamp"
+        self._add(("carried", struct), f"check_{struct}", parameter, [box(f"{struct}->{a.name}", a) for a in fields])
+
+    def given(self, struct: str, fields: list[Variable], caller: str) -> str:
+        """The call that checks these fields of a struct that a function is given."""
+        parameter = f"const {self.prefix}_{struct} *{struct}"
+        name = f"check_{struct}_of_{caller}"
+        read = [box(f"{struct}->{a.name}", a) for a in fields]
+        return f"{self._add((struct, *(a.name for a in fields)), name, parameter, read)}({struct})"
+
+    def vector(self, v: Any, access: str) -> str:
+        """The call that checks x, or a result that has a box of its own."""
+        low, high = tuple(map(number, v.low)), tuple(map(number, v.high))
+        one = {"name": v.name, "size": len(low), "access": v.name, "norm": None, "of": v}
+        return f"{self._add(('vector', low, high), f'check_{v.name}', f'const bs_real *{v.name}', [one])}({access})"
+
+    def tables(self, total: bool) -> list[str]:
+        """The tables of all functions: those that two of them read once, in front, and each other in its function."""
+        readers: dict[tuple[str, ...], dict[str, str]] = {}
+        for check in self.made.values():
+            for name, values in check["bounds"].items():
+                readers.setdefault(tuple(map(number, values)), {})[check["function"]] = name
+        # `set_x` reads that of x too
+        shared = {v for v, by in readers.items() if len(by) > 1 or (total and "check_x" in by)}
+        front: dict[str, tuple[float, ...]] = {}
+        for check in self.made.values():
+            own: dict[str, tuple[float, ...]] = {}
+            for name, values in check["bounds"].items():
+                (front if tuple(map(number, values)) in shared else own)[name] = values
+            check["tables"], check["table"] = shared_tables(own)
+        lines, names = shared_tables(front)
+        for check in self.made.values():
+            check["table"] |= {name: names[name] for name in check["bounds"] if name in names}
+        return lines
+
+    def table_of(self, function: str) -> list[str] | None:
+        """The names of the low and the high end that a function reads, if there is such a function."""
+        return next((list(c["table"].values()) for c in self.made.values() if c["function"] == function), None)
+
+    def _add(self, key: tuple[Any, ...], name: str, parameter: str, fields: list[dict[str, Any]]) -> str:
+        if key not in self.made:
+            bounds = {f"{a['name']}_{e}": getattr(a["of"], e) for a in fields for e in ("low", "high")}
+            self.made[key] = {
+                "function": name, "parameter": parameter, "fields": fields, "carried": key[0] == "carried",
+                "bounds": bounds,
+            }  # fmt: skip
+        return str(self.made[key]["function"])
+
+
 def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, Any]:
     """The functions of the filter: which structs it carries, which it is given, and how it calls the units."""
+    checks, files = Checks(model.c_prefix), dict[str, None]()
     by_name = {unit.name: (unit, view) for unit, view in zip(made, views, strict=True)}
     owner = {field.name: struct.name for struct in model.structs for field in struct.fields}
     moving = [by_name[name][0] for name in ("feedback", "strapdown") if writes_fields(by_name, name, owner)]
     written = {owner[r.name] for unit in moving for r in unit.results}
     carried = [s.name for s in model.structs if s.name in written]
+    for s in model.structs:
+        if s.name in carried:
+            checks.carried(s.name, list(s.fields))
+    if model.kind == "total-state":
+        checks.vector(state_variable(model), "x")
 
     def given(*names: str) -> list[str]:
         read = {struct for name in names for struct in by_name[name][1]["reads"]}
@@ -42,28 +116,60 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
     def reach(struct: str) -> str:
         return "filter->x" if struct == "x" else f"&filter->{struct}" if struct in carried else struct
 
-    def call(name: str, *out: str) -> str:
-        view = by_name[name][1]
-        arguments = ", ".join([*(reach(struct) for struct in view["reads"]), *out])
-        return f"{view['c_name']}{'_nz' if view['sparse'] else ''}({arguments})"
-
-    def call_dense(name: str, out: str = "dense") -> str:
-        """The same, zeros too."""
+    def call(name: str, out: str = "dense") -> str:
+        """The call of a unit with its checks, zeros too: what the self-test holds the filter against."""
         view = by_name[name][1]
         return f"{view['c_name']}({', '.join([*(reach(struct) for struct in view['reads']), out])})"
+
+    def path(field: Variable) -> str:
+        struct = owner[field.name]
+        return f"filter->{struct}.{field.name}" if struct in carried else f"{struct}->{field.name}"
+
+    def kernel(name: str, out: list[str], state: str = "filter->x") -> str:
+        """The call of a unit's kernel, whose inputs have been checked."""
+        unit, view = by_name[name]
+        files[view["file"]] = None
+        inputs = [state if a.name == "x" else f"{'&' * (a.size == 1)}{path(a)}" for a in unit.args]
+        return f"{view['c_name']}_kernel({', '.join([*inputs, *out])})"
+
+    def run(name: str, out: list[str], dense: bool = True) -> list[str]:
+        """Lines that call a unit's kernel and judge its answers; dense: whether zeros are wanted too."""
+        unit, view = by_name[name]
+        if dense and any(len(r.nonzeros) < r.shape[0] * r.shape[1] for r in unit.results):
+            arguments = [reach(struct) for struct in view["reads"]] + out
+            return [f"status = {view['c_name']}({', '.join(arguments)});"]
+        lines = [f"{kernel(name, out)};"]
+        for r, shown, at in zip(unit.results, view["results"], out, strict=True):
+            if shown["checked"]:
+                call = checks.vector(r, at) if r.low else f"bs_check_finite({at}, {len(r.nonzeros)})"
+                lines.append(
+                    f"status = {call};" if len(lines) == 1 else f"status = (status == BS_OK) ? {call} : status;"
+                )
+        return lines
+
+    def checked(caller: str, structs: list[str], fields: list[str], x: bool = False) -> list[str]:
+        """The calls that check what a function of the filter is given."""
+        found = [checks.vector(state_variable(model), "filter->x")] if x else []
+        for s in model.structs:
+            read = [a for a in s.fields if a.name in fields]
+            if s.name in structs and read:
+                found.append(checks.given(s.name, read, caller))
+        return found
 
     def change(name: str) -> dict[str, Any] | None:
         """A function whose outputs are fields: it writes into copies of the structs that it changes."""
         if not writes_fields(by_name, name, owner):
             return None
         unit, view = by_name[name]
+        caller = "correct" if name == "feedback" else name
         out = [f"{'&' if len(r.nonzeros) == 1 else ''}next_{owner[r.name]}.{r.name}" for r in unit.results]
         structs = [s.name for s in model.structs if s.name in {owner[r.name] for r in unit.results}]
         arguments = ", ".join([*(reach(struct) for struct in view["reads"]), *out])
         return {
             "meaning": unit.meaning, "structs": given(name), "changed": structs, "fields": fields(name),
             "written": [r.name for r in unit.results],
-            "call": f"{view['c_name']}({arguments})",
+            "call": f"{view['c_name']}({arguments})", "run": run(name, out),
+            "checks": checked(caller, given(name), fields(name), any(a.name == "x" for a in unit.args)),
         }  # fmt: skip
 
     measurements = []
@@ -73,16 +179,20 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         H = by_name[f"{m.name}_H"][0]
         nonlinear, explicit = any(a.name == "x" for a in H.args), m.H is None
         used = [f"{m.name}_H"] + [f"{m.name}_z"] * (m.z is not None) + [f"{m.name}_h"] * explicit
-        at = "H" if nonlinear else "filter->work"
         places = tuple((i, j) for i in range(len(m.rows)) for j in range(model.n))  # L^-1 H has zeros nowhere
+        if nonlinear:
+            checks.vector(state_variable(model), "x")
         measurements.append(
             {
+                "checks": checked(f"measure_{m.name}", given(*used), fields(*used)),
+                "run_z": run(f"{m.name}_z", ["z"]) if m.z is not None else None,
+                "run_h": run(f"{m.name}_h", ["target"]) if explicit else None,
+                "run_H": run(f"{m.name}_H", ["filter->work"], dense=m.correlated),
                 "name": m.name, "meaning": m.meaning, "names": ", ".join(m.rows), "unit": m.unit, "m": len(m.rows),
                 "equations": m.equations, "nonlinear": nonlinear, "structs": given(*used), "fields": fields(*used),
                 "z": call(f"{m.name}_z", "z") if m.z is not None else None,
                 "h": call(f"{m.name}_h", "target") if explicit else None,
-                "H": call_dense(f"{m.name}_H", at) if m.correlated else call(f"{m.name}_H", at),
-                "H_dense": call_dense(f"{m.name}_H"), "all": 2 ** len(m.rows) - 1,
+                "H_dense": call(f"{m.name}_H"), "all": 2 ** len(m.rows) - 1,
                 "angles": f"{sum(1 << i for i in m.angles)}U", "correlated": m.correlated,
                 "size_R": len(m.rows) ** (2 if m.correlated else 1),
                 # where z - h(x) goes, or a z of the caller's that is changed
@@ -90,10 +200,6 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
                 **table(places if m.correlated else H.results[0].nonzeros, len(m.rows)),
             }
         )  # fmt: skip
-
-    def path(field: Variable) -> str:
-        struct = owner[field.name]
-        return f"filter->{struct}.{field.name}" if struct in carried else f"{struct}->{field.name}"
 
     def length() -> tuple[Variable, int, str]:
         """dt: the input, the component and how C reaches it."""
@@ -107,54 +213,61 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         structs = given("F", "Qc")
         if owner[dt.name] not in (*carried, *structs):
             structs = [s.name for s in model.structs if s.name in (*structs, owner[dt.name])]
+        read = [*fields("F", "Qc"), dt.name]
         return {
-            "structs": structs, "F": call("F", "filter->F"), "Qc": call("Qc", "filter->Qc"),
-            "F_dense": call_dense("F"), "Qc_dense": call_dense("Qc"),
-            "fields": [*fields("F", "Qc"), dt.name],
+            "structs": structs, "F_dense": call("F"), "Qc_dense": call("Qc"), "fields": read,
+            "run_F": run("F", ["filter->F"], dense=False), "run_Qc": run("Qc", ["filter->Qc"], dense=False),
+            "checks": checked("propagate", structs, read),
         }, box(value, dt, place) | {"value": value}  # fmt: skip
 
     def total() -> dict[str, Any]:
         """The same of a total state."""
         read = ("next", "Phi", "Q", *(("f", "F", "Qc") if model.loops else ()))
+        printed = not model.loops
         return {
             "structs": given(*read), "fields": fields(*read), "next": call("next", "next"),
-            "Phi": call("Phi", "filter->Phi"), "Phi_dense": call_dense("Phi"),
-            "Q": call("Q", "filter->work"), "Q_dense": call_dense("Q"), **scattered(nonzeros(made, "Q")),
+            "Phi_dense": call("Phi"), **arranged(model, made), "Q_dense": call("Q"), **scattered(nonzeros(made, "Q")),
+            "checks": checked("propagate", given(*read), fields(*read), x=True),
+            "run_next": run("next", ["next"]) if printed else None,
+            "run_Phi": run("Phi", ["filter->work"], dense=False) if printed else None,
+            "run_Q": run("Q", ["filter->work"], dense=False) if printed else None,
         }  # fmt: skip
 
-    def looped(read: list[str]) -> dict[str, Any]:
-        """What a step by loops is made of: what is checked before it and after it, its kernels and their places."""
-        end = by_name["next"][0].results[0]
-        checked = [box("filter->x", state_variable(model))]
-        checked += [box(path(a), a) for a in model.inputs if a.name in read]
-        bounds = {
-            f"{a.name}_{end}": values
-            for a in (state_variable(model), *(a for a in model.inputs if a.name in read))
-            for end, values in (("low", a.low), ("high", a.high))
-        }
-        tables, names = shared_tables(bounds | {"next_low": end.low, "next_high": end.high})
-
-        def kernel(name: str, state: str, out: str) -> str:
-            unit, view = by_name[name]
-            inputs = [state if a.name == "x" else f"{'&' * (a.size == 1)}{path(a)}" for a in unit.args]
-            return f"{view['c_name']}_kernel({', '.join([*inputs, out])})"
-
+    def looped() -> dict[str, Any]:
+        """What a step by loops is made of: its kernels and their places, and what is checked after it."""
         return {
-            "files": [by_name[name][1]["file"] for name in ("F", "Qc", "f")], "kernel": kernel, "dt": length()[2],
-            "checked": checked, "tables": tables, "table": names, "most": number(LARGEST),
-            "places": ", ".join(str(i * model.n + j) for i, j in nonzeros(made, "Phi")),
+            "kernel": lambda name, state, out: kernel(name, [out], state), "dt": length()[2],
+            "check": checks.vector(by_name["next"][0].results[0], "next"), "most": number(LARGEST),
             "moved": ", ".join(str(i) for i, _ in nonzeros(made, "f")), "count": len(nonzeros(made, "f")),
             **{name: table(nonzeros(made, name), model.n) for name in ("F", "Qc")},
         }  # fmt: skip
 
     propagate, dt = linear() if model.kind == "error-state" else (total(), None)
-    low, high = zip(*((lo, hi) for v in model.states for lo, hi in zip(v.low, v.high, strict=True)), strict=True)
-    checked = [(s.name, a) for s in model.structs if s.name in carried for a in s.fields]
-    bounds = {f"{a.name}_{end}": values for _, a in checked for end, values in (("low", a.low), ("high", a.high))}
-    tables, names = shared_tables(bounds | ({"x_low": low, "x_high": high} if model.kind == "total-state" else {}))
+    correct, strapdown = change("feedback"), change("strapdown")
+    loops = looped() if model.loops else None
+    tables = checks.tables(model.kind == "total-state")
+    if loops:
+        for name in ("F", "Qc", "f"):
+            files[by_name[name][1]["file"]] = None
     return {
         "total": model.kind == "total-state",
-        "loops": looped(propagate["fields"]) if model.loops else None,
+        "loops": loops,
+        "files": list(files),
+        "tables": tables,
+        "checks": list(checks.made.values()),
+        "x_table": checks.table_of("check_x"),
+        "ceiling": ", ".join(map(number, ceilings(model))),
+        "ceilings": [
+            (v.name, v.unit, ", ".join(f"{math.sqrt(c):.0e}" for c in part))
+            for v, part in zip(model.states, split(ceilings(model), [v.size for v in model.states]), strict=True)
+        ],
+        "blocks": [v.size for v in model.states],
+        "squares": sum(v.size**2 for v in model.states),
+        "snapshot": {
+            "numbers": sum(a.size for s in model.structs if s.name in carried for a in s.fields)
+            + model.n * (model.n + 3) // 2,
+            "bytes": 2 * (len(measurements) + 1) + model.n,  # counts of two bytes, and which states are considered
+        },
         "wraps": [i for i, wraps in enumerate(v.wraps for v in model.states for _ in v.symbols) if wraps],
         "explicit": any(u["h"] for u in measurements),
         "angled": any(u["h"] and u["angles"] != "0U" for u in measurements),
@@ -163,18 +276,21 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         "correlated": any(u["correlated"] for u in measurements),
         "separated": any(u["nonlinear"] and u["correlated"] for u in measurements),
         "carried": carried,
-        "checked": [box(f"{struct}->{a.name}", a) for struct, a in checked],
-        "tables": tables,
-        "table": names,
         "max_rows": max(len(m.rows) for m in model.measurements),
         "least_R": repr(LEAST_R),
         "most_R": repr(MOST_R),
         "dt": dt,
         "propagate": propagate,
         "measurements": measurements,
-        "correct": change("feedback"),
-        "strapdown": change("strapdown"),
+        "correct": correct,
+        "strapdown": strapdown,
     }  # fmt: skip
+
+
+def split(values: list[float], sizes: list[int]) -> list[list[float]]:
+    """The values in pieces of these sizes."""
+    ends = list(itertools.accumulate(sizes))
+    return [values[end - size : end] for end, size in zip(ends, sizes, strict=True)]
 
 
 def scattered(places: Places) -> dict[str, Any]:
@@ -194,10 +310,12 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
             offset += a.size
             item = f"{a.name}[i]" if a.size > 1 else a.name
             held = f"flown.{s.name}" if s.name in f["carried"] else f"given_{s.name}"
-            readers = [("init", f"&given_{s.name}.{item}")] if s.name in f["carried"] else []
+            own = s.name in f["carried"]
+            readers = [(name, f"&given_{s.name}.{item}") for name in ("init", "set_nav")] if own else []
             functions = {"propagate": f["propagate"], "strapdown": f["strapdown"], "correct": f["correct"]}
             functions |= {f"measure_{u['name']}": u for u in f["measurements"]}
-            readers += [(name, f"&{held}.{item}") for name, u in functions.items() if u and a.name in u["fields"]]
+            reading = [name for name, u in functions.items() if u and (own or a.name in u["fields"])]
+            readers += [(name, f"&{held}.{item}") for name in reading]
             spoilt.append(
                 {
                     "name": a.name, "size": a.size, "functions": readers, "low": beyond(a)[0], "high": beyond(a)[1],
@@ -225,7 +343,7 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
         "spoilt": [g for g in spoilt if g["functions"]],
         "checked": [
             box("", a)
-            | {"place": f"given_{s.name}.{a.name}{'[i]' * (a.size > 1)}"}
+            | {part: f"{of}{s.name}.{a.name}{'[i]' * (a.size > 1)}" for part, of in PLACES.items()}
             | {"norms": [f"{number(-v)}, {number(v)}" for v in a.norm or ()], "norms_beyond": norms_beyond(a)}
             for s in model.structs
             if s.name in f["carried"]
@@ -238,7 +356,7 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
         "x_beyond": beyond(x),
         "x_low_numbers": ", ".join(map(repr, map(float, x.low))),
         "x_high_numbers": ", ".join(map(repr, map(float, x.high))),
-        "places": {name: places(name) for name in (("Phi", "Q") if f["total"] else ("F", "Qc"))},
+        "places": {name: places(name) for name in (() if f["total"] else ("F", "Qc"))},
     }
 
 
@@ -284,4 +402,6 @@ def box(access: str, v: Any, place: int | None = None) -> dict[str, Any]:
         "name": v.name, "size": size, "access": access if v.size > 1 and place is None else f"&{access}",
         "low": ", ".join(map(number, v.low[chosen])), "high": ", ".join(map(number, v.high[chosen])),
         "norm": tuple(number(b * b) for b in v.norm) if v.norm else None,
+        # what a vector is scaled to that is none of the norms
+        "length": number(1.0 if v.norm[0] <= 1 <= v.norm[1] else sum(v.norm) / 2) if v.norm else None, "of": v,
     }  # fmt: skip

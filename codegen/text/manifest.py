@@ -5,7 +5,7 @@ from typing import Any
 from boresight.codegen.functions.dynamics import left_out
 from boresight.codegen.functions.units import Unit, state_variable
 from boresight.codegen.text.covariance import covariance_view
-from boresight.codegen.text.filter import filter_view, has_filter
+from boresight.codegen.text.filter import ceilings, filter_view, has_filter
 from boresight.derive.model import Model, Variable
 
 MATRICES = {"F", "Phi", "Q", "H"}  # two axes in NumPy, even for a model with one state
@@ -15,8 +15,9 @@ def filter_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]])
     """What a caller of the whole filter in C must know: its sources, its structs and what each function is given."""
     f = filter_view(model, made, views)
     return {
-        "sources": [f"{model.c_prefix}_covariance", f"{model.c_prefix}_filter"],
+        "sources": [f"{model.c_prefix}_{part}" for part in ("covariance", "filter", "digest")],
         "carried": f["carried"],
+        "ceiling": ceilings(model),
         "propagate": {key: f["propagate"][key] for key in ("structs", "fields")}
         | ({"loops": model.loops} if f["total"] else {}),
         "correct": f["correct"] and {key: f["correct"][key] for key in ("structs", "fields", "written")},

@@ -13,6 +13,7 @@ SHORTEST, LONGEST = 50, 200  # statements of one function, where a kernel has se
 CALL = 30  # values shared more that one function less is worth
 BINARY = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 CALLS = {name: f"BS_{name.upper()}" for name in ("sqrt", "atan2", "fabs", "sign", "fmin", "fmax", *LIBRARY)}
+PAIR = {"sin": "cos", "cos": "sin"}
 COMPARE = {"lt": "<", "le": "<=", "eq": "==", "ne": "!="}
 
 
@@ -54,12 +55,7 @@ def parts(model: Model, unit: Unit) -> tuple[list[Part], list[str]]:
         # what is no operation is written last
         outputs = [r for r in sorted(tape.results) if part_of.get(r[2], len(ranges) - 1) == number]
         read += [position for _, _, position in outputs]
-        lines = [
-            f"{names[p]} = {expression(tape, p, names)};"
-            if p in kept
-            else f"const bs_real {names[p]} = {expression(tape, p, names)};"
-            for p in positions
-        ]
+        lines = [line for p in positions for line in statement(tape, p, names, kept, positions)]
         lines += [
             f"{nz_name(unit.results[o])}[{k}] = {names[position]}; /* {where[o][k]} */" for o, k, position in outputs
         ]
@@ -96,6 +92,21 @@ def ranges_of(tape: Tape) -> list[list[int]]:
     while cuts[-1] > 0:
         cuts.append(before[cuts[-1]])
     return [work[start:end] for end, start in pairwise(cuts)][::-1]
+
+
+def statement(tape: Tape, position: int, names: list[str], kept: set[int], positions: list[int]) -> list[str]:
+    """One operation as lines of C: one statement, or for a sine and a cosine of one angle in this range a single call
+    where the first of them stands, and nothing at the other."""
+    step = tape.steps[position]
+    other = [p for p in positions if tape.steps[p].op == PAIR.get(step.op) and tape.steps[p].args == step.args]
+    if not other:
+        left = names[position] if position in kept else f"const bs_real {names[position]}"
+        return [f"{left} = {expression(tape, position, names)};"]
+    if other[0] < position:
+        return []
+    sine, cosine = (position, other[0]) if step.op == "sin" else (other[0], position)
+    declared = [f"bs_real {names[p]};" for p in (sine, cosine) if p not in kept]
+    return [*declared, f"BS_SINCOS({names[step.args[0]]}, &{names[sine]}, &{names[cosine]});"]
 
 
 def expression(tape: Tape, position: int, names: list[str]) -> str:

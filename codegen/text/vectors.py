@@ -12,7 +12,6 @@ from boresight.codegen.functions.units import Unit
 from boresight.codegen.text.names import rows_of, three_digits
 from boresight.derive.model import Model
 
-LIBM_ULPS = 4  # what the self-test grants the functions of a target's library; hyperbolic ones twice that
 CORNERS, PLAIN, SMALL = 8, 40, 24  # points that the vectors are chosen from
 DIFFERENTIATED = 1e-45  # what is left of 80 digits where the reference was differentiated numerically and is zero
 
@@ -34,9 +33,10 @@ def chosen(model: Model, unit: Unit) -> tuple[list[np.ndarray], list[np.ndarray]
     if not plain:
         return [], []
     small = answered(unit, 0, SMALL, rng, small=True, in_float=True)
-    mixed = np.arange(PLAIN + SMALL)[::-1].reshape(LEAST, -1).T.ravel()  # the first are small, random and corners
+    # the first are a corner, a small one and two random ones
+    mixed = np.roll(np.arange(PLAIN + SMALL)[::-1], CORNERS).reshape(LEAST, -1).T.ravel()
     points = [np.vstack(both)[mixed] for both in zip(plain, small, strict=True)]
-    values, bounds = evaluate(unit.tape, points, LIBM_ULPS)
+    values, bounds = evaluate(unit.tape, points)
     granted = [2 * bound + abs(value) * 2.0**-52 + DIFFERENTIATED for value, bound in zip(values, bounds, strict=True)]
     turning = [
         unit.results[output].nonzeros[nz][0] in unit.results[output].angle for output, nz, _ in unit.tape.results
@@ -63,7 +63,7 @@ def vectors(model: Model, unit: Unit) -> dict[str, Any]:
     ]
 
     def tolerances(real: type[np.floating]) -> list[str]:
-        _, bounds = evaluate(unit.tape, points, LIBM_ULPS, real)
+        _, bounds = evaluate(unit.tape, points, real)
         return [
             rows_of(
                 np.array([bounds[places[o, nz]] for nz in range(len(result.nonzeros))]).T

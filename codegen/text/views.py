@@ -5,6 +5,7 @@ from typing import Any
 
 from boresight.codegen.functions.samples import norm_ends
 from boresight.codegen.functions.units import Result, Unit
+from boresight.codegen.text.elementary import called
 from boresight.codegen.text.names import (
     beyond,
     file_stem,
@@ -131,12 +132,13 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
     return {
         "c_name": c_name,
         "file": file_stem(model, unit.name),
-        "guard": file_stem(model, "f") if unit.name == "f" else c_name,  # F and f are read into one file
+        "guard": file_stem(model, unit.name),  # F and f, H and h are read into one file
         "meaning": unit.meaning,
         "equations": ", ".join(unit.equations),
         "column": max(len(named["path"]) for named in args + results),
         "operations": unit.tape.operations,
         "hash": unit_hash(unit),
+        "elementary": bool(called([unit])),
         "args": args,
         "results": results,
         "prototype": f"bs_status {c_name}({', '.join(inputs + [r['parameter'] for r in results])})",

@@ -75,7 +75,7 @@ static bs_status carry(flight *f)
         status = va_filter_propagate(&f->filter, &imu, &f->noise);
         f->behind = 0;
     }
-    return status;
+    return bs_good(status) ? BS_OK : status;
 }
 
 /* One element of the covariance, and its mirror image. */
@@ -128,7 +128,6 @@ static bs_status start(flight *f, const flight_message *message)
         keep(f, zero, zero);
         f->fresh = 0;
         f->behind = 0;
-        f->astray = 0;
         f->flying = 1;
         f->begun += 1U;
     }
@@ -216,10 +215,12 @@ bs_status flight_master(flight *f, const flight_message *message)
 {
     const bs_real Rv = square(f->setup.velocity_sigma), Ra = square(f->setup.attitude_sigma);
     const bs_real R_velocity[3] = { Rv, Rv, Rv }, R_attitude[3] = { Ra, Ra, Ra };
+    const bs_gates gates = { .rows = BS_ALL_ROWS, .gate = FLIGHT_GATE };
     va_innovation innovation[2] = { { .used = 0U }, { .used = 0U } };
     va_master master = { .q_m2n_wxyz = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) } };
     bs_real early[3], late[3];
     bs_status status, velocity, attitude;
+    va_health health;
     unsigned int all;
     va_imu imu;
     va_nav now;
@@ -260,10 +261,9 @@ bs_status flight_master(flight *f, const flight_message *message)
     (void)memcpy(f->filter.nav.v_n, ago(f, ticks)->v_n, sizeof now.v_n);
     (void)memcpy(f->filter.nav.q_b2n_wxyz, ago(f, ticks)->q_b2n_wxyz, sizeof now.q_b2n_wxyz);
     convert(f->filter.nav.position, message->position, 3);
-    velocity = va_filter_measure_velocity(&f->filter, &imu, &f->mounting, &master, R_velocity, BS_ALL_ROWS, FLIGHT_GATE,
-                                          &innovation[0]);
-    attitude = va_filter_measure_dcm(&f->filter, &imu, &master, R_attitude, BS_ALL_ROWS, FLIGHT_GATE, &innovation[1]);
-    if ((velocity == BS_OK) || (attitude == BS_OK)) { /* both have looked at the position */
+    velocity = va_filter_measure_velocity(&f->filter, &imu, &f->mounting, &master, R_velocity, &gates, &innovation[0]);
+    attitude = va_filter_measure_dcm(&f->filter, &imu, &master, R_attitude, &gates, &innovation[1]);
+    if (bs_good(velocity) || bs_good(attitude)) { /* both have looked at the position */
         (void)memcpy(now.position, f->filter.nav.position, sizeof now.position);
     }
     f->filter.nav = now;
@@ -279,11 +279,12 @@ bs_status flight_master(flight *f, const flight_message *message)
     f->taken += (all == 7U) ? 1U : 0U;
     f->refused += ((innovation[0].used | innovation[1].used) == 0U) ? 1U : 0U;
     f->in_part += ((all != 7U) && ((innovation[0].used | innovation[1].used) != 0U)) ? 1U : 0U;
-    if ((velocity != BS_OK) || (attitude != BS_OK)) {
-        return (velocity != BS_OK) ? velocity : attitude;
+    if (!bs_good(velocity) || !bs_good(attitude)) {
+        return bs_good(velocity) ? attitude : velocity;
     }
-    f->astray = (all == 7U) ? 0 : (f->astray + 1);
-    if (f->astray == FLIGHT_ASTRAY) {
+    (void)va_filter_health(&f->filter, &health);
+    if ((health.rejected[VA_MEASUREMENT_VELOCITY] >= FLIGHT_ASTRAY) ||
+        (health.rejected[VA_MEASUREMENT_DCM] >= FLIGHT_ASTRAY)) {
         f->flying = 0; /* the master has jumped, or the slave */
     }
     return BS_OK;
@@ -294,16 +295,20 @@ bs_status flight_report(flight *f, flight_line *line)
     const va_nav *nav = &f->filter.nav;
     const double w = (double)nav->q_b2n_wxyz[0], x = (double)nav->q_b2n_wxyz[1];
     const double y = (double)nav->q_b2n_wxyz[2], z = (double)nav->q_b2n_wxyz[3];
+    bs_real sigma[VA_N_STATES];
     double v[3], sine, turn, yaw;
     bs_status status;
 
     if (!f->flying) {
         return BS_NOT_READY;
     }
-    status = va_filter_covariance(&f->filter, f->dense);
+    status = va_filter_sigmas(&f->filter, sigma);
+    if (status != BS_OK) {
+        return status;
+    }
     yaw = DEGREES * atan2(2.0 * ((w * z) + (x * y)), 1.0 - (2.0 * ((y * y) + (z * z))));
     line->heading_deg = (yaw < 0.0) ? (yaw + 360.0) : yaw;
-    line->heading_sigma_mil = MILS * sqrt((double)f->dense[VA_IX_PHI_D * (VA_N_STATES + 1)]);
+    line->heading_sigma_mil = MILS * (double)sigma[VA_IX_PHI_D];
     for (int i = 0; i < 3; ++i) {
         v[i] = (double)nav->q_b2m_wxyz[i + 1];
     }
@@ -313,6 +318,6 @@ bs_status flight_report(flight *f, flight_line *line)
         line->misalignment_deg[i] = DEGREES * turn * v[i];
     }
     line->delay_ms = 1e3 * (double)nav->tau;
-    line->delay_sigma_ms = 1e3 * sqrt((double)f->dense[VA_IX_D_TAU * (VA_N_STATES + 1)]);
+    line->delay_sigma_ms = 1e3 * (double)sigma[VA_IX_D_TAU];
     return status;
 }

@@ -13,7 +13,7 @@ enum {
     FLIGHT_HALF = 4,   /* ticks: a rate is the mean over twice this, a rate of change the difference over as much */
     FLIGHT_EVERY = 8   /* ticks for one step of the covariance */
 };
-enum { FLIGHT_ASTRAY = 5 }; /* messages in a row with a row beyond the gate, after which the flight begins anew */
+#define FLIGHT_ASTRAY 5U /* messages in a row with a row of the same measurement beyond the gate, after which the flight begins anew */
 #define FLIGHT_GATE BS_REAL(6.0) /* sigmas beyond which a row of a message is left out */
 
 /* What is known beforehand, as it stands in a recording: doubles alone. */
@@ -57,7 +57,6 @@ typedef struct {
     int fresh;            /* ticks since the last correction, which those before it did not get; below FLIGHT_PAST */
     int behind;           /* ticks that the covariance has to be carried */
     int flying;           /* the first message has come */
-    int astray;           /* messages in a row with a row beyond the gate */
     unsigned int begun;
     unsigned int taken, in_part, refused; /* messages */
     unsigned int held; /* ticks whose increments were no numbers, or beyond the model's range */
@@ -83,7 +82,7 @@ bs_status flight_slave(flight *f, const double dtheta[3], const double dv[3]);
  * refused: the flight goes on with the rest.  If the filter is no longer sound, the next message begins anew. */
 bs_status flight_master(flight *f, const flight_message *message);
 
-/* returns BS_OK, or BS_NOT_READY before the first message */
+/* returns BS_OK; BS_NOT_READY before the first message; or why there are no sigmas, and nothing is written */
 bs_status flight_report(flight *f, flight_line *line);
 
 #endif

@@ -35,7 +35,7 @@ class Flight:
         self.v_n, self.q_b2n_wxyz = np.zeros((ticks + 1, 3)), np.zeros((ticks + 1, 4))
         self.dtheta, self.dv = np.zeros((ticks + 1, 3)), np.zeros((ticks + 1, 3))
         self.now = self.predicted = self.corrected = 0  # ticks
-        self.astray = 0
+        self.astray: dict[str, int] = {}  # by measurement, messages in a row with a row beyond the gate
         self.loop: Filter | None = None
 
     def start(self, message: np.ndarray) -> None:
@@ -59,7 +59,7 @@ class Flight:
         self.loop = Filter(self.model, nav, P)
         self.dtheta[self.now] = self.dv[self.now] = 0.0
         self.predicted = self.corrected = self.now
-        self.astray = 0
+        self.astray = {}
         self.remember()
 
     def remember(self) -> None:
@@ -110,13 +110,13 @@ class Flight:
         early, late = (loop.call("expected", **self.then(at))["v_m_n"] for at in (k - HALF, k + HALF))
         a_n = (late - early) / (2 * HALF * s.dt)
         inputs = {**self.then(k), "position": message[1:4], "a_n": a_n, "lag": age - ticks * s.dt}
-        used = []
+        used = {}
         for name, sigma, said in (
             ("velocity", s.velocity_sigma, {"v_m_n": message[4:7]}),
             ("dcm", s.attitude_sigma, {"q_m2n_wxyz": message[7:11]}),
         ):
             try:
-                used.append(loop.update(name, np.full(3, sigma**2), gate=GATE, **inputs, **said).used)
+                used[name] = loop.update(name, np.full(3, sigma**2), gate=GATE, **inputs, **said).used
             except BoresightError as error:
                 print(f"{self.now * s.dt:8.4f}: {error}")
         loop.feedback()
@@ -124,10 +124,10 @@ class Flight:
             loop.nav["position"] = message[1:4]
         self.remember()
         self.corrected = self.now
-        if len(used) == 2:
-            self.astray = 0 if np.all(used) else self.astray + 1
-            if self.astray == ASTRAY:
-                self.loop = None
+        for name, rows in used.items():
+            self.astray[name] = 0 if np.all(rows) else self.astray.get(name, 0) + 1
+        if len(used) == 2 and max(self.astray.values()) >= ASTRAY:
+            self.loop = None
         return None
 
     def line(self) -> np.ndarray:

@@ -98,8 +98,8 @@ def driver(precision: str) -> ctypes.PyDLL:
     """The time loops with the generated C, compiled in "double" or "float" into the cache of libraries."""
     folder, loops = folder_of("azimuth-hold"), Path(__file__).with_name("float_covariance.c")
     manifest = read_manifest(folder)
-    stems = [unit["file"] for unit in manifest["units"].values()] + manifest["filter"]["sources"]
-    sources = dict.fromkeys([loops, *(folder / "src" / f"{stem}.c" for stem in stems)], ())
+    generated = (folder / path for path in manifest["files"] if path.startswith("src/") and path.endswith(".c"))
+    sources = dict.fromkeys([loops, *generated], ())
     contents = loops.read_text() + json.dumps(manifest["files"], sort_keys=True)
     name = f"float-covariance-{precision}"
     library = open_library(*shared_library(name, contents, sources, folder / "include", PRECISIONS[precision]))

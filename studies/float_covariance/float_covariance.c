@@ -33,6 +33,13 @@ static void convert(const double *from, bs_real *to, int n)
     }
 }
 
+static void copy(const bs_real *from, bs_real *to, int n)
+{
+    for (int i = 0; i < n; ++i) {
+        to[i] = from[i];
+    }
+}
+
 static bs_status transition(const double motion[MOTION], const double noise[12], double dt, scratch *s)
 {
     ah_nav nav = { { 0 }, { 0 }, { 0 }, { 0 }, { 0 } };
@@ -175,9 +182,11 @@ int fly(int form, int steps, int update_every, double dt, const double *motion, 
             return -2;
         }
         if (form == UD) {
-            ah_ud_predict(P, s.Phi, s.Q, s.work);
+            ah_ud_predict(P, s.Phi, s.Q, s.Q, s.work);
+            copy(s.Q, P, AH_N_PACKED);
         } else if (form == JOSEPH) {
-            ah_joseph_predict(P, s.Phi, s.Q, s.work);
+            ah_joseph_predict(P, s.Phi, s.Q, s.Q, s.work);
+            copy(s.Q, P, AH_N_PACKED);
         } else {
             full_predict(P, &s);
         }
@@ -315,9 +324,9 @@ int navigate(int steps, int predict_every, int update_every, double dt, const do
             ah_innovation innovation;
             double x[N];
             tell(nav, &filter.nav);
-            status = ah_filter_measure_zupt(&filter, variance, BS_ALL_ROWS, BS_REAL(0.0), &innovation);
+            status = ah_filter_measure_zupt(&filter, variance, NULL, &innovation);
             if (status == BS_OK) {
-                status = ah_filter_measure_azimuth(&filter, &reference, &variance[3], BS_ALL_ROWS, BS_REAL(0.0), &innovation);
+                status = ah_filter_measure_azimuth(&filter, &reference, &variance[3], NULL, &innovation);
             }
             for (int i = 0; i < N; ++i) { /* the filter's own correction would do this in bs_real */
                 x[i] = (double)filter.x[i];

@@ -18,7 +18,8 @@ def test_compiles_without_a_warning_and_passes_its_self_test(compiler, model, tm
     """All committed folders are built so in both precisions by `make evidence`, whose results are judged elsewhere."""
     folder = pendulum_folder if model == "pendulum" else EM.parent / model
     done = self_test(folder, tmp_path, *STRICT, cc=compiler)
-    assert done.stdout.splitlines()[-1] == f"{len(c_files(folder, 'src'))} passed, 0 failed", done.stdout
+    units = [path for path in c_files(folder, "src") if not path.stem.endswith("_identity")]
+    assert done.stdout.splitlines()[-1] == f"{len(units)} passed, 0 failed", done.stdout
 
 
 def test_the_self_test_can_fail(em_copy, tmp_path):
@@ -55,7 +56,7 @@ def test_cmake_takes_the_folder_both_ways(way, tmp_path):
         compiler.run(["cmake", "--build", tmp_path / "em", "--parallel", "2"])
         compiler.run(["ctest", "--test-dir", tmp_path / "em", "--output-on-failure"])
         compiler.run(["cmake", "--install", tmp_path / "em"])
-        take = "find_package(euler_matching REQUIRED)"
+        take = "find_package(euler_matching 0.1 REQUIRED)"
     else:
         take = f"add_subdirectory({EM} em)"
     (project / "CMakeLists.txt").write_text(

@@ -8,7 +8,7 @@ import pytest
 from building import STRICT, c_files, program, run, self_test
 from conftest import ROOT
 
-from boresight.codegen.text.covariance import phi_places, table
+from boresight.codegen.text.covariance import even, moving, reach, table
 from boresight.codegen.text.covariance_vectors import draw_case, predicted, updated
 from boresight.runtime.compiler import compile_sources
 from boresight.runtime.library import load
@@ -183,11 +183,14 @@ def test_the_vectors_are_what_numpy_computes(order):
         powers = [np.eye(3), A, A @ A / 2, A @ A @ A / 6][: (order or 0) + 1]
         Phi = sum(powers) if order else 2**4 * A
         Q = S * 2**4
-        if order:  # what a product of two powers integrates to, up to the highest power of dt
-            Q = sum(
-                a @ S @ b.T / (i + j + 1) for i, a in enumerate(powers) for j, b in enumerate(powers) if i + j <= order
-            )
-        packed, moved, size, _, _ = predicted(case, order)
+        if order:
+            squares = {
+                1: ((1, np.eye(3) + A / 2),),
+                2: ((1 / 4, np.eye(3)), (3 / 4, np.eye(3) + 2 / 3 * A + 2 / 9 * A @ A)),
+                3: ((1, np.eye(3) + A / 2 + A @ A / 6 + A @ A @ A / 24), (1 / 3, A / 2 + A @ A / 4)),
+            }[order]
+            Q = sum(weight * B @ S @ B.T for weight, B in squares)
+        packed, moved, size, _ = predicted(case, order)
         expected = (Phi @ P @ Phi.T + Q) * np.outer(scale, scale)
         for value, (i, j) in zip(packed, places, strict=True):
             assert abs(value - expected[i, j]) <= 50 * U * size[i] * size[j]
@@ -202,12 +205,21 @@ def test_the_vectors_are_what_numpy_computes(order):
         assert np.allclose(estimate, (x + K * (z - h @ x)) * scale, rtol=1e-9, atol=1e-12)
 
 
-def test_the_places_of_phi_hold_every_power_that_it_has():
-    assert phi_places(3, ((0, 1), (1, 2)), 1) == ((0, 0), (0, 1), (1, 1), (1, 2), (2, 2))
-    assert phi_places(3, ((0, 1), (1, 2)), 2) == ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
-    assert phi_places(4, ((0, 1), (1, 2), (2, 3)), 2)[:4] == ((0, 0), (0, 1), (0, 2), (1, 1))
-    assert phi_places(4, ((0, 1), (1, 2), (2, 3)), 3)[3] == (0, 3)
+def test_what_moves_ends_with_the_last_state_that_another_drives():
+    assert moving(3, ((0, 1), (1, 2))) == 2
+    assert moving(4, ((2, 0),)) == 3  # states that stay before it are carried like those that move
+    assert moving(3, ()) == 1
     assert table(((0, 2), (2, 0), (0, 1)), 3) == {"nnz": 3, "start": "0, 2, 2, 3", "at": "1, 2, 0"}
+
+
+def test_blocks_are_as_even_as_the_count_allows():
+    assert [even(n, 5) for n in (1, 5, 6, 15, 16)] == [(1, 1), (5, 5), (3, 6), (5, 15), (4, 16)]
+
+
+def test_a_factor_reaches_where_elimination_fills_it():
+    assert reach(3, ((0, 0), (1, 1), (2, 2))) == [0, 1, 2]
+    assert reach(3, ((0, 2), (1, 2), (2, 0), (2, 1))) == [0, 0, 0]  # (0, 1) is filled by the last column
+    assert reach(4, ((0, 0), (1, 3), (3, 1))) == [0, 1, 1, 1]
 
 
 def test_the_filter_is_left_out_where_nothing_is_measured():

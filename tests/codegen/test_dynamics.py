@@ -2,7 +2,9 @@
 
 import importlib.util
 import json
+import re
 from dataclasses import replace
+from math import factorial
 
 import numpy as np
 import pytest
@@ -12,6 +14,7 @@ from flint import arb
 from scipy.integrate import solve_ivp
 from sympy import Matrix, Rational, diag, lambdify, sin
 
+from boresight.codegen.functions.dynamics import left_of_Q
 from boresight.codegen.functions.reference import precise
 from boresight.codegen.functions.samples import sample
 from boresight.codegen.functions.units import units
@@ -61,6 +64,15 @@ WHOLE = replace(MASS, name="whole-mass", c_prefix="wm", title="a mass on a sprin
                 f=STIFF * motion.vector)  # fmt: skip
 GUSTY = replace(WHOLE, name="gusty-mass", c_prefix="gm", f=Matrix([speed, force - k * sin(place), -force / tau]),
                 G=Matrix([[sin(speed), 0], [1, place / 4], [place * speed / 8, 1]]))  # fmt: skip
+# States that stay stand last; their noises have a part in common with each other and with that of one that moves.
+drift = variable("drift", "b_1 b_2 b_3", "m/s^2", "constants that drive it", -1.0, 1.0)
+SHARED = replace(
+    MASS, name="shared-mass", c_prefix="sm", title="a mass on a spring and what drives it, 5 error states",
+    states=(variable("motion", "place speed", "m, m/s", "errors of a mass on a spring", -10.0, 10.0), drift),
+    F=Matrix([[0, 1, 0, 0, 0], [-k, -1 / tau, 1, 2, 0], *([[0] * 5] * 3)]),
+    G=Matrix([[0, 0], [1, 0], [1 / tau, 2], [0, 1], [2 / tau, 0]]),
+    measurements=(replace(SEEN, H=Matrix([[1, 0, 0, 0, 0]])),),
+)  # fmt: skip
 IN = {"x": [1.0, -2.0, 0.5], "spring": [2.0, 1.5], "push": [0.3, 0.7]}
 
 
@@ -173,6 +185,50 @@ def test_phi_and_q_of_an_error_state_are_exact_to_their_order_of_a_standing_F(or
 
 
 @pytest.mark.parametrize("order", [1, 2, 3])
+def test_what_q_leaves_out_of_the_integral_is_what_the_header_says(order):
+    """The lowest power of dt of the difference, in numbers that follow the sentence itself."""
+    model, h = replace(MASS, order=order), 2.0**-9
+    _, _, exact = integrated(model, h, **IN)
+    A = printed(model, "F", **IN) * h
+    W = np.diag([0, IN["push"][0] ** 2, IN["push"][1] ** 2]) * h
+    sentence = re.sub(r"A'\^(\d)", r"P(A, \1).T", left_of_Q(order)).replace("A'", "A.T")
+    sentence = re.sub(r"A\^(\d)", r"P(A, \1)", sentence)
+    said = eval(re.sub(r"(?<=[AWT)]) (?=[AWP])", " @ ", sentence), {"A": A, "W": W, "P": np.linalg.matrix_power})
+    left = exact - printed(model, "Q", dt=h, **IN)
+    assert np.abs(left - said).max() < 0.02 * np.abs(said).max()
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_q_is_a_covariance_however_long_the_step_is(order):
+    """Where the cut series of the integral, which errs by the same power of dt, has lost it."""
+    model = replace(MASS, order=order)
+    stiff = {"x": IN["x"], "spring": [4.0, 0.1], "push": [0.3, 0.7]}
+    F, S = printed(model, "F", **stiff), np.diag([0, 0.3**2, 0.7**2])
+    least, of_series = [], []
+    for h in (0.1, 0.3, 1.0):
+        series, grown = 0, S * h
+        for i in range(1, order + 2):
+            series, grown = series + grown / factorial(i), (F @ grown + (F @ grown).T) * h
+        for Q, kept in ((printed(model, "Q", dt=h, **stiff), least), (series, of_series)):
+            kept.append(np.linalg.eigvalsh(Q)[0] / np.trace(np.abs(Q)))
+    assert min(least) > -1e-15 and min(of_series) < -1e-4
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_a_covariance_of_rank_one_stays_one_where_a_series_of_its_equation_makes_it_indefinite(order):
+    """P' = F P + P F' along a chain, P of rank one, by Phi P Phi' and by the series of the same order."""
+    F, dt = printed(replace(MASS, order=order), "F", **IN), 0.1
+    Phi = printed(replace(MASS, order=order), "Phi", dt=dt, **IN)
+    P = np.outer([1.0, -2.0, 3.0], [1.0, -2.0, 3.0])
+    series, grown = P, P
+    for i in range(1, order + 1):
+        grown = (F @ grown + (F @ grown).T) * dt
+        series = series + grown / factorial(i)
+    assert np.linalg.eigvalsh(series)[0] < -1e-5 * np.trace(P)
+    assert np.linalg.eigvalsh(Phi @ P @ Phi.T)[0] > -1e-15 * np.trace(P)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
 def test_of_an_f_that_moves_every_order_leaves_out_half_its_rate_times_the_square_of_the_step(order):
     model, h, rate = replace(MASS, order=order), 2.0**-10, np.array([[0, 0, 0], [3.0, 0, 0], [0, 0, 0]])
     F = printed(model, "F", **IN)
@@ -213,6 +269,23 @@ def test_the_loops_in_c_carry_what_the_printed_phi_and_q_say(ordered):
             loop.predict(spring=IN["spring"], push=IN["push"], dt=0.5)
     assert pytest.approx(loops[0].P, rel=1e-13) == loops[1].P
     assert loops[1].x == pytest.approx(loops[0].x, rel=1e-13)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_noises_in_common_of_states_that_stay_are_carried_in_both_forms(order, compiled_once, tmp_path):
+    """discretize and both predicts against Phi P Phi' + Q of the printed units, and the self-test."""
+    folder = generated("SHARED", order, tmp_path / "shared")
+    assert "#define SM_N_MOVING 2 " in (folder / "include" / "shared_mass_covariance.h").read_text()
+    for form in (0, 1):
+        (tmp_path / str(form)).mkdir()
+        done = self_test(folder, tmp_path / str(form), *STRICT, "-O2", f"-DBORESIGHT_UD={form}")
+        assert (done.returncode, done.stdout) == (0, "7 passed, 0 failed\n"), done.stdout + done.stderr
+    library = load(folder)
+    loops = [kind(library, {}, np.diag([0.1, 0.2, 0.3, 0.4, 0.5])) for kind in (Filter, CompiledFilter)]
+    for loop in loops:
+        for _ in range(5):
+            loop.predict(spring=IN["spring"], push=IN["push"], dt=0.5)
+    assert pytest.approx(loops[0].P, rel=1e-12) == loops[1].P
 
 
 def test_the_self_test_knows_the_order(ordered, tmp_path):
@@ -256,7 +329,9 @@ def test_header_and_manifest_say_what_an_order_leaves_out_and_costs(ordered, tmp
     header = " ".join((folder / "include" / "mass_covariance.h").read_text().replace("\n *", " ").split())
     assert (said["Phi"], said["Q"]) == (order, order + 1)
     assert ["Phi = I + F dt, and", "+ (F dt)^2 / 2, and", "+ (F dt)^3 / 6, and"][order - 1] in header
-    assert f"begins with {said['left_out']}. It costs {said['operations']} additions and mult" in header
+    assert f"begins with {said['left_out']};" in header
+    assert f"It costs {said['operations']} additions, mult" in header
+    assert f"Q leaves out {['(A^2 W + W A', '', '(A^4 W + W A'][order - 1]}" in header
     assert said["left_out"].startswith(["(F dt)^2 / 2,", "(F dt)^3 / 6,", "(F dt)^4 / 24,"][order - 1])
     (tmp_path / "count.cpp").write_text(f"""{COUNTED}
 #include <stdio.h>
@@ -264,6 +339,7 @@ def test_header_and_manifest_say_what_an_order_leaves_out_and_costs(ordered, tmp
 int main()
 {{
     static bs_real F[MS_N_F], Qc[MS_N_QC], Phi[MS_N_PHI], Q[MS_N_PACKED], work[MS_N_WORK];
+    Qc[0] = Qc[MS_N_QC - 1] = 1.0; /* so that no pivot is left out */
     ms_discretize(F, Qc, 1.0, Phi, Q, work);
     printf("%ld", operations);
 }}

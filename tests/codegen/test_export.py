@@ -5,7 +5,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from conftest import PENDULUM, ROOT
+from conftest import PENDULUM
 
 from boresight import BoresightError, cli
 from boresight.codegen.export import export
@@ -85,10 +85,14 @@ def test_a_wrong_precision_lists_the_right_ones(tmp_path):
         export("euler-matching", tmp_path / "out", "half")
 
 
-def test_what_has_no_filter_is_refused_by_name(tmp_path):
-    with pytest.raises(BoresightError, match="no filter"):
-        export("strapdown", tmp_path / "out", "double")
-    assert (ROOT / "generated" / "strapdown").is_dir()
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("model", ["strapdown", "phi-error", "psi-error", "stationary-detector"])
+def test_what_has_no_filter_is_exported_with_its_self_test_and_precision(model, precision, tmp_path):
+    export(model, tmp_path / "out", precision)
+    done = make(tmp_path / "out", "test")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert ", 0 failed" in done.stdout and f", {precision}, none, " in done.stdout
+    assert not (tmp_path / "out" / "example").exists()
 
 
 SHIP = """

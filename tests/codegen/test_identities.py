@@ -195,7 +195,7 @@ def apart(folder, unit, found):
     maker = UnitMaker(load_model(folder.manifest["model"]))
     (made,) = (u for u in maker.units() if f"{folder.manifest['c_prefix']}_{u.name}" == unit)
     points = [at for variable, at in zip(maker.variables, maker.points, strict=True) if variable in made.args]
-    errors = bounded(made.tape, points, 1.0, np.float64)[1]
+    errors = bounded(made.tape, points, np.float64)[1]
     needs = domains(made.tape, numbers(made.tape))
 
     def differ(i, k):

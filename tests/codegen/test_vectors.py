@@ -41,7 +41,7 @@ x, y, z = sp.symbols("x y z", real=True)
 
 
 def kept(listed, points, needs=None):
-    values, bounds = evaluate(listed, [points], 4)
+    values, bounds = evaluate(listed, [points])
     granted = [2 * bound + abs(value) * 2.0**-52 for value, bound in zip(values, bounds, strict=True)]
     turning = [False] * len(values)
     needs = np.zeros((0, len(points)), dtype=bool) if needs is None else needs
@@ -58,7 +58,7 @@ def test_a_point_that_alone_tells_a_mutant_is_kept():
     points[40, 2] = 3.0  # there, and there only, x y is what the list gives
     assert kept(listed, points)[0] == [*range(LEAST), 40]
     needs = np.zeros((2, 64), dtype=bool)
-    needs[0, [3, 50]] = needs[1, 51] = True  # the first is served by point 3 already
+    needs[0, [1, 50]] = needs[1, 51] = True  # the first is served by point 1 already
     assert kept(listed, points, needs)[0] == [*range(LEAST), 40, 51]
 
 

@@ -5,12 +5,12 @@ import os
 import pytest
 
 from boresight.evidence import results
-from boresight.evidence.kinds import KINDS, kinds_for
+from boresight.evidence.kinds import KINDS, is_small
 from boresight.evidence.sources import Folder, folders
 
 NAMES = [folder.name for folder in folders()]
 # What costs with the third power of the states is not made of the largest.
-SMALL = [folder.name for folder in folders() if kinds_for(folder) == KINDS]
+SMALL = [folder.name for folder in folders() if is_small(folder)]
 LIVE = "strapdown"  # the folder whose compilers and emulators run in these tests; of the others the results are judged
 
 

@@ -12,7 +12,11 @@
 #ifndef AZIMUTH_HOLD_H
 #define AZIMUTH_HOLD_H
 
-#include "boresight.h"
+#include "azimuth_hold_identity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* The error state. */
 /* error of the position (rad, rad, m, WGS-84) */
@@ -132,7 +136,7 @@ bs_status ah_Qc(const ah_nav *nav, const ah_noise *noise, bs_real Qc[15 * AH_N_S
 /* The same, the non-zeros alone, row after row. */
 bs_status ah_Qc_nz(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24]);
 
-/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
+/* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
  * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->position            longitude, not wrapped, geodetic latitude, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
@@ -274,5 +278,9 @@ bs_status ah_feedback(const bs_real x[AH_N_STATES],
                       bs_real q_b2n_wxyz[4],
                       bs_real gyro_bias[3],
                       bs_real accel_bias[3]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,15 +5,35 @@
  * Its innovation is nu = z - H x, or z - h(x), and S is the variance of nu.
  * In double the covariance is flown in symmetric Joseph form, in single precision (BORESIGHT_FLOAT)
  * as UD factors.
- * Every function returns a bs_status; with any but BS_OK the filter is as it was, save for its
- * scratch memory and for what is written of BS_NOT_POSITIVE.  Numbers are checked against the boxes
- * in azimuth_hold.h. */
+ * Every function returns a bs_status.  Numbers are checked against the boxes in azimuth_hold.h.
+ * BS_OK means that every number of x, nav and P is finite, nav lies in its box and every variance
+ * is at least 0; with UD also that P is positive semidefinite; with Joseph no more than the
+ * diagonal is claimed.  With another status (but BS_AT_CEILING, which claims the same as BS_OK) x,
+ * P and nav are as they were, bit for bit.
+ * A measurement is taken with all of its rows that pass, or not at all: with a status that is
+ * neither BS_OK nor BS_AT_CEILING no row of it stays taken, and innovation->used is 0.
+ * A variance has a ceiling.  Where a step carries one beyond it, its row and column of P are
+ * divided by a power of two, which changes no correlation, the step is taken, and the status is
+ * BS_AT_CEILING.  The ceilings, as sigmas: d_position 1e+01, 1e+01, 1e+06 (rad, rad, m), dv_n
+ * 1e+05, 1e+05, 1e+05 (m/s), phi 1e+03, 1e+03, 1e+03 (rad), d_gyro_bias 1e+02, 1e+02, 1e+02
+ * (rad/s), d_accel_bias 1e+03, 1e+03, 1e+03 (m/s^2).  No number of x may exceed them:
+ * BS_OUT_OF_RANGE. */
 #ifndef AZIMUTH_HOLD_FILTER_H
 #define AZIMUTH_HOLD_FILTER_H
 
 #include "azimuth_hold_covariance.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define AH_MAX_ROWS 3
+#define AH_MEASUREMENT_ZUPT 0
+#define AH_MEASUREMENT_AZIMUTH 1
+#define AH_MEASUREMENT_ZARU 2
+#define AH_N_MEASUREMENTS 3
+#define AH_N_BLOCKS 45 /* numbers of a square block for each block of states */
+#define AH_SNAPSHOT_SIZE (BS_SNAPSHOT_HEAD + 23 + (151 * (int)sizeof(bs_real)))
 
 /* The filter: filled by ah_filter_init. */
 typedef struct {
@@ -24,11 +44,14 @@ typedef struct {
                              * azimuth_hold_covariance.h */
     unsigned char considered[AH_N_STATES]; /* by ah_filter_consider, as is the next */
     unsigned char considering; /* whether there is any */
+    unsigned short rejected[AH_N_MEASUREMENTS]; /* see ah_health */
+    unsigned short ceilings;
     /* scratch memory: holds nothing from one call to the next */
     bs_real F[AH_N_F];
     bs_real Qc[AH_N_QC];
     bs_real Phi[AH_N_PHI];
-    bs_real Q[AH_N_PACKED];
+    bs_real Q[AH_N_PACKED]; /* P as it was, during a measurement; as it will be, until it is
+                             * judged */
     bs_real work[AH_N_WORK];
 } ah_filter;
 
@@ -36,24 +59,55 @@ typedef struct {
 typedef struct {
     bs_real nu[AH_MAX_ROWS]; /* z - H x, or z - h(x) */
     bs_real S[AH_MAX_ROWS];  /* the variance of nu */
+    bs_real nis;             /* sum of nu^2 / S of the rows used, or left out by the joint gate
+                              * alone: chi-square with as many degrees of freedom */
     unsigned int used;       /* bit i: row i was taken, neither masked nor gated */
 } ah_innovation;
 
+/* What the filter has met since it began; the counts stay at 65535. */
+typedef struct {
+    bs_status state; /* BS_OK, or what is wrong with the numbers in the filter now: it should begin
+                      * anew */
+    unsigned int ceilings; /* how many steps ended with BS_AT_CEILING */
+    unsigned int rejected[AH_N_MEASUREMENTS]; /* by AH_MEASUREMENT_...: how many in a row left a row
+                                               * out that was asked for */
+} ah_health;
+
 /* Begin from nav and a covariance P, dense, row-major; x is zero.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, or BS_NOT_POSITIVE: P is not
- * symmetric, or it is not positive semidefinite */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE (a variance above its ceiling
+ * too), or BS_NOT_POSITIVE: P is not symmetric, or it is not positive semidefinite */
 bs_status ah_filter_init(ah_filter *filter,
                          const ah_nav *nav,
                          const bs_real P[AH_N_STATES * AH_N_STATES]);
 
+/* The same, from the square blocks of P along its diagonal, one after another, each row-major:
+ * d_position 3 x 3, dv_n 3 x 3, phi 3 x 3, d_gyro_bias 3 x 3, d_accel_bias 3 x 3. */
+bs_status ah_filter_init_blocks(ah_filter *filter,
+                                const ah_nav *nav,
+                                const bs_real blocks[AH_N_BLOCKS]);
+
+/* The same, from the sigmas of the states, which are not correlated. */
+bs_status ah_filter_init_sigmas(ah_filter *filter,
+                                const ah_nav *nav,
+                                const bs_real sigma[AH_N_STATES]);
+
+/* Set nav from outside; P stays, and x becomes zero.  Where a strapdown or a correction is refused
+ * for good, this is the way out.
+ * in   clamp  0 to refuse a number outside its box; else it is put on the edge, and a vector that
+ *             has a norm is scaled to it
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; BS_NOT_POSITIVE: P is none */
+bs_status ah_filter_set_nav(ah_filter *filter, const ah_nav *nav, int clamp);
+
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE: an input, or the result, lies
+ * outside its box; BS_NOT_POSITIVE: P is none */
 bs_status ah_filter_strapdown(ah_filter *filter,
                               const ah_imu *imu,
                               const ah_increments *increments);
 
 /* Carry x and P over dt: x = Phi x, P = Phi P Phi' + Q.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE,
+ * BS_NOT_POSITIVE */
 bs_status ah_filter_propagate(ah_filter *filter, const ah_imu *imu, const ah_noise *noise);
 
 /* From now on no measurement corrects the states whose number is not 0 (a Schmidt filter): their
@@ -61,63 +115,84 @@ bs_status ah_filter_propagate(ah_filter *filter, const ah_imu *imu, const ah_noi
  * their covariance with the others is right, and nu and S are those of the optimal filter.  None
  * after ah_filter_init.  A state that is not needed at all is left out by zeros in P and in the
  * noise: it stays as it is by itself.
- * returns BS_OK, or BS_NULL_POINTER */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_POSITIVE: what the
+ * filter holds is wrong */
 bs_status ah_filter_consider(ah_filter *filter, const unsigned char considered[AH_N_STATES]);
 
 /* Velocity of a body at rest, where zero is measured: z = computed - measured; rows e, n, u (m/s).
  * Equations: kim-2018 (16), kim-2018 (17).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
- * in   rows        bit i: take row i; BS_ALL_ROWS
- * in   gate        a row whose |nu| exceeds this many sigmas is left out; 0 for no gate
- * out  innovation  nu, S and used of each row
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
- * a row is no number or S is not above 0, rows before it are taken, and the filter should begin
- * anew */
+ * in   gates       see bs_gates; NULL: every row, no gate
+ * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
+ *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
+ * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
+ * negative */
 bs_status ah_filter_measure_zupt(ah_filter *filter,
                                  const bs_real R[3],
-                                 unsigned int rows,
-                                 bs_real gate,
+                                 const bs_gates *gates,
                                  ah_innovation *innovation);
 
 /* Azimuth, where the reference is measured: z = +e, e the turn from the computed to the measured
  * one; row up (rad).
  * Equations: kim-2018 (20), kim-2018 (21), kim-2018 (23).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
- * in   rows        bit i: take row i; BS_ALL_ROWS
- * in   gate        a row whose |nu| exceeds this many sigmas is left out; 0 for no gate
- * out  innovation  nu, S and used of each row
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
- * a row is no number or S is not above 0, rows before it are taken, and the filter should begin
- * anew */
+ * in   gates       see bs_gates; NULL: every row, no gate
+ * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
+ *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
+ * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
+ * negative */
 bs_status ah_filter_measure_azimuth(ah_filter *filter,
                                     const ah_reference *reference,
                                     const bs_real R[1],
-                                    unsigned int rows,
-                                    bs_real gate,
+                                    const bs_gates *gates,
                                     ah_innovation *innovation);
 
 /* Rate against the Earth of a body at rest, where zero is measured: z = computed - measured; rows
  * x, y, z (rad/s).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
- * in   rows        bit i: take row i; BS_ALL_ROWS
- * in   gate        a row whose |nu| exceeds this many sigmas is left out; 0 for no gate
- * out  innovation  nu, S and used of each row
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
- * a row is no number or S is not above 0, rows before it are taken, and the filter should begin
- * anew */
+ * in   gates       see bs_gates; NULL: every row, no gate
+ * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
+ *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
+ * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
+ * negative */
 bs_status ah_filter_measure_zaru(ah_filter *filter,
                                  const ah_imu *imu,
                                  const bs_real R[3],
-                                 unsigned int rows,
-                                 bs_real gate,
+                                 const bs_gates *gates,
                                  ah_innovation *innovation);
 
 /* Navigation with the estimated errors taken out; x is zero afterwards.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE: x, or what is corrected, lies
+ * outside its box; BS_NOT_POSITIVE: P is none */
 bs_status ah_filter_correct(ah_filter *filter);
 
-/* The covariance as a dense matrix, row-major, whatever its form.
+/* The sigmas of all states, or the variance of state i, without a dense matrix.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE; BS_OUT_OF_RANGE: there is no
+ * state i */
+bs_status ah_filter_sigmas(const ah_filter *filter, bs_real sigma[AH_N_STATES]);
+bs_status ah_filter_variance(const ah_filter *filter, int i, bs_real *value);
+
+/* What the filter has met.
  * returns BS_OK, or BS_NULL_POINTER */
+bs_status ah_filter_health(const ah_filter *filter, ah_health *health);
+
+/* All that is carried from call to call, behind a head that says whose it is.  Scratch memory is
+ * not in it.
+ * restore refuses the bytes of another model, layout, precision, form or order of bytes, and judges
+ * the numbers as init does.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE, BS_OUT_OF_RANGE */
+bs_status ah_filter_snapshot(const ah_filter *filter, unsigned char bytes[AH_SNAPSHOT_SIZE]);
+bs_status ah_filter_restore(ah_filter *filter, const unsigned char bytes[AH_SNAPSHOT_SIZE]);
+
+/* The covariance as a dense matrix, row-major, whatever its form.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE */
 bs_status ah_filter_covariance(const ah_filter *filter, bs_real P[AH_N_STATES * AH_N_STATES]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

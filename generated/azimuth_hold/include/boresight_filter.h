@@ -3,6 +3,8 @@
 #ifndef BORESIGHT_FILTER_H
 #define BORESIGHT_FILTER_H
 
+#include <stdbool.h>
+
 #include "boresight.h"
 
 /* The form in which the filters carry their covariance: factors U D U' in single precision, the
@@ -31,5 +33,55 @@ typedef struct {
 } bs_row;
 
 #define BS_ALL_ROWS 0xFFFFFFFFU
+
+/* How a measurement is taken.  Every row, no gate and one linearisation where a null pointer stands
+ * in its place. */
+typedef struct {
+    unsigned int rows; /* bit i: take row i; BS_ALL_ROWS */
+    bs_real gate;      /* a row whose |nu| exceeds this many sigmas is left out; 0 for no gate */
+    bs_real joint;     /* a measurement whose NIS, of the rows within their gate, exceeds this is
+                        * left out as a whole: a quantile of chi-square; 0 for no gate */
+    int iterations;    /* how often a measurement that depends on x is linearised at most; 0 is 1 */
+} bs_gates;
+
+/* Of a snapshot: the version of its layout, and the bytes before the state: "BSFS", layout, bytes
+ * of a number, form, order of bytes, hash of the model. */
+#define BS_SNAPSHOT_LAYOUT 1
+#define BS_SNAPSHOT_HEAD 72
+
+/* Whether a step was taken. */
+static inline bool bs_good(bs_status status)
+{
+    return (status == BS_OK) || (status == BS_AT_CEILING);
+}
+
+/* Finite numbers outside their box are put on its edge. */
+static inline void bs_clamp(bs_real *value, const bs_real *low, const bs_real *high, int n)
+{
+    for (int i = 0; i < n; ++i) {
+        if ((value[i] - value[i]) <= BS_REAL(0.0)) {
+            value[i] = (value[i] < low[i]) ? low[i] : ((value[i] > high[i]) ? high[i] : value[i]);
+        }
+    }
+}
+
+/* A finite vector that is not zero gets this length. */
+static inline void bs_normalize(bs_real *value, bs_real length, int n)
+{
+    bs_real most = BS_REAL(0.0);
+    bs_real sum = BS_REAL(0.0);
+    for (int i = 0; i < n; ++i) {
+        most = (BS_FABS(value[i]) > most) ? BS_FABS(value[i]) : most;
+    }
+    if ((most > BS_REAL(0.0)) && (bs_check_finite(value, n) == BS_OK)) {
+        for (int i = 0; i < n; ++i) { /* by the largest first: squares do not overflow */
+            value[i] /= most;
+            sum += value[i] * value[i];
+        }
+        for (int i = 0; i < n; ++i) {
+            value[i] *= length / BS_SQRT(sum);
+        }
+    }
+}
 
 #endif

@@ -75,6 +75,7 @@ int main(void)
 {
     int passed = 0;
     int failed = 0;
+    (void)printf("%s\n", ah_identity());
     if (test_ah_F() == 0) {
         ++passed;
     } else {
@@ -147,6 +148,12 @@ int main(void)
         (void)printf("FAILED ah_feedback\n");
         ++failed;
     }
+    if (test_ah_math() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED ah_math\n");
+        ++failed;
+    }
     if (test_ah_covariance() == 0) {
         ++passed;
     } else {
@@ -157,6 +164,12 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED ah_filter\n");
+        ++failed;
+    }
+    if (test_ah_digest() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED ah_digest\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

@@ -2,7 +2,11 @@
 #ifndef BORESIGHT_SELFTEST_H
 #define BORESIGHT_SELFTEST_H
 
-#include "boresight.h"
+#include "azimuth_hold.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 double selftest_nan(void);
 double selftest_infinity(void);
@@ -33,7 +37,13 @@ int test_ah_zaru_z(void);
 int test_ah_zaru_H(void);
 int test_ah_strapdown(void);
 int test_ah_feedback(void);
+int test_ah_math(void);
 int test_ah_covariance(void);
 int test_ah_filter(void);
+int test_ah_digest(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

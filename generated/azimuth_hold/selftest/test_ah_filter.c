@@ -67,6 +67,7 @@ static ah_filter before;
 static ah_innovation said;
 static ah_innovation said_by_hand;
 static bs_real P0[N * N];
+static bs_real next_P[AH_N_PACKED];
 static bs_real dense[15 * N];
 static bs_real residual[AH_MAX_ROWS];
 static bs_real R[AH_MAX_ROWS];
@@ -74,7 +75,22 @@ static bs_real was[N];
 static bs_real gains[AH_MAX_ROWS * N];
 static unsigned char considered[N];
 static bs_real gate;
+static bs_real joint;
 static unsigned int rows;
+static int iterations;
+static bs_real sigmas[N];
+static bs_real blocks[AH_N_BLOCKS];
+static const int size_of_block[5] = { 3, 3, 3, 3, 3 };
+static const bs_real ceiling[N] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(1000000000000.0),
+                                    BS_REAL(10000000000.0), BS_REAL(10000000000.0),
+                                    BS_REAL(10000000000.0), BS_REAL(1000000.0), BS_REAL(1000000.0),
+                                    BS_REAL(1000000.0), BS_REAL(10000.0), BS_REAL(10000.0),
+                                    BS_REAL(10000.0), BS_REAL(1000000.0), BS_REAL(1000000.0),
+                                    BS_REAL(1000000.0) };
+static ah_health health;
+static unsigned char bytes[AH_SNAPSHOT_SIZE];
+static unsigned char again[AH_SNAPSHOT_SIZE];
+static int clamp;
 static ah_nav given_nav;
 static ah_imu given_imu;
 static ah_increments given_increments;
@@ -119,7 +135,8 @@ static bs_status hand_propagate(ah_filter *filter, const ah_imu *imu, const ah_n
     if (status == BS_OK) {
         ah_discretize(filter->F, filter->Qc, imu->dt, filter->Phi, filter->Q, filter->work);
         ah_predict_state(filter->Phi, filter->x);
-        PREDICT(filter->P, filter->Phi, filter->Q, filter->work);
+        PREDICT(filter->P, filter->Phi, filter->Q, next_P, filter->work);
+        memcpy(filter->P, next_P, sizeof(next_P));
     }
     return status;
 }
@@ -151,6 +168,7 @@ static bs_status hand_rows(ah_filter *filter,
 {
     bs_status status = BS_OK;
     said_by_hand.used = 0U;
+    said_by_hand.nis = BS_REAL(0.0);
     memcpy(was, filter->x, sizeof(was));
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
         bs_row row = { &dense[i * N], every, N, z[i], variance[i], limit, z[i], variance[i],
@@ -159,6 +177,7 @@ static bs_status hand_rows(ah_filter *filter,
         said_by_hand.nu[i] = row.nu;
         said_by_hand.S[i] = row.S;
         said_by_hand.used |= (unsigned int)row.used << (unsigned int)i;
+        said_by_hand.nis += (row.used != 0) ? ((row.nu * row.nu) / row.S) : BS_REAL(0.0);
     }
     if (considering()) {
         for (int i = 0; i < N; ++i) {
@@ -245,17 +264,41 @@ static bs_status correct(void)
 
 static bs_status measure_zupt(void)
 {
-    return ah_filter_measure_zupt(&flown, R, rows, gate, &said);
+    const bs_gates gates = { rows, gate, joint, iterations };
+    return ah_filter_measure_zupt(&flown, R, &gates, &said);
 }
 
 static bs_status measure_azimuth(void)
 {
-    return ah_filter_measure_azimuth(&flown, &given_reference, R, rows, gate, &said);
+    const bs_gates gates = { rows, gate, joint, iterations };
+    return ah_filter_measure_azimuth(&flown, &given_reference, R, &gates, &said);
 }
 
 static bs_status measure_zaru(void)
 {
-    return ah_filter_measure_zaru(&flown, &given_imu, R, rows, gate, &said);
+    const bs_gates gates = { rows, gate, joint, iterations };
+    return ah_filter_measure_zaru(&flown, &given_imu, R, &gates, &said);
+}
+
+static bs_status set_nav(void)
+{
+    return ah_filter_set_nav(&flown, &given_nav, clamp);
+}
+
+
+static bs_status init_sigmas(void)
+{
+    return ah_filter_init_sigmas(&flown, &given_nav, sigmas);
+}
+
+static bs_status init_blocks(void)
+{
+    return ah_filter_init_blocks(&flown, &given_nav, blocks);
+}
+
+static bs_status restore(void)
+{
+    return ah_filter_restore(&flown, bytes);
 }
 
 static void set_noise(bs_real scale)
@@ -326,7 +369,9 @@ static void set_point(int k)
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
     }
     gate = BS_REAL(0.0);
+    joint = BS_REAL(0.0);
     rows = BS_ALL_ROWS;
+    iterations = 2;
 }
 
 /* ---- equal */
@@ -340,7 +385,7 @@ static int same(const char *what, bs_status a, bs_status b)
 static int same_said(const char *what, int m)
 {
     return expect(what, equal(said.nu, said_by_hand.nu, m) && equal(said.S, said_by_hand.S, m) &&
-                        (said.used == said_by_hand.used));
+                        equal(&said.nis, &said_by_hand.nis, 1) && (said.used == said_by_hand.used));
 }
 
 /* Begin with an error to correct and to carry. */
@@ -483,9 +528,25 @@ static int refuses(const char *what, bs_status (*function)(void), bs_status want
     said.used = 77U;
     failures = expect(what, function() == wanted) +
         expect("the filter changed", same_state(&flown, &before));
-    failures += expect("the innovation is written", said.used == 77U);
+    failures += expect("rows stay used", (said.used == 77U) || (said.used == 0U));
     return failures + selftest_painted(what, said.nu, AH_MAX_ROWS) +
         selftest_painted(what, said.S, AH_MAX_ROWS);
+}
+
+/* A filter whose memory is spoilt: whatever it says, it is not that all is well, and it changes
+ * nothing. */
+static int unsound(const char *what, bs_status (*function)(void), bs_real *value, bs_real bad)
+{
+    const bs_real good = *value;
+    int failures;
+    *value = bad;
+    before = flown;
+    said.used = 77U;
+    failures = expect(what, !bs_good(function()));
+    failures += expect("the filter changed", same_state(&flown, &before)) +
+        expect("rows stay used", said.used != 1U);
+    *value = good;
+    return failures;
 }
 
 /* One number is NaN, infinite, beyond either end of its box, for a function that reads it. */
@@ -593,6 +654,382 @@ static int limits(void)
     return failures + begin();
 }
 
+/* What the sentence in the header says, beyond what is refused: ceilings, joint gate, snapshot,
+ * sigmas, beginnings. */
+static int kept(void)
+{
+    int failures = begin();
+    int from = 0;
+    int state = 0;
+    failures += expect("sigmas", ah_filter_sigmas(&flown, sigmas) == BS_OK) +
+        expect("covariance", ah_filter_covariance(&flown, dense) == BS_OK);
+    for (int i = 0; i < N; ++i) {
+        bs_real value = BS_REAL(0.0);
+        const bs_real root = BS_SQRT(dense[i * (N + 1)]);
+        failures += expect("sigmas", equal(&sigmas[i], &root, 1));
+        failures += expect("variance", (ah_filter_variance(&flown, i, &value) == BS_OK) &&
+                           equal(&value, &dense[i * (N + 1)], 1));
+    }
+    failures += expect("variance of no state",
+                       (ah_filter_variance(&flown, N, sigmas) == BS_OUT_OF_RANGE) &&
+                       (ah_filter_variance(&flown, -1, sigmas) == BS_OUT_OF_RANGE));
+    /* a snapshot, and back */
+    failures += consider(1);
+    flown.rejected[0] = 7U;
+    flown.ceilings = 3U;
+    failures += expect("snapshot", ah_filter_snapshot(&flown, bytes) == BS_OK);
+    before = flown;
+    memset(&flown, 0x5a, sizeof(flown));
+    failures += expect("restore", (restore() == BS_OK) && same_state(&flown, &before));
+    failures += expect("snapshot again", (ah_filter_snapshot(&flown, again) == BS_OK) &&
+                       (memcmp(bytes, again, sizeof(bytes)) == 0));
+    failures += expect("restore: the rest", (flown.rejected[0] == 7U) && (flown.ceilings == 3U) &&
+                       (flown.considered[N - 1] == 1U) && (flown.considering == 1U));
+    /* its head, and its first number as NaN */
+    for (int i = 0; i < (BS_SNAPSHOT_HEAD + (int)sizeof(bs_real)); ++i) {
+        memcpy(again, bytes, sizeof(bytes));
+        bytes[i] ^= 1U;
+        if (i >= BS_SNAPSHOT_HEAD) {
+            memset(&bytes[BS_SNAPSHOT_HEAD], 0xff, sizeof(bs_real));
+        }
+        failures += refuses("restore", restore, (i < BS_SNAPSHOT_HEAD) ? BS_OUT_OF_RANGE
+                            : BS_NOT_FINITE);
+        memcpy(bytes, again, sizeof(bytes));
+    }
+    memset(considered, 0, sizeof(considered));
+    /* beginnings */
+    memset(dense, 0, sizeof(dense));
+    for (int b = 0; b < 5; ++b) {
+        const int n = size_of_block[b];
+        for (int i = 0; i < (n * n); ++i) {
+            const int at = ((state + (i / n)) * N) + state + (i % n);
+            blocks[from + i] = P0[at];
+            dense[at] = P0[at];
+        }
+        from += n * n;
+        state += n;
+    }
+    failures += expect("init", ah_filter_init(&flown, &given_nav, dense) == BS_OK);
+    hand = flown;
+    failures += expect("init_blocks", (init_blocks() == BS_OK) && same_state(&flown, &hand));
+    memset(dense, 0, sizeof(dense));
+    for (int i = 0; i < N; ++i) {
+        sigmas[i] = BS_SQRT(P0[i * (N + 1)]);
+        dense[i * (N + 1)] = sigmas[i] * sigmas[i];
+    }
+    failures += expect("init", ah_filter_init(&flown, &given_nav, dense) == BS_OK);
+    hand = flown;
+    failures += expect("init_sigmas", (init_sigmas() == BS_OK) && same_state(&flown, &hand));
+    sigmas[0] = -sigmas[0];
+    failures += refuses("init_sigmas: negative", init_sigmas, BS_NOT_POSITIVE);
+    blocks[0] = (bs_real)selftest_nan();
+    failures += refuses("init_blocks: NaN", init_blocks, BS_NOT_FINITE);
+    /* ceilings */
+    for (int i = 0; i < N; ++i) {
+        const bs_real root = BS_SQRT(ceiling[i]);
+        sigmas[0] = BS_SQRT(P0[0]);
+        sigmas[i] = BS_REAL(1.01) * root;
+        failures += refuses("init_sigmas: ceiling", init_sigmas, BS_OUT_OF_RANGE);
+        sigmas[i] = BS_REAL(0.99) * root;
+        failures += expect("init_sigmas: below the ceiling", init_sigmas() == BS_OK);
+        sigmas[i] = BS_SQRT(P0[i * (N + 1)]);
+        failures += expect("init_sigmas", init_sigmas() == BS_OK);
+        hand = flown;
+        for (int j = 0; j < N; ++j) { /* an unsteady one is lowered by a quarter, its row and column
+                                       * by a half, and nothing else */
+            hand.P[((j * (j + 3)) / 2)] = (j == i) ? (BS_REAL(0.75) * ceiling[j])
+                : flown.P[(j * (j + 3)) / 2];
+        }
+        flown.P[(i * (i + 3)) / 2] = BS_REAL(3.0) * ceiling[i];
+        rows = 0U;
+        failures += expect("at the ceiling", measure_zupt() == BS_AT_CEILING) +
+            same("lowered", BS_OK, BS_OK);
+        failures += expect("then below it", measure_zupt() == BS_OK);
+        flown.P[(i * (i + 3)) / 2] = BS_REAL(64.0) * ceiling[i];
+        state = (int)propagate();
+        failures += expect("propagate at the ceiling", bs_good((bs_status)state) &&
+                           (ah_filter_sigmas(&flown, was) == BS_OK));
+        for (int j = 0; j < N; ++j) {
+            failures += expect("above the ceiling",
+                               (was[j] * was[j]) <= (BS_REAL(1.00001) * ceiling[j]));
+        }
+        failures += expect("ceilings", flown.ceilings == ((state == (int)BS_AT_CEILING) ? 1U : 0U));
+        rows = BS_ALL_ROWS;
+    }
+    /* the joint gate just above nis, and just below */
+    set_noise(BS_REAL(1e-9));
+    failures += begin();
+    iterations = 0;
+    failures += expect("zupt", (measure_zupt() == BS_OK) && (said.used == 7U));
+    if (said.nis > BS_REAL(0.0)) {
+        for (int k = 0; k < 4; ++k) {
+            const bs_real nis = said.nis;
+            iterations = (k < 2) ? 1 : 5;
+            failures += begin();
+            flown.rejected[0] = (k > 1) ? 65535U : 4U;
+            joint = nis * (((k % 2) == 0) ? BS_REAL(0.999) : BS_REAL(1.001));
+            before = flown;
+            failures += expect("zupt: joint gate", measure_zupt() == BS_OK);
+            if ((k % 2) == 0) {
+                failures += expect("zupt: rejected", same_state(&flown, &before) &&
+                                   (said.used == 0U) && equal(&said.nis, &nis, 1));
+                failures += expect("zupt: counted", flown.rejected[0] == ((k > 1) ? 65535U : 5U));
+            } else {
+                failures += expect("zupt: taken", (said.used == 7U) && (flown.rejected[0] == 0U));
+            }
+            said.nis = nis;
+        }
+    }
+    set_point(0);
+    failures += begin();
+    failures += expect("without gates", ah_filter_measure_zupt(&flown, R, NULL, &said) == BS_OK) +
+        expect("all rows", said.used == 7U);
+    /* the joint gate just above nis, and just below */
+    set_noise(BS_REAL(1e-9));
+    failures += begin();
+    iterations = 0;
+    failures += expect("azimuth", (measure_azimuth() == BS_OK) && (said.used == 1U));
+    if (said.nis > BS_REAL(0.0)) {
+        for (int k = 0; k < 4; ++k) {
+            const bs_real nis = said.nis;
+            iterations = (k < 2) ? 1 : 5;
+            failures += begin();
+            flown.rejected[1] = (k > 1) ? 65535U : 4U;
+            joint = nis * (((k % 2) == 0) ? BS_REAL(0.999) : BS_REAL(1.001));
+            before = flown;
+            failures += expect("azimuth: joint gate", measure_azimuth() == BS_OK);
+            if ((k % 2) == 0) {
+                failures += expect("azimuth: rejected", same_state(&flown, &before) &&
+                                   (said.used == 0U) && equal(&said.nis, &nis, 1));
+                failures += expect("azimuth: counted",
+                                   flown.rejected[1] == ((k > 1) ? 65535U : 5U));
+            } else {
+                failures += expect("azimuth: taken", (said.used == 1U) &&
+                                   (flown.rejected[1] == 0U));
+            }
+            said.nis = nis;
+        }
+    }
+    set_point(0);
+    failures += begin();
+    failures += expect("without gates",
+                       ah_filter_measure_azimuth(&flown, &given_reference, R, NULL,
+                                                 &said) == BS_OK) +
+        expect("all rows", said.used == 1U);
+    /* the joint gate just above nis, and just below */
+    set_noise(BS_REAL(1e-9));
+    failures += begin();
+    iterations = 0;
+    failures += expect("zaru", (measure_zaru() == BS_OK) && (said.used == 7U));
+    if (said.nis > BS_REAL(0.0)) {
+        for (int k = 0; k < 4; ++k) {
+            const bs_real nis = said.nis;
+            iterations = (k < 2) ? 1 : 5;
+            failures += begin();
+            flown.rejected[2] = (k > 1) ? 65535U : 4U;
+            joint = nis * (((k % 2) == 0) ? BS_REAL(0.999) : BS_REAL(1.001));
+            before = flown;
+            failures += expect("zaru: joint gate", measure_zaru() == BS_OK);
+            if ((k % 2) == 0) {
+                failures += expect("zaru: rejected", same_state(&flown, &before) &&
+                                   (said.used == 0U) && equal(&said.nis, &nis, 1));
+                failures += expect("zaru: counted", flown.rejected[2] == ((k > 1) ? 65535U : 5U));
+            } else {
+                failures += expect("zaru: taken", (said.used == 7U) && (flown.rejected[2] == 0U));
+            }
+            said.nis = nis;
+        }
+    }
+    set_point(0);
+    failures += begin();
+    failures += expect("without gates",
+                       ah_filter_measure_zaru(&flown, &given_imu, R, NULL, &said) == BS_OK) +
+        expect("all rows", said.used == 7U);
+    /* memory that something else has written to */
+    failures += begin();
+    failures += expect("health", (ah_filter_health(&flown, &health) == BS_OK) &&
+                       (health.state == BS_OK) && (health.ceilings == 0U) &&
+                       (health.rejected[0] == 0U));
+    for (int k = 0; k < 3; ++k) {
+        bs_real *const value = (k == 0) ? &flown.x[0] : (k == 1) ? &flown.P[AH_N_PACKED - 1]
+            : &flown.P[0];
+        const bs_real bad = (k < 2) ? (bs_real)selftest_nan() : BS_REAL(-1.0);
+        const bs_real good = *value;
+        *value = bad;
+        failures += expect("health of the sick", (ah_filter_health(&flown, &health) == BS_OK) &&
+                           (health.state != BS_OK));
+        failures += expect("covariance of NaN", ah_filter_covariance(&flown, dense) != BS_OK) +
+            expect("sigmas of NaN", ah_filter_sigmas(&flown, sigmas) != BS_OK);
+        failures += expect("variance of NaN", ah_filter_variance(&flown, 0, sigmas) != BS_OK) +
+            expect("snapshot of NaN", ah_filter_snapshot(&flown, bytes) != BS_OK);
+        failures += expect("consider: memory",
+                           ah_filter_consider(&flown, flown.considered) != BS_OK);
+        *value = good;
+        if (k < 2) {
+            failures += unsound("propagate: memory", propagate, value, bad);
+        }
+        failures += unsound("strapdown: memory", strapdown, value, bad);
+        failures += unsound("correct: memory", correct, value, bad);
+        rows = (k == 2) ? 0U : BS_ALL_ROWS;
+        failures += unsound("measure_zupt: memory", measure_zupt, value, bad);
+        rows = (k == 2) ? 0U : BS_ALL_ROWS;
+        failures += unsound("measure_azimuth: memory", measure_azimuth, value, bad);
+        rows = (k == 2) ? 0U : BS_ALL_ROWS;
+        failures += unsound("measure_zaru: memory", measure_zaru, value, bad);
+        rows = BS_ALL_ROWS;
+    }
+    /* nav from outside: P stays, x is zero; clamped to the edge, or refused */
+    failures += begin();
+    hand = flown;
+    memset(hand.x, 0, sizeof(hand.x));
+    failures += expect("set_nav", set_nav() == BS_OK) + same("set_nav", BS_OK, BS_OK);
+    {
+        static const bs_real low[3] = { BS_REAL(-6.283185307179586), BS_REAL(-1.4835298641951802),
+                                        BS_REAL(-500.0) };
+        static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802),
+                                         BS_REAL(30000.0) };
+        for (int i = 0; i < 3; ++i) {
+            const bs_real good = given_nav.position[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.position[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: position", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.position[i] >= low[i]) &&
+                                   (flown.nav.position[i] <= high[i]));
+                failures += expect("set_nav: to the edge",
+                                   equal(&flown.nav.position[i], (end == 0) ? &low[i] : &high[i],
+                                         1));
+                given_nav.position[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                  : selftest_infinity());
+                failures += refuses("set_nav: position", set_nav, BS_NOT_FINITE);
+                given_nav.position[i] = good;
+            }
+        }
+    }
+    {
+        static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+        static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+        for (int i = 0; i < 3; ++i) {
+            const bs_real good = given_nav.v_n[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.v_n[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: v_n", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.v_n[i] >= low[i]) && (flown.nav.v_n[i] <= high[i]));
+                failures += expect("set_nav: to the edge",
+                                   equal(&flown.nav.v_n[i], (end == 0) ? &low[i] : &high[i], 1));
+                given_nav.v_n[i] = (bs_real)((end == 0) ? selftest_nan() : selftest_infinity());
+                failures += refuses("set_nav: v_n", set_nav, BS_NOT_FINITE);
+                given_nav.v_n[i] = good;
+            }
+        }
+    }
+    {
+        static const bs_real low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                        BS_REAL(-1.001) };
+        static const bs_real high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                         BS_REAL(1.001) };
+        for (int i = 0; i < 4; ++i) {
+            const bs_real good = given_nav.q_b2n_wxyz[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
+                                   (flown.nav.q_b2n_wxyz[i] <= high[i]));
+                given_nav.q_b2n_wxyz[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                    : selftest_infinity());
+                failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_NOT_FINITE);
+                given_nav.q_b2n_wxyz[i] = good;
+            }
+        }
+    }
+    {
+        static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
+                                        BS_REAL(-0.017453292519943295),
+                                        BS_REAL(-0.017453292519943295) };
+        static const bs_real high[3] = { BS_REAL(0.017453292519943295),
+                                         BS_REAL(0.017453292519943295),
+                                         BS_REAL(0.017453292519943295) };
+        for (int i = 0; i < 3; ++i) {
+            const bs_real good = given_nav.gyro_bias[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.gyro_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: gyro_bias", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.gyro_bias[i] >= low[i]) &&
+                                   (flown.nav.gyro_bias[i] <= high[i]));
+                failures += expect("set_nav: to the edge",
+                                   equal(&flown.nav.gyro_bias[i], (end == 0) ? &low[i] : &high[i],
+                                         1));
+                given_nav.gyro_bias[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                   : selftest_infinity());
+                failures += refuses("set_nav: gyro_bias", set_nav, BS_NOT_FINITE);
+                given_nav.gyro_bias[i] = good;
+            }
+        }
+    }
+    {
+        static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
+        static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
+        for (int i = 0; i < 3; ++i) {
+            const bs_real good = given_nav.accel_bias[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.accel_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: accel_bias", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.accel_bias[i] >= low[i]) &&
+                                   (flown.nav.accel_bias[i] <= high[i]));
+                failures += expect("set_nav: to the edge",
+                                   equal(&flown.nav.accel_bias[i], (end == 0) ? &low[i] : &high[i],
+                                         1));
+                given_nav.accel_bias[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                    : selftest_infinity());
+                failures += refuses("set_nav: accel_bias", set_nav, BS_NOT_FINITE);
+                given_nav.accel_bias[i] = good;
+            }
+        }
+    }
+    clamp = 0;
+    failures += expect("set_nav", set_nav() == BS_OK);
+    /* where the correction would leave the box, nothing is changed: the way out is set_nav */
+    for (int i = 0; i < N; ++i) {
+        static const double x_low[N] = { -0.008726646259971648, -0.008726646259971648, -1000.0,
+                                         -100.0, -100.0, -100.0, -0.5, -0.5, -0.5,
+                                         -0.017453292519943295, -0.017453292519943295,
+                                         -0.017453292519943295, -1.0, -1.0, -1.0 };
+        static const double x_high[N] = { 0.008726646259971648, 0.008726646259971648, 1000.0, 100.0,
+                                          100.0, 100.0, 0.5, 0.5, 0.5, 0.017453292519943295,
+                                          0.017453292519943295, 0.017453292519943295, 1.0, 1.0,
+                                          1.0 };
+        for (int end = 0; end < 2; ++end) {
+            failures += begin();
+            flown.x[i] = (bs_real)(0.999 * ((end == 0) ? x_low[i] : x_high[i]));
+            before = flown;
+            failures += expect("correct: undone", (correct() == BS_OK) ||
+                               same_state(&flown, &before));
+            failures += expect("then health", (ah_filter_health(&flown, &health) == BS_OK) &&
+                               (health.state == BS_OK));
+        }
+    }
+    return failures + begin();
+}
+
 static int guards(void)
 {
     int failures = begin();
@@ -601,12 +1038,18 @@ static int guards(void)
         static const double high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
+            failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
+                              high[i]);
             failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
                               high[i]);
             failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
                               high[i]);
             failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
                               high[i]);
+            failures += spoil("measure_zupt: position", measure_zupt, &flown.nav.position[i],
+                              low[i], high[i]);
+            failures += spoil("measure_azimuth: position", measure_azimuth, &flown.nav.position[i],
+                              low[i], high[i]);
             failures += spoil("measure_zaru: position", measure_zaru, &flown.nav.position[i],
                               low[i], high[i]);
         }
@@ -616,10 +1059,15 @@ static int guards(void)
         static const double high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+            failures += spoil("set_nav: v_n", set_nav, &given_nav.v_n[i], low[i], high[i]);
             failures += spoil("propagate: v_n", propagate, &flown.nav.v_n[i], low[i], high[i]);
             failures += spoil("strapdown: v_n", strapdown, &flown.nav.v_n[i], low[i], high[i]);
             failures += spoil("correct: v_n", correct, &flown.nav.v_n[i], low[i], high[i]);
             failures += spoil("measure_zupt: v_n", measure_zupt, &flown.nav.v_n[i], low[i],
+                              high[i]);
+            failures += spoil("measure_azimuth: v_n", measure_azimuth, &flown.nav.v_n[i], low[i],
+                              high[i]);
+            failures += spoil("measure_zaru: v_n", measure_zaru, &flown.nav.v_n[i], low[i],
                               high[i]);
         }
     }
@@ -628,12 +1076,16 @@ static int guards(void)
         static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
+            failures += spoil("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], low[i],
+                              high[i]);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += spoil("strapdown: q_b2n_wxyz", strapdown, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += spoil("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
+            failures += spoil("measure_zupt: q_b2n_wxyz", measure_zupt, &flown.nav.q_b2n_wxyz[i],
+                              low[i], high[i]);
             failures += spoil("measure_azimuth: q_b2n_wxyz", measure_azimuth,
                               &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
             failures += spoil("measure_zaru: q_b2n_wxyz", measure_zaru, &flown.nav.q_b2n_wxyz[i],
@@ -647,10 +1099,20 @@ static int guards(void)
                                         0.01746201916620327 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
+            failures += spoil("set_nav: gyro_bias", set_nav, &given_nav.gyro_bias[i], low[i],
+                              high[i]);
+            failures += spoil("propagate: gyro_bias", propagate, &flown.nav.gyro_bias[i], low[i],
+                              high[i]);
             failures += spoil("strapdown: gyro_bias", strapdown, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
             failures += spoil("correct: gyro_bias", correct, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
+            failures += spoil("measure_zupt: gyro_bias", measure_zupt, &flown.nav.gyro_bias[i],
+                              low[i], high[i]);
+            failures += spoil("measure_azimuth: gyro_bias", measure_azimuth,
+                              &flown.nav.gyro_bias[i], low[i], high[i]);
+            failures += spoil("measure_zaru: gyro_bias", measure_zaru, &flown.nav.gyro_bias[i],
+                              low[i], high[i]);
         }
     }
     {
@@ -658,10 +1120,20 @@ static int guards(void)
         static const double high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
+            failures += spoil("set_nav: accel_bias", set_nav, &given_nav.accel_bias[i], low[i],
+                              high[i]);
+            failures += spoil("propagate: accel_bias", propagate, &flown.nav.accel_bias[i], low[i],
+                              high[i]);
             failures += spoil("strapdown: accel_bias", strapdown, &flown.nav.accel_bias[i], low[i],
                               high[i]);
             failures += spoil("correct: accel_bias", correct, &flown.nav.accel_bias[i], low[i],
                               high[i]);
+            failures += spoil("measure_zupt: accel_bias", measure_zupt, &flown.nav.accel_bias[i],
+                              low[i], high[i]);
+            failures += spoil("measure_azimuth: accel_bias", measure_azimuth,
+                              &flown.nav.accel_bias[i], low[i], high[i]);
+            failures += spoil("measure_zaru: accel_bias", measure_zaru, &flown.nav.accel_bias[i],
+                              low[i], high[i]);
         }
     }
     {
@@ -763,50 +1235,69 @@ static int guards(void)
     for (int i = 0; i < 3; ++i) {
         failures += spoil("measure_zupt: R", measure_zupt, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    gate = (bs_real)selftest_nan(); /* is not looked at */
-    failures += expect("measure_zupt: a null pointer",
-                       ah_filter_measure_zupt(0, R, rows, gate, &said) == BS_NULL_POINTER);
-    failures += expect("measure_zupt: a null pointer",
-                       ah_filter_measure_zupt(&flown, 0, rows, gate, &said) == BS_NULL_POINTER);
-    failures += expect("measure_zupt: a null pointer",
-                       ah_filter_measure_zupt(&flown, R, rows, gate, 0) == BS_NULL_POINTER);
-    gate = BS_REAL(0.0);
+    iterations = -1;
+    failures += refuses("measure_zupt: iterations", measure_zupt, BS_OUT_OF_RANGE);
+    iterations = 2;
+    failures += spoil("measure_zupt: joint gate", measure_zupt, &joint, -1e-30, 1e+30 * 1.0005);
+    {
+        /* is not looked at */
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        failures += expect("measure_zupt: a null pointer",
+                           ah_filter_measure_zupt(0, R, &gates, &said) == BS_NULL_POINTER);
+        failures += expect("measure_zupt: a null pointer",
+                           ah_filter_measure_zupt(&flown, 0, &gates, &said) == BS_NULL_POINTER);
+        failures += expect("measure_zupt: a null pointer",
+                           ah_filter_measure_zupt(&flown, R, &gates, 0) == BS_NULL_POINTER);
+    }
     failures += spoil("measure_azimuth: gate", measure_azimuth, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 1; ++i) {
         failures += spoil("measure_azimuth: R", measure_azimuth, &R[i], 1e-30 * 0.9995, 1e+30 *
                           1.0005);
     }
-    gate = (bs_real)selftest_nan(); /* is not looked at */
-    failures += expect("measure_azimuth: a null pointer",
-                       ah_filter_measure_azimuth(0, &given_reference, R, rows, gate,
-                                                 &said) == BS_NULL_POINTER);
-    failures += expect("measure_azimuth: a null pointer",
-                       ah_filter_measure_azimuth(&flown, 0, R, rows, gate,
-                                                 &said) == BS_NULL_POINTER);
-    failures += expect("measure_azimuth: a null pointer",
-                       ah_filter_measure_azimuth(&flown, &given_reference, 0, rows, gate,
-                                                 &said) == BS_NULL_POINTER);
-    failures += expect("measure_azimuth: a null pointer",
-                       ah_filter_measure_azimuth(&flown, &given_reference, R, rows, gate,
-                                                 0) == BS_NULL_POINTER);
-    gate = BS_REAL(0.0);
+    iterations = -1;
+    failures += refuses("measure_azimuth: iterations", measure_azimuth, BS_OUT_OF_RANGE);
+    iterations = 2;
+    failures += spoil("measure_azimuth: joint gate", measure_azimuth, &joint, -1e-30, 1e+30 *
+                      1.0005);
+    {
+        /* is not looked at */
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        failures += expect("measure_azimuth: a null pointer",
+                           ah_filter_measure_azimuth(0, &given_reference, R, &gates,
+                                                     &said) == BS_NULL_POINTER);
+        failures += expect("measure_azimuth: a null pointer",
+                           ah_filter_measure_azimuth(&flown, 0, R, &gates,
+                                                     &said) == BS_NULL_POINTER);
+        failures += expect("measure_azimuth: a null pointer",
+                           ah_filter_measure_azimuth(&flown, &given_reference, 0, &gates,
+                                                     &said) == BS_NULL_POINTER);
+        failures += expect("measure_azimuth: a null pointer",
+                           ah_filter_measure_azimuth(&flown, &given_reference, R, &gates,
+                                                     0) == BS_NULL_POINTER);
+    }
     failures += spoil("measure_zaru: gate", measure_zaru, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
         failures += spoil("measure_zaru: R", measure_zaru, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    gate = (bs_real)selftest_nan(); /* is not looked at */
-    failures += expect("measure_zaru: a null pointer",
-                       ah_filter_measure_zaru(0, &given_imu, R, rows, gate,
-                                              &said) == BS_NULL_POINTER);
-    failures += expect("measure_zaru: a null pointer",
-                       ah_filter_measure_zaru(&flown, 0, R, rows, gate, &said) == BS_NULL_POINTER);
-    failures += expect("measure_zaru: a null pointer",
-                       ah_filter_measure_zaru(&flown, &given_imu, 0, rows, gate,
-                                              &said) == BS_NULL_POINTER);
-    failures += expect("measure_zaru: a null pointer",
-                       ah_filter_measure_zaru(&flown, &given_imu, R, rows, gate,
-                                              0) == BS_NULL_POINTER);
-    gate = BS_REAL(0.0);
+    iterations = -1;
+    failures += refuses("measure_zaru: iterations", measure_zaru, BS_OUT_OF_RANGE);
+    iterations = 2;
+    failures += spoil("measure_zaru: joint gate", measure_zaru, &joint, -1e-30, 1e+30 * 1.0005);
+    {
+        /* is not looked at */
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        failures += expect("measure_zaru: a null pointer",
+                           ah_filter_measure_zaru(0, &given_imu, R, &gates,
+                                                  &said) == BS_NULL_POINTER);
+        failures += expect("measure_zaru: a null pointer",
+                           ah_filter_measure_zaru(&flown, 0, R, &gates, &said) == BS_NULL_POINTER);
+        failures += expect("measure_zaru: a null pointer",
+                           ah_filter_measure_zaru(&flown, &given_imu, 0, &gates,
+                                                  &said) == BS_NULL_POINTER);
+        failures += expect("measure_zaru: a null pointer",
+                           ah_filter_measure_zaru(&flown, &given_imu, R, &gates,
+                                                  0) == BS_NULL_POINTER);
+    }
     for (int i = 0; i < N; ++i) {
         const bs_real good = P0[i * (N + 1)];
         P0[i * (N + 1)] = (bs_real)selftest_nan();
@@ -833,6 +1324,35 @@ static int guards(void)
     failures += expect("strapdown: a null pointer",
                        ah_filter_strapdown(&flown, &given_imu, 0) == BS_NULL_POINTER);
     failures += expect("correct: a null pointer", ah_filter_correct(0) == BS_NULL_POINTER);
+    failures += expect("init_sigmas: a null pointer",
+                       ah_filter_init_sigmas(0, &given_nav, sigmas) == BS_NULL_POINTER);
+    failures += expect("init_sigmas: a null pointer",
+                       ah_filter_init_sigmas(&flown, 0, sigmas) == BS_NULL_POINTER);
+    failures += expect("init_sigmas: a null pointer",
+                       ah_filter_init_sigmas(&flown, &given_nav, 0) == BS_NULL_POINTER);
+    failures += expect("init_blocks: a null pointer",
+                       ah_filter_init_blocks(0, &given_nav, blocks) == BS_NULL_POINTER);
+    failures += expect("init_blocks: a null pointer",
+                       ah_filter_init_blocks(&flown, 0, blocks) == BS_NULL_POINTER);
+    failures += expect("init_blocks: a null pointer",
+                       ah_filter_init_blocks(&flown, &given_nav, 0) == BS_NULL_POINTER);
+    failures += expect("set_nav: a null pointer",
+                       ah_filter_set_nav(0, &given_nav, 1) == BS_NULL_POINTER);
+    failures += expect("set_nav: a null pointer",
+                       ah_filter_set_nav(&flown, 0, 1) == BS_NULL_POINTER);
+    failures += expect("sigmas: a null pointer", ah_filter_sigmas(0, sigmas) == BS_NULL_POINTER);
+    failures += expect("sigmas: a null pointer", ah_filter_sigmas(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("variance: a null pointer",
+                       ah_filter_variance(0, 0, sigmas) == BS_NULL_POINTER);
+    failures += expect("variance: a null pointer",
+                       ah_filter_variance(&flown, 0, 0) == BS_NULL_POINTER);
+    failures += expect("health: a null pointer", ah_filter_health(0, &health) == BS_NULL_POINTER);
+    failures += expect("health: a null pointer", ah_filter_health(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("snapshot: a null pointer", ah_filter_snapshot(0, bytes) == BS_NULL_POINTER);
+    failures += expect("snapshot: a null pointer",
+                       ah_filter_snapshot(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("restore: a null pointer", ah_filter_restore(0, bytes) == BS_NULL_POINTER);
+    failures += expect("restore: a null pointer", ah_filter_restore(&flown, 0) == BS_NULL_POINTER);
     failures += expect("covariance: a null pointer",
                        ah_filter_covariance(0, dense) == BS_NULL_POINTER);
     failures += expect("covariance: a null pointer",
@@ -853,5 +1373,5 @@ int test_ah_filter(void)
         failures += fly();
     }
     set_point(0);
-    return failures + limits() + guards();
+    return failures + limits() + kept() + guards();
 }

@@ -6,6 +6,7 @@
 #define AH_FEEDBACK_KERNEL_H
 
 #include "boresight.h"
+#include "azimuth_hold_math.h"
 
 static void ah_feedback_kernel(const bs_real x[15],
                                const bs_real position[3],
@@ -33,9 +34,10 @@ static void ah_feedback_kernel(const bs_real x[15],
     const bs_real t28 = t25 + t27;
     const bs_real t29 = BS_SQRT(t28);
     const bs_real t30 = BS_REAL(0.5) * t29;
-    const bs_real t31 = BS_COS(t30);
+    bs_real t34;
+    bs_real t31;
+    BS_SINCOS(t30, &t34, &t31);
     const bs_real t33 = t31 * q_b2n_wxyz[0];
-    const bs_real t34 = BS_SIN(t30);
     const bs_real t35 = t34 / t29;
     const bs_real t36 = t35 * x[6];
     const bs_real t38 = t36 * q_b2n_wxyz[1];

@@ -6,6 +6,7 @@
 #define AH_STRAPDOWN_KERNEL_H
 
 #include "boresight.h"
+#include "azimuth_hold_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -455,7 +456,9 @@ static void ah_strapdown_kernel_3(const bs_real v_n[3],
     const bs_real t399 = t394 + t398;
     const bs_real t400 = BS_SQRT(t399);
     const bs_real t401 = BS_REAL(0.5) * t400;
-    const bs_real t402 = BS_SIN(t401);
+    bs_real t402;
+    bs_real t461;
+    BS_SINCOS(t401, &t402, &t461);
     const bs_real t403 = BS_REAL(1.0) / t400;
     const bs_real t404 = t402 * t403;
     const bs_real t405 = t404 * dt[0];
@@ -482,9 +485,10 @@ static void ah_strapdown_kernel_3(const bs_real v_n[3],
     const bs_real t426 = t419 + t425;
     const bs_real t427 = BS_SQRT(t426);
     const bs_real t428 = BS_REAL(0.5) * t427;
-    const bs_real t429 = BS_COS(t428);
+    bs_real t431;
+    bs_real t429;
+    BS_SINCOS(t428, &t431, &t429);
     const bs_real t430 = t429 * q_b2n_wxyz[2];
-    const bs_real t431 = BS_SIN(t428);
     const bs_real t432 = t431 / t427;
     const bs_real t433 = t410 * t432;
     const bs_real t434 = t433 * q_b2n_wxyz[3];
@@ -514,7 +518,6 @@ static void ah_strapdown_kernel_3(const bs_real v_n[3],
     const bs_real t458 = t456 - t457;
     const bs_real t459 = t439 * q_b2n_wxyz[3];
     const bs_real t460 = t458 - t459;
-    const bs_real t461 = BS_COS(t401);
     const bs_real t462 = t460 * t461;
     const bs_real t463 = t453 + t462;
     const bs_real t464 = t429 * q_b2n_wxyz[1];

@@ -6,12 +6,15 @@
 #define AH_ZARU_H_KERNEL_H
 
 #include "boresight.h"
+#include "azimuth_hold_math.h"
 
 static void ah_zaru_H_kernel(const bs_real position[3],
                              const bs_real q_b2n_wxyz[4],
                              bs_real H_nz[15])
 {
-    const bs_real sin_lat = BS_SIN(position[1]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[1], &sin_lat, &cos_lat);
     const bs_real t3 = BS_REAL(7.292115e-05) * sin_lat;
     const bs_real t5 = BS_REAL(2.0) * q_b2n_wxyz[3];
     const bs_real t7 = t5 * q_b2n_wxyz[0];
@@ -22,7 +25,6 @@ static void ah_zaru_H_kernel(const bs_real position[3],
     const bs_real t14 = t9 * q_b2n_wxyz[0];
     const bs_real t15 = t5 * q_b2n_wxyz[1];
     const bs_real t16 = t14 - t15;
-    const bs_real cos_lat = BS_COS(position[1]);
     const bs_real t18 = BS_REAL(7.292115e-05) * cos_lat;
     const bs_real t19 = t16 * t18;
     const bs_real t20 = t13 + t19;

@@ -390,9 +390,9 @@ size_t ahr_filter_consider_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ahr_filter_consider(&filter[i],
-                                                       &considered[i * considered_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = ahr_filter_consider(&filter[i], &considered[i * considered_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -414,9 +414,10 @@ size_t ahr_filter_propagate_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ahr_filter_propagate(&filter[i], &imu[i * imu_stride],
-                                                        &noise[i * noise_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = ahr_filter_propagate(&filter[i], &imu[i * imu_stride],
+                                                   &noise[i * noise_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -438,9 +439,10 @@ size_t ahr_filter_strapdown_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ahr_filter_strapdown(&filter[i], &imu[i * imu_stride],
-                                                        &increments[i * increments_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = ahr_filter_strapdown(&filter[i], &imu[i * imu_stride],
+                                                   &increments[i * increments_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -450,22 +452,25 @@ size_t ahr_filter_correct_batch(size_t n, ahr_filter *filter, unsigned char *sta
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ahr_filter_correct(&filter[i]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = ahr_filter_correct(&filter[i]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
 
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t ahr_filter_measure_zupt_batch(size_t n,
                                      ahr_filter *filter,
                                      const bs_real *R,
                                      size_t R_stride,
                                      const unsigned char *rows,
-                                     const bs_real *gate,
+                                     const bs_real *gates,
+                                     const int *iterations,
                                      bs_real *nu,
                                      bs_real *S,
+                                     bs_real *nis,
                                      unsigned char *used,
                                      unsigned char *status);
 size_t ahr_filter_measure_zupt_batch(size_t n,
@@ -473,22 +478,26 @@ size_t ahr_filter_measure_zupt_batch(size_t n,
                                      const bs_real *R,
                                      size_t R_stride,
                                      const unsigned char *rows,
-                                     const bs_real *gate,
+                                     const bs_real *gates,
+                                     const int *iterations,
                                      bs_real *nu,
                                      bs_real *S,
+                                     bs_real *nis,
                                      unsigned char *used,
                                      unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        ahr_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        ahr_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)ahr_filter_measure_zupt(&filter[i], &R[i * R_stride], chosen,
-                                                           *gate, &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = ahr_filter_measure_zupt(&filter[i], &R[i * R_stride], &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -498,7 +507,7 @@ size_t ahr_filter_measure_zupt_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t ahr_filter_measure_zaru_batch(size_t n,
                                      ahr_filter *filter,
                                      const ahr_imu *imu,
@@ -506,9 +515,11 @@ size_t ahr_filter_measure_zaru_batch(size_t n,
                                      const bs_real *R,
                                      size_t R_stride,
                                      const unsigned char *rows,
-                                     const bs_real *gate,
+                                     const bs_real *gates,
+                                     const int *iterations,
                                      bs_real *nu,
                                      bs_real *S,
+                                     bs_real *nis,
                                      unsigned char *used,
                                      unsigned char *status);
 size_t ahr_filter_measure_zaru_batch(size_t n,
@@ -518,23 +529,27 @@ size_t ahr_filter_measure_zaru_batch(size_t n,
                                      const bs_real *R,
                                      size_t R_stride,
                                      const unsigned char *rows,
-                                     const bs_real *gate,
+                                     const bs_real *gates,
+                                     const int *iterations,
                                      bs_real *nu,
                                      bs_real *S,
+                                     bs_real *nis,
                                      unsigned char *used,
                                      unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        ahr_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        ahr_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)ahr_filter_measure_zaru(&filter[i], &imu[i * imu_stride],
-                                                           &R[i * R_stride], chosen, *gate,
-                                                           &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = ahr_filter_measure_zaru(&filter[i], &imu[i * imu_stride], &R[i * R_stride], &how,
+                                      &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -544,15 +559,17 @@ size_t ahr_filter_measure_zaru_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 1 for each run. */
+/* rows, nu, S and used: 1 for each run; gates: that of a row, the joint one. */
 size_t ahr_filter_measure_azimuth_batch(size_t n,
                                         ahr_filter *filter,
                                         const bs_real *R,
                                         size_t R_stride,
                                         const unsigned char *rows,
-                                        const bs_real *gate,
+                                        const bs_real *gates,
+                                        const int *iterations,
                                         bs_real *nu,
                                         bs_real *S,
+                                        bs_real *nis,
                                         unsigned char *used,
                                         unsigned char *status);
 size_t ahr_filter_measure_azimuth_batch(size_t n,
@@ -560,22 +577,26 @@ size_t ahr_filter_measure_azimuth_batch(size_t n,
                                         const bs_real *R,
                                         size_t R_stride,
                                         const unsigned char *rows,
-                                        const bs_real *gate,
+                                        const bs_real *gates,
+                                        const int *iterations,
                                         bs_real *nu,
                                         bs_real *S,
+                                        bs_real *nis,
                                         unsigned char *used,
                                         unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        ahr_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        ahr_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 1U; ++k) {
-            chosen |= (rows[(i * 1U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 1U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)ahr_filter_measure_azimuth(&filter[i], &R[i * R_stride], chosen,
-                                                              *gate, &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = ahr_filter_measure_azimuth(&filter[i], &R[i * R_stride], &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 1U; ++k) {
             nu[(i * 1U) + k] = innovation.nu[k];
             S[(i * 1U) + k] = innovation.S[k];

@@ -22,7 +22,7 @@ static void ahr_Q_kernel(const bs_real position[3],
     const double *arg[9] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[172] = {0};
+    double w[173] = {0};
     arg[0] = position;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

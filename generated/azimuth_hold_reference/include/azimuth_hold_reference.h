@@ -12,7 +12,11 @@
 #ifndef AZIMUTH_HOLD_REFERENCE_H
 #define AZIMUTH_HOLD_REFERENCE_H
 
-#include "boresight.h"
+#include "azimuth_hold_reference_identity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* The error state. */
 /* error of the position (rad, rad, m, WGS-84) */
@@ -135,7 +139,7 @@ bs_status ahr_Qc(const ahr_nav *nav, const ahr_noise *noise, bs_real Qc[16 * AHR
 /* The same, the non-zeros alone, row after row. */
 bs_status ahr_Qc_nz(const ahr_nav *nav, const ahr_noise *noise, bs_real Qc_nz[24]);
 
-/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
+/* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
  * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->position            longitude, not wrapped, geodetic latitude, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
@@ -288,5 +292,9 @@ bs_status ahr_feedback(const bs_real x[AHR_N_STATES],
                        bs_real gyro_bias[3],
                        bs_real accel_bias[3],
                        bs_real reference_error[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

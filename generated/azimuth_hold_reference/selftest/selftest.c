@@ -75,6 +75,7 @@ int main(void)
 {
     int passed = 0;
     int failed = 0;
+    (void)printf("%s\n", ahr_identity());
     if (test_ahr_F() == 0) {
         ++passed;
     } else {
@@ -147,6 +148,12 @@ int main(void)
         (void)printf("FAILED ahr_feedback\n");
         ++failed;
     }
+    if (test_ahr_math() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED ahr_math\n");
+        ++failed;
+    }
     if (test_ahr_covariance() == 0) {
         ++passed;
     } else {
@@ -157,6 +164,12 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED ahr_filter\n");
+        ++failed;
+    }
+    if (test_ahr_digest() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED ahr_digest\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

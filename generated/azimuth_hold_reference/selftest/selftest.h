@@ -2,7 +2,11 @@
 #ifndef BORESIGHT_SELFTEST_H
 #define BORESIGHT_SELFTEST_H
 
-#include "boresight.h"
+#include "azimuth_hold_reference.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 double selftest_nan(void);
 double selftest_infinity(void);
@@ -33,7 +37,13 @@ int test_ahr_azimuth_z(void);
 int test_ahr_azimuth_H(void);
 int test_ahr_strapdown(void);
 int test_ahr_feedback(void);
+int test_ahr_math(void);
 int test_ahr_covariance(void);
 int test_ahr_filter(void);
+int test_ahr_digest(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,7 @@
 #define AHR_PHI_KERNEL_H
 
 #include "boresight.h"
+#include "azimuth_hold_reference_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -107,7 +108,7 @@ static void ahr_Phi_kernel_1(const bs_real position[3],
                              ahr_Phi_shared *shared,
                              bs_real Phi_nz[122])
 {
-    shared->sin_lat = BS_SIN(position[1]);
+    BS_SINCOS(position[1], &shared->sin_lat, &shared->cos_lat);
     shared->t6 = shared->sin_lat * shared->sin_lat;
     const bs_real t7 = BS_REAL(0.006694379990141317) * shared->t6;
     shared->t8 = BS_REAL(1.0) - t7;
@@ -116,7 +117,6 @@ static void ahr_Phi_kernel_1(const bs_real position[3],
     const bs_real t11 = BS_REAL(6378137.0) * shared->t10;
     const bs_real t12 = position[2] + t11;
     shared->t13 = BS_REAL(1.0) / t12;
-    shared->cos_lat = BS_COS(position[1]);
     const bs_real t15 = BS_REAL(1.0) / shared->cos_lat;
     const bs_real t16 = shared->t13 * t15;
     const bs_real t18 = t16 * v_n[0];

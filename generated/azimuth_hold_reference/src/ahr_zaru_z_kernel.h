@@ -5,13 +5,16 @@
 #define AHR_ZARU_Z_KERNEL_H
 
 #include "boresight.h"
+#include "azimuth_hold_reference_math.h"
 
 static void ahr_zaru_z_kernel(const bs_real position[3],
                               const bs_real q_b2n_wxyz[4],
                               const bs_real omega_ib_b[3],
                               bs_real z_nz[3])
 {
-    const bs_real sin_lat = BS_SIN(position[1]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[1], &sin_lat, &cos_lat);
     const bs_real t4 = BS_REAL(7.292115e-05) * sin_lat;
     const bs_real t7 = q_b2n_wxyz[1] * q_b2n_wxyz[3];
     const bs_real t8 = BS_REAL(2.0) * t7;
@@ -20,7 +23,6 @@ static void ahr_zaru_z_kernel(const bs_real position[3],
     const bs_real t13 = t8 - t12;
     const bs_real t14 = t4 * t13;
     const bs_real t15 = omega_ib_b[0] - t14;
-    const bs_real cos_lat = BS_COS(position[1]);
     const bs_real t17 = BS_REAL(7.292115e-05) * cos_lat;
     const bs_real t18 = t10 * q_b2n_wxyz[3];
     const bs_real t19 = q_b2n_wxyz[1] * q_b2n_wxyz[2];

@@ -412,9 +412,9 @@ size_t em_filter_consider_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)em_filter_consider(&filter[i],
-                                                      &considered[i * considered_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = em_filter_consider(&filter[i], &considered[i * considered_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -436,9 +436,10 @@ size_t em_filter_propagate_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)em_filter_propagate(&filter[i], &step[i * step_stride],
-                                                       &noise[i * noise_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = em_filter_propagate(&filter[i], &step[i * step_stride],
+                                                  &noise[i * noise_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -456,8 +457,9 @@ size_t em_filter_strapdown_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)em_filter_strapdown(&filter[i], &step[i * step_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = em_filter_strapdown(&filter[i], &step[i * step_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -467,14 +469,15 @@ size_t em_filter_correct_batch(size_t n, em_filter *filter, unsigned char *statu
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)em_filter_correct(&filter[i]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = em_filter_correct(&filter[i]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
 
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t em_filter_measure_euler_batch(size_t n,
                                      em_filter *filter,
                                      const em_angles *angles,
@@ -482,9 +485,11 @@ size_t em_filter_measure_euler_batch(size_t n,
                                      const bs_real *R,
                                      size_t R_stride,
                                      const unsigned char *rows,
-                                     const bs_real *gate,
+                                     const bs_real *gates,
+                                     const int *iterations,
                                      bs_real *nu,
                                      bs_real *S,
+                                     bs_real *nis,
                                      unsigned char *used,
                                      unsigned char *status);
 size_t em_filter_measure_euler_batch(size_t n,
@@ -494,23 +499,27 @@ size_t em_filter_measure_euler_batch(size_t n,
                                      const bs_real *R,
                                      size_t R_stride,
                                      const unsigned char *rows,
-                                     const bs_real *gate,
+                                     const bs_real *gates,
+                                     const int *iterations,
                                      bs_real *nu,
                                      bs_real *S,
+                                     bs_real *nis,
                                      unsigned char *used,
                                      unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        em_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        em_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)em_filter_measure_euler(&filter[i], &angles[i * angles_stride],
-                                                           &R[i * R_stride], chosen, *gate,
-                                                           &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = em_filter_measure_euler(&filter[i], &angles[i * angles_stride], &R[i * R_stride],
+                                      &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -520,7 +529,7 @@ size_t em_filter_measure_euler_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t em_filter_measure_euler_exact_batch(size_t n,
                                            em_filter *filter,
                                            const em_angles *angles,
@@ -528,10 +537,11 @@ size_t em_filter_measure_euler_exact_batch(size_t n,
                                            const bs_real *R,
                                            size_t R_stride,
                                            const unsigned char *rows,
-                                           const bs_real *gate,
+                                           const bs_real *gates,
                                            const int *iterations,
                                            bs_real *nu,
                                            bs_real *S,
+                                           bs_real *nis,
                                            unsigned char *used,
                                            unsigned char *status);
 size_t em_filter_measure_euler_exact_batch(size_t n,
@@ -541,25 +551,27 @@ size_t em_filter_measure_euler_exact_batch(size_t n,
                                            const bs_real *R,
                                            size_t R_stride,
                                            const unsigned char *rows,
-                                           const bs_real *gate,
+                                           const bs_real *gates,
                                            const int *iterations,
                                            bs_real *nu,
                                            bs_real *S,
+                                           bs_real *nis,
                                            unsigned char *used,
                                            unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        em_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        em_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)em_filter_measure_euler_exact(&filter[i],
-                                                                 &angles[i * angles_stride],
-                                                                 &R[i * R_stride], chosen, *gate,
-                                                                 *iterations, &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = em_filter_measure_euler_exact(&filter[i], &angles[i * angles_stride],
+                                            &R[i * R_stride], &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];

@@ -17,7 +17,7 @@ static void em_Q_kernel(const bs_real q_b2n_wxyz[4],
     const double *arg[4] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[28] = {0};
+    double w[34] = {0};
     arg[0] = q_b2n_wxyz;
     arg[1] = omega_in_n;
     arg[2] = dt;

@@ -8,6 +8,8 @@
 #endif
 
 #include <math.h>
+#include "euler_matching_math.h"
+#define atan2 BS_ATAN2
 
 #ifndef casadi_real
 #define casadi_real double

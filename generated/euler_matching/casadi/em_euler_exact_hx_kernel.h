@@ -2,8 +2,8 @@
  * Boresight: do not edit.
  * Include it before em_euler_exact_hx.c: it stands in for the flight kernel, whose include guard it
  * shares. */
-#ifndef EM_EULER_EXACT_H_KERNEL_H
-#define EM_EULER_EXACT_H_KERNEL_H
+#ifndef EM_EULER_EXACT_HX_KERNEL_H
+#define EM_EULER_EXACT_HX_KERNEL_H
 
 #include "boresight.h"
 

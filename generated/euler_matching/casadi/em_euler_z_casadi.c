@@ -8,6 +8,10 @@
 #endif
 
 #include <math.h>
+#include "euler_matching_math.h"
+#define atan2 BS_ATAN2
+#define cos BS_COS
+#define sin BS_SIN
 
 #ifndef casadi_real
 #define casadi_real double

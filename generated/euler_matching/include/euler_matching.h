@@ -13,7 +13,11 @@
 #ifndef EULER_MATCHING_H
 #define EULER_MATCHING_H
 
-#include "boresight.h"
+#include "euler_matching_identity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* The error state. */
 /* attitude error, C_hat = (I - [eps x]) C (rad, NED) */
@@ -94,7 +98,7 @@ bs_status em_Qc(const em_nav *nav, const em_noise *noise, bs_real Qc[6 * EM_N_ST
 /* The same, the non-zeros alone, row after row. */
 bs_status em_Qc_nz(const em_nav *nav, const em_noise *noise, bs_real Qc_nz[9]);
 
-/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
+/* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
  * Equations: song-lee-2001 (20), song-lee-2001 (21).
  * in   nav->q_b2n_wxyz    attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
  * in   step->omega_in_n   rate of the local level against inertial space (rad/s, NED);
@@ -223,5 +227,9 @@ bs_status em_feedback(const bs_real x[EM_N_STATES],
  * out  omega_in_n     Earth's rate plus transport rate, NED (rad/s); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status em_omega_in_n(const em_place *place, bs_real omega_in_n[3]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

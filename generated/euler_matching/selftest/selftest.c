@@ -75,6 +75,7 @@ int main(void)
 {
     int passed = 0;
     int failed = 0;
+    (void)printf("%s\n", em_identity());
     if (test_em_F() == 0) {
         ++passed;
     } else {
@@ -153,6 +154,12 @@ int main(void)
         (void)printf("FAILED em_omega_in_n\n");
         ++failed;
     }
+    if (test_em_math() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED em_math\n");
+        ++failed;
+    }
     if (test_em_covariance() == 0) {
         ++passed;
     } else {
@@ -163,6 +170,12 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED em_filter\n");
+        ++failed;
+    }
+    if (test_em_digest() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED em_digest\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

@@ -2,7 +2,11 @@
 #ifndef BORESIGHT_SELFTEST_H
 #define BORESIGHT_SELFTEST_H
 
-#include "boresight.h"
+#include "euler_matching.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 double selftest_nan(void);
 double selftest_infinity(void);
@@ -34,7 +38,13 @@ int test_em_euler_angles(void);
 int test_em_strapdown(void);
 int test_em_feedback(void);
 int test_em_omega_in_n(void);
+int test_em_math(void);
 int test_em_covariance(void);
 int test_em_filter(void);
+int test_em_digest(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

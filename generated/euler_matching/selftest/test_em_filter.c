@@ -56,6 +56,7 @@ static em_filter before;
 static em_innovation said;
 static em_innovation said_by_hand;
 static bs_real P0[N * N];
+static bs_real next_P[EM_N_PACKED];
 static bs_real dense[6 * N];
 static bs_real residual[EM_MAX_ROWS];
 static bs_real R[EM_MAX_ROWS];
@@ -67,8 +68,18 @@ static bs_real was[N];
 static bs_real gains[EM_MAX_ROWS * N];
 static unsigned char considered[N];
 static bs_real gate;
+static bs_real joint;
 static unsigned int rows;
 static int iterations;
+static bs_real sigmas[N];
+static bs_real blocks[EM_N_BLOCKS];
+static const int size_of_block[2] = { 3, 3 };
+static const bs_real ceiling[N] = { BS_REAL(1000000.0), BS_REAL(1000000.0), BS_REAL(1000000.0),
+                                    BS_REAL(1000000.0), BS_REAL(1000000.0), BS_REAL(1000000.0) };
+static em_health health;
+static unsigned char bytes[EM_SNAPSHOT_SIZE];
+static unsigned char again[EM_SNAPSHOT_SIZE];
+static int clamp;
 static em_nav given_nav;
 static em_step given_step;
 static em_noise given_noise;
@@ -113,7 +124,8 @@ static bs_status hand_propagate(em_filter *filter, const em_step *step, const em
     if (status == BS_OK) {
         em_discretize(filter->F, filter->Qc, step->dt, filter->Phi, filter->Q, filter->work);
         em_predict_state(filter->Phi, filter->x);
-        PREDICT(filter->P, filter->Phi, filter->Q, filter->work);
+        PREDICT(filter->P, filter->Phi, filter->Q, next_P, filter->work);
+        memcpy(filter->P, next_P, sizeof(next_P));
     }
     return status;
 }
@@ -145,6 +157,7 @@ static bs_status hand_rows(em_filter *filter,
 {
     bs_status status = BS_OK;
     said_by_hand.used = 0U;
+    said_by_hand.nis = BS_REAL(0.0);
     memcpy(was, filter->x, sizeof(was));
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
         bs_row row = { &dense[i * N], every, N, z[i], variance[i], limit, z[i], variance[i],
@@ -153,6 +166,7 @@ static bs_status hand_rows(em_filter *filter,
         said_by_hand.nu[i] = row.nu;
         said_by_hand.S[i] = row.S;
         said_by_hand.used |= (unsigned int)row.used << (unsigned int)i;
+        said_by_hand.nis += (row.used != 0) ? ((row.nu * row.nu) / row.S) : BS_REAL(0.0);
     }
     if (considering()) {
         for (int i = 0; i < N; ++i) {
@@ -296,12 +310,35 @@ static bs_status correct(void)
 
 static bs_status measure_euler(void)
 {
-    return em_filter_measure_euler(&flown, &given_angles, R, rows, gate, &said);
+    const bs_gates gates = { rows, gate, joint, iterations };
+    return em_filter_measure_euler(&flown, &given_angles, R, &gates, &said);
 }
 
 static bs_status measure_euler_exact(void)
 {
-    return em_filter_measure_euler_exact(&flown, &given_angles, R, rows, gate, iterations, &said);
+    const bs_gates gates = { rows, gate, joint, iterations };
+    return em_filter_measure_euler_exact(&flown, &given_angles, R, &gates, &said);
+}
+
+static bs_status set_nav(void)
+{
+    return em_filter_set_nav(&flown, &given_nav, clamp);
+}
+
+
+static bs_status init_sigmas(void)
+{
+    return em_filter_init_sigmas(&flown, &given_nav, sigmas);
+}
+
+static bs_status init_blocks(void)
+{
+    return em_filter_init_blocks(&flown, &given_nav, blocks);
+}
+
+static bs_status restore(void)
+{
+    return em_filter_restore(&flown, bytes);
 }
 
 static void set_noise(bs_real scale)
@@ -350,6 +387,7 @@ static void set_point(int k)
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
     }
     gate = BS_REAL(0.0);
+    joint = BS_REAL(0.0);
     rows = BS_ALL_ROWS;
     iterations = 2;
 }
@@ -365,7 +403,7 @@ static int same(const char *what, bs_status a, bs_status b)
 static int same_said(const char *what, int m)
 {
     return expect(what, equal(said.nu, said_by_hand.nu, m) && equal(said.S, said_by_hand.S, m) &&
-                        (said.used == said_by_hand.used));
+                        equal(&said.nis, &said_by_hand.nis, 1) && (said.used == said_by_hand.used));
 }
 
 /* Begin with an error to correct and to carry. */
@@ -553,7 +591,8 @@ static int fly(int k_point)
         status = measure_euler_exact();
         failures += same("euler_exact: iterated", status,
                          hand_measure_euler_exact(&hand, &given_angles));
-        failures += same_said("euler_exact: iterated", 3);
+        failures += bs_good(status) ? same_said("euler_exact: iterated", 3)
+            : expect("euler_exact: rows stay used", said.used == 0U);
         gate = BS_REAL(0.0);
         rows = BS_ALL_ROWS;
     }
@@ -598,9 +637,25 @@ static int refuses(const char *what, bs_status (*function)(void), bs_status want
     said.used = 77U;
     failures = expect(what, function() == wanted) +
         expect("the filter changed", same_state(&flown, &before));
-    failures += expect("the innovation is written", said.used == 77U);
+    failures += expect("rows stay used", (said.used == 77U) || (said.used == 0U));
     return failures + selftest_painted(what, said.nu, EM_MAX_ROWS) +
         selftest_painted(what, said.S, EM_MAX_ROWS);
+}
+
+/* A filter whose memory is spoilt: whatever it says, it is not that all is well, and it changes
+ * nothing. */
+static int unsound(const char *what, bs_status (*function)(void), bs_real *value, bs_real bad)
+{
+    const bs_real good = *value;
+    int failures;
+    *value = bad;
+    before = flown;
+    said.used = 77U;
+    failures = expect(what, !bs_good(function()));
+    failures += expect("the filter changed", same_state(&flown, &before)) +
+        expect("rows stay used", said.used != 1U);
+    *value = good;
+    return failures;
 }
 
 /* One number is NaN, infinite, beyond either end of its box, for a function that reads it. */
@@ -698,6 +753,268 @@ static int limits(void)
     return failures + begin();
 }
 
+/* What the sentence in the header says, beyond what is refused: ceilings, joint gate, snapshot,
+ * sigmas, beginnings. */
+static int kept(void)
+{
+    int failures = begin();
+    int from = 0;
+    int state = 0;
+    failures += expect("sigmas", em_filter_sigmas(&flown, sigmas) == BS_OK) +
+        expect("covariance", em_filter_covariance(&flown, dense) == BS_OK);
+    for (int i = 0; i < N; ++i) {
+        bs_real value = BS_REAL(0.0);
+        const bs_real root = BS_SQRT(dense[i * (N + 1)]);
+        failures += expect("sigmas", equal(&sigmas[i], &root, 1));
+        failures += expect("variance", (em_filter_variance(&flown, i, &value) == BS_OK) &&
+                           equal(&value, &dense[i * (N + 1)], 1));
+    }
+    failures += expect("variance of no state",
+                       (em_filter_variance(&flown, N, sigmas) == BS_OUT_OF_RANGE) &&
+                       (em_filter_variance(&flown, -1, sigmas) == BS_OUT_OF_RANGE));
+    /* a snapshot, and back */
+    failures += consider(1);
+    flown.rejected[0] = 7U;
+    flown.ceilings = 3U;
+    failures += expect("snapshot", em_filter_snapshot(&flown, bytes) == BS_OK);
+    before = flown;
+    memset(&flown, 0x5a, sizeof(flown));
+    failures += expect("restore", (restore() == BS_OK) && same_state(&flown, &before));
+    failures += expect("snapshot again", (em_filter_snapshot(&flown, again) == BS_OK) &&
+                       (memcmp(bytes, again, sizeof(bytes)) == 0));
+    failures += expect("restore: the rest", (flown.rejected[0] == 7U) && (flown.ceilings == 3U) &&
+                       (flown.considered[N - 1] == 1U) && (flown.considering == 1U));
+    /* its head, and its first number as NaN */
+    for (int i = 0; i < (BS_SNAPSHOT_HEAD + (int)sizeof(bs_real)); ++i) {
+        memcpy(again, bytes, sizeof(bytes));
+        bytes[i] ^= 1U;
+        if (i >= BS_SNAPSHOT_HEAD) {
+            memset(&bytes[BS_SNAPSHOT_HEAD], 0xff, sizeof(bs_real));
+        }
+        failures += refuses("restore", restore, (i < BS_SNAPSHOT_HEAD) ? BS_OUT_OF_RANGE
+                            : BS_NOT_FINITE);
+        memcpy(bytes, again, sizeof(bytes));
+    }
+    memset(considered, 0, sizeof(considered));
+    /* beginnings */
+    memset(dense, 0, sizeof(dense));
+    for (int b = 0; b < 2; ++b) {
+        const int n = size_of_block[b];
+        for (int i = 0; i < (n * n); ++i) {
+            const int at = ((state + (i / n)) * N) + state + (i % n);
+            blocks[from + i] = P0[at];
+            dense[at] = P0[at];
+        }
+        from += n * n;
+        state += n;
+    }
+    failures += expect("init", em_filter_init(&flown, &given_nav, dense) == BS_OK);
+    hand = flown;
+    failures += expect("init_blocks", (init_blocks() == BS_OK) && same_state(&flown, &hand));
+    memset(dense, 0, sizeof(dense));
+    for (int i = 0; i < N; ++i) {
+        sigmas[i] = BS_SQRT(P0[i * (N + 1)]);
+        dense[i * (N + 1)] = sigmas[i] * sigmas[i];
+    }
+    failures += expect("init", em_filter_init(&flown, &given_nav, dense) == BS_OK);
+    hand = flown;
+    failures += expect("init_sigmas", (init_sigmas() == BS_OK) && same_state(&flown, &hand));
+    sigmas[0] = -sigmas[0];
+    failures += refuses("init_sigmas: negative", init_sigmas, BS_NOT_POSITIVE);
+    blocks[0] = (bs_real)selftest_nan();
+    failures += refuses("init_blocks: NaN", init_blocks, BS_NOT_FINITE);
+    /* ceilings */
+    for (int i = 0; i < N; ++i) {
+        const bs_real root = BS_SQRT(ceiling[i]);
+        sigmas[0] = BS_SQRT(P0[0]);
+        sigmas[i] = BS_REAL(1.01) * root;
+        failures += refuses("init_sigmas: ceiling", init_sigmas, BS_OUT_OF_RANGE);
+        sigmas[i] = BS_REAL(0.99) * root;
+        failures += expect("init_sigmas: below the ceiling", init_sigmas() == BS_OK);
+        sigmas[i] = BS_SQRT(P0[i * (N + 1)]);
+        failures += expect("init_sigmas", init_sigmas() == BS_OK);
+        hand = flown;
+        for (int j = 0; j < N; ++j) { /* an unsteady one is lowered by a quarter, its row and column
+                                       * by a half, and nothing else */
+            hand.P[((j * (j + 3)) / 2)] = (j == i) ? (BS_REAL(0.75) * ceiling[j])
+                : flown.P[(j * (j + 3)) / 2];
+        }
+        flown.P[(i * (i + 3)) / 2] = BS_REAL(3.0) * ceiling[i];
+        rows = 0U;
+        failures += expect("at the ceiling", measure_euler() == BS_AT_CEILING) +
+            same("lowered", BS_OK, BS_OK);
+        failures += expect("then below it", measure_euler() == BS_OK);
+        flown.P[(i * (i + 3)) / 2] = BS_REAL(64.0) * ceiling[i];
+        state = (int)propagate();
+        failures += expect("propagate at the ceiling", bs_good((bs_status)state) &&
+                           (em_filter_sigmas(&flown, was) == BS_OK));
+        for (int j = 0; j < N; ++j) {
+            failures += expect("above the ceiling",
+                               (was[j] * was[j]) <= (BS_REAL(1.00001) * ceiling[j]));
+        }
+        failures += expect("ceilings", flown.ceilings == ((state == (int)BS_AT_CEILING) ? 1U : 0U));
+        rows = BS_ALL_ROWS;
+    }
+    /* the joint gate just above nis, and just below */
+    set_noise(BS_REAL(1e-9));
+    failures += begin();
+    iterations = 0;
+    failures += expect("euler", (measure_euler() == BS_OK) && (said.used == 7U));
+    if (said.nis > BS_REAL(0.0)) {
+        for (int k = 0; k < 4; ++k) {
+            const bs_real nis = said.nis;
+            iterations = (k < 2) ? 1 : 5;
+            failures += begin();
+            flown.rejected[0] = (k > 1) ? 65535U : 4U;
+            joint = nis * (((k % 2) == 0) ? BS_REAL(0.999) : BS_REAL(1.001));
+            before = flown;
+            failures += expect("euler: joint gate", measure_euler() == BS_OK);
+            if ((k % 2) == 0) {
+                failures += expect("euler: rejected", same_state(&flown, &before) &&
+                                   (said.used == 0U) && equal(&said.nis, &nis, 1));
+                failures += expect("euler: counted", flown.rejected[0] == ((k > 1) ? 65535U : 5U));
+            } else {
+                failures += expect("euler: taken", (said.used == 7U) && (flown.rejected[0] == 0U));
+            }
+            said.nis = nis;
+        }
+    }
+    set_point(0);
+    failures += begin();
+    failures += expect("without gates",
+                       em_filter_measure_euler(&flown, &given_angles, R, NULL, &said) == BS_OK) +
+        expect("all rows", said.used == 7U);
+    /* the joint gate just above nis, and just below */
+    set_noise(BS_REAL(1e-9));
+    failures += begin();
+    iterations = 0;
+    failures += expect("euler_exact", (measure_euler_exact() == BS_OK) && (said.used == 7U));
+    if (said.nis > BS_REAL(0.0)) {
+        for (int k = 0; k < 4; ++k) {
+            const bs_real nis = said.nis;
+            iterations = (k < 2) ? 1 : 5;
+            failures += begin();
+            flown.rejected[1] = (k > 1) ? 65535U : 4U;
+            joint = nis * (((k % 2) == 0) ? BS_REAL(0.999) : BS_REAL(1.001));
+            before = flown;
+            failures += expect("euler_exact: joint gate", measure_euler_exact() == BS_OK);
+            if ((k % 2) == 0) {
+                failures += expect("euler_exact: rejected", same_state(&flown, &before) &&
+                                   (said.used == 0U) && equal(&said.nis, &nis, 1));
+                failures += expect("euler_exact: counted",
+                                   flown.rejected[1] == ((k > 1) ? 65535U : 5U));
+            } else {
+                failures += expect("euler_exact: taken", (said.used == 7U) &&
+                                   (flown.rejected[1] == 0U));
+            }
+            said.nis = nis;
+        }
+    }
+    set_point(0);
+    failures += begin();
+    failures += expect("without gates",
+                       em_filter_measure_euler_exact(&flown, &given_angles, R, NULL,
+                                                     &said) == BS_OK) +
+        expect("all rows", said.used == 7U);
+    /* memory that something else has written to */
+    failures += begin();
+    failures += expect("health", (em_filter_health(&flown, &health) == BS_OK) &&
+                       (health.state == BS_OK) && (health.ceilings == 0U) &&
+                       (health.rejected[0] == 0U));
+    for (int k = 0; k < 3; ++k) {
+        bs_real *const value = (k == 0) ? &flown.x[0] : (k == 1) ? &flown.P[EM_N_PACKED - 1]
+            : &flown.P[0];
+        const bs_real bad = (k < 2) ? (bs_real)selftest_nan() : BS_REAL(-1.0);
+        const bs_real good = *value;
+        *value = bad;
+        failures += expect("health of the sick", (em_filter_health(&flown, &health) == BS_OK) &&
+                           (health.state != BS_OK));
+        failures += expect("covariance of NaN", em_filter_covariance(&flown, dense) != BS_OK) +
+            expect("sigmas of NaN", em_filter_sigmas(&flown, sigmas) != BS_OK);
+        failures += expect("variance of NaN", em_filter_variance(&flown, 0, sigmas) != BS_OK) +
+            expect("snapshot of NaN", em_filter_snapshot(&flown, bytes) != BS_OK);
+        failures += expect("consider: memory",
+                           em_filter_consider(&flown, flown.considered) != BS_OK);
+        *value = good;
+        if (k < 2) {
+            failures += unsound("propagate: memory", propagate, value, bad);
+        }
+        failures += unsound("strapdown: memory", strapdown, value, bad);
+        failures += unsound("correct: memory", correct, value, bad);
+        rows = (k == 2) ? 0U : BS_ALL_ROWS;
+        failures += unsound("measure_euler: memory", measure_euler, value, bad);
+        rows = (k == 2) ? 0U : BS_ALL_ROWS;
+        failures += unsound("measure_euler_exact: memory", measure_euler_exact, value, bad);
+        rows = BS_ALL_ROWS;
+    }
+    /* nav from outside: P stays, x is zero; clamped to the edge, or refused */
+    failures += begin();
+    hand = flown;
+    memset(hand.x, 0, sizeof(hand.x));
+    failures += expect("set_nav", set_nav() == BS_OK) + same("set_nav", BS_OK, BS_OK);
+    {
+        static const bs_real low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                        BS_REAL(-1.001) };
+        static const bs_real high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                         BS_REAL(1.001) };
+        for (int i = 0; i < 4; ++i) {
+            const bs_real good = given_nav.q_b2n_wxyz[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
+                                   (flown.nav.q_b2n_wxyz[i] <= high[i]));
+                given_nav.q_b2n_wxyz[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                    : selftest_infinity());
+                failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_NOT_FINITE);
+                given_nav.q_b2n_wxyz[i] = good;
+            }
+        }
+    }
+    {
+        static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
+        static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
+        for (int i = 0; i < 3; ++i) {
+            const bs_real good = given_nav.mu[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.mu[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: mu", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.mu[i] >= low[i]) && (flown.nav.mu[i] <= high[i]));
+                failures += expect("set_nav: to the edge",
+                                   equal(&flown.nav.mu[i], (end == 0) ? &low[i] : &high[i], 1));
+                given_nav.mu[i] = (bs_real)((end == 0) ? selftest_nan() : selftest_infinity());
+                failures += refuses("set_nav: mu", set_nav, BS_NOT_FINITE);
+                given_nav.mu[i] = good;
+            }
+        }
+    }
+    clamp = 0;
+    failures += expect("set_nav", set_nav() == BS_OK);
+    /* where the correction would leave the box, nothing is changed: the way out is set_nav */
+    for (int i = 0; i < N; ++i) {
+        static const double x_low[N] = { -0.5, -0.5, -0.5, -0.5, -0.5, -0.5 };
+        static const double x_high[N] = { 0.5, 0.5, 0.5, 0.5, 0.5, 0.5 };
+        for (int end = 0; end < 2; ++end) {
+            failures += begin();
+            flown.x[i] = (bs_real)(0.999 * ((end == 0) ? x_low[i] : x_high[i]));
+            before = flown;
+            failures += expect("correct: undone", (correct() == BS_OK) ||
+                               same_state(&flown, &before));
+            failures += expect("then health", (em_filter_health(&flown, &health) == BS_OK) &&
+                               (health.state == BS_OK));
+        }
+    }
+    return failures + begin();
+}
+
 static int guards(void)
 {
     int failures = begin();
@@ -706,12 +1023,18 @@ static int guards(void)
         static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
+            failures += spoil("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], low[i],
+                              high[i]);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += spoil("strapdown: q_b2n_wxyz", strapdown, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += spoil("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
+            failures += spoil("measure_euler: q_b2n_wxyz", measure_euler, &flown.nav.q_b2n_wxyz[i],
+                              low[i], high[i]);
+            failures += spoil("measure_euler_exact: q_b2n_wxyz", measure_euler_exact,
+                              &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
         }
     }
     {
@@ -719,6 +1042,9 @@ static int guards(void)
         static const double high[3] = { 0.50025, 0.50025, 0.50025 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: mu", init, &given_nav.mu[i], low[i], high[i]);
+            failures += spoil("set_nav: mu", set_nav, &given_nav.mu[i], low[i], high[i]);
+            failures += spoil("propagate: mu", propagate, &flown.nav.mu[i], low[i], high[i]);
+            failures += spoil("strapdown: mu", strapdown, &flown.nav.mu[i], low[i], high[i]);
             failures += spoil("correct: mu", correct, &flown.nav.mu[i], low[i], high[i]);
             failures += spoil("measure_euler: mu", measure_euler, &flown.nav.mu[i], low[i],
                               high[i]);
@@ -786,19 +1112,25 @@ static int guards(void)
     for (int i = 0; i < 3; ++i) {
         failures += spoil("measure_euler: R", measure_euler, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    gate = (bs_real)selftest_nan(); /* is not looked at */
-    failures += expect("measure_euler: a null pointer",
-                       em_filter_measure_euler(0, &given_angles, R, rows, gate,
-                                               &said) == BS_NULL_POINTER);
-    failures += expect("measure_euler: a null pointer",
-                       em_filter_measure_euler(&flown, 0, R, rows, gate, &said) == BS_NULL_POINTER);
-    failures += expect("measure_euler: a null pointer",
-                       em_filter_measure_euler(&flown, &given_angles, 0, rows, gate,
-                                               &said) == BS_NULL_POINTER);
-    failures += expect("measure_euler: a null pointer",
-                       em_filter_measure_euler(&flown, &given_angles, R, rows, gate,
-                                               0) == BS_NULL_POINTER);
-    gate = BS_REAL(0.0);
+    iterations = -1;
+    failures += refuses("measure_euler: iterations", measure_euler, BS_OUT_OF_RANGE);
+    iterations = 2;
+    failures += spoil("measure_euler: joint gate", measure_euler, &joint, -1e-30, 1e+30 * 1.0005);
+    {
+        /* is not looked at */
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        failures += expect("measure_euler: a null pointer",
+                           em_filter_measure_euler(0, &given_angles, R, &gates,
+                                                   &said) == BS_NULL_POINTER);
+        failures += expect("measure_euler: a null pointer",
+                           em_filter_measure_euler(&flown, 0, R, &gates, &said) == BS_NULL_POINTER);
+        failures += expect("measure_euler: a null pointer",
+                           em_filter_measure_euler(&flown, &given_angles, 0, &gates,
+                                                   &said) == BS_NULL_POINTER);
+        failures += expect("measure_euler: a null pointer",
+                           em_filter_measure_euler(&flown, &given_angles, R, &gates,
+                                                   0) == BS_NULL_POINTER);
+    }
     failures += spoil("measure_euler_exact: gate", measure_euler_exact, &gate, -1e-30, 1e+30 *
                       1.0005);
     for (int i = 0; i < 3; ++i) {
@@ -811,23 +1143,27 @@ static int guards(void)
         failures += spoil("measure_euler_exact: x", measure_euler_exact, &flown.x[i], low[i],
                           high[i]);
     }
-    iterations = 0;
+    iterations = -1;
     failures += refuses("measure_euler_exact: iterations", measure_euler_exact, BS_OUT_OF_RANGE);
     iterations = 2;
-    gate = (bs_real)selftest_nan(); /* is not looked at */
-    failures += expect("measure_euler_exact: a null pointer",
-                       em_filter_measure_euler_exact(0, &given_angles, R, rows, gate, iterations,
-                                                     &said) == BS_NULL_POINTER);
-    failures += expect("measure_euler_exact: a null pointer",
-                       em_filter_measure_euler_exact(&flown, 0, R, rows, gate, iterations,
-                                                     &said) == BS_NULL_POINTER);
-    failures += expect("measure_euler_exact: a null pointer",
-                       em_filter_measure_euler_exact(&flown, &given_angles, 0, rows, gate,
-                                                     iterations, &said) == BS_NULL_POINTER);
-    failures += expect("measure_euler_exact: a null pointer",
-                       em_filter_measure_euler_exact(&flown, &given_angles, R, rows, gate,
-                                                     iterations, 0) == BS_NULL_POINTER);
-    gate = BS_REAL(0.0);
+    failures += spoil("measure_euler_exact: joint gate", measure_euler_exact, &joint, -1e-30,
+                      1e+30 * 1.0005);
+    {
+        /* is not looked at */
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        failures += expect("measure_euler_exact: a null pointer",
+                           em_filter_measure_euler_exact(0, &given_angles, R, &gates,
+                                                         &said) == BS_NULL_POINTER);
+        failures += expect("measure_euler_exact: a null pointer",
+                           em_filter_measure_euler_exact(&flown, 0, R, &gates,
+                                                         &said) == BS_NULL_POINTER);
+        failures += expect("measure_euler_exact: a null pointer",
+                           em_filter_measure_euler_exact(&flown, &given_angles, 0, &gates,
+                                                         &said) == BS_NULL_POINTER);
+        failures += expect("measure_euler_exact: a null pointer",
+                           em_filter_measure_euler_exact(&flown, &given_angles, R, &gates,
+                                                         0) == BS_NULL_POINTER);
+    }
     for (int i = 0; i < N; ++i) {
         const bs_real good = P0[i * (N + 1)];
         P0[i * (N + 1)] = (bs_real)selftest_nan();
@@ -852,6 +1188,35 @@ static int guards(void)
     failures += expect("strapdown: a null pointer",
                        em_filter_strapdown(&flown, 0) == BS_NULL_POINTER);
     failures += expect("correct: a null pointer", em_filter_correct(0) == BS_NULL_POINTER);
+    failures += expect("init_sigmas: a null pointer",
+                       em_filter_init_sigmas(0, &given_nav, sigmas) == BS_NULL_POINTER);
+    failures += expect("init_sigmas: a null pointer",
+                       em_filter_init_sigmas(&flown, 0, sigmas) == BS_NULL_POINTER);
+    failures += expect("init_sigmas: a null pointer",
+                       em_filter_init_sigmas(&flown, &given_nav, 0) == BS_NULL_POINTER);
+    failures += expect("init_blocks: a null pointer",
+                       em_filter_init_blocks(0, &given_nav, blocks) == BS_NULL_POINTER);
+    failures += expect("init_blocks: a null pointer",
+                       em_filter_init_blocks(&flown, 0, blocks) == BS_NULL_POINTER);
+    failures += expect("init_blocks: a null pointer",
+                       em_filter_init_blocks(&flown, &given_nav, 0) == BS_NULL_POINTER);
+    failures += expect("set_nav: a null pointer",
+                       em_filter_set_nav(0, &given_nav, 1) == BS_NULL_POINTER);
+    failures += expect("set_nav: a null pointer",
+                       em_filter_set_nav(&flown, 0, 1) == BS_NULL_POINTER);
+    failures += expect("sigmas: a null pointer", em_filter_sigmas(0, sigmas) == BS_NULL_POINTER);
+    failures += expect("sigmas: a null pointer", em_filter_sigmas(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("variance: a null pointer",
+                       em_filter_variance(0, 0, sigmas) == BS_NULL_POINTER);
+    failures += expect("variance: a null pointer",
+                       em_filter_variance(&flown, 0, 0) == BS_NULL_POINTER);
+    failures += expect("health: a null pointer", em_filter_health(0, &health) == BS_NULL_POINTER);
+    failures += expect("health: a null pointer", em_filter_health(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("snapshot: a null pointer", em_filter_snapshot(0, bytes) == BS_NULL_POINTER);
+    failures += expect("snapshot: a null pointer",
+                       em_filter_snapshot(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("restore: a null pointer", em_filter_restore(0, bytes) == BS_NULL_POINTER);
+    failures += expect("restore: a null pointer", em_filter_restore(&flown, 0) == BS_NULL_POINTER);
     failures += expect("covariance: a null pointer",
                        em_filter_covariance(0, dense) == BS_NULL_POINTER);
     failures += expect("covariance: a null pointer",
@@ -872,5 +1237,5 @@ int test_em_filter(void)
         failures += fly(k);
     }
     set_point(0);
-    return failures + limits() + guards();
+    return failures + limits() + kept() + guards();
 }

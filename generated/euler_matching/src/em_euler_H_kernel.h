@@ -7,31 +7,36 @@
 #define EM_EULER_H_KERNEL_H
 
 #include "boresight.h"
+#include "euler_matching_math.h"
 
 static void em_euler_H_kernel(const bs_real euler_b[3], const bs_real euler_m[3], bs_real H_nz[14])
 {
-    const bs_real cos_yaw_b = BS_COS(euler_b[2]);
-    const bs_real cos_pitch_b = BS_COS(euler_b[1]);
+    bs_real sin_yaw_b;
+    bs_real cos_yaw_b;
+    BS_SINCOS(euler_b[2], &sin_yaw_b, &cos_yaw_b);
+    bs_real sin_pitch_b;
+    bs_real cos_pitch_b;
+    BS_SINCOS(euler_b[1], &sin_pitch_b, &cos_pitch_b);
     const bs_real t5 = BS_REAL(1.0) / cos_pitch_b;
     const bs_real t6 = cos_yaw_b * t5;
     const bs_real t7 = -t6;
-    const bs_real sin_yaw_b = BS_SIN(euler_b[2]);
     const bs_real t9 = sin_yaw_b * t5;
     const bs_real t10 = -t9;
-    const bs_real sin_pitch_m = BS_SIN(euler_m[1]);
-    const bs_real sin_roll_m = BS_SIN(euler_m[0]);
-    const bs_real cos_pitch_m = BS_COS(euler_m[1]);
+    bs_real sin_pitch_m;
+    bs_real cos_pitch_m;
+    BS_SINCOS(euler_m[1], &sin_pitch_m, &cos_pitch_m);
+    bs_real sin_roll_m;
+    bs_real cos_roll_m;
+    BS_SINCOS(euler_m[0], &sin_roll_m, &cos_roll_m);
     const bs_real t17 = BS_REAL(1.0) / cos_pitch_m;
     const bs_real t18 = sin_roll_m * t17;
     const bs_real t19 = sin_pitch_m * t18;
     const bs_real t20 = -t19;
-    const bs_real cos_roll_m = BS_COS(euler_m[0]);
     const bs_real t22 = cos_roll_m * t17;
     const bs_real t23 = t22 * sin_pitch_m;
     const bs_real t24 = -t23;
     const bs_real t25 = -cos_yaw_b;
     const bs_real t26 = -cos_roll_m;
-    const bs_real sin_pitch_b = BS_SIN(euler_b[1]);
     const bs_real t28 = sin_pitch_b * t6;
     const bs_real t29 = -t28;
     const bs_real t30 = sin_pitch_b * t9;

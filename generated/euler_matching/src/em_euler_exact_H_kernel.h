@@ -8,6 +8,7 @@
 #define EM_EULER_EXACT_H_KERNEL_H
 
 #include "boresight.h"
+#include "euler_matching_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -178,12 +179,12 @@ static void em_euler_exact_H_kernel_1(const bs_real x[6],
                                       const bs_real euler_b[3],
                                       em_euler_exact_H_shared *shared)
 {
-    shared->cos_roll_b = BS_COS(euler_b[0]);
-    const bs_real cos_yaw_b = BS_COS(euler_b[2]);
+    BS_SINCOS(euler_b[0], &shared->sin_roll_b, &shared->cos_roll_b);
+    bs_real sin_yaw_b;
+    bs_real cos_yaw_b;
+    BS_SINCOS(euler_b[2], &sin_yaw_b, &cos_yaw_b);
     const bs_real t4 = shared->cos_roll_b * cos_yaw_b;
-    shared->sin_pitch_b = BS_SIN(euler_b[1]);
-    shared->sin_roll_b = BS_SIN(euler_b[0]);
-    const bs_real sin_yaw_b = BS_SIN(euler_b[2]);
+    BS_SINCOS(euler_b[1], &shared->sin_pitch_b, &shared->cos_pitch_b);
     const bs_real t9 = shared->sin_roll_b * sin_yaw_b;
     const bs_real t10 = shared->sin_pitch_b * t9;
     shared->t11 = t4 + t10;
@@ -196,13 +197,12 @@ static void em_euler_exact_H_kernel_1(const bs_real x[6],
     const bs_real t24 = t21 + shared->t23;
     const bs_real t25 = BS_SQRT(t24);
     const bs_real t26 = BS_REAL(0.5) * t25;
-    shared->t27 = BS_SIN(t26);
+    BS_SINCOS(t26, &shared->t27, &shared->t34);
     const bs_real t28 = shared->t27 * shared->t27;
     shared->t30 = BS_REAL(1.0) / t24;
     shared->t31 = t28 * shared->t30;
     shared->t32 = shared->t31 * x[2];
     shared->t33 = shared->t14 * shared->t32;
-    shared->t34 = BS_COS(t26);
     const bs_real t35 = shared->t27 * shared->t34;
     shared->t36 = BS_REAL(1.0) / t25;
     shared->t37 = t35 * shared->t36;
@@ -219,7 +219,6 @@ static void em_euler_exact_H_kernel_1(const bs_real x[6],
     const bs_real t48 = shared->t46 - shared->t47;
     const bs_real t49 = shared->t45 * t48;
     const bs_real t50 = t41 + t49;
-    shared->cos_pitch_b = BS_COS(euler_b[1]);
     shared->t52 = shared->t34 * shared->t34;
     shared->t53 = shared->t23 * shared->t31;
     shared->t54 = shared->t52 - shared->t53;
@@ -244,12 +243,11 @@ static void em_euler_exact_H_kernel_1(const bs_real x[6],
     const bs_real t79 = t68 * shared->t78;
     const bs_real t80 = BS_SQRT(t77);
     const bs_real t81 = BS_REAL(0.5) * t80;
-    shared->t82 = BS_SIN(t81);
+    BS_SINCOS(t81, &shared->t82, &shared->t87);
     const bs_real t83 = shared->t82 * shared->t82;
     const bs_real t84 = t79 * t83;
     shared->t85 = BS_REAL(2.0) * t84;
     shared->t86 = BS_REAL(2.0) * shared->t71;
-    shared->t87 = BS_COS(t81);
     const bs_real t88 = shared->t82 * shared->t87;
     shared->t89 = BS_REAL(1.0) / t80;
     shared->t90 = t88 * shared->t89;

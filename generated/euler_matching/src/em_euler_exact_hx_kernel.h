@@ -4,10 +4,11 @@
  * Equations: song-lee-2001 (14), song-lee-2001 (16).
  * 279 operations, list 3d5c2868662d638f.  No branch, no check: call em_euler_exact_h, which has
  * them. */
-#ifndef EM_EULER_EXACT_H_KERNEL_H
-#define EM_EULER_EXACT_H_KERNEL_H
+#ifndef EM_EULER_EXACT_HX_KERNEL_H
+#define EM_EULER_EXACT_HX_KERNEL_H
 
 #include "boresight.h"
+#include "euler_matching_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -47,8 +48,8 @@ static void em_euler_exact_h_kernel_1(const bs_real x[6],
                                       const bs_real euler_b[3],
                                       em_euler_exact_h_shared *shared)
 {
-    shared->cos_roll_b = BS_COS(euler_b[0]);
-    shared->cos_pitch_b = BS_COS(euler_b[1]);
+    BS_SINCOS(euler_b[0], &shared->sin_roll_b, &shared->cos_roll_b);
+    BS_SINCOS(euler_b[1], &shared->sin_pitch_b, &shared->cos_pitch_b);
     shared->t4 = shared->cos_roll_b * shared->cos_pitch_b;
     const bs_real t8 = mu[0] * mu[0];
     const bs_real t9 = BS_REAL(1e-30) + t8;
@@ -58,20 +59,20 @@ static void em_euler_exact_h_kernel_1(const bs_real x[6],
     const bs_real t15 = t12 + t14;
     const bs_real t16 = BS_SQRT(t15);
     const bs_real t17 = BS_REAL(0.5) * t16;
-    const bs_real t18 = BS_SIN(t17);
+    bs_real t18;
+    bs_real t25;
+    BS_SINCOS(t17, &t18, &t25);
     const bs_real t19 = t18 * t18;
     const bs_real t20 = t19 / t15;
     const bs_real t21 = t20 * mu[1];
     const bs_real t22 = t21 * mu[2];
     const bs_real t23 = BS_REAL(2.0) * t22;
     const bs_real t24 = BS_REAL(2.0) * mu[0];
-    const bs_real t25 = BS_COS(t17);
     const bs_real t26 = t25 * t18;
     const bs_real t27 = t26 / t16;
     const bs_real t28 = t24 * t27;
     const bs_real t29 = t23 - t28;
     const bs_real t30 = shared->t4 * t29;
-    shared->sin_roll_b = BS_SIN(euler_b[0]);
     shared->t32 = shared->cos_pitch_b * shared->sin_roll_b;
     shared->t33 = t20 * t14;
     shared->t34 = t20 * t11;
@@ -82,7 +83,6 @@ static void em_euler_exact_h_kernel_1(const bs_real x[6],
     const bs_real t39 = t35 + t38;
     const bs_real t40 = shared->t32 * t39;
     const bs_real t41 = t30 - t40;
-    shared->sin_pitch_b = BS_SIN(euler_b[1]);
     shared->t43 = t24 * t21;
     const bs_real t44 = BS_REAL(2.0) * mu[2];
     shared->t45 = t44 * t27;
@@ -112,12 +112,12 @@ static void em_euler_exact_h_kernel_1(const bs_real x[6],
     const bs_real t72 = t69 + shared->t71;
     const bs_real t73 = BS_SQRT(t72);
     const bs_real t74 = BS_REAL(0.5) * t73;
-    const bs_real t75 = BS_SIN(t74);
+    bs_real t75;
+    BS_SINCOS(t74, &t75, &shared->t80);
     const bs_real t76 = t75 * t75;
     shared->t77 = t76 / t72;
     const bs_real t78 = shared->t77 * x[2];
     shared->t79 = shared->t64 * t78;
-    shared->t80 = BS_COS(t74);
     const bs_real t81 = t75 * shared->t80;
     shared->t82 = t81 / t73;
     const bs_real t83 = BS_REAL(2.0) * x[0];
@@ -161,14 +161,15 @@ static void em_euler_exact_h_kernel_2(const bs_real x[6],
     const bs_real t117 = t113 + t116;
     const bs_real t118 = BS_SQRT(t117);
     const bs_real t119 = BS_REAL(0.5) * t118;
-    const bs_real t120 = BS_SIN(t119);
+    bs_real t120;
+    bs_real t127;
+    BS_SINCOS(t119, &t120, &t127);
     const bs_real t121 = t120 * t120;
     const bs_real t122 = t121 / t117;
     const bs_real t123 = t107 * t122;
     const bs_real t124 = BS_REAL(2.0) * t109;
     const bs_real t125 = t123 * t124;
     const bs_real t126 = BS_REAL(2.0) * t115;
-    const bs_real t127 = BS_COS(t119);
     const bs_real t128 = t120 * t127;
     const bs_real t129 = t128 / t118;
     const bs_real t130 = t126 * t129;
@@ -226,8 +227,9 @@ static void em_euler_exact_h_kernel_2(const bs_real x[6],
     const bs_real t182 = t178 - t181;
     const bs_real t183 = BS_ATAN2(t169, t182);
     const bs_real t184 = shared->t62 - t183;
-    const bs_real t185 = BS_SIN(t184);
-    const bs_real t186 = BS_COS(t184);
+    bs_real t185;
+    bs_real t186;
+    BS_SINCOS(t184, &t185, &t186);
     const bs_real t187 = BS_ATAN2(t185, t186);
     const bs_real t188 = t125 + t130;
     const bs_real t189 = t146 * t188;
@@ -324,15 +326,17 @@ static void em_euler_exact_h_kernel_2(const bs_real x[6],
     const bs_real t280 = BS_SQRT(t279);
     const bs_real t281 = BS_ATAN2(t266, t280);
     const bs_real t282 = t256 - t281;
-    const bs_real t283 = BS_SIN(t282);
+    bs_real t283;
+    bs_real t285;
+    BS_SINCOS(t282, &t283, &t285);
     const bs_real t284 = -t283;
-    const bs_real t285 = BS_COS(t282);
     const bs_real t286 = BS_ATAN2(t284, t285);
     const bs_real t287 = BS_ATAN2(t271, t277);
     const bs_real t288 = BS_ATAN2(t252, t228);
     const bs_real t289 = t287 - t288;
-    const bs_real t290 = BS_SIN(t289);
-    const bs_real t291 = BS_COS(t289);
+    bs_real t290;
+    bs_real t291;
+    BS_SINCOS(t289, &t290, &t291);
     const bs_real t292 = BS_ATAN2(t290, t291);
     h_nz[0] = t187; /* roll */
     h_nz[1] = t286; /* pitch */

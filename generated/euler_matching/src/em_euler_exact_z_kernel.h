@@ -8,14 +8,19 @@
 #define EM_EULER_EXACT_Z_KERNEL_H
 
 #include "boresight.h"
+#include "euler_matching_math.h"
 
 static void em_euler_exact_z_kernel(const bs_real mu[3],
                                     const bs_real euler_b[3],
                                     const bs_real euler_m[3],
                                     bs_real z_nz[3])
 {
-    const bs_real cos_roll_b = BS_COS(euler_b[0]);
-    const bs_real cos_pitch_b = BS_COS(euler_b[1]);
+    bs_real sin_roll_b;
+    bs_real cos_roll_b;
+    BS_SINCOS(euler_b[0], &sin_roll_b, &cos_roll_b);
+    bs_real sin_pitch_b;
+    bs_real cos_pitch_b;
+    BS_SINCOS(euler_b[1], &sin_pitch_b, &cos_pitch_b);
     const bs_real t5 = cos_roll_b * cos_pitch_b;
     const bs_real t9 = mu[0] * mu[0];
     const bs_real t10 = BS_REAL(1e-30) + t9;
@@ -25,20 +30,20 @@ static void em_euler_exact_z_kernel(const bs_real mu[3],
     const bs_real t16 = t13 + t15;
     const bs_real t17 = BS_SQRT(t16);
     const bs_real t18 = BS_REAL(0.5) * t17;
-    const bs_real t19 = BS_SIN(t18);
+    bs_real t19;
+    bs_real t26;
+    BS_SINCOS(t18, &t19, &t26);
     const bs_real t20 = t19 * t19;
     const bs_real t21 = t20 / t16;
     const bs_real t22 = t21 * mu[1];
     const bs_real t23 = t22 * mu[2];
     const bs_real t24 = BS_REAL(2.0) * t23;
     const bs_real t25 = BS_REAL(2.0) * mu[0];
-    const bs_real t26 = BS_COS(t18);
     const bs_real t27 = t26 * t19;
     const bs_real t28 = t27 / t17;
     const bs_real t29 = t25 * t28;
     const bs_real t30 = t24 - t29;
     const bs_real t31 = t5 * t30;
-    const bs_real sin_roll_b = BS_SIN(euler_b[0]);
     const bs_real t33 = cos_pitch_b * sin_roll_b;
     const bs_real t34 = t21 * t15;
     const bs_real t35 = t21 * t12;
@@ -49,7 +54,6 @@ static void em_euler_exact_z_kernel(const bs_real mu[3],
     const bs_real t40 = t36 + t39;
     const bs_real t41 = t33 * t40;
     const bs_real t42 = t31 - t41;
-    const bs_real sin_pitch_b = BS_SIN(euler_b[1]);
     const bs_real t44 = t25 * t22;
     const bs_real t45 = BS_REAL(2.0) * mu[2];
     const bs_real t46 = t45 * t28;
@@ -71,9 +75,10 @@ static void em_euler_exact_z_kernel(const bs_real mu[3],
     const bs_real t62 = t55 - t61;
     const bs_real t63 = BS_ATAN2(t49, t62);
     const bs_real t64 = euler_m[0] - t63;
-    const bs_real t65 = BS_SIN(t64);
+    bs_real t65;
+    bs_real t67;
+    BS_SINCOS(t64, &t65, &t67);
     const bs_real t66 = -t65;
-    const bs_real t67 = BS_COS(t64);
     const bs_real t68 = BS_ATAN2(t66, t67);
     const bs_real t70 = t38 - t35;
     const bs_real t71 = t70 + t37;
@@ -85,9 +90,10 @@ static void em_euler_exact_z_kernel(const bs_real mu[3],
     const bs_real t77 = t44 - t46;
     const bs_real t78 = t33 * t77;
     const bs_real t79 = t76 - t78;
-    const bs_real cos_yaw_b = BS_COS(euler_b[2]);
+    bs_real sin_yaw_b;
+    bs_real cos_yaw_b;
+    BS_SINCOS(euler_b[2], &sin_yaw_b, &cos_yaw_b);
     const bs_real t82 = cos_roll_b * cos_yaw_b;
-    const bs_real sin_yaw_b = BS_SIN(euler_b[2]);
     const bs_real t84 = sin_roll_b * sin_yaw_b;
     const bs_real t85 = sin_pitch_b * t84;
     const bs_real t86 = t82 + t85;
@@ -116,15 +122,17 @@ static void em_euler_exact_z_kernel(const bs_real mu[3],
     const bs_real t109 = BS_SQRT(t108);
     const bs_real t110 = BS_ATAN2(t79, t109);
     const bs_real t111 = euler_m[1] - t110;
-    const bs_real t112 = BS_SIN(t111);
+    bs_real t112;
+    bs_real t114;
+    BS_SINCOS(t111, &t112, &t114);
     const bs_real t113 = -t112;
-    const bs_real t114 = BS_COS(t111);
     const bs_real t115 = BS_ATAN2(t113, t114);
     const bs_real t117 = BS_ATAN2(t96, t106);
     const bs_real t118 = euler_m[2] - t117;
-    const bs_real t119 = BS_SIN(t118);
+    bs_real t119;
+    bs_real t121;
+    BS_SINCOS(t118, &t119, &t121);
     const bs_real t120 = -t119;
-    const bs_real t121 = BS_COS(t118);
     const bs_real t122 = BS_ATAN2(t120, t121);
     z_nz[0] = t68; /* roll */
     z_nz[1] = t115; /* pitch */

@@ -7,6 +7,7 @@
 #define EM_EULER_Z_KERNEL_H
 
 #include "boresight.h"
+#include "euler_matching_math.h"
 
 static void em_euler_z_kernel(const bs_real mu[3],
                               const bs_real euler_b[3],
@@ -14,39 +15,44 @@ static void em_euler_z_kernel(const bs_real mu[3],
                               bs_real z_nz[3])
 {
     const bs_real t2 = mu[0] + euler_m[0];
-    const bs_real sin_pitch_m = BS_SIN(euler_m[1]);
-    const bs_real sin_roll_m = BS_SIN(euler_m[0]);
-    const bs_real cos_pitch_m = BS_COS(euler_m[1]);
+    bs_real sin_pitch_m;
+    bs_real cos_pitch_m;
+    BS_SINCOS(euler_m[1], &sin_pitch_m, &cos_pitch_m);
+    bs_real sin_roll_m;
+    bs_real cos_roll_m;
+    BS_SINCOS(euler_m[0], &sin_roll_m, &cos_roll_m);
     const bs_real t8 = BS_REAL(1.0) / cos_pitch_m;
     const bs_real t9 = sin_roll_m * t8;
     const bs_real t11 = t9 * mu[1];
     const bs_real t12 = sin_pitch_m * t11;
     const bs_real t13 = t2 + t12;
-    const bs_real cos_roll_m = BS_COS(euler_m[0]);
     const bs_real t15 = cos_roll_m * t8;
     const bs_real t17 = t15 * mu[2];
     const bs_real t18 = sin_pitch_m * t17;
     const bs_real t19 = t13 + t18;
     const bs_real t21 = t19 - euler_b[0];
-    const bs_real t22 = BS_SIN(t21);
+    bs_real t22;
+    bs_real t24;
+    BS_SINCOS(t21, &t22, &t24);
     const bs_real t23 = -t22;
-    const bs_real t24 = BS_COS(t21);
     const bs_real t25 = BS_ATAN2(t23, t24);
     const bs_real t26 = cos_roll_m * mu[1];
     const bs_real t27 = euler_m[1] + t26;
     const bs_real t29 = t27 - euler_b[1];
     const bs_real t30 = sin_roll_m * mu[2];
     const bs_real t31 = t29 - t30;
-    const bs_real t32 = BS_SIN(t31);
+    bs_real t32;
+    bs_real t34;
+    BS_SINCOS(t31, &t32, &t34);
     const bs_real t33 = -t32;
-    const bs_real t34 = BS_COS(t31);
     const bs_real t35 = BS_ATAN2(t33, t34);
     const bs_real t36 = t11 + t17;
     const bs_real t38 = t36 + euler_m[2];
     const bs_real t40 = t38 - euler_b[2];
-    const bs_real t41 = BS_SIN(t40);
+    bs_real t41;
+    bs_real t43;
+    BS_SINCOS(t40, &t41, &t43);
     const bs_real t42 = -t41;
-    const bs_real t43 = BS_COS(t40);
     const bs_real t44 = BS_ATAN2(t42, t43);
     z_nz[0] = t25; /* roll */
     z_nz[1] = t35; /* pitch */

@@ -6,6 +6,7 @@
 #define EM_FEEDBACK_KERNEL_H
 
 #include "boresight.h"
+#include "euler_matching_math.h"
 
 static void em_feedback_kernel(const bs_real x[6],
                                const bs_real q_b2n_wxyz[4],
@@ -21,9 +22,10 @@ static void em_feedback_kernel(const bs_real x[6],
     const bs_real t10 = t7 + t9;
     const bs_real t11 = BS_SQRT(t10);
     const bs_real t12 = BS_REAL(0.5) * t11;
-    const bs_real t13 = BS_COS(t12);
+    bs_real t16;
+    bs_real t13;
+    BS_SINCOS(t12, &t16, &t13);
     const bs_real t15 = t13 * q_b2n_wxyz[0];
-    const bs_real t16 = BS_SIN(t12);
     const bs_real t17 = t16 / t11;
     const bs_real t19 = t17 * q_b2n_wxyz[3];
     const bs_real t20 = t19 * x[2];

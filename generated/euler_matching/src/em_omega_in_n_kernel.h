@@ -5,13 +5,16 @@
 #define EM_OMEGA_IN_N_KERNEL_H
 
 #include "boresight.h"
+#include "euler_matching_math.h"
 
 static void em_omega_in_n_kernel(const bs_real lat[1],
                                  const bs_real height[1],
                                  const bs_real v_n[3],
                                  bs_real omega_in_n_nz[3])
 {
-    const bs_real sin_lat = BS_SIN(lat[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(lat[0], &sin_lat, &cos_lat);
     const bs_real t7 = sin_lat * sin_lat;
     const bs_real t8 = BS_REAL(0.006694379990141317) * t7;
     const bs_real t9 = BS_REAL(1.0) - t8;
@@ -19,7 +22,6 @@ static void em_omega_in_n_kernel(const bs_real lat[1],
     const bs_real t11 = BS_REAL(6378137.0) / t10;
     const bs_real t12 = height[0] + t11;
     const bs_real t13 = v_n[1] / t12;
-    const bs_real cos_lat = BS_COS(lat[0]);
     const bs_real t16 = BS_REAL(7.292115e-05) * cos_lat;
     const bs_real t17 = t13 + t16;
     const bs_real t20 = t9 * t10;

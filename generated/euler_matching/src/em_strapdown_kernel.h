@@ -6,6 +6,7 @@
 #define EM_STRAPDOWN_KERNEL_H
 
 #include "boresight.h"
+#include "euler_matching_math.h"
 
 static void em_strapdown_kernel(const bs_real q_b2n_wxyz[4],
                                 const bs_real dtheta_ib_b[3],
@@ -21,9 +22,10 @@ static void em_strapdown_kernel(const bs_real q_b2n_wxyz[4],
     const bs_real t10 = t7 + t9;
     const bs_real t11 = BS_SQRT(t10);
     const bs_real t12 = BS_REAL(0.5) * t11;
-    const bs_real t13 = BS_COS(t12);
+    bs_real t16;
+    bs_real t13;
+    BS_SINCOS(t12, &t16, &t13);
     const bs_real t15 = t13 * q_b2n_wxyz[0];
-    const bs_real t16 = BS_SIN(t12);
     const bs_real t17 = t16 / t11;
     const bs_real t18 = t17 * dtheta_ib_b[2];
     const bs_real t20 = t18 * q_b2n_wxyz[3];
@@ -46,7 +48,9 @@ static void em_strapdown_kernel(const bs_real q_b2n_wxyz[4],
     const bs_real t43 = t39 + t42;
     const bs_real t44 = BS_SQRT(t43);
     const bs_real t45 = BS_REAL(0.5) * t44;
-    const bs_real t46 = BS_COS(t45);
+    bs_real t55;
+    bs_real t46;
+    BS_SINCOS(t45, &t55, &t46);
     const bs_real t47 = t29 * t46;
     const bs_real t48 = t18 * q_b2n_wxyz[0];
     const bs_real t49 = t13 * q_b2n_wxyz[3];
@@ -55,7 +59,6 @@ static void em_strapdown_kernel(const bs_real q_b2n_wxyz[4],
     const bs_real t52 = t50 + t51;
     const bs_real t53 = t27 * dtheta_ib_b[0];
     const bs_real t54 = t52 - t53;
-    const bs_real t55 = BS_SIN(t45);
     const bs_real t57 = BS_REAL(1.0) / t44;
     const bs_real t58 = t55 * t57;
     const bs_real t59 = t58 * dt[0];

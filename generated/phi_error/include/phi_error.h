@@ -12,7 +12,11 @@
 #ifndef PHI_ERROR_H
 #define PHI_ERROR_H
 
-#include "boresight.h"
+#include "phi_error_identity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* The error state. */
 /* error of the position (rad, rad, m, WGS-84) */
@@ -89,7 +93,7 @@ bs_status phi_Qc(const phi_nav *nav, const phi_noise *noise, bs_real Qc[9 * PHI_
 /* The same, the non-zeros alone, row after row. */
 bs_status phi_Qc_nz(const phi_nav *nav, const phi_noise *noise, bs_real Qc_nz[18]);
 
-/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
+/* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
  * in   nav->position       longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                          (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                          -500 to 30000
@@ -119,5 +123,9 @@ bs_status phi_Q(const phi_nav *nav,
 bs_status phi_psi_from_phi(const phi_nav *nav, bs_real T[9 * PHI_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status phi_psi_from_phi_nz(const phi_nav *nav, bs_real T_nz[17]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

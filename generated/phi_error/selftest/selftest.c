@@ -75,6 +75,7 @@ int main(void)
 {
     int passed = 0;
     int failed = 0;
+    (void)printf("%s\n", phi_identity());
     if (test_phi_F() == 0) {
         ++passed;
     } else {
@@ -103,6 +104,12 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED phi_psi_from_phi\n");
+        ++failed;
+    }
+    if (test_phi_math() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED phi_math\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

@@ -2,7 +2,11 @@
 #ifndef BORESIGHT_SELFTEST_H
 #define BORESIGHT_SELFTEST_H
 
-#include "boresight.h"
+#include "phi_error.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 double selftest_nan(void);
 double selftest_infinity(void);
@@ -26,5 +30,10 @@ int test_phi_Phi(void);
 int test_phi_Qc(void);
 int test_phi_Q(void);
 int test_phi_psi_from_phi(void);
+int test_phi_math(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

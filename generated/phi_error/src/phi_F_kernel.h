@@ -4,13 +4,16 @@
 #define PHI_F_KERNEL_H
 
 #include "boresight.h"
+#include "phi_error_math.h"
 
 static void phi_F_kernel(const bs_real position[3],
                          const bs_real v_n[3],
                          const bs_real f_n[3],
                          bs_real F_nz[42])
 {
-    const bs_real sin_lat = BS_SIN(position[1]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[1], &sin_lat, &cos_lat);
     const bs_real t6 = sin_lat * sin_lat;
     const bs_real t7 = BS_REAL(0.006694379990141317) * t6;
     const bs_real t8 = BS_REAL(1.0) - t7;
@@ -19,7 +22,6 @@ static void phi_F_kernel(const bs_real position[3],
     const bs_real t11 = BS_REAL(6378137.0) * t10;
     const bs_real t12 = position[2] + t11;
     const bs_real t13 = BS_REAL(1.0) / t12;
-    const bs_real cos_lat = BS_COS(position[1]);
     const bs_real t15 = BS_REAL(1.0) / cos_lat;
     const bs_real t16 = t13 * t15;
     const bs_real t18 = t16 * v_n[0];

@@ -13,7 +13,11 @@
 #ifndef PSI_ERROR_H
 #define PSI_ERROR_H
 
-#include "boresight.h"
+#include "psi_error_identity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* The error state. */
 /* error of the position (rad, rad, m, WGS-84) */
@@ -90,7 +94,7 @@ bs_status psi_Qc(const psi_nav *nav, const psi_noise *noise, bs_real Qc[9 * PSI_
 /* The same, the non-zeros alone, row after row. */
 bs_status psi_Qc_nz(const psi_nav *nav, const psi_noise *noise, bs_real Qc_nz[18]);
 
-/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
+/* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
  * in   nav->position       longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                          (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                          -500 to 30000
@@ -120,5 +124,9 @@ bs_status psi_Q(const psi_nav *nav,
 bs_status psi_phi_from_psi(const psi_nav *nav, bs_real T[9 * PSI_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status psi_phi_from_psi_nz(const psi_nav *nav, bs_real T_nz[17]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -75,6 +75,7 @@ int main(void)
 {
     int passed = 0;
     int failed = 0;
+    (void)printf("%s\n", psi_identity());
     if (test_psi_F() == 0) {
         ++passed;
     } else {
@@ -103,6 +104,12 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED psi_phi_from_psi\n");
+        ++failed;
+    }
+    if (test_psi_math() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED psi_math\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

@@ -2,7 +2,11 @@
 #ifndef BORESIGHT_SELFTEST_H
 #define BORESIGHT_SELFTEST_H
 
-#include "boresight.h"
+#include "psi_error.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 double selftest_nan(void);
 double selftest_infinity(void);
@@ -26,5 +30,10 @@ int test_psi_Phi(void);
 int test_psi_Qc(void);
 int test_psi_Q(void);
 int test_psi_phi_from_psi(void);
+int test_psi_math(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

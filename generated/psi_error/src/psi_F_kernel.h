@@ -4,13 +4,16 @@
 #define PSI_F_KERNEL_H
 
 #include "boresight.h"
+#include "psi_error_math.h"
 
 static void psi_F_kernel(const bs_real position[3],
                          const bs_real v_n[3],
                          const bs_real f_n[3],
                          bs_real F_nz[33])
 {
-    const bs_real sin_lat = BS_SIN(position[1]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[1], &sin_lat, &cos_lat);
     const bs_real t7 = sin_lat * sin_lat;
     const bs_real t8 = BS_REAL(0.006694379990141317) * t7;
     const bs_real t9 = BS_REAL(1.0) - t8;
@@ -26,7 +29,6 @@ static void psi_F_kernel(const bs_real position[3],
     const bs_real t21 = position[2] + t20;
     const bs_real t22 = BS_REAL(1.0) / t21;
     const bs_real t23 = sin_lat * t22;
-    const bs_real cos_lat = BS_COS(position[1]);
     const bs_real t25 = t23 * cos_lat;
     const bs_real t26 = t25 * t12;
     const bs_real t27 = BS_REAL(42697.67270717997) * t26;

@@ -5,6 +5,7 @@
 #define PSI_PHI_KERNEL_H
 
 #include "boresight.h"
+#include "psi_error_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -44,7 +45,7 @@ static void psi_Phi_kernel_1(const bs_real position[3],
                              psi_Phi_shared *shared,
                              bs_real Phi_nz[60])
 {
-    shared->sin_lat = BS_SIN(position[1]);
+    BS_SINCOS(position[1], &shared->sin_lat, &shared->cos_lat);
     const bs_real t7 = shared->sin_lat * shared->sin_lat;
     const bs_real t8 = BS_REAL(0.006694379990141317) * t7;
     const bs_real t9 = BS_REAL(1.0) - t8;
@@ -60,7 +61,6 @@ static void psi_Phi_kernel_1(const bs_real position[3],
     const bs_real t21 = position[2] + t20;
     const bs_real t22 = BS_REAL(1.0) / t21;
     const bs_real t23 = shared->sin_lat * t22;
-    shared->cos_lat = BS_COS(position[1]);
     const bs_real t25 = t23 * shared->cos_lat;
     const bs_real t26 = t25 * t12;
     const bs_real t27 = BS_REAL(42697.67270717997) * t26;

@@ -6,14 +6,16 @@
 #define PSI_PHI_FROM_PSI_KERNEL_H
 
 #include "boresight.h"
+#include "psi_error_math.h"
 
 static void psi_phi_from_psi_kernel(const bs_real position[3],
                                     const bs_real v_n[3],
                                     bs_real T_nz[17])
 {
-    const bs_real sin_lat = BS_SIN(position[1]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[1], &sin_lat, &cos_lat);
     const bs_real t4 = sin_lat * v_n[1];
-    const bs_real cos_lat = BS_COS(position[1]);
     const bs_real t7 = cos_lat * v_n[2];
     const bs_real t8 = t4 - t7;
     const bs_real t10 = sin_lat * v_n[0];

@@ -12,7 +12,11 @@
 #ifndef STATIONARY_DETECTOR_H
 #define STATIONARY_DETECTOR_H
 
-#include "boresight.h"
+#include "stationary_detector_identity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* Room for samples in each state, 6 numbers each.  Another number must be given to every file that
  * sees this header. */
@@ -86,5 +90,9 @@ bs_status det_push(det_detector *detector,
                    const bs_real gyro[3],
                    const bs_real accel[3],
                    det_decision *decision);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

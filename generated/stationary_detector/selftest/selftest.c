@@ -75,6 +75,7 @@ int main(void)
 {
     int passed = 0;
     int failed = 0;
+    (void)printf("%s\n", det_identity());
     if (test_stationary_detector() == 0) {
         ++passed;
     } else {

@@ -2,7 +2,11 @@
 #ifndef BORESIGHT_SELFTEST_H
 #define BORESIGHT_SELFTEST_H
 
-#include "boresight.h"
+#include "stationary_detector.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 double selftest_nan(void);
 double selftest_infinity(void);
@@ -22,5 +26,9 @@ int selftest_compare(const char *what,
                      unsigned int angles);
 
 int test_stationary_detector(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

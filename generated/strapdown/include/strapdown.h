@@ -10,7 +10,11 @@
 #ifndef STRAPDOWN_H
 #define STRAPDOWN_H
 
-#include "boresight.h"
+#include "strapdown_identity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* Position, velocity and attitude. */
 typedef struct {
@@ -127,5 +131,9 @@ bs_status sd_earth_nz(const sd_nav *nav,
                       bs_real omega_ie_n_nz[2],
                       bs_real omega_en_n_nz[3],
                       bs_real gravity_n_nz[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

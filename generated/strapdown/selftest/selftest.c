@@ -75,6 +75,7 @@ int main(void)
 {
     int passed = 0;
     int failed = 0;
+    (void)printf("%s\n", sd_identity());
     if (test_sd_step() == 0) {
         ++passed;
     } else {
@@ -97,6 +98,12 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED sd_earth\n");
+        ++failed;
+    }
+    if (test_sd_math() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED sd_math\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

@@ -2,7 +2,11 @@
 #ifndef BORESIGHT_SELFTEST_H
 #define BORESIGHT_SELFTEST_H
 
-#include "boresight.h"
+#include "strapdown.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 double selftest_nan(void);
 double selftest_infinity(void);
@@ -25,5 +29,10 @@ int test_sd_step(void);
 int test_sd_compensated(void);
 int test_sd_rates(void);
 int test_sd_earth(void);
+int test_sd_math(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

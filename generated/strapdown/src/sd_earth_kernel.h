@@ -5,6 +5,7 @@
 #define SD_EARTH_KERNEL_H
 
 #include "boresight.h"
+#include "strapdown_math.h"
 
 static void sd_earth_kernel(const bs_real position[3],
                             const bs_real v_n[3],
@@ -12,9 +13,10 @@ static void sd_earth_kernel(const bs_real position[3],
                             bs_real omega_en_n_nz[3],
                             bs_real gravity_n_nz[1])
 {
-    const bs_real cos_lat = BS_COS(position[1]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[1], &sin_lat, &cos_lat);
     const bs_real t3 = BS_REAL(7.292115e-05) * cos_lat;
-    const bs_real sin_lat = BS_SIN(position[1]);
     const bs_real t5 = BS_REAL(7.292115e-05) * sin_lat;
     const bs_real t11 = sin_lat * sin_lat;
     const bs_real t12 = BS_REAL(0.006694379990141317) * t11;

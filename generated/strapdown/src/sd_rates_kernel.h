@@ -5,6 +5,7 @@
 #define SD_RATES_KERNEL_H
 
 #include "boresight.h"
+#include "strapdown_math.h"
 
 static void sd_rates_kernel(const bs_real position[3],
                             const bs_real v_n[3],
@@ -15,7 +16,9 @@ static void sd_rates_kernel(const bs_real position[3],
                             bs_real v_n_rate_nz[3],
                             bs_real q_b2n_rate_nz[4])
 {
-    const bs_real sin_lat = BS_SIN(position[1]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[1], &sin_lat, &cos_lat);
     const bs_real t7 = sin_lat * sin_lat;
     const bs_real t8 = BS_REAL(0.006694379990141317) * t7;
     const bs_real t9 = BS_REAL(1.0) - t8;
@@ -24,7 +27,6 @@ static void sd_rates_kernel(const bs_real position[3],
     const bs_real t12 = BS_REAL(6378137.0) * t11;
     const bs_real t13 = position[2] + t12;
     const bs_real t14 = v_n[0] / t13;
-    const bs_real cos_lat = BS_COS(position[1]);
     const bs_real t16 = BS_REAL(1.0) / cos_lat;
     const bs_real t17 = t14 * t16;
     const bs_real t20 = t9 * t10;

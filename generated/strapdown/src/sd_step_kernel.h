@@ -5,6 +5,7 @@
 #define SD_STEP_KERNEL_H
 
 #include "boresight.h"
+#include "strapdown_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -438,9 +439,10 @@ static void sd_step_kernel_3(const bs_real v_n[3],
     const bs_real t379 = t373 + t378;
     const bs_real t380 = BS_SQRT(t379);
     const bs_real t381 = BS_REAL(0.5) * t380;
-    const bs_real t382 = BS_COS(t381);
+    bs_real t384;
+    bs_real t382;
+    BS_SINCOS(t381, &t384, &t382);
     const bs_real t383 = t382 * q_b2n_wxyz[0];
-    const bs_real t384 = BS_SIN(t381);
     const bs_real t385 = t384 / t380;
     const bs_real t386 = t377 * t385;
     const bs_real t387 = t386 * q_b2n_wxyz[1];
@@ -465,7 +467,9 @@ static void sd_step_kernel_3(const bs_real v_n[3],
     const bs_real t406 = t401 + t405;
     const bs_real t407 = BS_SQRT(t406);
     const bs_real t408 = BS_REAL(0.5) * t407;
-    const bs_real t409 = BS_COS(t408);
+    bs_real t418;
+    bs_real t409;
+    BS_SINCOS(t408, &t418, &t409);
     const bs_real t410 = t394 * t409;
     const bs_real t411 = t382 * q_b2n_wxyz[1];
     const bs_real t412 = t386 * q_b2n_wxyz[0];
@@ -474,7 +478,6 @@ static void sd_step_kernel_3(const bs_real v_n[3],
     const bs_real t415 = t413 + t414;
     const bs_real t416 = t389 * q_b2n_wxyz[3];
     const bs_real t417 = t415 - t416;
-    const bs_real t418 = BS_SIN(t408);
     const bs_real t419 = BS_REAL(1.0) / t407;
     const bs_real t420 = t418 * t419;
     const bs_real t421 = t420 * dt[0];

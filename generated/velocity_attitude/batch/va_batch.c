@@ -612,9 +612,9 @@ size_t va_filter_consider_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_filter_consider(&filter[i],
-                                                      &considered[i * considered_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = va_filter_consider(&filter[i], &considered[i * considered_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -636,9 +636,10 @@ size_t va_filter_propagate_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_filter_propagate(&filter[i], &imu[i * imu_stride],
-                                                       &noise[i * noise_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = va_filter_propagate(&filter[i], &imu[i * imu_stride],
+                                                  &noise[i * noise_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -660,9 +661,10 @@ size_t va_filter_strapdown_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_filter_strapdown(&filter[i], &imu[i * imu_stride],
-                                                       &increments[i * increments_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = va_filter_strapdown(&filter[i], &imu[i * imu_stride],
+                                                  &increments[i * increments_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -672,14 +674,15 @@ size_t va_filter_correct_batch(size_t n, va_filter *filter, unsigned char *statu
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_filter_correct(&filter[i]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = va_filter_correct(&filter[i]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
 
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t va_filter_measure_velocity_batch(size_t n,
                                         va_filter *filter,
                                         const va_imu *imu,
@@ -691,9 +694,11 @@ size_t va_filter_measure_velocity_batch(size_t n,
                                         const bs_real *R,
                                         size_t R_stride,
                                         const unsigned char *rows,
-                                        const bs_real *gate,
+                                        const bs_real *gates,
+                                        const int *iterations,
                                         bs_real *nu,
                                         bs_real *S,
+                                        bs_real *nis,
                                         unsigned char *used,
                                         unsigned char *status);
 size_t va_filter_measure_velocity_batch(size_t n,
@@ -707,25 +712,28 @@ size_t va_filter_measure_velocity_batch(size_t n,
                                         const bs_real *R,
                                         size_t R_stride,
                                         const unsigned char *rows,
-                                        const bs_real *gate,
+                                        const bs_real *gates,
+                                        const int *iterations,
                                         bs_real *nu,
                                         bs_real *S,
+                                        bs_real *nis,
                                         unsigned char *used,
                                         unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        va_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        va_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)va_filter_measure_velocity(&filter[i], &imu[i * imu_stride],
-                                                              &mounting[i * mounting_stride],
-                                                              &master[i * master_stride],
-                                                              &R[i * R_stride], chosen, *gate,
-                                                              &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = va_filter_measure_velocity(&filter[i], &imu[i * imu_stride],
+                                         &mounting[i * mounting_stride], &master[i * master_stride],
+                                         &R[i * R_stride], &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -735,7 +743,7 @@ size_t va_filter_measure_velocity_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t va_filter_measure_dcm_batch(size_t n,
                                    va_filter *filter,
                                    const va_imu *imu,
@@ -745,9 +753,11 @@ size_t va_filter_measure_dcm_batch(size_t n,
                                    const bs_real *R,
                                    size_t R_stride,
                                    const unsigned char *rows,
-                                   const bs_real *gate,
+                                   const bs_real *gates,
+                                   const int *iterations,
                                    bs_real *nu,
                                    bs_real *S,
+                                   bs_real *nis,
                                    unsigned char *used,
                                    unsigned char *status);
 size_t va_filter_measure_dcm_batch(size_t n,
@@ -759,24 +769,27 @@ size_t va_filter_measure_dcm_batch(size_t n,
                                    const bs_real *R,
                                    size_t R_stride,
                                    const unsigned char *rows,
-                                   const bs_real *gate,
+                                   const bs_real *gates,
+                                   const int *iterations,
                                    bs_real *nu,
                                    bs_real *S,
+                                   bs_real *nis,
                                    unsigned char *used,
                                    unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        va_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        va_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)va_filter_measure_dcm(&filter[i], &imu[i * imu_stride],
-                                                         &master[i * master_stride],
-                                                         &R[i * R_stride], chosen, *gate,
-                                                         &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = va_filter_measure_dcm(&filter[i], &imu[i * imu_stride], &master[i * master_stride],
+                                    &R[i * R_stride], &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -786,7 +799,7 @@ size_t va_filter_measure_dcm_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t va_filter_measure_quaternion_batch(size_t n,
                                           va_filter *filter,
                                           const va_imu *imu,
@@ -796,10 +809,11 @@ size_t va_filter_measure_quaternion_batch(size_t n,
                                           const bs_real *R,
                                           size_t R_stride,
                                           const unsigned char *rows,
-                                          const bs_real *gate,
+                                          const bs_real *gates,
                                           const int *iterations,
                                           bs_real *nu,
                                           bs_real *S,
+                                          bs_real *nis,
                                           unsigned char *used,
                                           unsigned char *status);
 size_t va_filter_measure_quaternion_batch(size_t n,
@@ -811,25 +825,28 @@ size_t va_filter_measure_quaternion_batch(size_t n,
                                           const bs_real *R,
                                           size_t R_stride,
                                           const unsigned char *rows,
-                                          const bs_real *gate,
+                                          const bs_real *gates,
                                           const int *iterations,
                                           bs_real *nu,
                                           bs_real *S,
+                                          bs_real *nis,
                                           unsigned char *used,
                                           unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        va_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        va_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)va_filter_measure_quaternion(&filter[i], &imu[i * imu_stride],
-                                                                &master[i * master_stride],
-                                                                &R[i * R_stride], chosen, *gate,
-                                                                *iterations, &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = va_filter_measure_quaternion(&filter[i], &imu[i * imu_stride],
+                                           &master[i * master_stride], &R[i * R_stride], &how,
+                                           &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -839,7 +856,7 @@ size_t va_filter_measure_quaternion_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t va_filter_measure_euler_batch(size_t n,
                                      va_filter *filter,
                                      const va_imu *imu,
@@ -849,9 +866,11 @@ size_t va_filter_measure_euler_batch(size_t n,
                                      const bs_real *R,
                                      size_t R_stride,
                                      const unsigned char *rows,
-                                     const bs_real *gate,
+                                     const bs_real *gates,
+                                     const int *iterations,
                                      bs_real *nu,
                                      bs_real *S,
+                                     bs_real *nis,
                                      unsigned char *used,
                                      unsigned char *status);
 size_t va_filter_measure_euler_batch(size_t n,
@@ -863,24 +882,27 @@ size_t va_filter_measure_euler_batch(size_t n,
                                      const bs_real *R,
                                      size_t R_stride,
                                      const unsigned char *rows,
-                                     const bs_real *gate,
+                                     const bs_real *gates,
+                                     const int *iterations,
                                      bs_real *nu,
                                      bs_real *S,
+                                     bs_real *nis,
                                      unsigned char *used,
                                      unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        va_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        va_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)va_filter_measure_euler(&filter[i], &imu[i * imu_stride],
-                                                           &master[i * master_stride],
-                                                           &R[i * R_stride], chosen, *gate,
-                                                           &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = va_filter_measure_euler(&filter[i], &imu[i * imu_stride], &master[i * master_stride],
+                                      &R[i * R_stride], &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];

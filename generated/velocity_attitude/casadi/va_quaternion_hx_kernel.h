@@ -2,8 +2,8 @@
  * Boresight: do not edit.
  * Include it before va_quaternion_hx.c: it stands in for the flight kernel, whose include guard it
  * shares. */
-#ifndef VA_QUATERNION_H_KERNEL_H
-#define VA_QUATERNION_H_KERNEL_H
+#ifndef VA_QUATERNION_HX_KERNEL_H
+#define VA_QUATERNION_HX_KERNEL_H
 
 #include "boresight.h"
 

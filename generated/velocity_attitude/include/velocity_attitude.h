@@ -17,7 +17,11 @@
 #ifndef VELOCITY_ATTITUDE_H
 #define VELOCITY_ATTITUDE_H
 
-#include "boresight.h"
+#include "velocity_attitude_identity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* The error state. */
 /* attitude error, C_hat = (I - [phi x]) C (rad, NED) */
@@ -158,7 +162,7 @@ bs_status va_Qc(const va_nav *nav, const va_noise *noise, bs_real Qc[16 * VA_N_S
 /* The same, the non-zeros alone, row after row. */
 bs_status va_Qc_nz(const va_nav *nav, const va_noise *noise, bs_real Qc_nz[28]);
 
-/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
+/* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
  * in   nav->position            geodetic latitude, longitude, not wrapped, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                               -6.28319 to 6.28319, -500 to 30000
@@ -475,5 +479,9 @@ bs_status va_feedback(const bs_real x[VA_N_STATES],
                       bs_real accel_bias[3],
                       bs_real q_b2m_wxyz[4],
                       bs_real tau[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

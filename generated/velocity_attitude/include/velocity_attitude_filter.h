@@ -6,15 +6,36 @@
  * angle, nu lies in [-pi, pi).
  * In double the covariance is flown in symmetric Joseph form, in single precision (BORESIGHT_FLOAT)
  * as UD factors.
- * Every function returns a bs_status; with any but BS_OK the filter is as it was, save for its
- * scratch memory and for what is written of BS_NOT_POSITIVE.  Numbers are checked against the boxes
- * in velocity_attitude.h. */
+ * Every function returns a bs_status.  Numbers are checked against the boxes in
+ * velocity_attitude.h.
+ * BS_OK means that every number of x, nav and P is finite, nav lies in its box and every variance
+ * is at least 0; with UD also that P is positive semidefinite; with Joseph no more than the
+ * diagonal is claimed.  With another status (but BS_AT_CEILING, which claims the same as BS_OK) x,
+ * P and nav are as they were, bit for bit.
+ * A measurement is taken with all of its rows that pass, or not at all: with a status that is
+ * neither BS_OK nor BS_AT_CEILING no row of it stays taken, and innovation->used is 0.
+ * A variance has a ceiling.  Where a step carries one beyond it, its row and column of P are
+ * divided by a power of two, which changes no correlation, the step is taken, and the status is
+ * BS_AT_CEILING.  The ceilings, as sigmas: phi 1e+03, 1e+03, 1e+03 (rad), dv_n 1e+05, 1e+05, 1e+05
+ * (m/s), d_gyro_bias 1e+02, 1e+02, 1e+02 (rad/s), d_accel_bias 1e+03, 1e+03, 1e+03 (m/s^2), dmu
+ * 1e+03, 1e+03, 1e+03 (rad), d_tau 1e+03 (s).  No number of x may exceed them: BS_OUT_OF_RANGE. */
 #ifndef VELOCITY_ATTITUDE_FILTER_H
 #define VELOCITY_ATTITUDE_FILTER_H
 
 #include "velocity_attitude_covariance.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define VA_MAX_ROWS 3
+#define VA_MEASUREMENT_VELOCITY 0
+#define VA_MEASUREMENT_DCM 1
+#define VA_MEASUREMENT_QUATERNION 2
+#define VA_MEASUREMENT_EULER 3
+#define VA_N_MEASUREMENTS 4
+#define VA_N_BLOCKS 46 /* numbers of a square block for each block of states */
+#define VA_SNAPSHOT_SIZE (BS_SNAPSHOT_HEAD + 26 + (173 * (int)sizeof(bs_real)))
 
 /* The filter: filled by va_filter_init. */
 typedef struct {
@@ -25,11 +46,14 @@ typedef struct {
                              * velocity_attitude_covariance.h */
     unsigned char considered[VA_N_STATES]; /* by va_filter_consider, as is the next */
     unsigned char considering; /* whether there is any */
+    unsigned short rejected[VA_N_MEASUREMENTS]; /* see va_health */
+    unsigned short ceilings;
     /* scratch memory: holds nothing from one call to the next */
     bs_real F[VA_N_F];
     bs_real Qc[VA_N_QC];
     bs_real Phi[VA_N_PHI];
-    bs_real Q[VA_N_PACKED];
+    bs_real Q[VA_N_PACKED]; /* P as it was, during a measurement; as it will be, until it is
+                             * judged */
     bs_real work[VA_N_WORK];
 } va_filter;
 
@@ -38,24 +62,55 @@ typedef struct {
 typedef struct {
     bs_real nu[VA_MAX_ROWS]; /* z - H x, or z - h(x) */
     bs_real S[VA_MAX_ROWS];  /* the variance of nu */
+    bs_real nis;             /* sum of nu^2 / S of the rows used, or left out by the joint gate
+                              * alone: chi-square with as many degrees of freedom */
     unsigned int used;       /* bit i: row i was taken, neither masked nor gated */
 } va_innovation;
 
+/* What the filter has met since it began; the counts stay at 65535. */
+typedef struct {
+    bs_status state; /* BS_OK, or what is wrong with the numbers in the filter now: it should begin
+                      * anew */
+    unsigned int ceilings; /* how many steps ended with BS_AT_CEILING */
+    unsigned int rejected[VA_N_MEASUREMENTS]; /* by VA_MEASUREMENT_...: how many in a row left a row
+                                               * out that was asked for */
+} va_health;
+
 /* Begin from nav and a covariance P, dense, row-major; x is zero.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, or BS_NOT_POSITIVE: P is not
- * symmetric, or it is not positive semidefinite */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE (a variance above its ceiling
+ * too), or BS_NOT_POSITIVE: P is not symmetric, or it is not positive semidefinite */
 bs_status va_filter_init(va_filter *filter,
                          const va_nav *nav,
                          const bs_real P[VA_N_STATES * VA_N_STATES]);
 
+/* The same, from the square blocks of P along its diagonal, one after another, each row-major: phi
+ * 3 x 3, dv_n 3 x 3, d_gyro_bias 3 x 3, d_accel_bias 3 x 3, dmu 3 x 3, d_tau 1 x 1. */
+bs_status va_filter_init_blocks(va_filter *filter,
+                                const va_nav *nav,
+                                const bs_real blocks[VA_N_BLOCKS]);
+
+/* The same, from the sigmas of the states, which are not correlated. */
+bs_status va_filter_init_sigmas(va_filter *filter,
+                                const va_nav *nav,
+                                const bs_real sigma[VA_N_STATES]);
+
+/* Set nav from outside; P stays, and x becomes zero.  Where a strapdown or a correction is refused
+ * for good, this is the way out.
+ * in   clamp  0 to refuse a number outside its box; else it is put on the edge, and a vector that
+ *             has a norm is scaled to it
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; BS_NOT_POSITIVE: P is none */
+bs_status va_filter_set_nav(va_filter *filter, const va_nav *nav, int clamp);
+
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE: an input, or the result, lies
+ * outside its box; BS_NOT_POSITIVE: P is none */
 bs_status va_filter_strapdown(va_filter *filter,
                               const va_imu *imu,
                               const va_increments *increments);
 
 /* Carry x and P over dt: x = Phi x, P = Phi P Phi' + Q.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE,
+ * BS_NOT_POSITIVE */
 bs_status va_filter_propagate(va_filter *filter, const va_imu *imu, const va_noise *noise);
 
 /* From now on no measurement corrects the states whose number is not 0 (a Schmidt filter): their
@@ -63,91 +118,109 @@ bs_status va_filter_propagate(va_filter *filter, const va_imu *imu, const va_noi
  * their covariance with the others is right, and nu and S are those of the optimal filter.  None
  * after va_filter_init.  A state that is not needed at all is left out by zeros in P and in the
  * noise: it stays as it is by itself.
- * returns BS_OK, or BS_NULL_POINTER */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_POSITIVE: what the
+ * filter holds is wrong */
 bs_status va_filter_consider(va_filter *filter, const unsigned char considered[VA_N_STATES]);
 
 /* Velocity of the master: z = computed - measured; rows n, e, d (m/s).
  * Equations: kang-2025 (1), kang-2025 (3).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
- * in   rows        bit i: take row i; BS_ALL_ROWS
- * in   gate        a row whose |nu| exceeds this many sigmas is left out; 0 for no gate
- * out  innovation  nu, S and used of each row
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
- * a row is no number or S is not above 0, rows before it are taken, and the filter should begin
- * anew */
+ * in   gates       see bs_gates; NULL: every row, no gate
+ * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
+ *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
+ * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
+ * negative */
 bs_status va_filter_measure_velocity(va_filter *filter,
                                      const va_imu *imu,
                                      const va_mounting *mounting,
                                      const va_master *master,
                                      const bs_real R[3],
-                                     unsigned int rows,
-                                     bs_real gate,
+                                     const bs_gates *gates,
                                      va_innovation *innovation);
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one; rows n, e, d
  * (rad).
  * Equations: kang-2025 (4), kang-2025 (5).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
- * in   rows        bit i: take row i; BS_ALL_ROWS
- * in   gate        a row whose |nu| exceeds this many sigmas is left out; 0 for no gate
- * out  innovation  nu, S and used of each row
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
- * a row is no number or S is not above 0, rows before it are taken, and the filter should begin
- * anew */
+ * in   gates       see bs_gates; NULL: every row, no gate
+ * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
+ *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
+ * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
+ * negative */
 bs_status va_filter_measure_dcm(va_filter *filter,
                                 const va_imu *imu,
                                 const va_master *master,
                                 const bs_real R[3],
-                                unsigned int rows,
-                                bs_real gate,
+                                const bs_gates *gates,
                                 va_innovation *innovation);
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; rows n, e, d (rad).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
- * in   rows        bit i: take row i; BS_ALL_ROWS
- * in   gate        a row whose |nu| exceeds this many sigmas at the first linearisation is left
- *                  out; 0 for no gate
- * in   iterations  how often it is linearised at most, from the same x and P; 1 is the extended
- *                  Kalman filter.  It ends where no state and no row moves by more than .01 sigma.
- *                  Where one moves by more than a sigma and by more than before, or x leaves its
- *                  box, the first result is taken
- * out  innovation  nu, S and used of each row
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
- * a row is no number or S is not above 0, rows before it are taken, and the filter should begin
- * anew */
+ * in   gates       see bs_gates; NULL: every row, no gate.  Gates judge the first linearisation;
+ *                  each is from the same x and P, and 1 is the extended Kalman filter.  It ends
+ *                  where no state and no row moves by more than .01 sigma.  Where one moves by more
+ *                  than a sigma and by more than before, or x leaves its box, the first result is
+ *                  taken
+ * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
+ *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
+ * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
+ * negative */
 bs_status va_filter_measure_quaternion(va_filter *filter,
                                        const va_imu *imu,
                                        const va_master *master,
                                        const bs_real R[3],
-                                       unsigned int rows,
-                                       bs_real gate,
-                                       int iterations,
+                                       const bs_gates *gates,
                                        va_innovation *innovation);
 
 /* Euler angles of the master: z = computed - measured; rows roll, pitch, yaw (rad).
  * Equations: song-lee-2001 (13).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
- * in   rows        bit i: take row i; BS_ALL_ROWS
- * in   gate        a row whose |nu| exceeds this many sigmas is left out; 0 for no gate
- * out  innovation  nu, S and used of each row
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
- * a row is no number or S is not above 0, rows before it are taken, and the filter should begin
- * anew */
+ * in   gates       see bs_gates; NULL: every row, no gate
+ * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
+ *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
+ * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
+ * negative */
 bs_status va_filter_measure_euler(va_filter *filter,
                                   const va_imu *imu,
                                   const va_master *master,
                                   const bs_real R[3],
-                                  unsigned int rows,
-                                  bs_real gate,
+                                  const bs_gates *gates,
                                   va_innovation *innovation);
 
 /* The slave with the estimated errors taken out; x is zero afterwards.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE: x, or what is corrected, lies
+ * outside its box; BS_NOT_POSITIVE: P is none */
 bs_status va_filter_correct(va_filter *filter);
 
-/* The covariance as a dense matrix, row-major, whatever its form.
+/* The sigmas of all states, or the variance of state i, without a dense matrix.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE; BS_OUT_OF_RANGE: there is no
+ * state i */
+bs_status va_filter_sigmas(const va_filter *filter, bs_real sigma[VA_N_STATES]);
+bs_status va_filter_variance(const va_filter *filter, int i, bs_real *value);
+
+/* What the filter has met.
  * returns BS_OK, or BS_NULL_POINTER */
+bs_status va_filter_health(const va_filter *filter, va_health *health);
+
+/* All that is carried from call to call, behind a head that says whose it is.  Scratch memory is
+ * not in it.
+ * restore refuses the bytes of another model, layout, precision, form or order of bytes, and judges
+ * the numbers as init does.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE, BS_OUT_OF_RANGE */
+bs_status va_filter_snapshot(const va_filter *filter, unsigned char bytes[VA_SNAPSHOT_SIZE]);
+bs_status va_filter_restore(va_filter *filter, const unsigned char bytes[VA_SNAPSHOT_SIZE]);
+
+/* The covariance as a dense matrix, row-major, whatever its form.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE */
 bs_status va_filter_covariance(const va_filter *filter, bs_real P[VA_N_STATES * VA_N_STATES]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

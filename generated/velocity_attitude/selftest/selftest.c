@@ -75,6 +75,7 @@ int main(void)
 {
     int passed = 0;
     int failed = 0;
+    (void)printf("%s\n", va_identity());
     if (test_va_F() == 0) {
         ++passed;
     } else {
@@ -171,6 +172,12 @@ int main(void)
         (void)printf("FAILED va_feedback\n");
         ++failed;
     }
+    if (test_va_math() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED va_math\n");
+        ++failed;
+    }
     if (test_va_covariance() == 0) {
         ++passed;
     } else {
@@ -181,6 +188,12 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED va_filter\n");
+        ++failed;
+    }
+    if (test_va_digest() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED va_digest\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

@@ -2,7 +2,11 @@
 #ifndef BORESIGHT_SELFTEST_H
 #define BORESIGHT_SELFTEST_H
 
-#include "boresight.h"
+#include "velocity_attitude.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 double selftest_nan(void);
 double selftest_infinity(void);
@@ -37,7 +41,13 @@ int test_va_euler_H(void);
 int test_va_strapdown(void);
 int test_va_expected(void);
 int test_va_feedback(void);
+int test_va_math(void);
 int test_va_covariance(void);
 int test_va_filter(void);
+int test_va_digest(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

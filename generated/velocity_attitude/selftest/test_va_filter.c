@@ -69,6 +69,7 @@ static va_filter before;
 static va_innovation said;
 static va_innovation said_by_hand;
 static bs_real P0[N * N];
+static bs_real next_P[VA_N_PACKED];
 static bs_real dense[16 * N];
 static bs_real residual[VA_MAX_ROWS];
 static bs_real R[VA_MAX_ROWS];
@@ -80,8 +81,22 @@ static bs_real was[N];
 static bs_real gains[VA_MAX_ROWS * N];
 static unsigned char considered[N];
 static bs_real gate;
+static bs_real joint;
 static unsigned int rows;
 static int iterations;
+static bs_real sigmas[N];
+static bs_real blocks[VA_N_BLOCKS];
+static const int size_of_block[6] = { 3, 3, 3, 3, 3, 1 };
+static const bs_real ceiling[N] = { BS_REAL(1000000.0), BS_REAL(1000000.0), BS_REAL(1000000.0),
+                                    BS_REAL(10000000000.0), BS_REAL(10000000000.0),
+                                    BS_REAL(10000000000.0), BS_REAL(10000.0), BS_REAL(10000.0),
+                                    BS_REAL(10000.0), BS_REAL(1000000.0), BS_REAL(1000000.0),
+                                    BS_REAL(1000000.0), BS_REAL(1000000.0), BS_REAL(1000000.0),
+                                    BS_REAL(1000000.0), BS_REAL(1000000.0) };
+static va_health health;
+static unsigned char bytes[VA_SNAPSHOT_SIZE];
+static unsigned char again[VA_SNAPSHOT_SIZE];
+static int clamp;
 static va_nav given_nav;
 static va_imu given_imu;
 static va_increments given_increments;
@@ -127,7 +142,8 @@ static bs_status hand_propagate(va_filter *filter, const va_imu *imu, const va_n
     if (status == BS_OK) {
         va_discretize(filter->F, filter->Qc, imu->dt, filter->Phi, filter->Q, filter->work);
         va_predict_state(filter->Phi, filter->x);
-        PREDICT(filter->P, filter->Phi, filter->Q, filter->work);
+        PREDICT(filter->P, filter->Phi, filter->Q, next_P, filter->work);
+        memcpy(filter->P, next_P, sizeof(next_P));
     }
     return status;
 }
@@ -159,6 +175,7 @@ static bs_status hand_rows(va_filter *filter,
 {
     bs_status status = BS_OK;
     said_by_hand.used = 0U;
+    said_by_hand.nis = BS_REAL(0.0);
     memcpy(was, filter->x, sizeof(was));
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
         bs_row row = { &dense[i * N], every, N, z[i], variance[i], limit, z[i], variance[i],
@@ -167,6 +184,7 @@ static bs_status hand_rows(va_filter *filter,
         said_by_hand.nu[i] = row.nu;
         said_by_hand.S[i] = row.S;
         said_by_hand.used |= (unsigned int)row.used << (unsigned int)i;
+        said_by_hand.nis += (row.used != 0) ? ((row.nu * row.nu) / row.S) : BS_REAL(0.0);
     }
     if (considering()) {
         for (int i = 0; i < N; ++i) {
@@ -344,24 +362,48 @@ static bs_status correct(void)
 
 static bs_status measure_velocity(void)
 {
-    return va_filter_measure_velocity(&flown, &given_imu, &given_mounting, &given_master, R, rows,
-                                      gate, &said);
+    const bs_gates gates = { rows, gate, joint, iterations };
+    return va_filter_measure_velocity(&flown, &given_imu, &given_mounting, &given_master, R, &gates,
+                                      &said);
 }
 
 static bs_status measure_dcm(void)
 {
-    return va_filter_measure_dcm(&flown, &given_imu, &given_master, R, rows, gate, &said);
+    const bs_gates gates = { rows, gate, joint, iterations };
+    return va_filter_measure_dcm(&flown, &given_imu, &given_master, R, &gates, &said);
 }
 
 static bs_status measure_quaternion(void)
 {
-    return va_filter_measure_quaternion(&flown, &given_imu, &given_master, R, rows, gate,
-                                        iterations, &said);
+    const bs_gates gates = { rows, gate, joint, iterations };
+    return va_filter_measure_quaternion(&flown, &given_imu, &given_master, R, &gates, &said);
 }
 
 static bs_status measure_euler(void)
 {
-    return va_filter_measure_euler(&flown, &given_imu, &given_master, R, rows, gate, &said);
+    const bs_gates gates = { rows, gate, joint, iterations };
+    return va_filter_measure_euler(&flown, &given_imu, &given_master, R, &gates, &said);
+}
+
+static bs_status set_nav(void)
+{
+    return va_filter_set_nav(&flown, &given_nav, clamp);
+}
+
+
+static bs_status init_sigmas(void)
+{
+    return va_filter_init_sigmas(&flown, &given_nav, sigmas);
+}
+
+static bs_status init_blocks(void)
+{
+    return va_filter_init_blocks(&flown, &given_nav, blocks);
+}
+
+static bs_status restore(void)
+{
+    return va_filter_restore(&flown, bytes);
 }
 
 static void set_noise(bs_real scale)
@@ -453,6 +495,7 @@ static void set_point(int k)
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
     }
     gate = BS_REAL(0.0);
+    joint = BS_REAL(0.0);
     rows = BS_ALL_ROWS;
     iterations = 2;
 }
@@ -468,7 +511,7 @@ static int same(const char *what, bs_status a, bs_status b)
 static int same_said(const char *what, int m)
 {
     return expect(what, equal(said.nu, said_by_hand.nu, m) && equal(said.S, said_by_hand.S, m) &&
-                        (said.used == said_by_hand.used));
+                        equal(&said.nis, &said_by_hand.nis, 1) && (said.used == said_by_hand.used));
 }
 
 /* Begin with an error to correct and to carry. */
@@ -658,7 +701,8 @@ static int fly(int k_point)
         status = measure_quaternion();
         failures += same("quaternion: iterated", status,
                          hand_measure_quaternion(&hand, &given_imu, &given_master));
-        failures += same_said("quaternion: iterated", 3);
+        failures += bs_good(status) ? same_said("quaternion: iterated", 3)
+            : expect("quaternion: rows stay used", said.used == 0U);
         gate = BS_REAL(0.0);
         rows = BS_ALL_ROWS;
     }
@@ -758,9 +802,25 @@ static int refuses(const char *what, bs_status (*function)(void), bs_status want
     said.used = 77U;
     failures = expect(what, function() == wanted) +
         expect("the filter changed", same_state(&flown, &before));
-    failures += expect("the innovation is written", said.used == 77U);
+    failures += expect("rows stay used", (said.used == 77U) || (said.used == 0U));
     return failures + selftest_painted(what, said.nu, VA_MAX_ROWS) +
         selftest_painted(what, said.S, VA_MAX_ROWS);
+}
+
+/* A filter whose memory is spoilt: whatever it says, it is not that all is well, and it changes
+ * nothing. */
+static int unsound(const char *what, bs_status (*function)(void), bs_real *value, bs_real bad)
+{
+    const bs_real good = *value;
+    int failures;
+    *value = bad;
+    before = flown;
+    said.used = 77U;
+    failures = expect(what, !bs_good(function()));
+    failures += expect("the filter changed", same_state(&flown, &before)) +
+        expect("rows stay used", said.used != 1U);
+    *value = good;
+    return failures;
 }
 
 /* One number is NaN, infinite, beyond either end of its box, for a function that reads it. */
@@ -923,6 +983,461 @@ static int limits(void)
     return failures + begin();
 }
 
+/* What the sentence in the header says, beyond what is refused: ceilings, joint gate, snapshot,
+ * sigmas, beginnings. */
+static int kept(void)
+{
+    int failures = begin();
+    int from = 0;
+    int state = 0;
+    failures += expect("sigmas", va_filter_sigmas(&flown, sigmas) == BS_OK) +
+        expect("covariance", va_filter_covariance(&flown, dense) == BS_OK);
+    for (int i = 0; i < N; ++i) {
+        bs_real value = BS_REAL(0.0);
+        const bs_real root = BS_SQRT(dense[i * (N + 1)]);
+        failures += expect("sigmas", equal(&sigmas[i], &root, 1));
+        failures += expect("variance", (va_filter_variance(&flown, i, &value) == BS_OK) &&
+                           equal(&value, &dense[i * (N + 1)], 1));
+    }
+    failures += expect("variance of no state",
+                       (va_filter_variance(&flown, N, sigmas) == BS_OUT_OF_RANGE) &&
+                       (va_filter_variance(&flown, -1, sigmas) == BS_OUT_OF_RANGE));
+    /* a snapshot, and back */
+    failures += consider(1);
+    flown.rejected[0] = 7U;
+    flown.ceilings = 3U;
+    failures += expect("snapshot", va_filter_snapshot(&flown, bytes) == BS_OK);
+    before = flown;
+    memset(&flown, 0x5a, sizeof(flown));
+    failures += expect("restore", (restore() == BS_OK) && same_state(&flown, &before));
+    failures += expect("snapshot again", (va_filter_snapshot(&flown, again) == BS_OK) &&
+                       (memcmp(bytes, again, sizeof(bytes)) == 0));
+    failures += expect("restore: the rest", (flown.rejected[0] == 7U) && (flown.ceilings == 3U) &&
+                       (flown.considered[N - 1] == 1U) && (flown.considering == 1U));
+    /* its head, and its first number as NaN */
+    for (int i = 0; i < (BS_SNAPSHOT_HEAD + (int)sizeof(bs_real)); ++i) {
+        memcpy(again, bytes, sizeof(bytes));
+        bytes[i] ^= 1U;
+        if (i >= BS_SNAPSHOT_HEAD) {
+            memset(&bytes[BS_SNAPSHOT_HEAD], 0xff, sizeof(bs_real));
+        }
+        failures += refuses("restore", restore, (i < BS_SNAPSHOT_HEAD) ? BS_OUT_OF_RANGE
+                            : BS_NOT_FINITE);
+        memcpy(bytes, again, sizeof(bytes));
+    }
+    memset(considered, 0, sizeof(considered));
+    /* beginnings */
+    memset(dense, 0, sizeof(dense));
+    for (int b = 0; b < 6; ++b) {
+        const int n = size_of_block[b];
+        for (int i = 0; i < (n * n); ++i) {
+            const int at = ((state + (i / n)) * N) + state + (i % n);
+            blocks[from + i] = P0[at];
+            dense[at] = P0[at];
+        }
+        from += n * n;
+        state += n;
+    }
+    failures += expect("init", va_filter_init(&flown, &given_nav, dense) == BS_OK);
+    hand = flown;
+    failures += expect("init_blocks", (init_blocks() == BS_OK) && same_state(&flown, &hand));
+    memset(dense, 0, sizeof(dense));
+    for (int i = 0; i < N; ++i) {
+        sigmas[i] = BS_SQRT(P0[i * (N + 1)]);
+        dense[i * (N + 1)] = sigmas[i] * sigmas[i];
+    }
+    failures += expect("init", va_filter_init(&flown, &given_nav, dense) == BS_OK);
+    hand = flown;
+    failures += expect("init_sigmas", (init_sigmas() == BS_OK) && same_state(&flown, &hand));
+    sigmas[0] = -sigmas[0];
+    failures += refuses("init_sigmas: negative", init_sigmas, BS_NOT_POSITIVE);
+    blocks[0] = (bs_real)selftest_nan();
+    failures += refuses("init_blocks: NaN", init_blocks, BS_NOT_FINITE);
+    /* ceilings */
+    for (int i = 0; i < N; ++i) {
+        const bs_real root = BS_SQRT(ceiling[i]);
+        sigmas[0] = BS_SQRT(P0[0]);
+        sigmas[i] = BS_REAL(1.01) * root;
+        failures += refuses("init_sigmas: ceiling", init_sigmas, BS_OUT_OF_RANGE);
+        sigmas[i] = BS_REAL(0.99) * root;
+        failures += expect("init_sigmas: below the ceiling", init_sigmas() == BS_OK);
+        sigmas[i] = BS_SQRT(P0[i * (N + 1)]);
+        failures += expect("init_sigmas", init_sigmas() == BS_OK);
+        hand = flown;
+        for (int j = 0; j < N; ++j) { /* an unsteady one is lowered by a quarter, its row and column
+                                       * by a half, and nothing else */
+            hand.P[((j * (j + 3)) / 2)] = (j == i) ? (BS_REAL(0.75) * ceiling[j])
+                : flown.P[(j * (j + 3)) / 2];
+        }
+        flown.P[(i * (i + 3)) / 2] = BS_REAL(3.0) * ceiling[i];
+        rows = 0U;
+        failures += expect("at the ceiling", measure_velocity() == BS_AT_CEILING) +
+            same("lowered", BS_OK, BS_OK);
+        failures += expect("then below it", measure_velocity() == BS_OK);
+        flown.P[(i * (i + 3)) / 2] = BS_REAL(64.0) * ceiling[i];
+        state = (int)propagate();
+        failures += expect("propagate at the ceiling", bs_good((bs_status)state) &&
+                           (va_filter_sigmas(&flown, was) == BS_OK));
+        for (int j = 0; j < N; ++j) {
+            failures += expect("above the ceiling",
+                               (was[j] * was[j]) <= (BS_REAL(1.00001) * ceiling[j]));
+        }
+        failures += expect("ceilings", flown.ceilings == ((state == (int)BS_AT_CEILING) ? 1U : 0U));
+        rows = BS_ALL_ROWS;
+    }
+    /* the joint gate just above nis, and just below */
+    set_noise(BS_REAL(1e-9));
+    failures += begin();
+    iterations = 0;
+    failures += expect("velocity", (measure_velocity() == BS_OK) && (said.used == 7U));
+    if (said.nis > BS_REAL(0.0)) {
+        for (int k = 0; k < 4; ++k) {
+            const bs_real nis = said.nis;
+            iterations = (k < 2) ? 1 : 5;
+            failures += begin();
+            flown.rejected[0] = (k > 1) ? 65535U : 4U;
+            joint = nis * (((k % 2) == 0) ? BS_REAL(0.999) : BS_REAL(1.001));
+            before = flown;
+            failures += expect("velocity: joint gate", measure_velocity() == BS_OK);
+            if ((k % 2) == 0) {
+                failures += expect("velocity: rejected", same_state(&flown, &before) &&
+                                   (said.used == 0U) && equal(&said.nis, &nis, 1));
+                failures += expect("velocity: counted",
+                                   flown.rejected[0] == ((k > 1) ? 65535U : 5U));
+            } else {
+                failures += expect("velocity: taken", (said.used == 7U) &&
+                                   (flown.rejected[0] == 0U));
+            }
+            said.nis = nis;
+        }
+    }
+    set_point(0);
+    failures += begin();
+    failures += expect("without gates",
+                       va_filter_measure_velocity(&flown, &given_imu, &given_mounting,
+                                                  &given_master, R, NULL, &said) == BS_OK) +
+        expect("all rows", said.used == 7U);
+    /* the joint gate just above nis, and just below */
+    set_noise(BS_REAL(1e-9));
+    failures += begin();
+    iterations = 0;
+    failures += expect("dcm", (measure_dcm() == BS_OK) && (said.used == 7U));
+    if (said.nis > BS_REAL(0.0)) {
+        for (int k = 0; k < 4; ++k) {
+            const bs_real nis = said.nis;
+            iterations = (k < 2) ? 1 : 5;
+            failures += begin();
+            flown.rejected[1] = (k > 1) ? 65535U : 4U;
+            joint = nis * (((k % 2) == 0) ? BS_REAL(0.999) : BS_REAL(1.001));
+            before = flown;
+            failures += expect("dcm: joint gate", measure_dcm() == BS_OK);
+            if ((k % 2) == 0) {
+                failures += expect("dcm: rejected", same_state(&flown, &before) &&
+                                   (said.used == 0U) && equal(&said.nis, &nis, 1));
+                failures += expect("dcm: counted", flown.rejected[1] == ((k > 1) ? 65535U : 5U));
+            } else {
+                failures += expect("dcm: taken", (said.used == 7U) && (flown.rejected[1] == 0U));
+            }
+            said.nis = nis;
+        }
+    }
+    set_point(0);
+    failures += begin();
+    failures += expect("without gates",
+                       va_filter_measure_dcm(&flown, &given_imu, &given_master, R, NULL,
+                                             &said) == BS_OK) + expect("all rows", said.used == 7U);
+    /* the joint gate just above nis, and just below */
+    set_noise(BS_REAL(1e-9));
+    failures += begin();
+    iterations = 0;
+    failures += expect("quaternion", (measure_quaternion() == BS_OK) && (said.used == 7U));
+    if (said.nis > BS_REAL(0.0)) {
+        for (int k = 0; k < 4; ++k) {
+            const bs_real nis = said.nis;
+            iterations = (k < 2) ? 1 : 5;
+            failures += begin();
+            flown.rejected[2] = (k > 1) ? 65535U : 4U;
+            joint = nis * (((k % 2) == 0) ? BS_REAL(0.999) : BS_REAL(1.001));
+            before = flown;
+            failures += expect("quaternion: joint gate", measure_quaternion() == BS_OK);
+            if ((k % 2) == 0) {
+                failures += expect("quaternion: rejected", same_state(&flown, &before) &&
+                                   (said.used == 0U) && equal(&said.nis, &nis, 1));
+                failures += expect("quaternion: counted",
+                                   flown.rejected[2] == ((k > 1) ? 65535U : 5U));
+            } else {
+                failures += expect("quaternion: taken", (said.used == 7U) &&
+                                   (flown.rejected[2] == 0U));
+            }
+            said.nis = nis;
+        }
+    }
+    set_point(0);
+    failures += begin();
+    failures += expect("without gates",
+                       va_filter_measure_quaternion(&flown, &given_imu, &given_master, R, NULL,
+                                                    &said) == BS_OK) +
+        expect("all rows", said.used == 7U);
+    /* the joint gate just above nis, and just below */
+    set_noise(BS_REAL(1e-9));
+    failures += begin();
+    iterations = 0;
+    failures += expect("euler", (measure_euler() == BS_OK) && (said.used == 7U));
+    if (said.nis > BS_REAL(0.0)) {
+        for (int k = 0; k < 4; ++k) {
+            const bs_real nis = said.nis;
+            iterations = (k < 2) ? 1 : 5;
+            failures += begin();
+            flown.rejected[3] = (k > 1) ? 65535U : 4U;
+            joint = nis * (((k % 2) == 0) ? BS_REAL(0.999) : BS_REAL(1.001));
+            before = flown;
+            failures += expect("euler: joint gate", measure_euler() == BS_OK);
+            if ((k % 2) == 0) {
+                failures += expect("euler: rejected", same_state(&flown, &before) &&
+                                   (said.used == 0U) && equal(&said.nis, &nis, 1));
+                failures += expect("euler: counted", flown.rejected[3] == ((k > 1) ? 65535U : 5U));
+            } else {
+                failures += expect("euler: taken", (said.used == 7U) && (flown.rejected[3] == 0U));
+            }
+            said.nis = nis;
+        }
+    }
+    set_point(0);
+    failures += begin();
+    failures += expect("without gates",
+                       va_filter_measure_euler(&flown, &given_imu, &given_master, R, NULL,
+                                               &said) == BS_OK) +
+        expect("all rows", said.used == 7U);
+    /* memory that something else has written to */
+    failures += begin();
+    failures += expect("health", (va_filter_health(&flown, &health) == BS_OK) &&
+                       (health.state == BS_OK) && (health.ceilings == 0U) &&
+                       (health.rejected[0] == 0U));
+    for (int k = 0; k < 3; ++k) {
+        bs_real *const value = (k == 0) ? &flown.x[0] : (k == 1) ? &flown.P[VA_N_PACKED - 1]
+            : &flown.P[0];
+        const bs_real bad = (k < 2) ? (bs_real)selftest_nan() : BS_REAL(-1.0);
+        const bs_real good = *value;
+        *value = bad;
+        failures += expect("health of the sick", (va_filter_health(&flown, &health) == BS_OK) &&
+                           (health.state != BS_OK));
+        failures += expect("covariance of NaN", va_filter_covariance(&flown, dense) != BS_OK) +
+            expect("sigmas of NaN", va_filter_sigmas(&flown, sigmas) != BS_OK);
+        failures += expect("variance of NaN", va_filter_variance(&flown, 0, sigmas) != BS_OK) +
+            expect("snapshot of NaN", va_filter_snapshot(&flown, bytes) != BS_OK);
+        failures += expect("consider: memory",
+                           va_filter_consider(&flown, flown.considered) != BS_OK);
+        *value = good;
+        if (k < 2) {
+            failures += unsound("propagate: memory", propagate, value, bad);
+        }
+        failures += unsound("strapdown: memory", strapdown, value, bad);
+        failures += unsound("correct: memory", correct, value, bad);
+        rows = (k == 2) ? 0U : BS_ALL_ROWS;
+        failures += unsound("measure_velocity: memory", measure_velocity, value, bad);
+        rows = (k == 2) ? 0U : BS_ALL_ROWS;
+        failures += unsound("measure_dcm: memory", measure_dcm, value, bad);
+        rows = (k == 2) ? 0U : BS_ALL_ROWS;
+        failures += unsound("measure_quaternion: memory", measure_quaternion, value, bad);
+        rows = (k == 2) ? 0U : BS_ALL_ROWS;
+        failures += unsound("measure_euler: memory", measure_euler, value, bad);
+        rows = BS_ALL_ROWS;
+    }
+    /* nav from outside: P stays, x is zero; clamped to the edge, or refused */
+    failures += begin();
+    hand = flown;
+    memset(hand.x, 0, sizeof(hand.x));
+    failures += expect("set_nav", set_nav() == BS_OK) + same("set_nav", BS_OK, BS_OK);
+    {
+        static const bs_real low[3] = { BS_REAL(-1.4835298641951802), BS_REAL(-6.283185307179586),
+                                        BS_REAL(-500.0) };
+        static const bs_real high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586),
+                                         BS_REAL(30000.0) };
+        for (int i = 0; i < 3; ++i) {
+            const bs_real good = given_nav.position[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.position[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: position", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.position[i] >= low[i]) &&
+                                   (flown.nav.position[i] <= high[i]));
+                failures += expect("set_nav: to the edge",
+                                   equal(&flown.nav.position[i], (end == 0) ? &low[i] : &high[i],
+                                         1));
+                given_nav.position[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                  : selftest_infinity());
+                failures += refuses("set_nav: position", set_nav, BS_NOT_FINITE);
+                given_nav.position[i] = good;
+            }
+        }
+    }
+    {
+        static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
+        static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
+        for (int i = 0; i < 3; ++i) {
+            const bs_real good = given_nav.v_n[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.v_n[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: v_n", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.v_n[i] >= low[i]) && (flown.nav.v_n[i] <= high[i]));
+                failures += expect("set_nav: to the edge",
+                                   equal(&flown.nav.v_n[i], (end == 0) ? &low[i] : &high[i], 1));
+                given_nav.v_n[i] = (bs_real)((end == 0) ? selftest_nan() : selftest_infinity());
+                failures += refuses("set_nav: v_n", set_nav, BS_NOT_FINITE);
+                given_nav.v_n[i] = good;
+            }
+        }
+    }
+    {
+        static const bs_real low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                        BS_REAL(-1.001) };
+        static const bs_real high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                         BS_REAL(1.001) };
+        for (int i = 0; i < 4; ++i) {
+            const bs_real good = given_nav.q_b2n_wxyz[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
+                                   (flown.nav.q_b2n_wxyz[i] <= high[i]));
+                given_nav.q_b2n_wxyz[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                    : selftest_infinity());
+                failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_NOT_FINITE);
+                given_nav.q_b2n_wxyz[i] = good;
+            }
+        }
+    }
+    {
+        static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
+                                        BS_REAL(-0.017453292519943295),
+                                        BS_REAL(-0.017453292519943295) };
+        static const bs_real high[3] = { BS_REAL(0.017453292519943295),
+                                         BS_REAL(0.017453292519943295),
+                                         BS_REAL(0.017453292519943295) };
+        for (int i = 0; i < 3; ++i) {
+            const bs_real good = given_nav.gyro_bias[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.gyro_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: gyro_bias", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.gyro_bias[i] >= low[i]) &&
+                                   (flown.nav.gyro_bias[i] <= high[i]));
+                failures += expect("set_nav: to the edge",
+                                   equal(&flown.nav.gyro_bias[i], (end == 0) ? &low[i] : &high[i],
+                                         1));
+                given_nav.gyro_bias[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                   : selftest_infinity());
+                failures += refuses("set_nav: gyro_bias", set_nav, BS_NOT_FINITE);
+                given_nav.gyro_bias[i] = good;
+            }
+        }
+    }
+    {
+        static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
+        static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
+        for (int i = 0; i < 3; ++i) {
+            const bs_real good = given_nav.accel_bias[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.accel_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: accel_bias", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.accel_bias[i] >= low[i]) &&
+                                   (flown.nav.accel_bias[i] <= high[i]));
+                failures += expect("set_nav: to the edge",
+                                   equal(&flown.nav.accel_bias[i], (end == 0) ? &low[i] : &high[i],
+                                         1));
+                given_nav.accel_bias[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                    : selftest_infinity());
+                failures += refuses("set_nav: accel_bias", set_nav, BS_NOT_FINITE);
+                given_nav.accel_bias[i] = good;
+            }
+        }
+    }
+    {
+        static const bs_real low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                        BS_REAL(-1.001) };
+        static const bs_real high[4] = { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                         BS_REAL(1.001) };
+        for (int i = 0; i < 4; ++i) {
+            const bs_real good = given_nav.q_b2m_wxyz[i];
+            for (int end = 0; end < 2; ++end) {
+                given_nav.q_b2m_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: q_b2m_wxyz", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.q_b2m_wxyz[i] >= low[i]) &&
+                                   (flown.nav.q_b2m_wxyz[i] <= high[i]));
+                given_nav.q_b2m_wxyz[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                    : selftest_infinity());
+                failures += refuses("set_nav: q_b2m_wxyz", set_nav, BS_NOT_FINITE);
+                given_nav.q_b2m_wxyz[i] = good;
+            }
+        }
+    }
+    {
+        static const bs_real low[1] = { BS_REAL(-1.0) };
+        static const bs_real high[1] = { BS_REAL(1.0) };
+        for (int i = 0; i < 1; ++i) {
+            const bs_real good = given_nav.tau;
+            for (int end = 0; end < 2; ++end) {
+                given_nav.tau = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                    : (BS_REAL(2.0) * high[i]) - low[i];
+                clamp = 0;
+                failures += refuses("set_nav: tau", set_nav, BS_OUT_OF_RANGE);
+                clamp = 1;
+                failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
+                                   (flown.nav.tau >= low[i]) && (flown.nav.tau <= high[i]));
+                failures += expect("set_nav: to the edge",
+                                   equal(&flown.nav.tau, (end == 0) ? &low[i] : &high[i], 1));
+                given_nav.tau = (bs_real)((end == 0) ? selftest_nan() : selftest_infinity());
+                failures += refuses("set_nav: tau", set_nav, BS_NOT_FINITE);
+                given_nav.tau = good;
+            }
+        }
+    }
+    clamp = 0;
+    failures += expect("set_nav", set_nav() == BS_OK);
+    /* where the correction would leave the box, nothing is changed: the way out is set_nav */
+    for (int i = 0; i < N; ++i) {
+        static const double x_low[N] = { -0.5, -0.5, -0.5, -100.0, -100.0, -100.0,
+                                         -0.017453292519943295, -0.017453292519943295,
+                                         -0.017453292519943295, -1.0, -1.0, -1.0, -0.5, -0.5, -0.5,
+                                         -1.0 };
+        static const double x_high[N] = { 0.5, 0.5, 0.5, 100.0, 100.0, 100.0, 0.017453292519943295,
+                                          0.017453292519943295, 0.017453292519943295, 1.0, 1.0, 1.0,
+                                          0.5, 0.5, 0.5, 1.0 };
+        for (int end = 0; end < 2; ++end) {
+            failures += begin();
+            flown.x[i] = (bs_real)(0.999 * ((end == 0) ? x_low[i] : x_high[i]));
+            before = flown;
+            failures += expect("correct: undone", (correct() == BS_OK) ||
+                               same_state(&flown, &before));
+            failures += expect("then health", (va_filter_health(&flown, &health) == BS_OK) &&
+                               (health.state == BS_OK));
+        }
+    }
+    return failures + begin();
+}
+
 static int guards(void)
 {
     int failures = begin();
@@ -931,9 +1446,13 @@ static int guards(void)
         static const double high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
+            failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
+                              high[i]);
             failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
                               high[i]);
             failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
+                              high[i]);
+            failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
                               high[i]);
             failures += spoil("measure_velocity: position", measure_velocity,
                               &flown.nav.position[i], low[i], high[i]);
@@ -950,6 +1469,7 @@ static int guards(void)
         static const double high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+            failures += spoil("set_nav: v_n", set_nav, &given_nav.v_n[i], low[i], high[i]);
             failures += spoil("propagate: v_n", propagate, &flown.nav.v_n[i], low[i], high[i]);
             failures += spoil("strapdown: v_n", strapdown, &flown.nav.v_n[i], low[i], high[i]);
             failures += spoil("correct: v_n", correct, &flown.nav.v_n[i], low[i], high[i]);
@@ -967,6 +1487,8 @@ static int guards(void)
         static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
+            failures += spoil("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], low[i],
+                              high[i]);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += spoil("strapdown: q_b2n_wxyz", strapdown, &flown.nav.q_b2n_wxyz[i], low[i],
@@ -990,10 +1512,22 @@ static int guards(void)
                                         0.01746201916620327 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
+            failures += spoil("set_nav: gyro_bias", set_nav, &given_nav.gyro_bias[i], low[i],
+                              high[i]);
+            failures += spoil("propagate: gyro_bias", propagate, &flown.nav.gyro_bias[i], low[i],
+                              high[i]);
             failures += spoil("strapdown: gyro_bias", strapdown, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
             failures += spoil("correct: gyro_bias", correct, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
+            failures += spoil("measure_velocity: gyro_bias", measure_velocity,
+                              &flown.nav.gyro_bias[i], low[i], high[i]);
+            failures += spoil("measure_dcm: gyro_bias", measure_dcm, &flown.nav.gyro_bias[i],
+                              low[i], high[i]);
+            failures += spoil("measure_quaternion: gyro_bias", measure_quaternion,
+                              &flown.nav.gyro_bias[i], low[i], high[i]);
+            failures += spoil("measure_euler: gyro_bias", measure_euler, &flown.nav.gyro_bias[i],
+                              low[i], high[i]);
         }
     }
     {
@@ -1001,10 +1535,22 @@ static int guards(void)
         static const double high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
+            failures += spoil("set_nav: accel_bias", set_nav, &given_nav.accel_bias[i], low[i],
+                              high[i]);
+            failures += spoil("propagate: accel_bias", propagate, &flown.nav.accel_bias[i], low[i],
+                              high[i]);
             failures += spoil("strapdown: accel_bias", strapdown, &flown.nav.accel_bias[i], low[i],
                               high[i]);
             failures += spoil("correct: accel_bias", correct, &flown.nav.accel_bias[i], low[i],
                               high[i]);
+            failures += spoil("measure_velocity: accel_bias", measure_velocity,
+                              &flown.nav.accel_bias[i], low[i], high[i]);
+            failures += spoil("measure_dcm: accel_bias", measure_dcm, &flown.nav.accel_bias[i],
+                              low[i], high[i]);
+            failures += spoil("measure_quaternion: accel_bias", measure_quaternion,
+                              &flown.nav.accel_bias[i], low[i], high[i]);
+            failures += spoil("measure_euler: accel_bias", measure_euler, &flown.nav.accel_bias[i],
+                              low[i], high[i]);
         }
     }
     {
@@ -1012,8 +1558,16 @@ static int guards(void)
         static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2m_wxyz", init, &given_nav.q_b2m_wxyz[i], low[i], high[i]);
+            failures += spoil("set_nav: q_b2m_wxyz", set_nav, &given_nav.q_b2m_wxyz[i], low[i],
+                              high[i]);
+            failures += spoil("propagate: q_b2m_wxyz", propagate, &flown.nav.q_b2m_wxyz[i], low[i],
+                              high[i]);
+            failures += spoil("strapdown: q_b2m_wxyz", strapdown, &flown.nav.q_b2m_wxyz[i], low[i],
+                              high[i]);
             failures += spoil("correct: q_b2m_wxyz", correct, &flown.nav.q_b2m_wxyz[i], low[i],
                               high[i]);
+            failures += spoil("measure_velocity: q_b2m_wxyz", measure_velocity,
+                              &flown.nav.q_b2m_wxyz[i], low[i], high[i]);
             failures += spoil("measure_dcm: q_b2m_wxyz", measure_dcm, &flown.nav.q_b2m_wxyz[i],
                               low[i], high[i]);
             failures += spoil("measure_quaternion: q_b2m_wxyz", measure_quaternion,
@@ -1027,7 +1581,16 @@ static int guards(void)
         static const double high[1] = { 1.0005 };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("init: tau", init, &given_nav.tau, low[i], high[i]);
+            failures += spoil("set_nav: tau", set_nav, &given_nav.tau, low[i], high[i]);
+            failures += spoil("propagate: tau", propagate, &flown.nav.tau, low[i], high[i]);
+            failures += spoil("strapdown: tau", strapdown, &flown.nav.tau, low[i], high[i]);
             failures += spoil("correct: tau", correct, &flown.nav.tau, low[i], high[i]);
+            failures += spoil("measure_velocity: tau", measure_velocity, &flown.nav.tau, low[i],
+                              high[i]);
+            failures += spoil("measure_dcm: tau", measure_dcm, &flown.nav.tau, low[i], high[i]);
+            failures += spoil("measure_quaternion: tau", measure_quaternion, &flown.nav.tau, low[i],
+                              high[i]);
+            failures += spoil("measure_euler: tau", measure_euler, &flown.nav.tau, low[i], high[i]);
         }
     }
     {
@@ -1200,49 +1763,62 @@ static int guards(void)
         failures += spoil("measure_velocity: R", measure_velocity, &R[i], 1e-30 * 0.9995, 1e+30 *
                           1.0005);
     }
-    gate = (bs_real)selftest_nan(); /* is not looked at */
-    failures += expect("measure_velocity: a null pointer",
-                       va_filter_measure_velocity(0, &given_imu, &given_mounting, &given_master, R,
-                                                  rows, gate, &said) == BS_NULL_POINTER);
-    failures += expect("measure_velocity: a null pointer",
-                       va_filter_measure_velocity(&flown, 0, &given_mounting, &given_master, R,
-                                                  rows, gate, &said) == BS_NULL_POINTER);
-    failures += expect("measure_velocity: a null pointer",
-                       va_filter_measure_velocity(&flown, &given_imu, 0, &given_master, R, rows,
-                                                  gate, &said) == BS_NULL_POINTER);
-    failures += expect("measure_velocity: a null pointer",
-                       va_filter_measure_velocity(&flown, &given_imu, &given_mounting, 0, R, rows,
-                                                  gate, &said) == BS_NULL_POINTER);
-    failures += expect("measure_velocity: a null pointer",
-                       va_filter_measure_velocity(&flown, &given_imu, &given_mounting,
-                                                  &given_master, 0, rows, gate,
-                                                  &said) == BS_NULL_POINTER);
-    failures += expect("measure_velocity: a null pointer",
-                       va_filter_measure_velocity(&flown, &given_imu, &given_mounting,
-                                                  &given_master, R, rows, gate,
-                                                  0) == BS_NULL_POINTER);
-    gate = BS_REAL(0.0);
+    iterations = -1;
+    failures += refuses("measure_velocity: iterations", measure_velocity, BS_OUT_OF_RANGE);
+    iterations = 2;
+    failures += spoil("measure_velocity: joint gate", measure_velocity, &joint, -1e-30, 1e+30 *
+                      1.0005);
+    {
+        /* is not looked at */
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        failures += expect("measure_velocity: a null pointer",
+                           va_filter_measure_velocity(0, &given_imu, &given_mounting, &given_master,
+                                                      R, &gates, &said) == BS_NULL_POINTER);
+        failures += expect("measure_velocity: a null pointer",
+                           va_filter_measure_velocity(&flown, 0, &given_mounting, &given_master, R,
+                                                      &gates, &said) == BS_NULL_POINTER);
+        failures += expect("measure_velocity: a null pointer",
+                           va_filter_measure_velocity(&flown, &given_imu, 0, &given_master, R,
+                                                      &gates, &said) == BS_NULL_POINTER);
+        failures += expect("measure_velocity: a null pointer",
+                           va_filter_measure_velocity(&flown, &given_imu, &given_mounting, 0, R,
+                                                      &gates, &said) == BS_NULL_POINTER);
+        failures += expect("measure_velocity: a null pointer",
+                           va_filter_measure_velocity(&flown, &given_imu, &given_mounting,
+                                                      &given_master, 0, &gates,
+                                                      &said) == BS_NULL_POINTER);
+        failures += expect("measure_velocity: a null pointer",
+                           va_filter_measure_velocity(&flown, &given_imu, &given_mounting,
+                                                      &given_master, R, &gates,
+                                                      0) == BS_NULL_POINTER);
+    }
     failures += spoil("measure_dcm: gate", measure_dcm, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
         failures += spoil("measure_dcm: R", measure_dcm, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    gate = (bs_real)selftest_nan(); /* is not looked at */
-    failures += expect("measure_dcm: a null pointer",
-                       va_filter_measure_dcm(0, &given_imu, &given_master, R, rows, gate,
-                                             &said) == BS_NULL_POINTER);
-    failures += expect("measure_dcm: a null pointer",
-                       va_filter_measure_dcm(&flown, 0, &given_master, R, rows, gate,
-                                             &said) == BS_NULL_POINTER);
-    failures += expect("measure_dcm: a null pointer",
-                       va_filter_measure_dcm(&flown, &given_imu, 0, R, rows, gate,
-                                             &said) == BS_NULL_POINTER);
-    failures += expect("measure_dcm: a null pointer",
-                       va_filter_measure_dcm(&flown, &given_imu, &given_master, 0, rows, gate,
-                                             &said) == BS_NULL_POINTER);
-    failures += expect("measure_dcm: a null pointer",
-                       va_filter_measure_dcm(&flown, &given_imu, &given_master, R, rows, gate,
-                                             0) == BS_NULL_POINTER);
-    gate = BS_REAL(0.0);
+    iterations = -1;
+    failures += refuses("measure_dcm: iterations", measure_dcm, BS_OUT_OF_RANGE);
+    iterations = 2;
+    failures += spoil("measure_dcm: joint gate", measure_dcm, &joint, -1e-30, 1e+30 * 1.0005);
+    {
+        /* is not looked at */
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        failures += expect("measure_dcm: a null pointer",
+                           va_filter_measure_dcm(0, &given_imu, &given_master, R, &gates,
+                                                 &said) == BS_NULL_POINTER);
+        failures += expect("measure_dcm: a null pointer",
+                           va_filter_measure_dcm(&flown, 0, &given_master, R, &gates,
+                                                 &said) == BS_NULL_POINTER);
+        failures += expect("measure_dcm: a null pointer",
+                           va_filter_measure_dcm(&flown, &given_imu, 0, R, &gates,
+                                                 &said) == BS_NULL_POINTER);
+        failures += expect("measure_dcm: a null pointer",
+                           va_filter_measure_dcm(&flown, &given_imu, &given_master, 0, &gates,
+                                                 &said) == BS_NULL_POINTER);
+        failures += expect("measure_dcm: a null pointer",
+                           va_filter_measure_dcm(&flown, &given_imu, &given_master, R, &gates,
+                                                 0) == BS_NULL_POINTER);
+    }
     failures += spoil("measure_quaternion: gate", measure_quaternion, &gate, -1e-30, 1e+30 *
                       1.0005);
     for (int i = 0; i < 3; ++i) {
@@ -1261,47 +1837,57 @@ static int guards(void)
         failures += spoil("measure_quaternion: x", measure_quaternion, &flown.x[i], low[i],
                           high[i]);
     }
-    iterations = 0;
+    iterations = -1;
     failures += refuses("measure_quaternion: iterations", measure_quaternion, BS_OUT_OF_RANGE);
     iterations = 2;
-    gate = (bs_real)selftest_nan(); /* is not looked at */
-    failures += expect("measure_quaternion: a null pointer",
-                       va_filter_measure_quaternion(0, &given_imu, &given_master, R, rows, gate,
-                                                    iterations, &said) == BS_NULL_POINTER);
-    failures += expect("measure_quaternion: a null pointer",
-                       va_filter_measure_quaternion(&flown, 0, &given_master, R, rows, gate,
-                                                    iterations, &said) == BS_NULL_POINTER);
-    failures += expect("measure_quaternion: a null pointer",
-                       va_filter_measure_quaternion(&flown, &given_imu, 0, R, rows, gate,
-                                                    iterations, &said) == BS_NULL_POINTER);
-    failures += expect("measure_quaternion: a null pointer",
-                       va_filter_measure_quaternion(&flown, &given_imu, &given_master, 0, rows,
-                                                    gate, iterations, &said) == BS_NULL_POINTER);
-    failures += expect("measure_quaternion: a null pointer",
-                       va_filter_measure_quaternion(&flown, &given_imu, &given_master, R, rows,
-                                                    gate, iterations, 0) == BS_NULL_POINTER);
-    gate = BS_REAL(0.0);
+    failures += spoil("measure_quaternion: joint gate", measure_quaternion, &joint, -1e-30, 1e+30 *
+                      1.0005);
+    {
+        /* is not looked at */
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        failures += expect("measure_quaternion: a null pointer",
+                           va_filter_measure_quaternion(0, &given_imu, &given_master, R, &gates,
+                                                        &said) == BS_NULL_POINTER);
+        failures += expect("measure_quaternion: a null pointer",
+                           va_filter_measure_quaternion(&flown, 0, &given_master, R, &gates,
+                                                        &said) == BS_NULL_POINTER);
+        failures += expect("measure_quaternion: a null pointer",
+                           va_filter_measure_quaternion(&flown, &given_imu, 0, R, &gates,
+                                                        &said) == BS_NULL_POINTER);
+        failures += expect("measure_quaternion: a null pointer",
+                           va_filter_measure_quaternion(&flown, &given_imu, &given_master, 0,
+                                                        &gates, &said) == BS_NULL_POINTER);
+        failures += expect("measure_quaternion: a null pointer",
+                           va_filter_measure_quaternion(&flown, &given_imu, &given_master, R,
+                                                        &gates, 0) == BS_NULL_POINTER);
+    }
     failures += spoil("measure_euler: gate", measure_euler, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
         failures += spoil("measure_euler: R", measure_euler, &R[i], 1e-30 * 0.9995, 1e+30 * 1.0005);
     }
-    gate = (bs_real)selftest_nan(); /* is not looked at */
-    failures += expect("measure_euler: a null pointer",
-                       va_filter_measure_euler(0, &given_imu, &given_master, R, rows, gate,
-                                               &said) == BS_NULL_POINTER);
-    failures += expect("measure_euler: a null pointer",
-                       va_filter_measure_euler(&flown, 0, &given_master, R, rows, gate,
-                                               &said) == BS_NULL_POINTER);
-    failures += expect("measure_euler: a null pointer",
-                       va_filter_measure_euler(&flown, &given_imu, 0, R, rows, gate,
-                                               &said) == BS_NULL_POINTER);
-    failures += expect("measure_euler: a null pointer",
-                       va_filter_measure_euler(&flown, &given_imu, &given_master, 0, rows, gate,
-                                               &said) == BS_NULL_POINTER);
-    failures += expect("measure_euler: a null pointer",
-                       va_filter_measure_euler(&flown, &given_imu, &given_master, R, rows, gate,
-                                               0) == BS_NULL_POINTER);
-    gate = BS_REAL(0.0);
+    iterations = -1;
+    failures += refuses("measure_euler: iterations", measure_euler, BS_OUT_OF_RANGE);
+    iterations = 2;
+    failures += spoil("measure_euler: joint gate", measure_euler, &joint, -1e-30, 1e+30 * 1.0005);
+    {
+        /* is not looked at */
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        failures += expect("measure_euler: a null pointer",
+                           va_filter_measure_euler(0, &given_imu, &given_master, R, &gates,
+                                                   &said) == BS_NULL_POINTER);
+        failures += expect("measure_euler: a null pointer",
+                           va_filter_measure_euler(&flown, 0, &given_master, R, &gates,
+                                                   &said) == BS_NULL_POINTER);
+        failures += expect("measure_euler: a null pointer",
+                           va_filter_measure_euler(&flown, &given_imu, 0, R, &gates,
+                                                   &said) == BS_NULL_POINTER);
+        failures += expect("measure_euler: a null pointer",
+                           va_filter_measure_euler(&flown, &given_imu, &given_master, 0, &gates,
+                                                   &said) == BS_NULL_POINTER);
+        failures += expect("measure_euler: a null pointer",
+                           va_filter_measure_euler(&flown, &given_imu, &given_master, R, &gates,
+                                                   0) == BS_NULL_POINTER);
+    }
     for (int i = 0; i < N; ++i) {
         const bs_real good = P0[i * (N + 1)];
         P0[i * (N + 1)] = (bs_real)selftest_nan();
@@ -1328,6 +1914,35 @@ static int guards(void)
     failures += expect("strapdown: a null pointer",
                        va_filter_strapdown(&flown, &given_imu, 0) == BS_NULL_POINTER);
     failures += expect("correct: a null pointer", va_filter_correct(0) == BS_NULL_POINTER);
+    failures += expect("init_sigmas: a null pointer",
+                       va_filter_init_sigmas(0, &given_nav, sigmas) == BS_NULL_POINTER);
+    failures += expect("init_sigmas: a null pointer",
+                       va_filter_init_sigmas(&flown, 0, sigmas) == BS_NULL_POINTER);
+    failures += expect("init_sigmas: a null pointer",
+                       va_filter_init_sigmas(&flown, &given_nav, 0) == BS_NULL_POINTER);
+    failures += expect("init_blocks: a null pointer",
+                       va_filter_init_blocks(0, &given_nav, blocks) == BS_NULL_POINTER);
+    failures += expect("init_blocks: a null pointer",
+                       va_filter_init_blocks(&flown, 0, blocks) == BS_NULL_POINTER);
+    failures += expect("init_blocks: a null pointer",
+                       va_filter_init_blocks(&flown, &given_nav, 0) == BS_NULL_POINTER);
+    failures += expect("set_nav: a null pointer",
+                       va_filter_set_nav(0, &given_nav, 1) == BS_NULL_POINTER);
+    failures += expect("set_nav: a null pointer",
+                       va_filter_set_nav(&flown, 0, 1) == BS_NULL_POINTER);
+    failures += expect("sigmas: a null pointer", va_filter_sigmas(0, sigmas) == BS_NULL_POINTER);
+    failures += expect("sigmas: a null pointer", va_filter_sigmas(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("variance: a null pointer",
+                       va_filter_variance(0, 0, sigmas) == BS_NULL_POINTER);
+    failures += expect("variance: a null pointer",
+                       va_filter_variance(&flown, 0, 0) == BS_NULL_POINTER);
+    failures += expect("health: a null pointer", va_filter_health(0, &health) == BS_NULL_POINTER);
+    failures += expect("health: a null pointer", va_filter_health(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("snapshot: a null pointer", va_filter_snapshot(0, bytes) == BS_NULL_POINTER);
+    failures += expect("snapshot: a null pointer",
+                       va_filter_snapshot(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("restore: a null pointer", va_filter_restore(0, bytes) == BS_NULL_POINTER);
+    failures += expect("restore: a null pointer", va_filter_restore(&flown, 0) == BS_NULL_POINTER);
     failures += expect("covariance: a null pointer",
                        va_filter_covariance(0, dense) == BS_NULL_POINTER);
     failures += expect("covariance: a null pointer",
@@ -1348,5 +1963,5 @@ int test_va_filter(void)
         failures += fly(k);
     }
     set_point(0);
-    return failures + limits() + guards();
+    return failures + limits() + kept() + guards();
 }

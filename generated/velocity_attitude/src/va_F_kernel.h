@@ -4,6 +4,7 @@
 #define VA_F_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_math.h"
 
 static void va_F_kernel(const bs_real position[3],
                         const bs_real v_n[3],
@@ -11,8 +12,9 @@ static void va_F_kernel(const bs_real position[3],
                         const bs_real f_b[3],
                         bs_real F_nz[41])
 {
-    const bs_real sin_lat = BS_SIN(position[0]);
-    const bs_real cos_lat = BS_COS(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t3 = sin_lat / cos_lat;
     const bs_real t9 = sin_lat * sin_lat;
     const bs_real t10 = BS_REAL(0.006694379990141317) * t9;

@@ -6,6 +6,7 @@
 #define VA_DCM_Z_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -137,7 +138,9 @@ static void va_dcm_z_kernel_2(const bs_real position[3],
     const bs_real t103 = t100 + t102;
     const bs_real t104 = omega_ib_b[2] * t103;
     const bs_real t105 = t98 + t104;
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t113 = sin_lat * sin_lat;
     const bs_real t114 = BS_REAL(0.006694379990141317) * t113;
     const bs_real t115 = BS_REAL(1.0) - t114;
@@ -146,7 +149,6 @@ static void va_dcm_z_kernel_2(const bs_real position[3],
     const bs_real t118 = position[2] + t117;
     const bs_real t119 = v_n[1] / t118;
     const bs_real t120 = t105 - t119;
-    const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t123 = BS_REAL(7.292115e-05) * cos_lat;
     const bs_real t124 = t120 - t123;
     const bs_real t125 = lag[0] * t124;

@@ -5,6 +5,7 @@
 #define VA_FEEDBACK_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_math.h"
 
 static void va_feedback_kernel(const bs_real x[16],
                                const bs_real v_n[3],
@@ -31,9 +32,10 @@ static void va_feedback_kernel(const bs_real x[16],
     const bs_real t19 = t16 + t18;
     const bs_real t20 = BS_SQRT(t19);
     const bs_real t21 = BS_REAL(0.5) * t20;
-    const bs_real t22 = BS_COS(t21);
+    bs_real t25;
+    bs_real t22;
+    BS_SINCOS(t21, &t25, &t22);
     const bs_real t24 = t22 * q_b2n_wxyz[0];
-    const bs_real t25 = BS_SIN(t21);
     const bs_real t26 = t25 / t20;
     const bs_real t28 = t26 * q_b2n_wxyz[3];
     const bs_real t29 = t28 * x[2];
@@ -94,9 +96,10 @@ static void va_feedback_kernel(const bs_real x[16],
     const bs_real t102 = t99 + t101;
     const bs_real t103 = BS_SQRT(t102);
     const bs_real t104 = BS_REAL(0.5) * t103;
-    const bs_real t105 = BS_COS(t104);
+    bs_real t108;
+    bs_real t105;
+    BS_SINCOS(t104, &t108, &t105);
     const bs_real t107 = t105 * q_b2m_wxyz[0];
-    const bs_real t108 = BS_SIN(t104);
     const bs_real t109 = t108 / t103;
     const bs_real t110 = t109 * x[12];
     const bs_real t112 = t110 * q_b2m_wxyz[1];

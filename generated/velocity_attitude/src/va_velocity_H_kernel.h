@@ -7,6 +7,7 @@
 #define VA_VELOCITY_H_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_math.h"
 
 static void va_velocity_H_kernel(const bs_real position[3],
                                  const bs_real v_n[3],
@@ -16,7 +17,9 @@ static void va_velocity_H_kernel(const bs_real position[3],
                                  const bs_real a_n[3],
                                  bs_real H_nz[24])
 {
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t3 = BS_REAL(7.292115e-05) * sin_lat;
     const bs_real t9 = sin_lat * sin_lat;
     const bs_real t10 = BS_REAL(0.006694379990141317) * t9;
@@ -25,7 +28,6 @@ static void va_velocity_H_kernel(const bs_real position[3],
     const bs_real t13 = BS_REAL(6378137.0) / t12;
     const bs_real t14 = position[2] + t13;
     const bs_real t15 = v_n[1] / t14;
-    const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t17 = sin_lat / cos_lat;
     const bs_real t18 = t15 * t17;
     const bs_real t19 = t3 + t18;

@@ -7,6 +7,7 @@
 #define VA_VELOCITY_Z_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_math.h"
 
 static void va_velocity_z_kernel(const bs_real position[3],
                                  const bs_real v_n[3],
@@ -23,7 +24,9 @@ static void va_velocity_z_kernel(const bs_real position[3],
     const bs_real t7 = BS_REAL(2.0) * q_b2n_wxyz[1];
     const bs_real t9 = t7 * q_b2n_wxyz[2];
     const bs_real t10 = t5 + t9;
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t14 = BS_REAL(7.292115e-05) * sin_lat;
     const bs_real t20 = sin_lat * sin_lat;
     const bs_real t21 = BS_REAL(0.006694379990141317) * t20;
@@ -32,7 +35,6 @@ static void va_velocity_z_kernel(const bs_real position[3],
     const bs_real t24 = BS_REAL(6378137.0) / t23;
     const bs_real t25 = position[2] + t24;
     const bs_real t26 = v_n[1] / t25;
-    const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t28 = sin_lat / cos_lat;
     const bs_real t29 = t26 * t28;
     const bs_real t30 = t14 + t29;

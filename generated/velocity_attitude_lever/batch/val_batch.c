@@ -622,9 +622,9 @@ size_t val_filter_consider_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_filter_consider(&filter[i],
-                                                       &considered[i * considered_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = val_filter_consider(&filter[i], &considered[i * considered_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -646,9 +646,10 @@ size_t val_filter_propagate_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_filter_propagate(&filter[i], &imu[i * imu_stride],
-                                                        &noise[i * noise_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = val_filter_propagate(&filter[i], &imu[i * imu_stride],
+                                                   &noise[i * noise_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -670,9 +671,10 @@ size_t val_filter_strapdown_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_filter_strapdown(&filter[i], &imu[i * imu_stride],
-                                                        &increments[i * increments_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = val_filter_strapdown(&filter[i], &imu[i * imu_stride],
+                                                   &increments[i * increments_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -682,14 +684,15 @@ size_t val_filter_correct_batch(size_t n, val_filter *filter, unsigned char *sta
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_filter_correct(&filter[i]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = val_filter_correct(&filter[i]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
 
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t val_filter_measure_dcm_batch(size_t n,
                                     val_filter *filter,
                                     const val_imu *imu,
@@ -699,9 +702,11 @@ size_t val_filter_measure_dcm_batch(size_t n,
                                     const bs_real *R,
                                     size_t R_stride,
                                     const unsigned char *rows,
-                                    const bs_real *gate,
+                                    const bs_real *gates,
+                                    const int *iterations,
                                     bs_real *nu,
                                     bs_real *S,
+                                    bs_real *nis,
                                     unsigned char *used,
                                     unsigned char *status);
 size_t val_filter_measure_dcm_batch(size_t n,
@@ -713,24 +718,27 @@ size_t val_filter_measure_dcm_batch(size_t n,
                                     const bs_real *R,
                                     size_t R_stride,
                                     const unsigned char *rows,
-                                    const bs_real *gate,
+                                    const bs_real *gates,
+                                    const int *iterations,
                                     bs_real *nu,
                                     bs_real *S,
+                                    bs_real *nis,
                                     unsigned char *used,
                                     unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        val_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        val_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)val_filter_measure_dcm(&filter[i], &imu[i * imu_stride],
-                                                          &master[i * master_stride],
-                                                          &R[i * R_stride], chosen, *gate,
-                                                          &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = val_filter_measure_dcm(&filter[i], &imu[i * imu_stride], &master[i * master_stride],
+                                     &R[i * R_stride], &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -740,7 +748,7 @@ size_t val_filter_measure_dcm_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t val_filter_measure_quaternion_batch(size_t n,
                                            val_filter *filter,
                                            const val_imu *imu,
@@ -750,10 +758,11 @@ size_t val_filter_measure_quaternion_batch(size_t n,
                                            const bs_real *R,
                                            size_t R_stride,
                                            const unsigned char *rows,
-                                           const bs_real *gate,
+                                           const bs_real *gates,
                                            const int *iterations,
                                            bs_real *nu,
                                            bs_real *S,
+                                           bs_real *nis,
                                            unsigned char *used,
                                            unsigned char *status);
 size_t val_filter_measure_quaternion_batch(size_t n,
@@ -765,25 +774,28 @@ size_t val_filter_measure_quaternion_batch(size_t n,
                                            const bs_real *R,
                                            size_t R_stride,
                                            const unsigned char *rows,
-                                           const bs_real *gate,
+                                           const bs_real *gates,
                                            const int *iterations,
                                            bs_real *nu,
                                            bs_real *S,
+                                           bs_real *nis,
                                            unsigned char *used,
                                            unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        val_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        val_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)val_filter_measure_quaternion(&filter[i], &imu[i * imu_stride],
-                                                                 &master[i * master_stride],
-                                                                 &R[i * R_stride], chosen, *gate,
-                                                                 *iterations, &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = val_filter_measure_quaternion(&filter[i], &imu[i * imu_stride],
+                                            &master[i * master_stride], &R[i * R_stride], &how,
+                                            &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -793,7 +805,7 @@ size_t val_filter_measure_quaternion_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t val_filter_measure_euler_batch(size_t n,
                                       val_filter *filter,
                                       const val_imu *imu,
@@ -803,9 +815,11 @@ size_t val_filter_measure_euler_batch(size_t n,
                                       const bs_real *R,
                                       size_t R_stride,
                                       const unsigned char *rows,
-                                      const bs_real *gate,
+                                      const bs_real *gates,
+                                      const int *iterations,
                                       bs_real *nu,
                                       bs_real *S,
+                                      bs_real *nis,
                                       unsigned char *used,
                                       unsigned char *status);
 size_t val_filter_measure_euler_batch(size_t n,
@@ -817,24 +831,27 @@ size_t val_filter_measure_euler_batch(size_t n,
                                       const bs_real *R,
                                       size_t R_stride,
                                       const unsigned char *rows,
-                                      const bs_real *gate,
+                                      const bs_real *gates,
+                                      const int *iterations,
                                       bs_real *nu,
                                       bs_real *S,
+                                      bs_real *nis,
                                       unsigned char *used,
                                       unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        val_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        val_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)val_filter_measure_euler(&filter[i], &imu[i * imu_stride],
-                                                            &master[i * master_stride],
-                                                            &R[i * R_stride], chosen, *gate,
-                                                            &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = val_filter_measure_euler(&filter[i], &imu[i * imu_stride], &master[i * master_stride],
+                                       &R[i * R_stride], &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -844,7 +861,7 @@ size_t val_filter_measure_euler_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t val_filter_measure_velocity_batch(size_t n,
                                          val_filter *filter,
                                          const val_imu *imu,
@@ -854,9 +871,11 @@ size_t val_filter_measure_velocity_batch(size_t n,
                                          const bs_real *R,
                                          size_t R_stride,
                                          const unsigned char *rows,
-                                         const bs_real *gate,
+                                         const bs_real *gates,
+                                         const int *iterations,
                                          bs_real *nu,
                                          bs_real *S,
+                                         bs_real *nis,
                                          unsigned char *used,
                                          unsigned char *status);
 size_t val_filter_measure_velocity_batch(size_t n,
@@ -868,24 +887,28 @@ size_t val_filter_measure_velocity_batch(size_t n,
                                          const bs_real *R,
                                          size_t R_stride,
                                          const unsigned char *rows,
-                                         const bs_real *gate,
+                                         const bs_real *gates,
+                                         const int *iterations,
                                          bs_real *nu,
                                          bs_real *S,
+                                         bs_real *nis,
                                          unsigned char *used,
                                          unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        val_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        val_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)val_filter_measure_velocity(&filter[i], &imu[i * imu_stride],
-                                                               &master[i * master_stride],
-                                                               &R[i * R_stride], chosen, *gate,
-                                                               &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = val_filter_measure_velocity(&filter[i], &imu[i * imu_stride],
+                                          &master[i * master_stride], &R[i * R_stride], &how,
+                                          &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];

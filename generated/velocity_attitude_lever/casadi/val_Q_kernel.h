@@ -24,7 +24,7 @@ static void val_Q_kernel(const bs_real position[3],
     const double *arg[11] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[122] = {0};
+    double w[142] = {0};
     arg[0] = position;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

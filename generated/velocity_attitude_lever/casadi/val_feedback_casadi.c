@@ -8,6 +8,9 @@
 #endif
 
 #include <math.h>
+#include "velocity_attitude_lever_math.h"
+#define cos BS_COS
+#define sin BS_SIN
 
 #ifndef casadi_real
 #define casadi_real double

@@ -2,8 +2,8 @@
  * Boresight: do not edit.
  * Include it before val_quaternion_hx.c: it stands in for the flight kernel, whose include guard it
  * shares. */
-#ifndef VAL_QUATERNION_H_KERNEL_H
-#define VAL_QUATERNION_H_KERNEL_H
+#ifndef VAL_QUATERNION_HX_KERNEL_H
+#define VAL_QUATERNION_HX_KERNEL_H
 
 #include "boresight.h"
 

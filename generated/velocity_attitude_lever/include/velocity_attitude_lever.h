@@ -17,7 +17,11 @@
 #ifndef VELOCITY_ATTITUDE_LEVER_H
 #define VELOCITY_ATTITUDE_LEVER_H
 
-#include "boresight.h"
+#include "velocity_attitude_lever_identity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* The error state. */
 /* attitude error, C_hat = (I - [phi x]) C (rad, NED) */
@@ -162,7 +166,7 @@ bs_status val_Qc(const val_nav *nav, const val_noise *noise, bs_real Qc[19 * VAL
 /* The same, the non-zeros alone, row after row. */
 bs_status val_Qc_nz(const val_nav *nav, const val_noise *noise, bs_real Qc_nz[28]);
 
-/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
+/* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
  * in   nav->position            geodetic latitude, longitude, not wrapped, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                               -6.28319 to 6.28319, -500 to 30000
@@ -491,5 +495,9 @@ bs_status val_feedback(const bs_real x[VAL_N_STATES],
                        bs_real q_b2m_wxyz[4],
                        bs_real tau[1],
                        bs_real lever_b[3]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -8,30 +8,43 @@
  * joseph  P itself; updates in Joseph form.  For double.
  * ud      P = U D U', U upper triangular with a unit diagonal; D stands in the place of that
  *         diagonal.  Predicted by Thornton's weighted Gram-Schmidt, updated by Bierman's recursion,
- *         raised by Agee and Turner's: no variance can become negative.  For float.
+ *         raised by Agee and Turner's, as by the noise of states that do not move: no variance can
+ *         become negative.  For float.
  * A sparse matrix is given by its non-zeros, row after row; where they stand is fixed.
  * The functions expect finite numbers and do not check them; pointers must not be null and must not
- * overlap. */
+ * overlap, but where it is said. */
 #ifndef VELOCITY_ATTITUDE_LEVER_COVARIANCE_H
 #define VELOCITY_ATTITUDE_LEVER_COVARIANCE_H
 
-#include "boresight_filter.h"
 #include "velocity_attitude_lever.h"
+
+#include "boresight_filter.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 #define VAL_N_PACKED 190   /* numbers of a packed symmetric matrix */
 #define VAL_N_F 41         /* non-zeros of F, as val_F writes them */
 #define VAL_N_QC 28        /* non-zeros of Qc, as val_Qc writes them */
-#define VAL_N_PHI 85       /* non-zeros of I + F + F F, and so of Phi */
-#define VAL_N_WORK 800     /* numbers of scratch memory */
+#define VAL_N_MOVING 6     /* states up to the last that another drives: the rows of Phi behind are
+                            * those of a unit matrix */
+#define VAL_ROW 20         /* numbers of a row of Phi */
+#define VAL_N_PHI 120      /* numbers of Phi: element (i, j) of the rows that move is [i *
+                            * VAL_ROW + j], and all others are 0 */
+#define VAL_N_WORK 551     /* numbers of scratch memory */
 
-/* Phi = I + F dt + (F dt)^2 / 2, and Q, the covariance that noise of density Qc adds over dt, to
- * the third power of dt.
- * What is left out of Phi begins with (F dt)^3 / 6, and dt^2 / 2 times the rate of F.  It costs
- * 3290 additions and multiplications.
- * in   F, Qc: non-zeros; both are overwritten, by themselves times dt
- * out  Phi: non-zeros; Q: packed */
-void val_discretize(bs_real F[VAL_N_F],
-                    bs_real Qc[VAL_N_QC],
+/* Phi = I + F dt + (F dt)^2 / 2, and Q, the covariance that noise of density Qc adds over dt:
+ * Q = S S' / 4 + 3/4 B S S' B', B = I + 2/3 A + 2/9 A^2, S S' = Qc dt, A = F dt: squares, so that
+ * no dt makes it indefinite.
+ * What is left out of Phi begins with (F dt)^3 / 6, and dt^2 / 2 times the rate of F;
+ * of the integral over the step, with F as it is at the start, Q leaves out (A^3 W + W A'^3) /
+ * 24 + (A^2 W A' + A W A'^2) / 72 and higher powers of dt, W = Qc dt.
+ * It costs 3414 additions, multiplications and divisions.
+ * in   F, Qc: non-zeros
+ * out  Phi: the rows that move; Q: packed */
+void val_discretize(const bs_real F[VAL_N_F],
+                    const bs_real Qc[VAL_N_QC],
                     bs_real dt,
                     bs_real Phi[VAL_N_PHI],
                     bs_real Q[VAL_N_PACKED],
@@ -50,14 +63,16 @@ bs_status val_ud_init(const bs_real dense[VAL_N_STATES * VAL_N_STATES],
                       bs_real UD[VAL_N_PACKED],
                       bs_real work[VAL_N_WORK]);
 
-/* P = Phi P Phi' + Q.  The ud form overwrites Q by its factors. */
-void val_joseph_predict(bs_real P[VAL_N_PACKED],
+/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q. */
+void val_joseph_predict(const bs_real P[VAL_N_PACKED],
                         const bs_real Phi[VAL_N_PHI],
                         const bs_real Q[VAL_N_PACKED],
+                        bs_real next[VAL_N_PACKED],
                         bs_real work[VAL_N_WORK]);
-void val_ud_predict(bs_real UD[VAL_N_PACKED],
+void val_ud_predict(const bs_real UD[VAL_N_PACKED],
                     const bs_real Phi[VAL_N_PHI],
-                    bs_real Q[VAL_N_PACKED],
+                    const bs_real Q[VAL_N_PACKED],
+                    bs_real next[VAL_N_PACKED],
                     bs_real work[VAL_N_WORK]);
 
 /* One scalar measurement, see bs_row: x and P are changed if row->used says so afterwards.
@@ -74,5 +89,9 @@ void val_ud_add(bs_real UD[VAL_N_PACKED], bs_real c, bs_real v[VAL_N_STATES]);
 /* P as a dense matrix, row-major. */
 void val_joseph_dense(const bs_real P[VAL_N_PACKED], bs_real dense[VAL_N_STATES * VAL_N_STATES]);
 void val_ud_dense(const bs_real UD[VAL_N_PACKED], bs_real dense[VAL_N_STATES * VAL_N_STATES]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -75,6 +75,7 @@ int main(void)
 {
     int passed = 0;
     int failed = 0;
+    (void)printf("%s\n", val_identity());
     if (test_val_F() == 0) {
         ++passed;
     } else {
@@ -171,6 +172,12 @@ int main(void)
         (void)printf("FAILED val_feedback\n");
         ++failed;
     }
+    if (test_val_math() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED val_math\n");
+        ++failed;
+    }
     if (test_val_covariance() == 0) {
         ++passed;
     } else {
@@ -181,6 +188,12 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED val_filter\n");
+        ++failed;
+    }
+    if (test_val_digest() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED val_digest\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

@@ -2,7 +2,11 @@
 #ifndef BORESIGHT_SELFTEST_H
 #define BORESIGHT_SELFTEST_H
 
-#include "boresight.h"
+#include "velocity_attitude_lever.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 double selftest_nan(void);
 double selftest_infinity(void);
@@ -37,7 +41,13 @@ int test_val_velocity_H(void);
 int test_val_strapdown(void);
 int test_val_expected(void);
 int test_val_feedback(void);
+int test_val_math(void);
 int test_val_covariance(void);
 int test_val_filter(void);
+int test_val_digest(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,7 @@
 #define VAL_PHI_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_lever_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -63,7 +64,9 @@ static void val_Phi_kernel_1(const bs_real position[3],
                              val_Phi_shared *shared,
                              bs_real Phi_nz[85])
 {
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t7 = sin_lat * sin_lat;
     const bs_real t8 = BS_REAL(0.006694379990141317) * t7;
     const bs_real t9 = BS_REAL(1.0) - t8;
@@ -95,7 +98,6 @@ static void val_Phi_kernel_1(const bs_real position[3],
     const bs_real t43 = t33 + t42;
     shared->t44 = t43 * dt[0];
     shared->t45 = shared->t14 * shared->t44;
-    const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t47 = sin_lat / cos_lat;
     shared->t49 = v_n[1] * t13;
     shared->t50 = t47 * shared->t49;

@@ -6,6 +6,7 @@
 #define VAL_DCM_H_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_lever_math.h"
 
 static void val_dcm_H_kernel(const bs_real position[3],
                              const bs_real v_n[3],
@@ -58,9 +59,10 @@ static void val_dcm_H_kernel(const bs_real position[3],
     const bs_real t50 = t15 * t40;
     const bs_real t51 = BS_REAL(2.0) * t50;
     const bs_real t52 = t49 + t51;
-    const bs_real cos_lat = BS_COS(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t56 = BS_REAL(7.292115e-05) * cos_lat;
-    const bs_real sin_lat = BS_SIN(position[0]);
     const bs_real t63 = sin_lat * sin_lat;
     const bs_real t64 = BS_REAL(0.006694379990141317) * t63;
     const bs_real t65 = BS_REAL(1.0) - t64;

@@ -6,6 +6,7 @@
 #define VAL_EULER_H_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_lever_math.h"
 
 static void val_euler_H_kernel(const bs_real position[3],
                                const bs_real v_n[3],
@@ -14,16 +15,19 @@ static void val_euler_H_kernel(const bs_real position[3],
                                const bs_real euler_m[3],
                                bs_real H_nz[17])
 {
-    const bs_real cos_pitch_m = BS_COS(euler_m[1]);
-    const bs_real cos_yaw_m = BS_COS(euler_m[2]);
+    bs_real sin_pitch_m;
+    bs_real cos_pitch_m;
+    BS_SINCOS(euler_m[1], &sin_pitch_m, &cos_pitch_m);
+    bs_real sin_yaw_m;
+    bs_real cos_yaw_m;
+    BS_SINCOS(euler_m[2], &sin_yaw_m, &cos_yaw_m);
     const bs_real t4 = cos_pitch_m * cos_yaw_m;
-    const bs_real cos_roll_m = BS_COS(euler_m[0]);
+    bs_real sin_roll_m;
+    bs_real cos_roll_m;
+    BS_SINCOS(euler_m[0], &sin_roll_m, &cos_roll_m);
     const bs_real t8 = BS_REAL(1.0) / cos_pitch_m;
     const bs_real t9 = cos_roll_m * t8;
-    const bs_real sin_roll_m = BS_SIN(euler_m[0]);
-    const bs_real sin_yaw_m = BS_SIN(euler_m[2]);
     const bs_real t12 = sin_roll_m * sin_yaw_m;
-    const bs_real sin_pitch_m = BS_SIN(euler_m[1]);
     const bs_real t14 = cos_yaw_m * cos_roll_m;
     const bs_real t15 = sin_pitch_m * t14;
     const bs_real t16 = t12 + t15;
@@ -57,9 +61,10 @@ static void val_euler_H_kernel(const bs_real position[3],
     const bs_real t44 = t27 * t16;
     const bs_real t45 = t36 * t39;
     const bs_real t46 = t44 + t45;
-    const bs_real cos_lat = BS_COS(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t50 = BS_REAL(7.292115e-05) * cos_lat;
-    const bs_real sin_lat = BS_SIN(position[0]);
     const bs_real t56 = sin_lat * sin_lat;
     const bs_real t57 = BS_REAL(0.006694379990141317) * t56;
     const bs_real t58 = BS_REAL(1.0) - t57;

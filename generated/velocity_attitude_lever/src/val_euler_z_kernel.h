@@ -6,6 +6,7 @@
 #define VAL_EULER_Z_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_lever_math.h"
 
 static void val_euler_z_kernel(const bs_real position[3],
                                const bs_real v_n[3],
@@ -45,7 +46,9 @@ static void val_euler_z_kernel(const bs_real position[3],
     const bs_real t41 = t39 - t40;
     const bs_real t42 = omega_ib_b[2] * t41;
     const bs_real t43 = t36 + t42;
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t51 = sin_lat * sin_lat;
     const bs_real t52 = BS_REAL(0.006694379990141317) * t51;
     const bs_real t53 = BS_REAL(1.0) - t52;
@@ -58,7 +61,6 @@ static void val_euler_z_kernel(const bs_real position[3],
     const bs_real t60 = t59 * t59;
     const bs_real t61 = t19 * t60;
     const bs_real t62 = BS_REAL(1e-30) + t61;
-    const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t65 = BS_REAL(7.292115e-05) * cos_lat;
     const bs_real t68 = BS_REAL(6378137.0) / t54;
     const bs_real t69 = position[2] + t68;
@@ -100,7 +102,9 @@ static void val_euler_z_kernel(const bs_real position[3],
     const bs_real t105 = t88 + t104;
     const bs_real t106 = BS_SQRT(t105);
     const bs_real t107 = BS_REAL(0.5) * t106;
-    const bs_real t108 = BS_COS(t107);
+    bs_real t117;
+    bs_real t108;
+    BS_SINCOS(t107, &t117, &t108);
     const bs_real t109 = t15 * t108;
     const bs_real t110 = q_b2m_wxyz[0] * q_b2n_wxyz[2];
     const bs_real t111 = q_b2m_wxyz[3] * q_b2n_wxyz[1];
@@ -109,7 +113,6 @@ static void val_euler_z_kernel(const bs_real position[3],
     const bs_real t114 = t112 - t113;
     const bs_real t115 = q_b2m_wxyz[2] * q_b2n_wxyz[0];
     const bs_real t116 = t114 - t115;
-    const bs_real t117 = BS_SIN(t107);
     const bs_real t118 = lag[0] * t117;
     const bs_real t119 = t118 / t106;
     const bs_real t120 = t85 * t119;
@@ -170,9 +173,10 @@ static void val_euler_z_kernel(const bs_real position[3],
     const bs_real t175 = t171 - t174;
     const bs_real t176 = BS_ATAN2(t168, t175);
     const bs_real t177 = euler_m[0] - t176;
-    const bs_real t178 = BS_SIN(t177);
+    bs_real t178;
+    bs_real t180;
+    BS_SINCOS(t177, &t178, &t180);
     const bs_real t179 = -t178;
-    const bs_real t180 = BS_COS(t177);
     const bs_real t181 = BS_ATAN2(t179, t180);
     const bs_real t183 = t150 * t158;
     const bs_real t184 = t142 * t166;
@@ -188,16 +192,18 @@ static void val_euler_z_kernel(const bs_real position[3],
     const bs_real t194 = BS_SQRT(t193);
     const bs_real t195 = BS_ATAN2(t185, t194);
     const bs_real t196 = euler_m[1] - t195;
-    const bs_real t197 = BS_SIN(t196);
+    bs_real t197;
+    bs_real t199;
+    BS_SINCOS(t196, &t197, &t199);
     const bs_real t198 = -t197;
-    const bs_real t199 = BS_COS(t196);
     const bs_real t200 = BS_ATAN2(t198, t199);
     const bs_real t202 = -t191;
     const bs_real t203 = BS_ATAN2(t189, t202);
     const bs_real t204 = euler_m[2] - t203;
-    const bs_real t205 = BS_SIN(t204);
+    bs_real t205;
+    bs_real t207;
+    BS_SINCOS(t204, &t205, &t207);
     const bs_real t206 = -t205;
-    const bs_real t207 = BS_COS(t204);
     const bs_real t208 = BS_ATAN2(t206, t207);
     z_nz[0] = t181; /* roll */
     z_nz[1] = t200; /* pitch */

@@ -7,6 +7,7 @@
 #define VAL_EXPECTED_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_lever_math.h"
 
 static void val_expected_kernel(const bs_real position[3],
                                 const bs_real v_n[3],
@@ -23,7 +24,9 @@ static void val_expected_kernel(const bs_real position[3],
     const bs_real t8 = BS_REAL(2.0) * q_b2n_wxyz[1];
     const bs_real t10 = t8 * q_b2n_wxyz[2];
     const bs_real t11 = t6 + t10;
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t15 = BS_REAL(7.292115e-05) * sin_lat;
     const bs_real t21 = sin_lat * sin_lat;
     const bs_real t22 = BS_REAL(0.006694379990141317) * t21;
@@ -32,7 +35,6 @@ static void val_expected_kernel(const bs_real position[3],
     const bs_real t25 = BS_REAL(6378137.0) / t24;
     const bs_real t26 = position[2] + t25;
     const bs_real t27 = v_n[1] / t26;
-    const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t29 = sin_lat / cos_lat;
     const bs_real t30 = t27 * t29;
     const bs_real t31 = t15 + t30;

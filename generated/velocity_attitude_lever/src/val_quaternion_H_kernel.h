@@ -7,6 +7,7 @@
 #define VAL_QUATERNION_H_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_lever_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -199,7 +200,7 @@ static void val_quaternion_H_kernel_1(const bs_real x[19],
     const bs_real t10 = t7 + t9;
     shared->t11 = BS_SQRT(t10);
     const bs_real t12 = BS_REAL(0.5) * shared->t11;
-    shared->t13 = BS_SIN(t12);
+    BS_SINCOS(t12, &shared->t13, &shared->t68);
     shared->t15 = BS_REAL(1.0) / shared->t11;
     shared->t16 = shared->t13 * shared->t15;
     const bs_real t19 = x[12] * x[12];
@@ -210,9 +211,8 @@ static void val_quaternion_H_kernel_1(const bs_real x[19],
     const bs_real t26 = t23 + t25;
     shared->t27 = BS_SQRT(t26);
     const bs_real t28 = BS_REAL(0.5) * shared->t27;
-    shared->t29 = BS_COS(t28);
+    BS_SINCOS(t28, &shared->t32, &shared->t29);
     const bs_real t31 = shared->t29 * q_b2m_wxyz[0];
-    shared->t32 = BS_SIN(t28);
     shared->t33 = BS_REAL(1.0) / shared->t27;
     shared->t34 = shared->t32 * shared->t33;
     const bs_real t35 = shared->t34 * x[12];
@@ -226,7 +226,9 @@ static void val_quaternion_H_kernel_1(const bs_real x[19],
     shared->t46 = t42 - t45;
     shared->t49 = lag[0] - x[15];
     shared->t50 = shared->t49 * shared->t49;
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t57 = sin_lat * sin_lat;
     const bs_real t58 = BS_REAL(0.006694379990141317) * t57;
     const bs_real t59 = BS_REAL(1.0) - t58;
@@ -236,7 +238,6 @@ static void val_quaternion_H_kernel_1(const bs_real x[19],
     const bs_real t63 = position[2] + t62;
     const bs_real t64 = v_n[0] / t63;
     shared->t67 = x[6] + omega_ib_b[0];
-    shared->t68 = BS_COS(t12);
     const bs_real t70 = shared->t68 * q_b2n_wxyz[3];
     const bs_real t71 = shared->t16 * x[0];
     const bs_real t73 = t71 * q_b2n_wxyz[2];
@@ -301,7 +302,6 @@ static void val_quaternion_H_kernel_1(const bs_real x[19],
     const bs_real t138 = shared->t107 * shared->t92;
     shared->t139 = t137 + t138;
     const bs_real t140 = shared->t115 * shared->t139;
-    const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t143 = BS_REAL(7.292115e-05) * cos_lat;
     const bs_real t146 = BS_REAL(6378137.0) / t60;
     const bs_real t147 = position[2] + t146;
@@ -338,11 +338,10 @@ static void val_quaternion_H_kernel_1(const bs_real x[19],
     const bs_real t178 = t161 + t177;
     shared->t179 = BS_SQRT(t178);
     const bs_real t180 = BS_REAL(0.5) * shared->t179;
-    shared->t181 = BS_SIN(t180);
+    BS_SINCOS(t180, &shared->t181, &shared->t186);
     const bs_real t182 = shared->t49 * shared->t181;
     shared->t183 = BS_REAL(1.0) / shared->t179;
     shared->t184 = t182 * shared->t183;
-    shared->t186 = BS_COS(t180);
     const bs_real t187 = t35 * q_b2m_wxyz[3];
     const bs_real t188 = shared->t29 * q_b2m_wxyz[2];
     const bs_real t189 = t187 - t188;

@@ -7,6 +7,7 @@
 #define VAL_QUATERNION_Z_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_lever_math.h"
 
 static void val_quaternion_z_kernel(const bs_real position[3],
                                     const bs_real v_n[3],
@@ -46,7 +47,9 @@ static void val_quaternion_z_kernel(const bs_real position[3],
     const bs_real t40 = t38 - t39;
     const bs_real t41 = omega_ib_b[2] * t40;
     const bs_real t42 = t35 + t41;
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t50 = sin_lat * sin_lat;
     const bs_real t51 = BS_REAL(0.006694379990141317) * t50;
     const bs_real t52 = BS_REAL(1.0) - t51;
@@ -59,7 +62,6 @@ static void val_quaternion_z_kernel(const bs_real position[3],
     const bs_real t59 = t58 * t58;
     const bs_real t60 = t18 * t59;
     const bs_real t61 = BS_REAL(1e-30) + t60;
-    const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t64 = BS_REAL(7.292115e-05) * cos_lat;
     const bs_real t67 = BS_REAL(6378137.0) / t53;
     const bs_real t68 = position[2] + t67;
@@ -101,9 +103,10 @@ static void val_quaternion_z_kernel(const bs_real position[3],
     const bs_real t104 = t87 + t103;
     const bs_real t105 = BS_SQRT(t104);
     const bs_real t106 = BS_REAL(0.5) * t105;
-    const bs_real t107 = BS_COS(t106);
+    bs_real t109;
+    bs_real t107;
+    BS_SINCOS(t106, &t109, &t107);
     const bs_real t108 = t14 * t107;
-    const bs_real t109 = BS_SIN(t106);
     const bs_real t110 = lag[0] * t109;
     const bs_real t111 = t110 / t105;
     const bs_real t112 = q_b2m_wxyz[0] * q_b2n_wxyz[0];

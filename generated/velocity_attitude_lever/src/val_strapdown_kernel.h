@@ -6,6 +6,7 @@
 #define VAL_STRAPDOWN_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_lever_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -460,9 +461,10 @@ static void val_strapdown_kernel_3(const bs_real q_b2n_wxyz[4],
     const bs_real t406 = t399 + t405;
     const bs_real t407 = BS_SQRT(t406);
     const bs_real t408 = BS_REAL(0.5) * t407;
-    const bs_real t409 = BS_COS(t408);
+    bs_real t411;
+    bs_real t409;
+    BS_SINCOS(t408, &t411, &t409);
     const bs_real t410 = t409 * q_b2n_wxyz[0];
-    const bs_real t411 = BS_SIN(t408);
     const bs_real t412 = t411 / t407;
     const bs_real t413 = t412 * q_b2n_wxyz[1];
     const bs_real t414 = t390 * t413;
@@ -487,7 +489,9 @@ static void val_strapdown_kernel_3(const bs_real q_b2n_wxyz[4],
     const bs_real t433 = t428 + t432;
     const bs_real t434 = BS_SQRT(t433);
     const bs_real t435 = BS_REAL(0.5) * t434;
-    const bs_real t436 = BS_COS(t435);
+    bs_real t447;
+    bs_real t436;
+    BS_SINCOS(t435, &t447, &t436);
     const bs_real t437 = t421 * t436;
     const bs_real t438 = t412 * q_b2n_wxyz[3];
     const bs_real t439 = t390 * t438;
@@ -498,7 +502,6 @@ static void val_strapdown_kernel_3(const bs_real q_b2n_wxyz[4],
     const bs_real t444 = t442 + t443;
     const bs_real t445 = t404 * t413;
     const bs_real t446 = t444 - t445;
-    const bs_real t447 = BS_SIN(t435);
     const bs_real t448 = BS_REAL(1.0) / t434;
     const bs_real t449 = t447 * t448;
     const bs_real t450 = t449 * dt[0];

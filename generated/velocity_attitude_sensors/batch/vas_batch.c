@@ -850,9 +850,9 @@ size_t vas_filter_consider_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_filter_consider(&filter[i],
-                                                       &considered[i * considered_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = vas_filter_consider(&filter[i], &considered[i * considered_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -874,9 +874,10 @@ size_t vas_filter_propagate_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_filter_propagate(&filter[i], &imu[i * imu_stride],
-                                                        &noise[i * noise_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = vas_filter_propagate(&filter[i], &imu[i * imu_stride],
+                                                   &noise[i * noise_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -898,9 +899,10 @@ size_t vas_filter_strapdown_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_filter_strapdown(&filter[i], &imu[i * imu_stride],
-                                                        &increments[i * increments_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = vas_filter_strapdown(&filter[i], &imu[i * imu_stride],
+                                                   &increments[i * increments_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -910,14 +912,15 @@ size_t vas_filter_correct_batch(size_t n, vas_filter *filter, unsigned char *sta
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_filter_correct(&filter[i]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = vas_filter_correct(&filter[i]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
 
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t vas_filter_measure_dcm_batch(size_t n,
                                     vas_filter *filter,
                                     const vas_imu *imu,
@@ -927,9 +930,11 @@ size_t vas_filter_measure_dcm_batch(size_t n,
                                     const bs_real *R,
                                     size_t R_stride,
                                     const unsigned char *rows,
-                                    const bs_real *gate,
+                                    const bs_real *gates,
+                                    const int *iterations,
                                     bs_real *nu,
                                     bs_real *S,
+                                    bs_real *nis,
                                     unsigned char *used,
                                     unsigned char *status);
 size_t vas_filter_measure_dcm_batch(size_t n,
@@ -941,24 +946,27 @@ size_t vas_filter_measure_dcm_batch(size_t n,
                                     const bs_real *R,
                                     size_t R_stride,
                                     const unsigned char *rows,
-                                    const bs_real *gate,
+                                    const bs_real *gates,
+                                    const int *iterations,
                                     bs_real *nu,
                                     bs_real *S,
+                                    bs_real *nis,
                                     unsigned char *used,
                                     unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        vas_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        vas_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)vas_filter_measure_dcm(&filter[i], &imu[i * imu_stride],
-                                                          &master[i * master_stride],
-                                                          &R[i * R_stride], chosen, *gate,
-                                                          &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = vas_filter_measure_dcm(&filter[i], &imu[i * imu_stride], &master[i * master_stride],
+                                     &R[i * R_stride], &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -968,7 +976,7 @@ size_t vas_filter_measure_dcm_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t vas_filter_measure_quaternion_batch(size_t n,
                                            vas_filter *filter,
                                            const vas_imu *imu,
@@ -978,10 +986,11 @@ size_t vas_filter_measure_quaternion_batch(size_t n,
                                            const bs_real *R,
                                            size_t R_stride,
                                            const unsigned char *rows,
-                                           const bs_real *gate,
+                                           const bs_real *gates,
                                            const int *iterations,
                                            bs_real *nu,
                                            bs_real *S,
+                                           bs_real *nis,
                                            unsigned char *used,
                                            unsigned char *status);
 size_t vas_filter_measure_quaternion_batch(size_t n,
@@ -993,25 +1002,28 @@ size_t vas_filter_measure_quaternion_batch(size_t n,
                                            const bs_real *R,
                                            size_t R_stride,
                                            const unsigned char *rows,
-                                           const bs_real *gate,
+                                           const bs_real *gates,
                                            const int *iterations,
                                            bs_real *nu,
                                            bs_real *S,
+                                           bs_real *nis,
                                            unsigned char *used,
                                            unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        vas_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        vas_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)vas_filter_measure_quaternion(&filter[i], &imu[i * imu_stride],
-                                                                 &master[i * master_stride],
-                                                                 &R[i * R_stride], chosen, *gate,
-                                                                 *iterations, &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = vas_filter_measure_quaternion(&filter[i], &imu[i * imu_stride],
+                                            &master[i * master_stride], &R[i * R_stride], &how,
+                                            &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -1021,7 +1033,7 @@ size_t vas_filter_measure_quaternion_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t vas_filter_measure_euler_batch(size_t n,
                                       vas_filter *filter,
                                       const vas_imu *imu,
@@ -1031,9 +1043,11 @@ size_t vas_filter_measure_euler_batch(size_t n,
                                       const bs_real *R,
                                       size_t R_stride,
                                       const unsigned char *rows,
-                                      const bs_real *gate,
+                                      const bs_real *gates,
+                                      const int *iterations,
                                       bs_real *nu,
                                       bs_real *S,
+                                      bs_real *nis,
                                       unsigned char *used,
                                       unsigned char *status);
 size_t vas_filter_measure_euler_batch(size_t n,
@@ -1045,24 +1059,27 @@ size_t vas_filter_measure_euler_batch(size_t n,
                                       const bs_real *R,
                                       size_t R_stride,
                                       const unsigned char *rows,
-                                      const bs_real *gate,
+                                      const bs_real *gates,
+                                      const int *iterations,
                                       bs_real *nu,
                                       bs_real *S,
+                                      bs_real *nis,
                                       unsigned char *used,
                                       unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        vas_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        vas_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)vas_filter_measure_euler(&filter[i], &imu[i * imu_stride],
-                                                            &master[i * master_stride],
-                                                            &R[i * R_stride], chosen, *gate,
-                                                            &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = vas_filter_measure_euler(&filter[i], &imu[i * imu_stride], &master[i * master_stride],
+                                       &R[i * R_stride], &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -1072,7 +1089,7 @@ size_t vas_filter_measure_euler_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t vas_filter_measure_velocity_batch(size_t n,
                                          vas_filter *filter,
                                          const vas_imu *imu,
@@ -1082,9 +1099,11 @@ size_t vas_filter_measure_velocity_batch(size_t n,
                                          const bs_real *R,
                                          size_t R_stride,
                                          const unsigned char *rows,
-                                         const bs_real *gate,
+                                         const bs_real *gates,
+                                         const int *iterations,
                                          bs_real *nu,
                                          bs_real *S,
+                                         bs_real *nis,
                                          unsigned char *used,
                                          unsigned char *status);
 size_t vas_filter_measure_velocity_batch(size_t n,
@@ -1096,24 +1115,28 @@ size_t vas_filter_measure_velocity_batch(size_t n,
                                          const bs_real *R,
                                          size_t R_stride,
                                          const unsigned char *rows,
-                                         const bs_real *gate,
+                                         const bs_real *gates,
+                                         const int *iterations,
                                          bs_real *nu,
                                          bs_real *S,
+                                         bs_real *nis,
                                          unsigned char *used,
                                          unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        vas_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        vas_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)vas_filter_measure_velocity(&filter[i], &imu[i * imu_stride],
-                                                               &master[i * master_stride],
-                                                               &R[i * R_stride], chosen, *gate,
-                                                               &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = vas_filter_measure_velocity(&filter[i], &imu[i * imu_stride],
+                                          &master[i * master_stride], &R[i * R_stride], &how,
+                                          &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];

@@ -2,8 +2,8 @@
  * Boresight: do not edit.
  * Include it before vas_quaternion_hx.c: it stands in for the flight kernel, whose include guard it
  * shares. */
-#ifndef VAS_QUATERNION_H_KERNEL_H
-#define VAS_QUATERNION_H_KERNEL_H
+#ifndef VAS_QUATERNION_HX_KERNEL_H
+#define VAS_QUATERNION_HX_KERNEL_H
 
 #include "boresight.h"
 

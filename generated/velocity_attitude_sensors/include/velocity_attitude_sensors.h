@@ -17,7 +17,11 @@
 #ifndef VELOCITY_ATTITUDE_SENSORS_H
 #define VELOCITY_ATTITUDE_SENSORS_H
 
-#include "boresight.h"
+#include "velocity_attitude_sensors_identity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* The error state. */
 /* attitude error, C_hat = (I - [phi x]) C (rad, NED) */
@@ -299,7 +303,7 @@ bs_status vas_Qc_nz(const vas_nav *nav,
                     const vas_triads *triads,
                     bs_real Qc_nz[31]);
 
-/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
+/* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
  * in   nav->position             geodetic latitude, longitude, not wrapped, height above the
  *                                ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                -6.28319 to 6.28319, -500 to 30000
@@ -827,5 +831,9 @@ bs_status vas_feedback(const bs_real x[VAS_N_STATES],
                        bs_real accel_axes[3],
                        bs_real gyro_turn_on[3],
                        bs_real accel_turn_on[3]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

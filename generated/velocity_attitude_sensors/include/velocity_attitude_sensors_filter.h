@@ -7,15 +7,41 @@
  * angle, nu lies in [-pi, pi).
  * In double the covariance is flown in symmetric Joseph form, in single precision (BORESIGHT_FLOAT)
  * as UD factors.
- * Every function returns a bs_status; with any but BS_OK the filter is as it was, save for its
- * scratch memory and for what is written of BS_NOT_POSITIVE.  Numbers are checked against the boxes
- * in velocity_attitude_sensors.h. */
+ * Every function returns a bs_status.  Numbers are checked against the boxes in
+ * velocity_attitude_sensors.h.
+ * BS_OK means that every number of x, nav, mounting, bending, triads, biases and P is finite, nav,
+ * mounting, bending, triads, biases lie in their boxes and every variance is at least 0; with UD
+ * also that P is positive semidefinite; with Joseph no more than the diagonal is claimed.  With
+ * another status (but BS_AT_CEILING, which claims the same as BS_OK) x, P and nav, mounting,
+ * bending, triads, biases are as they were, bit for bit.
+ * A measurement is taken with all of its rows that pass, or not at all: with a status that is
+ * neither BS_OK nor BS_AT_CEILING no row of it stays taken, and innovation->used is 0.
+ * A variance has a ceiling.  Where a step carries one beyond it, its row and column of P are
+ * divided by a power of two, which changes no correlation, the step is taken, and the status is
+ * BS_AT_CEILING.  The ceilings, as sigmas: phi 1e+03, 1e+03, 1e+03 (rad), dv_n 1e+05, 1e+05, 1e+05
+ * (m/s), d_gyro_bias 1e+02, 1e+02, 1e+02 (rad/s), d_accel_bias 1e+03, 1e+03, 1e+03 (m/s^2), dmu
+ * 1e+03, 1e+03, 1e+03 (rad), d_tau 1e+03 (s), d_lever 1e+05, 1e+05, 1e+05 (m), d_flexure 1e+02,
+ * 1e+02, 1e+02 (rad), d_flexure_rate 1e+03, 1e+03, 1e+03 (rad/s), d_gyro_scale 1e+02, 1e+02, 1e+02
+ * (1), d_accel_scale 1e+02, 1e+02, 1e+02 (1), d_gyro_axes 1e+02, 1e+02, 1e+02, 1e+02, 1e+02, 1e+02
+ * (rad), d_accel_axes 1e+02, 1e+02, 1e+02 (rad), d_gyro_turn_on 1e+02, 1e+02, 1e+02 (rad/s),
+ * d_accel_turn_on 1e+03, 1e+03, 1e+03 (m/s^2).  No number of x may exceed them: BS_OUT_OF_RANGE. */
 #ifndef VELOCITY_ATTITUDE_SENSORS_FILTER_H
 #define VELOCITY_ATTITUDE_SENSORS_FILTER_H
 
 #include "velocity_attitude_sensors_covariance.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define VAS_MAX_ROWS 3
+#define VAS_MEASUREMENT_DCM 0
+#define VAS_MEASUREMENT_QUATERNION 1
+#define VAS_MEASUREMENT_EULER 2
+#define VAS_MEASUREMENT_VELOCITY 3
+#define VAS_N_MEASUREMENTS 4
+#define VAS_N_BLOCKS 154 /* numbers of a square block for each block of states */
+#define VAS_SNAPSHOT_SIZE (BS_SNAPSHOT_HEAD + 56 + (1193 * (int)sizeof(bs_real)))
 
 /* The filter: filled by vas_filter_init. */
 typedef struct {
@@ -30,11 +56,14 @@ typedef struct {
                               * velocity_attitude_sensors_covariance.h */
     unsigned char considered[VAS_N_STATES]; /* by vas_filter_consider, as is the next */
     unsigned char considering; /* whether there is any */
+    unsigned short rejected[VAS_N_MEASUREMENTS]; /* see vas_health */
+    unsigned short ceilings;
     /* scratch memory: holds nothing from one call to the next */
     bs_real F[VAS_N_F];
     bs_real Qc[VAS_N_QC];
     bs_real Phi[VAS_N_PHI];
-    bs_real Q[VAS_N_PACKED];
+    bs_real Q[VAS_N_PACKED]; /* P as it was, during a measurement; as it will be, until it is
+                              * judged */
     bs_real work[VAS_N_WORK];
 } vas_filter;
 
@@ -43,13 +72,24 @@ typedef struct {
 typedef struct {
     bs_real nu[VAS_MAX_ROWS]; /* z - H x, or z - h(x) */
     bs_real S[VAS_MAX_ROWS];  /* the variance of nu */
+    bs_real nis;              /* sum of nu^2 / S of the rows used, or left out by the joint gate
+                               * alone: chi-square with as many degrees of freedom */
     unsigned int used;        /* bit i: row i was taken, neither masked nor gated */
 } vas_innovation;
 
+/* What the filter has met since it began; the counts stay at 65535. */
+typedef struct {
+    bs_status state; /* BS_OK, or what is wrong with the numbers in the filter now: it should begin
+                      * anew */
+    unsigned int ceilings; /* how many steps ended with BS_AT_CEILING */
+    unsigned int rejected[VAS_N_MEASUREMENTS]; /* by VAS_MEASUREMENT_...: how many in a row left a
+                                                * row out that was asked for */
+} vas_health;
+
 /* Begin from nav, mounting, bending, triads, biases and a covariance P, dense, row-major; x is
  * zero.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, or BS_NOT_POSITIVE: P is not
- * symmetric, or it is not positive semidefinite */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE (a variance above its ceiling
+ * too), or BS_NOT_POSITIVE: P is not symmetric, or it is not positive semidefinite */
 bs_status vas_filter_init(vas_filter *filter,
                           const vas_nav *nav,
                           const vas_mounting *mounting,
@@ -58,14 +98,50 @@ bs_status vas_filter_init(vas_filter *filter,
                           const vas_biases *biases,
                           const bs_real P[VAS_N_STATES * VAS_N_STATES]);
 
+/* The same, from the square blocks of P along its diagonal, one after another, each row-major: phi
+ * 3 x 3, dv_n 3 x 3, d_gyro_bias 3 x 3, d_accel_bias 3 x 3, dmu 3 x 3, d_tau 1 x 1, d_lever 3 x 3,
+ * d_flexure 3 x 3, d_flexure_rate 3 x 3, d_gyro_scale 3 x 3, d_accel_scale 3 x 3, d_gyro_axes 6 x
+ * 6, d_accel_axes 3 x 3, d_gyro_turn_on 3 x 3, d_accel_turn_on 3 x 3. */
+bs_status vas_filter_init_blocks(vas_filter *filter,
+                                 const vas_nav *nav,
+                                 const vas_mounting *mounting,
+                                 const vas_bending *bending,
+                                 const vas_triads *triads,
+                                 const vas_biases *biases,
+                                 const bs_real blocks[VAS_N_BLOCKS]);
+
+/* The same, from the sigmas of the states, which are not correlated. */
+bs_status vas_filter_init_sigmas(vas_filter *filter,
+                                 const vas_nav *nav,
+                                 const vas_mounting *mounting,
+                                 const vas_bending *bending,
+                                 const vas_triads *triads,
+                                 const vas_biases *biases,
+                                 const bs_real sigma[VAS_N_STATES]);
+
+/* Set nav, mounting, bending, triads, biases from outside; P stays, and x becomes zero.  Where a
+ * strapdown or a correction is refused for good, this is the way out.
+ * in   clamp  0 to refuse a number outside its box; else it is put on the edge, and a vector that
+ *             has a norm is scaled to it
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; BS_NOT_POSITIVE: P is none */
+bs_status vas_filter_set_nav(vas_filter *filter,
+                             const vas_nav *nav,
+                             const vas_mounting *mounting,
+                             const vas_bending *bending,
+                             const vas_triads *triads,
+                             const vas_biases *biases,
+                             int clamp);
+
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE: an input, or the result, lies
+ * outside its box; BS_NOT_POSITIVE: P is none */
 bs_status vas_filter_strapdown(vas_filter *filter,
                                const vas_imu *imu,
                                const vas_increments *increments);
 
 /* Carry x and P over dt: x = Phi x, P = Phi P Phi' + Q.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE,
+ * BS_NOT_POSITIVE */
 bs_status vas_filter_propagate(vas_filter *filter, const vas_imu *imu, const vas_noise *noise);
 
 /* From now on no measurement corrects the states whose number is not 0 (a Schmidt filter): their
@@ -73,90 +149,108 @@ bs_status vas_filter_propagate(vas_filter *filter, const vas_imu *imu, const vas
  * their covariance with the others is right, and nu and S are those of the optimal filter.  None
  * after vas_filter_init.  A state that is not needed at all is left out by zeros in P and in the
  * noise: it stays as it is by itself.
- * returns BS_OK, or BS_NULL_POINTER */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_POSITIVE: what the
+ * filter holds is wrong */
 bs_status vas_filter_consider(vas_filter *filter, const unsigned char considered[VAS_N_STATES]);
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one; rows n, e, d
  * (rad).
  * Equations: kang-2025 (4), kang-2025 (5).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
- * in   rows        bit i: take row i; BS_ALL_ROWS
- * in   gate        a row whose |nu| exceeds this many sigmas is left out; 0 for no gate
- * out  innovation  nu, S and used of each row
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
- * a row is no number or S is not above 0, rows before it are taken, and the filter should begin
- * anew */
+ * in   gates       see bs_gates; NULL: every row, no gate
+ * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
+ *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
+ * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
+ * negative */
 bs_status vas_filter_measure_dcm(vas_filter *filter,
                                  const vas_imu *imu,
                                  const vas_master *master,
                                  const bs_real R[3],
-                                 unsigned int rows,
-                                 bs_real gate,
+                                 const bs_gates *gates,
                                  vas_innovation *innovation);
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; rows n, e, d (rad).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
- * in   rows        bit i: take row i; BS_ALL_ROWS
- * in   gate        a row whose |nu| exceeds this many sigmas at the first linearisation is left
- *                  out; 0 for no gate
- * in   iterations  how often it is linearised at most, from the same x and P; 1 is the extended
- *                  Kalman filter.  It ends where no state and no row moves by more than .01 sigma.
- *                  Where one moves by more than a sigma and by more than before, or x leaves its
- *                  box, the first result is taken
- * out  innovation  nu, S and used of each row
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
- * a row is no number or S is not above 0, rows before it are taken, and the filter should begin
- * anew */
+ * in   gates       see bs_gates; NULL: every row, no gate.  Gates judge the first linearisation;
+ *                  each is from the same x and P, and 1 is the extended Kalman filter.  It ends
+ *                  where no state and no row moves by more than .01 sigma.  Where one moves by more
+ *                  than a sigma and by more than before, or x leaves its box, the first result is
+ *                  taken
+ * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
+ *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
+ * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
+ * negative */
 bs_status vas_filter_measure_quaternion(vas_filter *filter,
                                         const vas_imu *imu,
                                         const vas_master *master,
                                         const bs_real R[3],
-                                        unsigned int rows,
-                                        bs_real gate,
-                                        int iterations,
+                                        const bs_gates *gates,
                                         vas_innovation *innovation);
 
 /* Euler angles of the master: z = computed - measured; rows roll, pitch, yaw (rad).
  * Equations: song-lee-2001 (13).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
- * in   rows        bit i: take row i; BS_ALL_ROWS
- * in   gate        a row whose |nu| exceeds this many sigmas is left out; 0 for no gate
- * out  innovation  nu, S and used of each row
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
- * a row is no number or S is not above 0, rows before it are taken, and the filter should begin
- * anew */
+ * in   gates       see bs_gates; NULL: every row, no gate
+ * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
+ *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
+ * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
+ * negative */
 bs_status vas_filter_measure_euler(vas_filter *filter,
                                    const vas_imu *imu,
                                    const vas_master *master,
                                    const bs_real R[3],
-                                   unsigned int rows,
-                                   bs_real gate,
+                                   const bs_gates *gates,
                                    vas_innovation *innovation);
 
 /* Velocity of the master: z = computed - measured; rows n, e, d (m/s).
  * Equations: kang-2025 (1), kang-2025 (3).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
- * in   rows        bit i: take row i; BS_ALL_ROWS
- * in   gate        a row whose |nu| exceeds this many sigmas is left out; 0 for no gate
- * out  innovation  nu, S and used of each row
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or BS_NOT_POSITIVE: nu or S of
- * a row is no number or S is not above 0, rows before it are taken, and the filter should begin
- * anew */
+ * in   gates       see bs_gates; NULL: every row, no gate
+ * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
+ *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
+ * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
+ * negative */
 bs_status vas_filter_measure_velocity(vas_filter *filter,
                                       const vas_imu *imu,
                                       const vas_master *master,
                                       const bs_real R[3],
-                                      unsigned int rows,
-                                      bs_real gate,
+                                      const bs_gates *gates,
                                       vas_innovation *innovation);
 
 /* The slave with the estimated errors taken out; x is zero afterwards.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE */
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE: x, or what is corrected, lies
+ * outside its box; BS_NOT_POSITIVE: P is none */
 bs_status vas_filter_correct(vas_filter *filter);
 
-/* The covariance as a dense matrix, row-major, whatever its form.
+/* The sigmas of all states, or the variance of state i, without a dense matrix.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE; BS_OUT_OF_RANGE: there is no
+ * state i */
+bs_status vas_filter_sigmas(const vas_filter *filter, bs_real sigma[VAS_N_STATES]);
+bs_status vas_filter_variance(const vas_filter *filter, int i, bs_real *value);
+
+/* What the filter has met.
  * returns BS_OK, or BS_NULL_POINTER */
+bs_status vas_filter_health(const vas_filter *filter, vas_health *health);
+
+/* All that is carried from call to call, behind a head that says whose it is.  Scratch memory is
+ * not in it.
+ * restore refuses the bytes of another model, layout, precision, form or order of bytes, and judges
+ * the numbers as init does.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE, BS_OUT_OF_RANGE */
+bs_status vas_filter_snapshot(const vas_filter *filter, unsigned char bytes[VAS_SNAPSHOT_SIZE]);
+bs_status vas_filter_restore(vas_filter *filter, const unsigned char bytes[VAS_SNAPSHOT_SIZE]);
+
+/* The covariance as a dense matrix, row-major, whatever its form.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE */
 bs_status vas_filter_covariance(const vas_filter *filter, bs_real P[VAS_N_STATES * VAS_N_STATES]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -75,6 +75,7 @@ int main(void)
 {
     int passed = 0;
     int failed = 0;
+    (void)printf("%s\n", vas_identity());
     if (test_vas_F() == 0) {
         ++passed;
     } else {
@@ -171,6 +172,12 @@ int main(void)
         (void)printf("FAILED vas_feedback\n");
         ++failed;
     }
+    if (test_vas_math() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED vas_math\n");
+        ++failed;
+    }
     if (test_vas_covariance() == 0) {
         ++passed;
     } else {
@@ -181,6 +188,12 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED vas_filter\n");
+        ++failed;
+    }
+    if (test_vas_digest() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED vas_digest\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

@@ -4,6 +4,7 @@
 #define VAS_F_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_sensors_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -34,8 +35,8 @@ static void vas_F_kernel_1(const bs_real position[3],
                            vas_F_shared *shared,
                            bs_real F_nz[107])
 {
-    const bs_real sin_lat = BS_SIN(position[0]);
-    shared->cos_lat = BS_COS(position[0]);
+    bs_real sin_lat;
+    BS_SINCOS(position[0], &sin_lat, &shared->cos_lat);
     const bs_real t3 = sin_lat / shared->cos_lat;
     const bs_real t9 = sin_lat * sin_lat;
     const bs_real t10 = BS_REAL(0.006694379990141317) * t9;

@@ -5,6 +5,7 @@
 #define VAS_PHI_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_sensors_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -159,7 +160,9 @@ static void vas_Phi_kernel_1(const bs_real position[3],
                              vas_Phi_shared *shared,
                              bs_real Phi_nz[232])
 {
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t7 = sin_lat * sin_lat;
     const bs_real t8 = BS_REAL(0.006694379990141317) * t7;
     const bs_real t9 = BS_REAL(1.0) - t8;
@@ -203,7 +206,6 @@ static void vas_Phi_kernel_1(const bs_real position[3],
     const bs_real t61 = t42 + t60;
     shared->t62 = t61 * dt[0];
     shared->t63 = shared->t14 * shared->t62;
-    const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t65 = sin_lat / cos_lat;
     shared->t67 = v_n[1] * t13;
     shared->t68 = t65 * shared->t67;

@@ -6,6 +6,7 @@
 #define VAS_DCM_H_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_sensors_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -120,9 +121,10 @@ static void vas_dcm_H_kernel_2(const bs_real position[3],
     const bs_real t98 = t88 * t95;
     const bs_real t99 = t71 * t93;
     const bs_real t100 = t98 + t99;
-    const bs_real cos_lat = BS_COS(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t104 = BS_REAL(7.292115e-05) * cos_lat;
-    const bs_real sin_lat = BS_SIN(position[0]);
     const bs_real t110 = sin_lat * sin_lat;
     const bs_real t111 = BS_REAL(0.006694379990141317) * t110;
     const bs_real t112 = BS_REAL(1.0) - t111;

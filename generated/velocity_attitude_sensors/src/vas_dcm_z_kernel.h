@@ -6,6 +6,7 @@
 #define VAS_DCM_Z_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_sensors_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -259,7 +260,9 @@ static void vas_dcm_z_kernel_2(const bs_real position[3],
     const bs_real t226 = t222 + t225;
     const bs_real t227 = t219 * t226;
     const bs_real t228 = t199 + t227;
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t235 = sin_lat * sin_lat;
     const bs_real t236 = BS_REAL(0.006694379990141317) * t235;
     const bs_real t237 = BS_REAL(1.0) - t236;
@@ -268,7 +271,6 @@ static void vas_dcm_z_kernel_2(const bs_real position[3],
     const bs_real t240 = position[2] + t239;
     const bs_real t241 = v_n[1] / t240;
     const bs_real t242 = t228 - t241;
-    const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t245 = BS_REAL(7.292115e-05) * cos_lat;
     const bs_real t246 = t242 - t245;
     const bs_real t247 = lag[0] * t246;

@@ -6,6 +6,7 @@
 #define VAS_EULER_Z_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_sensors_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -112,7 +113,9 @@ static void vas_euler_z_kernel_1(const bs_real position[3],
     const bs_real t112 = t108 + t111;
     const bs_real t113 = t105 * t112;
     const bs_real t114 = t85 + t113;
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t121 = sin_lat * sin_lat;
     const bs_real t122 = BS_REAL(0.006694379990141317) * t121;
     const bs_real t123 = BS_REAL(1.0) - t122;
@@ -125,7 +128,6 @@ static void vas_euler_z_kernel_1(const bs_real position[3],
     const bs_real t130 = shared->t129 * shared->t129;
     const bs_real t131 = t4 * t130;
     const bs_real t132 = BS_REAL(1e-30) + t131;
-    const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t135 = BS_REAL(7.292115e-05) * cos_lat;
     const bs_real t138 = BS_REAL(6378137.0) / t124;
     const bs_real t139 = position[2] + t138;
@@ -177,7 +179,9 @@ static void vas_euler_z_kernel_2(const bs_real q_b2n_wxyz[4],
 {
     const bs_real t176 = BS_SQRT(shared->t175);
     const bs_real t177 = BS_REAL(0.5) * t176;
-    const bs_real t178 = BS_COS(t177);
+    bs_real t240;
+    bs_real t178;
+    BS_SINCOS(t177, &t240, &t178);
     const bs_real t181 = flexure[0] * flexure[0];
     const bs_real t182 = BS_REAL(0.25) * t181;
     const bs_real t183 = BS_REAL(1.0) + t182;
@@ -235,7 +239,6 @@ static void vas_euler_z_kernel_2(const bs_real q_b2n_wxyz[4],
     const bs_real t237 = t235 - t236;
     const bs_real t238 = t229 * q_b2n_wxyz[1];
     const bs_real t239 = t237 - t238;
-    const bs_real t240 = BS_SIN(t177);
     const bs_real t241 = lag[0] * t240;
     const bs_real t242 = t241 / t176;
     const bs_real t243 = shared->t172 * t242;
@@ -296,9 +299,10 @@ static void vas_euler_z_kernel_2(const bs_real q_b2n_wxyz[4],
     const bs_real t298 = t296 - t297;
     const bs_real t299 = BS_ATAN2(t291, t298);
     const bs_real t300 = euler_m[0] - t299;
-    const bs_real t301 = BS_SIN(t300);
+    bs_real t301;
+    bs_real t303;
+    BS_SINCOS(t300, &t301, &t303);
     const bs_real t302 = -t301;
-    const bs_real t303 = BS_COS(t300);
     const bs_real t304 = BS_ATAN2(t302, t303);
     const bs_real t306 = t288 * t265;
     const bs_real t307 = BS_REAL(2.0) * t306;
@@ -316,15 +320,17 @@ static void vas_euler_z_kernel_2(const bs_real q_b2n_wxyz[4],
     const bs_real t319 = BS_SQRT(t318);
     const bs_real t320 = BS_ATAN2(t309, t319);
     const bs_real t321 = euler_m[1] - t320;
-    const bs_real t322 = BS_SIN(t321);
+    bs_real t322;
+    bs_real t324;
+    BS_SINCOS(t321, &t322, &t324);
     const bs_real t323 = -t322;
-    const bs_real t324 = BS_COS(t321);
     const bs_real t325 = BS_ATAN2(t323, t324);
     const bs_real t327 = BS_ATAN2(t313, t316);
     const bs_real t328 = euler_m[2] - t327;
-    const bs_real t329 = BS_SIN(t328);
+    bs_real t329;
+    bs_real t331;
+    BS_SINCOS(t328, &t329, &t331);
     const bs_real t330 = -t329;
-    const bs_real t331 = BS_COS(t328);
     const bs_real t332 = BS_ATAN2(t330, t331);
     z_nz[0] = t304; /* roll */
     z_nz[1] = t325; /* pitch */

@@ -7,6 +7,7 @@
 #define VAS_EXPECTED_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_sensors_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -40,7 +41,8 @@ static void vas_expected_kernel_1(const bs_real position[3],
                                   vas_expected_shared *shared,
                                   bs_real v_m_n_nz[3])
 {
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    BS_SINCOS(position[0], &sin_lat, &shared->cos_lat);
     const bs_real t5 = BS_REAL(7.292115e-05) * sin_lat;
     const bs_real t11 = sin_lat * sin_lat;
     const bs_real t12 = BS_REAL(0.006694379990141317) * t11;
@@ -49,7 +51,6 @@ static void vas_expected_kernel_1(const bs_real position[3],
     const bs_real t15 = BS_REAL(6378137.0) / t14;
     const bs_real t16 = position[2] + t15;
     shared->t17 = v_n[1] / t16;
-    shared->cos_lat = BS_COS(position[0]);
     const bs_real t19 = sin_lat / shared->cos_lat;
     const bs_real t20 = shared->t17 * t19;
     shared->t21 = t5 + t20;

@@ -7,6 +7,7 @@
 #define VAS_QUATERNION_H_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_sensors_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -234,7 +235,7 @@ static void vas_quaternion_H_kernel_1(const bs_real x[46],
     const bs_real t33 = t28 + t32;
     shared->t34 = BS_SQRT(t33);
     const bs_real t35 = BS_REAL(0.5) * shared->t34;
-    shared->t36 = BS_SIN(t35);
+    BS_SINCOS(t35, &shared->t36, &shared->t99);
     shared->t37 = BS_REAL(1.0) / shared->t34;
     shared->t38 = shared->t36 * shared->t37;
     const bs_real t42 = flexure[0] * flexure[0];
@@ -289,7 +290,6 @@ static void vas_quaternion_H_kernel_1(const bs_real x[46],
     const bs_real t96 = t94 + t95;
     const bs_real t97 = t55 * t58;
     shared->t98 = t96 - t97;
-    shared->t99 = BS_COS(t35);
     const bs_real t100 = shared->t98 * shared->t99;
     shared->t101 = t92 - t100;
     shared->sin_lat = BS_SIN(position[0]);
@@ -526,7 +526,7 @@ static void vas_quaternion_H_kernel_3(const bs_real q_m2n_wxyz[4], vas_quaternio
     const bs_real t359 = shared->t342 + t358;
     const bs_real t360 = BS_SQRT(t359);
     const bs_real t361 = BS_REAL(0.5) * t360;
-    shared->t362 = BS_SIN(t361);
+    BS_SINCOS(t361, &shared->t362, &shared->t399);
     const bs_real t363 = shared->t312 * shared->t362;
     shared->t364 = BS_REAL(1.0) / t360;
     shared->t365 = t363 * shared->t364;
@@ -562,7 +562,6 @@ static void vas_quaternion_H_kernel_3(const bs_real q_m2n_wxyz[4], vas_quaternio
     shared->t396 = t393 - t395;
     const bs_real t397 = shared->t199 * shared->t396;
     shared->t398 = t388 - t397;
-    shared->t399 = BS_COS(t361);
     const bs_real t400 = shared->t398 * shared->t399;
     const bs_real t401 = shared->t384 * shared->t224;
     const bs_real t402 = shared->t376 * shared->t199;

@@ -7,6 +7,7 @@
 #define VAS_QUATERNION_Z_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_sensors_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -170,7 +171,9 @@ static void vas_quaternion_z_kernel_1(const bs_real position[3],
     const bs_real t166 = t162 + t165;
     const bs_real t167 = t159 * t166;
     const bs_real t168 = t139 + t167;
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[0], &sin_lat, &cos_lat);
     const bs_real t175 = sin_lat * sin_lat;
     const bs_real t176 = BS_REAL(0.006694379990141317) * t175;
     const bs_real t177 = BS_REAL(1.0) - t176;
@@ -183,7 +186,6 @@ static void vas_quaternion_z_kernel_1(const bs_real position[3],
     const bs_real t184 = shared->t183 * shared->t183;
     const bs_real t185 = t68 * t184;
     const bs_real t186 = BS_REAL(1e-30) + t185;
-    const bs_real cos_lat = BS_COS(position[0]);
     const bs_real t189 = BS_REAL(7.292115e-05) * cos_lat;
     const bs_real t192 = BS_REAL(6378137.0) / t178;
     const bs_real t193 = position[2] + t192;
@@ -233,9 +235,10 @@ static void vas_quaternion_z_kernel_2(const bs_real q_b2n_wxyz[4],
 {
     const bs_real t230 = BS_SQRT(shared->t229);
     const bs_real t231 = BS_REAL(0.5) * t230;
-    const bs_real t232 = BS_COS(t231);
+    bs_real t234;
+    bs_real t232;
+    BS_SINCOS(t231, &t234, &t232);
     const bs_real t233 = shared->t65 * t232;
-    const bs_real t234 = BS_SIN(t231);
     const bs_real t235 = lag[0] * t234;
     const bs_real t236 = t235 / t230;
     const bs_real t237 = shared->t53 * q_b2n_wxyz[3];

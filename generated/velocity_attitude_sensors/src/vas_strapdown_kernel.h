@@ -6,6 +6,7 @@
 #define VAS_STRAPDOWN_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_sensors_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -556,9 +557,10 @@ static void vas_strapdown_kernel_3(const bs_real v_n[3],
     const bs_real t503 = t495 + t502;
     const bs_real t504 = BS_SQRT(t503);
     const bs_real t505 = BS_REAL(0.5) * t504;
-    const bs_real t506 = BS_COS(t505);
+    bs_real t508;
+    bs_real t506;
+    BS_SINCOS(t505, &t508, &t506);
     const bs_real t507 = t506 * q_b2n_wxyz[0];
-    const bs_real t508 = BS_SIN(t505);
     const bs_real t509 = t508 / t504;
     const bs_real t510 = t509 * q_b2n_wxyz[2];
     const bs_real t511 = t485 * t510;
@@ -583,7 +585,9 @@ static void vas_strapdown_kernel_3(const bs_real v_n[3],
     const bs_real t530 = t525 + t529;
     const bs_real t531 = BS_SQRT(t530);
     const bs_real t532 = BS_REAL(0.5) * t531;
-    const bs_real t533 = BS_COS(t532);
+    bs_real t544;
+    bs_real t533;
+    BS_SINCOS(t532, &t544, &t533);
     const bs_real t534 = t518 * t533;
     const bs_real t535 = t509 * q_b2n_wxyz[0];
     const bs_real t536 = t485 * t535;
@@ -594,7 +598,6 @@ static void vas_strapdown_kernel_3(const bs_real v_n[3],
     const bs_real t541 = t539 + t540;
     const bs_real t542 = t493 * t513;
     const bs_real t543 = t541 - t542;
-    const bs_real t544 = BS_SIN(t532);
     const bs_real t545 = BS_REAL(1.0) / t531;
     const bs_real t546 = t544 * t545;
     const bs_real t547 = t546 * dt[0];

@@ -7,6 +7,7 @@
 #define VAS_VELOCITY_H_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_attitude_sensors_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -73,7 +74,8 @@ static void vas_velocity_H_kernel_1(const bs_real position[3],
                                     const bs_real lever_b[3],
                                     vas_velocity_H_shared *shared)
 {
-    const bs_real sin_lat = BS_SIN(position[0]);
+    bs_real sin_lat;
+    BS_SINCOS(position[0], &sin_lat, &shared->cos_lat);
     const bs_real t3 = BS_REAL(7.292115e-05) * sin_lat;
     const bs_real t9 = sin_lat * sin_lat;
     const bs_real t10 = BS_REAL(0.006694379990141317) * t9;
@@ -82,7 +84,6 @@ static void vas_velocity_H_kernel_1(const bs_real position[3],
     const bs_real t13 = BS_REAL(6378137.0) / t12;
     const bs_real t14 = position[2] + t13;
     shared->t15 = v_n[1] / t14;
-    shared->cos_lat = BS_COS(position[0]);
     const bs_real t17 = sin_lat / shared->cos_lat;
     const bs_real t18 = shared->t15 * t17;
     shared->t19 = t3 + t18;

@@ -442,9 +442,9 @@ size_t vd_filter_consider_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vd_filter_consider(&filter[i],
-                                                      &considered[i * considered_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = vd_filter_consider(&filter[i], &considered[i * considered_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -466,9 +466,10 @@ size_t vd_filter_propagate_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vd_filter_propagate(&filter[i], &imu[i * imu_stride],
-                                                       &noise[i * noise_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = vd_filter_propagate(&filter[i], &imu[i * imu_stride],
+                                                  &noise[i * noise_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -490,9 +491,10 @@ size_t vd_filter_strapdown_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vd_filter_strapdown(&filter[i], &imu[i * imu_stride],
-                                                       &increments[i * increments_stride]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = vd_filter_strapdown(&filter[i], &imu[i * imu_stride],
+                                                  &increments[i * increments_stride]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
@@ -502,14 +504,15 @@ size_t vd_filter_correct_batch(size_t n, vd_filter *filter, unsigned char *statu
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vd_filter_correct(&filter[i]);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        const bs_status one = vd_filter_correct(&filter[i]);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
     }
     return failed;
 }
 
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t vd_filter_measure_velocity_batch(size_t n,
                                         vd_filter *filter,
                                         const vd_master *master,
@@ -517,9 +520,11 @@ size_t vd_filter_measure_velocity_batch(size_t n,
                                         const bs_real *R,
                                         size_t R_stride,
                                         const unsigned char *rows,
-                                        const bs_real *gate,
+                                        const bs_real *gates,
+                                        const int *iterations,
                                         bs_real *nu,
                                         bs_real *S,
+                                        bs_real *nis,
                                         unsigned char *used,
                                         unsigned char *status);
 size_t vd_filter_measure_velocity_batch(size_t n,
@@ -529,24 +534,27 @@ size_t vd_filter_measure_velocity_batch(size_t n,
                                         const bs_real *R,
                                         size_t R_stride,
                                         const unsigned char *rows,
-                                        const bs_real *gate,
+                                        const bs_real *gates,
+                                        const int *iterations,
                                         bs_real *nu,
                                         bs_real *S,
+                                        bs_real *nis,
                                         unsigned char *used,
                                         unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        vd_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        vd_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)vd_filter_measure_velocity(&filter[i],
-                                                              &master[i * master_stride],
-                                                              &R[i * R_stride], chosen, *gate,
-                                                              &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = vd_filter_measure_velocity(&filter[i], &master[i * master_stride], &R[i * R_stride],
+                                         &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -556,7 +564,7 @@ size_t vd_filter_measure_velocity_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t vd_filter_measure_dcm_batch(size_t n,
                                    vd_filter *filter,
                                    const vd_master *master,
@@ -564,9 +572,11 @@ size_t vd_filter_measure_dcm_batch(size_t n,
                                    const bs_real *R,
                                    size_t R_stride,
                                    const unsigned char *rows,
-                                   const bs_real *gate,
+                                   const bs_real *gates,
+                                   const int *iterations,
                                    bs_real *nu,
                                    bs_real *S,
+                                   bs_real *nis,
                                    unsigned char *used,
                                    unsigned char *status);
 size_t vd_filter_measure_dcm_batch(size_t n,
@@ -576,23 +586,27 @@ size_t vd_filter_measure_dcm_batch(size_t n,
                                    const bs_real *R,
                                    size_t R_stride,
                                    const unsigned char *rows,
-                                   const bs_real *gate,
+                                   const bs_real *gates,
+                                   const int *iterations,
                                    bs_real *nu,
                                    bs_real *S,
+                                   bs_real *nis,
                                    unsigned char *used,
                                    unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        vd_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        vd_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)vd_filter_measure_dcm(&filter[i], &master[i * master_stride],
-                                                         &R[i * R_stride], chosen, *gate,
-                                                         &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = vd_filter_measure_dcm(&filter[i], &master[i * master_stride], &R[i * R_stride], &how,
+                                    &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];
@@ -602,7 +616,7 @@ size_t vd_filter_measure_dcm_batch(size_t n,
     return failed;
 }
 
-/* rows, nu, S and used: 3 for each run. */
+/* rows, nu, S and used: 3 for each run; gates: that of a row, the joint one. */
 size_t vd_filter_measure_dcm_exact_batch(size_t n,
                                          vd_filter *filter,
                                          const vd_master *master,
@@ -610,10 +624,11 @@ size_t vd_filter_measure_dcm_exact_batch(size_t n,
                                          const bs_real *R,
                                          size_t R_stride,
                                          const unsigned char *rows,
-                                         const bs_real *gate,
+                                         const bs_real *gates,
                                          const int *iterations,
                                          bs_real *nu,
                                          bs_real *S,
+                                         bs_real *nis,
                                          unsigned char *used,
                                          unsigned char *status);
 size_t vd_filter_measure_dcm_exact_batch(size_t n,
@@ -623,25 +638,27 @@ size_t vd_filter_measure_dcm_exact_batch(size_t n,
                                          const bs_real *R,
                                          size_t R_stride,
                                          const unsigned char *rows,
-                                         const bs_real *gate,
+                                         const bs_real *gates,
                                          const int *iterations,
                                          bs_real *nu,
                                          bs_real *S,
+                                         bs_real *nis,
                                          unsigned char *used,
                                          unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        vd_innovation innovation = { {0}, {0}, 0U };
-        unsigned int chosen = 0U;
+        vd_innovation innovation = { {0}, {0}, BS_REAL(0.0), 0U };
+        bs_gates how = { 0U, gates[0], gates[1], *iterations };
+        bs_status one;
         for (unsigned int k = 0U; k < 3U; ++k) {
-            chosen |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
+            how.rows |= (rows[(i * 3U) + k] != 0U) ? (1U << k) : 0U;
         }
-        status[i] = (unsigned char)vd_filter_measure_dcm_exact(&filter[i],
-                                                               &master[i * master_stride],
-                                                               &R[i * R_stride], chosen, *gate,
-                                                               *iterations, &innovation);
-        failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
+        one = vd_filter_measure_dcm_exact(&filter[i], &master[i * master_stride], &R[i * R_stride],
+                                          &how, &innovation);
+        status[i] = (unsigned char)one;
+        failed += bs_good(one) ? 0U : 1U;
+        nis[i] = innovation.nis;
         for (unsigned int k = 0U; k < 3U; ++k) {
             nu[(i * 3U) + k] = innovation.nu[k];
             S[(i * 3U) + k] = innovation.S[k];

@@ -20,7 +20,7 @@ static void vd_Q_kernel(const bs_real position[3],
     const double *arg[7] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[68] = {0};
+    double w[71] = {0};
     arg[0] = position;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

@@ -2,8 +2,8 @@
  * Boresight: do not edit.
  * Include it before vd_dcm_exact_hx.c: it stands in for the flight kernel, whose include guard it
  * shares. */
-#ifndef VD_DCM_EXACT_H_KERNEL_H
-#define VD_DCM_EXACT_H_KERNEL_H
+#ifndef VD_DCM_EXACT_HX_KERNEL_H
+#define VD_DCM_EXACT_HX_KERNEL_H
 
 #include "boresight.h"
 

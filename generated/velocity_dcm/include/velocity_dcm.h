@@ -13,7 +13,11 @@
 #ifndef VELOCITY_DCM_H
 #define VELOCITY_DCM_H
 
-#include "boresight.h"
+#include "velocity_dcm_identity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* The error state. */
 /* error of the velocity against the true one carried into c (m/s, ENU) */
@@ -119,7 +123,7 @@ bs_status vd_Qc(const vd_nav *nav, const vd_noise *noise, bs_real Qc[10 * VD_N_S
 /* The same, the non-zeros alone, row after row. */
 bs_status vd_Qc_nz(const vd_nav *nav, const vd_noise *noise, bs_real Qc_nz[18]);
 
-/* Covariance that the noise adds over dt, to dt^3, with F as it is at the start.
+/* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
  * Equations: kim-2018 (2), kim-2018 (3).
  * in   nav->position       longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                          (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
@@ -286,5 +290,9 @@ bs_status vd_feedback(const bs_real x[VD_N_STATES],
                       bs_real q_b2n_wxyz[4],
                       bs_real mu[3],
                       bs_real tau[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

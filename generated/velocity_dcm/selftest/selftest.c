@@ -75,6 +75,7 @@ int main(void)
 {
     int passed = 0;
     int failed = 0;
+    (void)printf("%s\n", vd_identity());
     if (test_vd_F() == 0) {
         ++passed;
     } else {
@@ -153,6 +154,12 @@ int main(void)
         (void)printf("FAILED vd_feedback\n");
         ++failed;
     }
+    if (test_vd_math() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED vd_math\n");
+        ++failed;
+    }
     if (test_vd_covariance() == 0) {
         ++passed;
     } else {
@@ -163,6 +170,12 @@ int main(void)
         ++passed;
     } else {
         (void)printf("FAILED vd_filter\n");
+        ++failed;
+    }
+    if (test_vd_digest() == 0) {
+        ++passed;
+    } else {
+        (void)printf("FAILED vd_digest\n");
         ++failed;
     }
     (void)printf("%d passed, %d failed\n", passed, failed);

@@ -2,7 +2,11 @@
 #ifndef BORESIGHT_SELFTEST_H
 #define BORESIGHT_SELFTEST_H
 
-#include "boresight.h"
+#include "velocity_dcm.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 double selftest_nan(void);
 double selftest_infinity(void);
@@ -34,7 +38,13 @@ int test_vd_dcm_exact_h(void);
 int test_vd_dcm_exact_H(void);
 int test_vd_strapdown(void);
 int test_vd_feedback(void);
+int test_vd_math(void);
 int test_vd_covariance(void);
 int test_vd_filter(void);
+int test_vd_digest(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,7 @@
 #define VD_F_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_dcm_math.h"
 
 static void vd_F_kernel(const bs_real position[3],
                         const bs_real v_n[3],
@@ -12,7 +13,9 @@ static void vd_F_kernel(const bs_real position[3],
                         const bs_real f_b[3],
                         bs_real F_nz[18])
 {
-    const bs_real sin_lat = BS_SIN(position[1]);
+    bs_real sin_lat;
+    bs_real cos_lat;
+    BS_SINCOS(position[1], &sin_lat, &cos_lat);
     const bs_real t7 = sin_lat * sin_lat;
     const bs_real t8 = BS_REAL(0.006694379990141317) * t7;
     const bs_real t9 = BS_REAL(1.0) - t8;
@@ -20,7 +23,6 @@ static void vd_F_kernel(const bs_real position[3],
     const bs_real t11 = BS_REAL(6378137.0) / t10;
     const bs_real t12 = position[2] + t11;
     const bs_real t13 = v_n[0] / t12;
-    const bs_real cos_lat = BS_COS(position[1]);
     const bs_real t15 = sin_lat / cos_lat;
     const bs_real t16 = t13 * t15;
     const bs_real t18 = BS_REAL(0.0001458423) * sin_lat;

@@ -8,6 +8,7 @@
 #define VD_DCM_EXACT_H_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_dcm_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -255,14 +256,13 @@ static void vd_dcm_exact_H_kernel_1(const bs_real x[10],
     const bs_real t34 = t30 + shared->t33;
     shared->t35 = BS_SQRT(t34);
     const bs_real t36 = BS_REAL(0.5) * shared->t35;
-    shared->t37 = BS_SIN(t36);
+    BS_SINCOS(t36, &shared->t37, &shared->t44);
     const bs_real t38 = shared->t37 * shared->t37;
     shared->t39 = BS_REAL(1.0) / t34;
     shared->t40 = t38 * shared->t39;
     const bs_real t41 = shared->t23 * shared->t40;
     const bs_real t42 = t41 * omega_nm_n[2];
     shared->t43 = shared->t21 * t42;
-    shared->t44 = BS_COS(t36);
     shared->t45 = shared->t37 * shared->t44;
     const bs_real t46 = shared->t45 * x[9];
     shared->t47 = BS_REAL(1.0) / shared->t35;
@@ -287,8 +287,7 @@ static void vd_dcm_exact_H_kernel_1(const bs_real x[10],
     const bs_real t76 = t71 + shared->t75;
     shared->t77 = BS_SQRT(t76);
     const bs_real t78 = BS_REAL(0.5) * shared->t77;
-    shared->t79 = BS_SIN(t78);
-    shared->t80 = BS_COS(t78);
+    BS_SINCOS(t78, &shared->t79, &shared->t80);
     const bs_real t81 = shared->t79 * shared->t80;
     shared->t82 = BS_REAL(1.0) / shared->t77;
     shared->t83 = t81 * shared->t82;

@@ -4,10 +4,11 @@
  * Equations: kim-2018 (5).
  * 531 operations, list 49a47ed144702eda.  No branch, no check: call vd_dcm_exact_h, which has
  * them. */
-#ifndef VD_DCM_EXACT_H_KERNEL_H
-#define VD_DCM_EXACT_H_KERNEL_H
+#ifndef VD_DCM_EXACT_HX_KERNEL_H
+#define VD_DCM_EXACT_HX_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_dcm_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
@@ -147,14 +148,15 @@ static void vd_dcm_exact_h_kernel_1(const bs_real x[10],
     const bs_real t16 = t11 + t15;
     const bs_real t17 = BS_SQRT(t16);
     const bs_real t18 = BS_REAL(0.5) * t17;
-    const bs_real t19 = BS_SIN(t18);
+    bs_real t19;
+    bs_real t26;
+    BS_SINCOS(t18, &t19, &t26);
     const bs_real t20 = t19 * t19;
     shared->t21 = t20 / t16;
     const bs_real t22 = shared->t2 * shared->t21;
     const bs_real t23 = BS_REAL(2.0) * shared->t14;
     shared->t24 = t22 * t23;
     shared->t25 = BS_REAL(2.0) * t9;
-    const bs_real t26 = BS_COS(t18);
     const bs_real t27 = t19 * t26;
     shared->t28 = t27 / t17;
     shared->t29 = shared->t25 * shared->t28;
@@ -199,12 +201,13 @@ static void vd_dcm_exact_h_kernel_1(const bs_real x[10],
     const bs_real t75 = t72 + t74;
     const bs_real t76 = BS_SQRT(t75);
     const bs_real t77 = BS_REAL(0.5) * t76;
-    const bs_real t78 = BS_SIN(t77);
+    bs_real t78;
+    bs_real t83;
+    BS_SINCOS(t77, &t78, &t83);
     const bs_real t79 = t78 * t78;
     const bs_real t80 = t79 / t75;
     const bs_real t81 = t80 * x[5];
     shared->t82 = t67 * t81;
-    const bs_real t83 = BS_COS(t77);
     const bs_real t84 = t78 * t83;
     const bs_real t85 = t84 / t76;
     const bs_real t86 = BS_REAL(2.0) * x[4];
@@ -223,13 +226,14 @@ static void vd_dcm_exact_h_kernel_1(const bs_real x[10],
     const bs_real t103 = t99 + t102;
     const bs_real t104 = BS_SQRT(t103);
     const bs_real t105 = BS_REAL(0.5) * t104;
-    const bs_real t106 = BS_SIN(t105);
+    bs_real t106;
+    bs_real t112;
+    BS_SINCOS(t105, &t106, &t112);
     const bs_real t107 = t106 * t106;
     shared->t108 = t107 / t103;
     const bs_real t109 = shared->t92 * shared->t108;
     const bs_real t110 = t109 * omega_nm_n[2];
     shared->t111 = shared->t90 * t110;
-    const bs_real t112 = BS_COS(t105);
     const bs_real t113 = t106 * t112;
     const bs_real t114 = t113 * x[9];
     shared->t115 = t114 / t104;
@@ -380,14 +384,15 @@ static void vd_dcm_exact_h_kernel_2(const bs_real q_b2n_wxyz[4],
     const bs_real t256 = t254 + t255;
     const bs_real t257 = BS_SQRT(t256);
     const bs_real t258 = BS_REAL(0.5) * t257;
-    const bs_real t259 = BS_SIN(t258);
+    bs_real t259;
+    bs_real t266;
+    BS_SINCOS(t258, &t259, &t266);
     const bs_real t260 = t259 * t259;
     const bs_real t261 = t260 / t256;
     const bs_real t262 = t261 * mu[1];
     const bs_real t263 = t262 * mu[2];
     const bs_real t264 = BS_REAL(2.0) * t263;
     const bs_real t265 = BS_REAL(2.0) * mu[0];
-    const bs_real t266 = BS_COS(t258);
     const bs_real t267 = t259 * t266;
     const bs_real t268 = t267 / t257;
     const bs_real t269 = t265 * t268;

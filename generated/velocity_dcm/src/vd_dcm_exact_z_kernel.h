@@ -8,6 +8,7 @@
 #define VD_DCM_EXACT_Z_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_dcm_math.h"
 
 static void vd_dcm_exact_z_kernel(const bs_real q_b2n_wxyz[4],
                                   const bs_real mu[3],
@@ -27,14 +28,15 @@ static void vd_dcm_exact_z_kernel(const bs_real q_b2n_wxyz[4],
     const bs_real t19 = t16 + t18;
     const bs_real t20 = BS_SQRT(t19);
     const bs_real t21 = BS_REAL(0.5) * t20;
-    const bs_real t22 = BS_SIN(t21);
+    bs_real t22;
+    bs_real t29;
+    BS_SINCOS(t21, &t22, &t29);
     const bs_real t23 = t22 * t22;
     const bs_real t24 = t23 / t19;
     const bs_real t25 = t24 * mu[1];
     const bs_real t26 = t25 * mu[2];
     const bs_real t27 = BS_REAL(2.0) * t26;
     const bs_real t28 = BS_REAL(2.0) * mu[0];
-    const bs_real t29 = BS_COS(t21);
     const bs_real t30 = t22 * t29;
     const bs_real t31 = t30 / t20;
     const bs_real t32 = t28 * t31;

@@ -5,6 +5,7 @@
 #define VD_FEEDBACK_KERNEL_H
 
 #include "boresight.h"
+#include "velocity_dcm_math.h"
 
 static void vd_feedback_kernel(const bs_real x[10],
                                const bs_real v_n[3],
@@ -27,9 +28,10 @@ static void vd_feedback_kernel(const bs_real x[10],
     const bs_real t19 = t16 + t18;
     const bs_real t20 = BS_SQRT(t19);
     const bs_real t21 = BS_REAL(0.5) * t20;
-    const bs_real t22 = BS_COS(t21);
+    bs_real t25;
+    bs_real t22;
+    BS_SINCOS(t21, &t25, &t22);
     const bs_real t24 = t22 * q_b2n_wxyz[0];
-    const bs_real t25 = BS_SIN(t21);
     const bs_real t26 = t25 / t20;
     const bs_real t27 = t26 * x[3];
     const bs_real t29 = t27 * q_b2n_wxyz[1];

@@ -1,0 +1,434 @@
+"""An exported folder in somebody else's build: languages, precisions, flags that are refused, what it says it is."""
+
+import hashlib
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from building import run
+from conftest import PENDULUM
+
+from boresight import __version__
+from boresight.codegen import export as exporting
+from boresight.codegen.export import export
+from boresight.codegen.text.identity import model_hash, public_functions
+from boresight.runtime.manifest import folder_of, read_manifest, sources, sources_hash
+from boresight.runtime.status import Status
+
+COMPILERS = [pair for pair in (("gcc", "g++"), ("clang", "clang++")) if shutil.which(pair[1])]
+STANDARDS = [
+    (c if std.startswith("c++") is False else cxx, std)
+    for c, cxx in COMPILERS
+    for std in ("c99", "c11", "c17", "c2x", "c++17", "c++20")
+]
+EXACT = ("-ffp-contract=off", "-Werror")
+
+
+@pytest.fixture(scope="module")
+def folders(compiled_once, tmp_path_factory):
+    """(model, precision) -> the exported folder, exported once."""
+    place, made = tmp_path_factory.mktemp("exported"), {}
+
+    def folder(model, precision):
+        out = place / f"{model}-{precision}"
+        if (model, precision) not in made:
+            made[model, precision] = export(model, out, precision)
+        return out
+
+    return folder
+
+
+@pytest.fixture(scope="module")
+def libraries(folders):
+    """(model, precision) -> the folder, its library built by its Makefile."""
+
+    def library(model, precision):
+        out = folders(model, precision)
+        (done,) = [run("make", "-s", "-C", out, "CFLAGS=-O0")]
+        assert done.returncode == 0, done.stderr
+        return out, next((out / "build").glob("*.a"))
+
+    return library
+
+
+def include(folder):
+    return ["-I", folder / "include"]
+
+
+# ---- languages
+
+
+@pytest.mark.parametrize(("compiler", "std"), STANDARDS)
+def test_sources_and_headers_are_c_and_cxx_from_1999_to_today(compiler, std, folders, tmp_path):
+    """Compiled, linked and run: the whole self-test in that language, and its user in it."""
+    folder = folders("strapdown", "float")
+    zeros = ("-Wno-missing-field-initializers", "-Wno-missing-braces")  # {0} is how C writes them
+    extra = zeros if "++" in std else ()
+    language = [
+        "-x",
+        "c++" if "++" in std else "c",
+        f"-std={std}",
+        *EXACT,
+        "-Wall",
+        "-Wextra",
+        *extra,
+        *include(folder),
+    ]
+    files = [*(folder / "src").glob("*.c"), *(folder / "selftest").glob("*.c")]
+    done = run(compiler, *language, "-O1", *files, "-lm", "-o", tmp_path / "selftest")
+    assert done.returncode == 0, done.stderr
+    done = run(tmp_path / "selftest")
+    assert done.returncode == 0 and "4 passed, 0 failed" in done.stdout
+
+
+USER = """
+#include <stdio.h>
+#include "azimuth_hold_filter.h"
+
+static ah_filter filter;
+
+int main(void)
+{
+    static const unsigned char considered[AH_N_STATES] = { 0 };
+    (void)printf("%s", ah_identity());
+    return (int)ah_filter_consider(&filter, considered);
+}
+"""
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize(("compiler", "std"), [(cxx, std) for _, cxx in COMPILERS for std in ("c++17", "c++20")])
+def test_a_cxx_program_links_the_c_library(compiler, std, precision, libraries, tmp_path):
+    folder, library = libraries("azimuth-hold", precision)
+    (tmp_path / "main.cpp").write_text(USER)
+    out = tmp_path / "user"
+    done = run(
+        compiler, f"-std={std}", "-Wall", "-Wextra", *EXACT, *include(folder), tmp_path / "main.cpp", library, "-o", out
+    )
+    assert done.returncode == 0, done.stderr
+    assert run(out).stdout.startswith("azimuth-hold, Boresight")
+
+
+def test_a_cxx_main_runs_the_self_test(libraries, tmp_path):
+    folder, library = libraries("strapdown", "double")
+    objects = []
+    for source in sorted((folder / "selftest").glob("*.c")):
+        objects.append(tmp_path / f"{source.stem}.o")
+        done = run("gcc", "-std=c99", "-Dmain=selftest_main", *EXACT, *include(folder), "-c", source, "-o", objects[-1])
+        assert done.returncode == 0, done.stderr
+    (tmp_path / "main.cpp").write_text(
+        '#include "selftest.h"\nextern "C" int selftest_main(void);\nint main() '
+        "{ return selftest_main() + test_sd_step(); }\n"
+    )
+    flags = ["-std=c++17", *include(folder), "-I", folder / "selftest"]
+    done = run("g++", *flags, tmp_path / "main.cpp", *objects, library, "-o", tmp_path / "program")
+    assert done.returncode == 0, done.stderr
+    assert run(tmp_path / "program").returncode == 0
+
+
+# ---- two precisions
+
+
+@pytest.mark.parametrize(("header", "library"), [("float", "double"), ("double", "float")])
+def test_a_header_of_one_precision_does_not_link_with_a_library_of_the_other(header, library, libraries, tmp_path):
+    (tmp_path / "main.c").write_text(USER)
+    command = ["gcc", "-std=c99", *include(libraries("azimuth-hold", header)[0]), tmp_path / "main.c"]
+    assert run(*command, libraries("azimuth-hold", header)[1], "-lm", "-o", tmp_path / "right").returncode == 0
+    done = run(*command, libraries("azimuth-hold", library)[1], "-lm", "-o", tmp_path / "wrong")
+    assert done.returncode != 0 and "undefined reference" in done.stderr
+
+
+@pytest.mark.parametrize("precisions", [("double", "float"), ("float", "double")])
+@pytest.mark.parametrize("before", ["", '#include "boresight.h"\n'])
+def test_two_precisions_in_one_file_are_refused_in_a_sentence(precisions, before, folders, tmp_path):
+    first, second = folders("strapdown", precisions[0]), folders("azimuth-hold", precisions[1])
+    (tmp_path / "both.c").write_text(before + '#include "strapdown.h"\n#include "azimuth_hold.h"\n')
+    done = run("gcc", "-std=c99", "-fsyntax-only", *include(first), *include(second), tmp_path / "both.c")
+    assert done.returncode != 0
+    assert f"azimuth_hold was exported in {precisions[1]}" in done.stderr
+    same = folders("azimuth-hold", precisions[0])
+    assert run("gcc", "-std=c99", "-fsyntax-only", *include(first), *include(same), tmp_path / "both.c").returncode == 0
+
+
+def test_two_versions_in_one_file_are_refused(folders, tmp_path):
+    first, second = folders("strapdown", "double"), tmp_path / "second"
+    shutil.copytree(folders("azimuth-hold", "double"), second)
+    header = second / "include" / "azimuth_hold_identity.h"
+    header.write_text(re.sub(r"(VERSION_NUMBER (?:!= )?)\d+", r"\g<1>990000", header.read_text()))
+    (tmp_path / "both.c").write_text('#include "strapdown.h"\n#include "azimuth_hold.h"\n')
+    done = run("gcc", "-std=c99", "-fsyntax-only", *include(first), *include(second), tmp_path / "both.c")
+    assert done.returncode != 0 and "another version was seen before" in done.stderr
+
+
+def test_a_double_export_is_not_made_float_by_a_flag(folders):
+    folder = folders("strapdown", "double")
+    done = run("gcc", "-DBORESIGHT_FLOAT", "-fsyntax-only", *include(folder), folder / "src" / "sd_step.c")
+    assert done.returncode != 0 and "exported in double" in done.stderr
+
+
+@pytest.mark.parametrize("model", ["strapdown", "azimuth-hold", "stationary-detector"])
+def test_every_symbol_says_its_precision(model, libraries):
+    """All that the objects offer, whatever a header lists: so none was forgotten."""
+    symbols = {}
+    for precision in ("double", "float"):
+        listed = run("nm", "-g", "--defined-only", "-P", libraries(model, precision)[1]).stdout
+        symbols[precision] = {line.split()[0] for line in listed.splitlines() if len(line.split()) > 2}
+    assert symbols["double"] and not any(name.endswith("_f32") for name in symbols["double"])
+    assert symbols["float"] == {f"{name}_f32" for name in symbols["double"]}
+
+
+def test_what_looks_like_a_prototype_is_no_function():
+    text = "static inline int ah_a(int x)\n * bs_status ah_b(int);\ntypedef int (*ah_c)(int);\n#define ah_d(x) x\n"
+    files = {"include/a.h": text + "bs_status ah_e(int x);\nconst char *ah_f(void);\n", "src/a.c": "int ah_g(void)\n"}
+    assert public_functions(files, "ah") == ["ah_e", "ah_f"]
+
+
+# ---- what is refused
+
+METHOD = run("gcc", "-mfpmath=387", "-dM", "-E", "-x", "c", "/dev/null").stdout
+X87 = "__FLT_EVAL_METHOD__ 2" in METHOD
+
+
+@pytest.mark.parametrize(
+    ("compiler", "flag", "word"),
+    [
+        *((compiler, "-ffast-math", "fast-math") for compiler, _ in COMPILERS),
+        *((compiler, "-ffinite-math-only", "finite-math-only") for compiler, _ in COMPILERS),
+        pytest.param("gcc", "-mfpmath=387", "mfpmath=sse", marks=pytest.mark.skipif(not X87, reason="gcc has no x87")),
+    ],
+)
+def test_arithmetic_that_is_not_as_written_is_refused(compiler, flag, word, folders):
+    folder = folders("strapdown", "double")
+    command = [compiler, "-std=c99", "-fsyntax-only", "-w", *include(folder), folder / "src" / "sd_step.c"]
+    assert run(*command).returncode == 0
+    done = run(*command, flag)
+    assert done.returncode != 0 and "error: " in done.stderr and word in done.stderr
+
+
+def test_reordered_sums_are_refused_where_gcc_tells(folders):
+    folder = folders("strapdown", "double")
+    command = ["gcc", "-std=c99", "-fsyntax-only", *include(folder), folder / "src" / "sd_step.c"]
+    for flag in ("-funsafe-math-optimizations", "-freciprocal-math"):
+        done = run(*command, flag)
+        assert done.returncode != 0 and "change results" in done.stderr
+
+
+PROBE = '#include "boresight.h"\nint main(void)\n{\n    return (int)bs_probe();\n}\n'
+FUSED = "-mfma" if " fma " in Path("/proc/cpuinfo").read_text() else ""
+REORDERED = "-fassociative-math -fno-signed-zeros -fno-trapping-math"
+NO_NAN = "-Xclang -menable-no-nans"
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize(
+    ("compiler", "flags", "status"),
+    [
+        *((c, f"-ffp-contract=off {level}", Status.OK) for c in ("gcc", "clang") for level in ("-O0", "-O2", "-O3")),
+        ("gcc", f"-ffp-contract=off -O3 {FUSED}", Status.OK),
+        ("gcc", f"-ffp-contract=fast -O2 {FUSED}", Status.CONTRACTED if FUSED else Status.OK),
+        ("clang", f"-ffp-contract=on -O2 {FUSED}", Status.CONTRACTED if FUSED else Status.OK),
+        ("clang", f"-ffp-contract=off -O2 {REORDERED}", Status.CONTRACTED),
+        ("clang", f"-ffp-contract=off -O2 {NO_NAN}", Status.CONTRACTED),
+        ("clang", "-ffp-contract=off -O2 -fno-honor-nans", Status.CONTRACTED),
+    ],
+)
+def test_the_probe_finds_what_the_preprocessor_cannot_see(precision, compiler, flags, status, folders, tmp_path):
+    if not shutil.which(compiler):
+        pytest.skip(f"{compiler} is not installed")
+    (tmp_path / "probe.c").write_text(PROBE)
+    warnings = ["-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wfloat-equal", "-Wshadow", "-Werror"]
+    command = [compiler, "-std=c99", *warnings, *flags.split(), *include(folders("strapdown", precision))]
+    done = run(*command, tmp_path / "probe.c", "-lm", "-o", tmp_path / "probe")
+    assert done.returncode == 0, done.stderr
+    assert run(tmp_path / "probe").returncode == status
+
+
+def test_constants_cut_to_single_precision_are_found(folders, tmp_path):
+    (tmp_path / "probe.c").write_text(PROBE)
+    command = ["gcc", "-std=c99", "-O1", "-fsingle-precision-constant", *include(folders("strapdown", "double"))]
+    assert run(*command, tmp_path / "probe.c", "-o", tmp_path / "probe").returncode == 0
+    assert run(tmp_path / "probe").returncode == Status.CONTRACTED
+
+
+# ---- what it is
+
+
+@pytest.mark.parametrize(
+    ("model", "precision", "form"),
+    [
+        ("azimuth-hold", "double", "Joseph"),
+        ("azimuth-hold", "float", "UD"),
+        ("strapdown", "float", "none"),
+        ("stationary-detector", "double", "none"),
+    ],
+)
+def test_library_headers_manifest_and_self_test_say_the_same(model, precision, form, libraries, tmp_path):
+    folder, library = libraries(model, precision)
+    manifest = json.loads((folder / "manifest.json").read_text())
+    assert (manifest["version"], manifest["precision"], manifest["form"]) == (__version__, precision, form)
+    p, stem = manifest["c_prefix"], model.replace("-", "_")
+    P = p.upper()
+    (tmp_path / "main.c").write_text(
+        f'#include <stdio.h>\n#include "{stem}.h"\nint main(void)\n{{\n'
+        f'    printf("%s\\n%s|%s|%s|%s|%d.%d.%d|%d|%s\\n", {p}_identity(), {P}_MODEL, {P}_MODEL_HASH, {P}_VERSION, '
+        f"BORESIGHT_VERSION, {P}_VERSION_MAJOR, {P}_VERSION_MINOR, {P}_VERSION_PATCH, {P}_PRECISION, {P}_FORM);\n"
+        "    return 0;\n}\n"
+    )
+    done = run("gcc", "-std=c99", *EXACT, *include(folder), tmp_path / "main.c", library, "-o", tmp_path / "main")
+    assert done.returncode == 0, done.stderr
+    said, macros = run(tmp_path / "main").stdout.splitlines()
+    assert said == f"{model}, Boresight {__version__}, {precision}, {form}, {manifest['hash']}"
+    bits = "32" if precision == "float" else "64"
+    assert macros.split("|") == [model, manifest["hash"], *[__version__] * 3, bits, form]
+    tested = run("make", "-s", "-C", folder, "test", "CFLAGS=-O0")
+    assert tested.stdout.splitlines()[-2] == said
+    assert manifest["hash"] in (folder / "README.md").read_text()
+
+
+def test_the_hash_is_that_of_the_files_and_the_same_in_both_precisions(folders):
+    hashes = set()
+    for precision in ("double", "float"):
+        folder = folders("strapdown", precision)
+        done = run("make", "-s", "-C", folder, "hash")
+        assert done.returncode == 0, done.stdout
+        hashes |= {done.stdout[:64], read_manifest(folder_of("strapdown"))["hash"]}
+        hashes.add(json.loads((folder / "manifest.json").read_text())["hash"])
+    assert len(hashes) == 1
+
+
+def test_any_change_of_the_c_changes_the_hash(folders, tmp_path):
+    folder = shutil.copytree(folders("strapdown", "double"), tmp_path / "copy", ignore=shutil.ignore_patterns("build"))
+    files = {str(path.relative_to(folder)): path.read_text() for path in folder.rglob("*.[ch]")}
+    first = model_hash(files)
+    moved = {path for path in files if model_hash(files | {path: files[path] + " "}) != first}
+    beside = {"include/strapdown_identity.h", "include/boresight_precision.h"}
+    assert moved == {path for path in files if path.startswith(("src/", "include/"))} - beside
+    with (folder / "src" / "sd_step.c").open("a") as source:
+        source.write("\n")
+    done = run("make", "-s", "-C", folder, "hash")
+    assert done.returncode != 0 and "not what was exported" in done.stdout
+
+
+@pytest.mark.parametrize("model", ["strapdown", "azimuth-hold"])
+def test_the_manifest_lists_every_file_with_its_hash(model, tmp_path):
+    export(model, tmp_path / "out", "float")
+    found = {str(path.relative_to(tmp_path / "out")) for path in (tmp_path / "out").rglob("*") if path.is_file()}
+    listed = json.loads((tmp_path / "out" / "manifest.json").read_text())["files"]
+    assert (
+        found == {*listed, "manifest.json"} >= {"LICENSE", "README.md", "evidence.json", "Makefile", "CMakeLists.txt"}
+    )
+    for path, digest in listed.items():
+        assert hashlib.sha256((tmp_path / "out" / path).read_bytes()).hexdigest() == digest
+    assert "What you generate is yours" in (tmp_path / "out" / "LICENSE").read_text()
+
+
+# ---- its evidence
+
+
+@pytest.fixture
+def results(tmp_path, monkeypatch):
+    monkeypatch.setattr(exporting, "RESULTS", tmp_path / "results")
+    (tmp_path / "results").mkdir()
+    return tmp_path / "results" / "strapdown.json"
+
+
+def test_the_evidence_is_of_exactly_this_c(results, tmp_path):
+    source = folder_of("strapdown")
+    digest = sources_hash(sources(source, read_manifest(source)["files"]))
+    units = {"sd_step": {"alarms": 0}}
+    kinds = {"eva": {"sources": digest, "tools": "25.0", "units": units}}
+    results.write_text(json.dumps(kinds | {"misra": {"sources": "0" * 64, "tools": "2.10", "units": units}}))
+    export("strapdown", tmp_path / "out", "double")
+    said = json.loads((tmp_path / "out" / "evidence.json").read_text())
+    assert said["evidence"] == {"eva": {"tools": "25.0", "units": units}}
+    assert said["hash"] == json.loads((tmp_path / "out" / "manifest.json").read_text())["hash"]
+    assert "eva" in (tmp_path / "out" / "README.md").read_text()
+
+
+def test_other_c_has_no_evidence_and_says_why(results, tmp_path):
+    results.write_text(json.dumps({"eva": {"sources": "0" * 64, "tools": "25.0", "units": {}}}))
+    export("strapdown", tmp_path / "out", "double")
+    said = json.loads((tmp_path / "out" / "evidence.json").read_text())
+    assert said["evidence"] == "none" and "other C" in said["why"]
+    assert f"none: {said['why']}" in (tmp_path / "out" / "README.md").read_text()
+
+
+def test_a_model_of_ones_own_has_no_evidence_and_says_why(pendulum_folder, tmp_path):
+    export(PENDULUM, tmp_path / "out", "double", pendulum_folder)
+    said = json.loads((tmp_path / "out" / "evidence.json").read_text())
+    assert said["evidence"] == "none" and "model of your own" in said["why"]
+
+
+# ---- other people's builds
+
+
+@pytest.mark.skipif(shutil.which("cmake") is None, reason="cmake is not installed")
+@pytest.mark.parametrize(("wanted", "found"), [("0.1", True), (__version__, True), ("9.0", False), ("0.2", False)])
+def test_cmake_finds_the_package_by_its_version(wanted, found, folders, tmp_path):
+    folder, prefix = folders("strapdown", "float"), tmp_path / "prefix"
+    for command in (
+        ["-S", folder, "-B", tmp_path / "build", f"-DCMAKE_INSTALL_PREFIX={prefix}", "-DCMAKE_BUILD_TYPE=Debug"],
+        ["--build", tmp_path / "build", "--target", "strapdown_f32"],
+    ):
+        done = run("cmake", *command)
+        assert done.returncode == 0, done.stderr
+    (tmp_path / "build" / "strapdown_f32_selftest").touch()  # which install would ask for
+    done = run("cmake", "--install", tmp_path / "build")
+    assert done.returncode == 0, done.stderr
+    (tmp_path / "CMakeLists.txt").write_text(
+        f"cmake_minimum_required(VERSION 3.16)\nproject(user C)\nfind_package(strapdown_f32 {wanted} REQUIRED)\n"
+        "add_executable(user main.c)\ntarget_link_libraries(user PRIVATE boresight::strapdown_f32)\n"
+    )
+    (tmp_path / "main.c").write_text(
+        "#include \"strapdown.h\"\nint main(void)\n{\n    return sd_identity()[0] != 's';\n}\n"
+    )
+    done = run("cmake", "-S", tmp_path, "-B", tmp_path / "user", f"-DCMAKE_PREFIX_PATH={prefix}")
+    assert (done.returncode == 0) == found, done.stderr
+    if found:
+        assert run("cmake", "--build", tmp_path / "user").returncode == 0
+        assert run(tmp_path / "user" / "user").returncode == 0
+
+
+def test_make_installs_what_pkg_config_finds(folders, tmp_path):
+    done = run(
+        "make",
+        "-s",
+        "-C",
+        folders("strapdown", "float"),
+        "install",
+        "CFLAGS=-O0",
+        f"DESTDIR={tmp_path}",
+        "PREFIX=/opt/b",
+    )
+    assert done.returncode == 0, done.stderr
+    place = tmp_path / "opt" / "b"
+    assert {path.name for path in (place / "include" / "strapdown_f32").iterdir()} == {
+        path.name for path in (folders("strapdown", "float") / "include").iterdir()
+    }
+    described = (place / "lib" / "pkgconfig" / "strapdown_f32.pc").read_text()
+    assert "@" not in described and "prefix=/opt/b\n" in described and f"Version: {__version__}\n" in described
+    (tmp_path / "main.c").write_text(
+        "#include \"strapdown.h\"\nint main(void)\n{\n    return sd_identity()[0] != 's';\n}\n"
+    )
+    words = dict(line.split(": ", 1) for line in described.splitlines() if ": " in line)
+    values = {"libdir": place / "lib", "includedir": place / "include" / "strapdown_f32"}
+    flags = [re.sub(r"\$\{(\w+)\}", lambda m: str(values[m[1]]), words[key]).split() for key in ("Cflags", "Libs")]
+    done = run("gcc", *flags[0], tmp_path / "main.c", *flags[1], "-o", tmp_path / "main")
+    assert done.returncode == 0, done.stderr
+    assert run(tmp_path / "main").returncode == 0
+
+
+@pytest.mark.skipif(shutil.which("arm-none-eabi-gcc") is None, reason="arm-none-eabi-gcc is not installed")
+def test_arm_is_built_for_size_and_a_host_for_speed(folders):
+    folder = folders("strapdown", "double")
+    for compiler, level in (("arm-none-eabi-gcc", "-Os"), ("gcc", "-O2")):
+        listed = subprocess.run(
+            ["make", "-n", "-B", "-C", folder, f"CC={compiler}", "CFLAGS="], capture_output=True, text=True
+        )
+        compiled = [line for line in listed.stdout.splitlines() if " -c " in line]
+        assert compiled and all(f" {level} " in line for line in compiled)
+        archiver = "arm-none-eabi-ar" if compiler.startswith("arm") else "ar"
+        assert f"{archiver} rcs" in listed.stdout
