@@ -7,6 +7,7 @@ PYTHON ?= python3
 EXTRAS ?= all
 BENCH := .venv-bench
 PEERS := symforce wrenfold casadi sympy filterpy python-ins simdkalman numba jax
+COUNTING := unicorn pyelftools
 
 .NOTPARALLEL:
 .PHONY: run test generated check evidence proofs bench clean tools announce
@@ -48,6 +49,7 @@ bench: $(BENCH)/.installed
 	$(BENCH)/bin/python -m benchmarks.detector
 	$(BENCH)/bin/python -m benchmarks.hold
 	$(BENCH)/bin/python -m benchmarks.growth
+	-$(BENCH)/bin/python -m benchmarks.instructions
 
 tools:
 	@command -v $(PYTHON) >/dev/null || { echo "make: $(PYTHON) is missing; install python3 (3.11 or newer)"; exit 1; }
@@ -68,7 +70,7 @@ $(VENV)/.tested: $(VENV)/.installed
 $(BENCH)/.installed: pyproject.toml benchmarks/constraints.txt | tools
 	@$(PYTHON) -m venv $(BENCH)
 	@$(BENCH)/bin/pip install --quiet --disable-pip-version-check -c benchmarks/constraints.txt -e '.[derive,replay]'
-	@for peer in $(PEERS); do \
+	@for peer in $(PEERS) $(COUNTING); do \
 		$(BENCH)/bin/pip install --quiet --disable-pip-version-check -c benchmarks/constraints.txt $$peer \
 			|| echo "make: $$peer does not install"; \
 	done

@@ -1,6 +1,6 @@
 """Instructions of the covariance on an emulated Cortex-M4F in float, counted while the shipped self-test runs.
 
-python -m benchmarks.instructions generated/azimuth_hold [-Os]
+python -m benchmarks.instructions [generated/azimuth_hold [-Os]]
 """
 
 import sys
@@ -15,7 +15,7 @@ WATCHED = ("discretize", "joseph_predict", "ud_predict", "predict_state", "josep
            "filter_propagate", "F_nz", "Qc_nz")  # fmt: skip
 
 
-def main(path: str, flag: str = "-Os") -> None:
+def main(path: str = "generated/azimuth_hold", flag: str = "-Os") -> None:
     """Least and most of each function with what it calls; the most is that of a covariance with every correlation."""
     folder = Folder(Path(path).resolve())
     prefix = folder.manifest["c_prefix"]

@@ -166,7 +166,8 @@ def single(tasks: list[Task], p: Problem, ghz: float) -> Iterator[report.Table]:
 
 def many(batched: Mapping[tuple[str, str, int], float]) -> Iterator[report.Table]:
     for step in batch.STEPS:
-        cells = {(tool, f"N = {N}"): ns for (tool, other, N), ns in batched.items() if other == step}
+        name = {"simdkalman": "simdkalman, plain form"} if step.startswith("updates") else {}
+        cells = {(name.get(tool, tool), f"N = {N}"): ns for (tool, other, N), ns in batched.items() if other == step}
         title = f"**{step[0].upper() + step[1:]}, N runs at once from Python: ns per run.**"
         yield report.compared(title, cells, [f"N = {N}" for N in batch.SIZES])
 

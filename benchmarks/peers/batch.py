@@ -248,7 +248,7 @@ TOOLS: dict[str, tuple[Callable[..., Made], int]] = {  # and the most runs at on
     "Numba": (by_numba, 4096),
     "JAX": (by_jax, 4096),
     "NumPy by hand": (by_numpy, 4096),
-    "simdkalman, plain form": (by_simdkalman, 4096),
+    "simdkalman": (by_simdkalman, 4096),
     "filterpy": (by_filterpy, 1),
     "python-ins": (by_pyins, 1),
 }

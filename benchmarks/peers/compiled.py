@@ -94,7 +94,7 @@ def built(
         except RuntimeError as error:
             if task.tool.startswith("Boresight"):
                 raise
-            failed[task.tool] = str(error)
+            failed[task.tool] = str(error).split("error: ")[-1]
     return objects, failed
 
 
