@@ -21,7 +21,7 @@ def main(path: str = "generated/azimuth_hold", flag: str = "-Os") -> None:
     prefix = folder.manifest["c_prefix"]
     with tempfile.TemporaryDirectory() as out:
         made = build(folder, M4F, "float", Path(out), flag, "-ffunction-sections", "-fdata-sections")
-        machine = Machine(made, made.image, tuple(f"{prefix}_{name}" for name in WATCHED))
+        machine = Machine(made, made.image, tuple(f"{prefix}_{name}_f32" for name in WATCHED))
         machine.run_tests([f"{prefix}_covariance", f"{prefix}_filter"])
     print(f"{folder.name}, {flag}: {'least':>8} {'most':>8} {'stack, B':>9}")
     for name, cost in sorted(machine.costs.items()):

@@ -260,15 +260,18 @@ def operations(p: Problem, kind: str) -> dict[str, int]:
 
 
 def numbers(p: Problem, seed: int = 0) -> dict[str, np.ndarray]:
-    """v, P and Q packed at a place of the Earth, of a covariance with every correlation in units of all sizes."""
+    """v, P and Q packed at a place of the Earth, of a covariance with every correlation in units of all sizes.
+
+    The step is long and the noise large, so that every term of Phi and Q shows in the result.
+    """
     rng = np.random.default_rng(seed)
     q = np.array([0.9, 0.1, -0.2, 0.3])
     given = {
         "position": [2.2, 0.63, 100.0], "v_n": [3.0, -2.0, 0.5],
         "q_b2n_wxyz": q / np.linalg.norm(q), "q_ref_wxyz": q / np.linalg.norm(q),
-        "f_b": [0.5, -0.3, 9.8], "f_n": [0.5, -0.3, 9.8], "omega_ib_b": [0.01, -0.02, 0.03], "dt": [0.01],
-        "gyro_noise": [3e-5] * 3, "accel_noise": [1e-3] * 3, "gyro_bias_noise": [1e-9] * 3,
-        "accel_bias_noise": [1e-7] * 3,
+        "f_b": [0.5, -0.3, 9.8], "f_n": [0.5, -0.3, 9.8], "omega_ib_b": [0.01, -0.02, 0.03], "dt": [1.0],
+        "gyro_noise": [1e-3] * 3, "accel_noise": [0.5] * 3, "gyro_bias_noise": [1e-5] * 3,
+        "accel_bias_noise": [1e-2] * 3,
     }  # fmt: skip
     sigma = np.array([1e-6] * 2 + [10.0] + [0.1] * 3 + [1e-3] * 3 + [1e-5] * 3 + [1e-3] * 3 + [1e-3] * p.n)[: p.n]
     at = tuple(np.array(p.upper).T)
