@@ -5,6 +5,9 @@ VENV := .venv
 BIN := $(VENV)/bin
 PYTHON ?= python3
 EXTRAS ?= all
+BENCH := .venv-bench
+PEERS := symforce wrenfold casadi sympy filterpy python-ins simdkalman numba jax
+COUNTING := unicorn pyelftools
 
 .NOTPARALLEL:
 .PHONY: run test generated check evidence proofs bench clean tools announce
@@ -39,12 +42,14 @@ evidence: $(VENV)/.tested
 proofs: $(VENV)/.tested
 	$(BIN)/python -m boresight.evidence.proofs $(COQ)
 
-bench: $(VENV)/.installed
-	$(BIN)/python -m benchmarks.call
-	$(BIN)/python -m benchmarks.covariance
-	$(BIN)/python -m benchmarks.detector
-	$(BIN)/python -m benchmarks.hold
-	$(BIN)/python -m benchmarks.growth
+# Boresight beside its peers, in an environment of their own; the table goes into docs/benchmarks.md.  Never in CI.
+bench: $(BENCH)/.installed
+	$(BENCH)/bin/python -m benchmarks.peers --page docs/benchmarks.md
+	$(BENCH)/bin/python -m benchmarks.call
+	$(BENCH)/bin/python -m benchmarks.detector
+	$(BENCH)/bin/python -m benchmarks.hold
+	$(BENCH)/bin/python -m benchmarks.growth
+	-$(BENCH)/bin/python -m benchmarks.instructions
 
 tools:
 	@command -v $(PYTHON) >/dev/null || { echo "make: $(PYTHON) is missing; install python3 (3.11 or newer)"; exit 1; }
@@ -61,5 +66,18 @@ $(VENV)/.tested: $(VENV)/.installed
 	$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[test]'
 	touch $@
 
+# One peer after another: what does not install is left out, and the table says so.
+$(BENCH)/.installed: pyproject.toml benchmarks/constraints.txt | tools
+	@$(PYTHON) -m venv $(BENCH)
+	@$(BENCH)/bin/pip install --quiet --disable-pip-version-check -c benchmarks/constraints.txt -e '.[derive,replay]'
+	@for peer in $(PEERS) $(COUNTING); do \
+		$(BENCH)/bin/pip install --quiet --disable-pip-version-check -c benchmarks/constraints.txt $$peer \
+			|| echo "make: $$peer does not install"; \
+	done
+	@test -e /usr/include/eigen3 || { mkdir -p $(BENCH)/debian && cd $(BENCH)/debian \
+		&& apt-get -qq -o APT::Sandbox::User=root download libeigen3-dev && dpkg -x libeigen3-dev_*.deb .; } \
+		|| echo "make: there is no libeigen3-dev"
+	@touch $@
+
 clean:
-	rm -rf $(VENV) out build dist *.egg-info
+	rm -rf $(VENV) $(BENCH) out build dist *.egg-info

@@ -1,26 +1,18 @@
 """What a call from Python costs over the C function itself: python -m benchmarks.call
 
 The C function alone is timed inside C, by the batch function over many runs; the bound call and the empty call are
-timed in the same interpreted loop, repeats interleaved, minima taken.
+timed in the same interpreted loop.
 """
 
 import ctypes
 import functools
-import time
 
 import numpy as np
 
+from benchmarks import interleaved
 from boresight.runtime.library import load
 
-CALLS, REPEATS = 20_000, 15
-
-
-def per_call(function, calls=CALLS):
-    """Seconds of one call, the loop's own cost included."""
-    start = time.perf_counter()
-    for _ in range(calls):
-        function()
-    return (time.perf_counter() - start) / calls
+CALLS = 20_000
 
 
 def main():
@@ -46,14 +38,10 @@ def main():
 
         fields = {key: view.copy() if library.field[key]["size"] > 1 else view[0] for key, view in bound.inputs.items()}
         friendly = functools.partial(unit, **fields)
-        best = {"c": np.inf, "bound": np.inf, "loop": np.inf, "keywords": np.inf}
-        for _ in range(REPEATS):
-            start = time.perf_counter()
-            unit._many(*arguments)
-            best["c"] = min(best["c"], (time.perf_counter() - start) / CALLS)
-            best["bound"] = min(best["bound"], per_call(bound.call))
-            best["loop"] = min(best["loop"], per_call(int))
-            best["keywords"] = min(best["keywords"], per_call(friendly, 500))
+        best = interleaved(
+            {"c": functools.partial(unit._many, *arguments), "bound": bound.call, "loop": int, "keywords": friendly}
+        )
+        best["c"] /= CALLS
         rows.append((name, best))
     print(
         f"{'function':<16}{'C alone, ns':>12}{'bound call, ns':>16}{'over C, ns':>12}{'ratio':>8}{'keywords, us':>14}"

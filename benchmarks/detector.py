@@ -3,24 +3,15 @@
 python -m benchmarks.detector
 """
 
-from time import perf_counter
+from functools import partial
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
+from benchmarks import interleaved
 from boresight.runtime import detector as d
 
 SAMPLES = 10_000
-
-
-def best(function, rounds=5):
-    """Seconds a sample, of the fastest round."""
-    times = []
-    for _ in range(rounds):
-        start = perf_counter()
-        function()
-        times.append(perf_counter() - start)
-    return min(times) / SAMPLES
 
 
 def numpy_ratio(settings, gyro, accel):
@@ -32,6 +23,11 @@ def numpy_ratio(settings, gyro, accel):
     return (off + (w**2).sum(axis=(1, 2)) / settings.sigma_gyro**2) / settings.window
 
 
+def pushed(loop: d.Detector, gyro: np.ndarray, accel: np.ndarray) -> None:
+    for w, f in zip(gyro, accel, strict=True):
+        loop.push(w, f)
+
+
 def main() -> None:
     rng = np.random.default_rng(0)
     gyro, accel = 1e-3 * rng.standard_normal((SAMPLES, 3)), 4e-3 * rng.standard_normal((SAMPLES, 3)) + [0, 0, -9.81]
@@ -39,10 +35,16 @@ def main() -> None:
     print("window   C, ns a sample   Python loop, us   NumPy, likelihood ratio alone, ns a sample")
     for window in (10, 25, 50, 100, 256):
         settings = d.settings(window, 4e-3, 1e-3, 1e-3)
-        whole = best(lambda s=settings: d.evaluate(s, gyro, accel, dll=dll))
-        vectorised = best(lambda s=settings: numpy_ratio(s, gyro, accel), 2)
         loop = d.Detector(settings)
-        single = best(lambda x=loop: [x.push(w, f) for w, f in zip(gyro, accel, strict=True)], 2)
+        spent = interleaved(
+            {
+                "whole": partial(d.evaluate, settings, gyro, accel, dll=dll),
+                "loop": partial(pushed, loop, gyro, accel),
+                "numpy": partial(numpy_ratio, settings, gyro, accel),
+            },
+            rounds=5,
+        )
+        whole, single, vectorised = (seconds / SAMPLES for seconds in spent.values())
         print(f"{window:6} {whole * 1e9:16.0f} {single * 1e6:17.2f} {vectorised * 1e9:20.0f}")
 
 

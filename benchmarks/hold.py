@@ -1,19 +1,17 @@
-"""The fifteen-state filter: C, Python loop over it, the same loop over plain NumPy: python -m benchmarks.hold
+"""A whole flight of the fifteen-state filter, over the C and over plain NumPy: python -m benchmarks.hold
 
-F, Phi and Q alone are timed inside C over many runs.  The loop is 1000 s at rest, 100 Hz strapdown and 1 Hz filter with
-zero-velocity and azimuth updates, for one run; NumPy's strapdown and matrices are written below, by hand.
+It is 1000 s at rest, 100 Hz strapdown and 1 Hz filter with zero-velocity and azimuth updates, for one run; NumPy's
+strapdown and matrices are written below, by hand.
 """
-
-import ctypes
-import time
 
 import numpy as np
 
+from benchmarks import interleaved
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 from boresight.runtime.rotation import matrix_from_quaternion, quaternion_from_matrix
 
-CALLS, REPEATS, SECONDS, RATE_HZ = 20_000, 9, 1000, 100
+SECONDS, RATE_HZ = 1000, 100
 EARTH_RATE, A, E2 = 7.292115e-5, 6378137.0, 0.0066943799901413165
 AT_REST = {"position": np.array([2.2, 0.63, 100.0]), "v_n": np.zeros(3), "q_b2n_wxyz": np.array([1.0, 0, 0, 0])}
 NOISE = {
@@ -22,41 +20,6 @@ NOISE = {
     "gyro_bias_noise": np.full(3, 1e-9),
     "accel_bias_noise": np.full(3, 1e-7),
 }
-
-
-def inside(library, name):
-    """Seconds of one call of the C function, from a batch of equal runs."""
-    unit = library.units[name]
-    bound = unit.bind()
-    known = {
-        **AT_REST,
-        **NOISE,
-        "x": 1e-4,
-        "gyro_bias": 0.0,
-        "accel_bias": 0.0,
-        "f_b": [0, 0, 9.8],
-        "dt": 1.0,
-        "dtheta_ib_b": 1e-6,
-        "dv_b": [0, 0, 0.098],
-    }
-    known |= {"dtheta_before": 1e-6, "dv_before": [0, 0, 0.098]}
-    for field, view in bound.inputs.items():
-        view[:] = known[field]
-    if "dtheta_ib_b" in bound.inputs:
-        bound.inputs["dt"][:] = 1 / RATE_HZ
-    assert bound() == 0
-    arguments = [ctypes.c_size_t(CALLS)]
-    for array in bound._arrays.values():
-        arguments += [ctypes.c_void_p(array.ctypes.data), ctypes.c_size_t(0)]
-    outputs = [np.empty((CALLS, out.size)) for out in bound.outputs.values()]
-    status = np.empty(CALLS, np.uint8)
-    arguments += [ctypes.c_void_p(a.ctypes.data) for a in (*outputs, status)]
-    best = np.inf
-    for _ in range(REPEATS):
-        start = time.perf_counter()
-        unit._many(*arguments)
-        best = min(best, (time.perf_counter() - start) / CALLS)
-    return best
 
 
 def cross(v):
@@ -156,37 +119,14 @@ def generated_loop():
 
 
 def main():
-    hold, strapdown = load("azimuth-hold"), load("strapdown")
-    print("C alone, ns a call")
-    for library, name in ((hold, "F"), (hold, "Phi"), (hold, "Q"), (hold, "feedback"), (strapdown, "step")):
-        print(f"  {library.name + ' ' + name:<24}{inside(library, name) * 1e9:8.0f}")
-    nav = {**AT_REST, "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3)}
-    loop = Filter(hold, nav, np.diag(np.full(15, 1e-6)))
-    steps = {
-        "predict": lambda: loop.predict(f_b=np.array([0, 0, 9.8]), dt=1.0, **NOISE),
-        "update, 3 rows": lambda: loop.update("zupt", np.full(3, 1e-4)),
-    }
-    print("Python loop over it, us a call: covariance algebra in NumPy")
-    for name, step in steps.items():
-        best_step = np.inf
-        for _ in range(REPEATS):
-            start = time.perf_counter()
-            for _ in range(200):
-                step()
-            best_step = min(best_step, (time.perf_counter() - start) / 200)
-        print(f"  {name:<24}{best_step * 1e6:8.0f}")
-    best = {"generated": np.inf, "plain NumPy": np.inf}
-    ends = {}
-    for _ in range(3):
-        for name, flown in (("generated", generated_loop), ("plain NumPy", plain_loop)):
-            start = time.process_time()
-            ends[name] = flown()
-            best[name] = min(best[name], time.process_time() - start)
+    loops = {"generated": generated_loop, "plain NumPy": plain_loop}
+    seconds = interleaved(loops, rounds=3)
     print(f"1000 s at {RATE_HZ} Hz with updates at 1 Hz, one run")
-    for name, seconds in best.items():
-        print(f"  {name:<24}{seconds:8.2f} s")
-    print(f"  ratio {best['plain NumPy'] / best['generated']:.1f}")
-    turn = quaternion_from_matrix(ends["generated"][2] @ ends["plain NumPy"][2].T)
+    for name, spent in seconds.items():
+        print(f"  {name:<24}{spent:8.2f} s")
+    print(f"  ratio {seconds['plain NumPy'] / seconds['generated']:.1f}")
+    ends = {name: loop()[2] for name, loop in loops.items()}
+    turn = quaternion_from_matrix(ends["generated"] @ ends["plain NumPy"].T)
     print(f"  they end {2 * np.linalg.norm(turn[1:]):.1e} rad apart in attitude")
 
 

@@ -1,0 +1,121 @@
+"""What `make bench` reads, checks and prints; nothing is timed against anything here."""
+
+import shutil
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+from benchmarks.growth import grown
+from benchmarks.peers import __main__ as bench
+from benchmarks.peers import compiled, formulas, report
+from benchmarks.peers.printers import PRINTERS
+
+KERNELS = {name: getattr(np, name) for name in formulas.FUNCTIONS}
+
+
+@pytest.fixture(scope="module")
+def small():
+    """Six states, three rows of measurement."""
+    return formulas.problem(grown(6))
+
+
+@pytest.mark.parametrize("kind", formulas.KINDS)
+def test_the_formulas_give_what_dense_matrices_give(small, kind):
+    given = formulas.numbers(small)
+    got = formulas.outputs(small, kind, [given["v"], given["P"], given["Q"]], KERNELS)
+    wanted = formulas.reference(small, kind, given)
+    assert len(got) == wanted.size == small.writes(kind)
+    assert formulas.apart(small, kind, got, wanted) < compiled.EQUAL
+    assert np.abs(wanted).max() > 0
+
+
+def test_the_updates_take_the_operations_that_their_form_needs(small):
+    n, rows, packed = 6, 3, 21
+    plain, joseph = (formulas.operations(small, f"updates, {form}") for form in ("plain", "Joseph"))
+    assert plain == {"add": rows * (2 + n + packed), "multiply": rows * (2 * n + packed), "divide": rows}
+    further = rows * (2 * n + packed)  # (A h - R K) and its product with K
+    assert joseph == {**plain, "add": plain["add"] + further, "multiply": plain["multiply"] + further}
+
+
+def test_a_tool_whose_numbers_differ_is_refused(small):
+    given = formulas.numbers(small)
+    task = compiled.Task("peer", "predict 2", "peer", small, "", "c")
+    right = formulas.reference(small, "predict 2", given)
+    compiled.hold([task], right[None], given)
+    for wrong in (1 + 1e-11, np.nan):
+        with pytest.raises(compiled.Differs, match="peer, predict 2"):
+            compiled.hold([task], np.where(np.arange(right.size) == 4, wrong * right, right)[None], given)
+
+
+def test_c_of_two_tools_is_built_held_counted_and_timed(small, tmp_path):
+    if not all(map(shutil.which, ("gcc", "g++"))):
+        pytest.skip("needs gcc and g++")
+    missing = {}
+    tasks = [*bench.of_boresight({"other": grown(6)}, small, tmp_path, ("F", "predict 2", "updates, Joseph"))]
+    tasks += bench.of_peers(small, missing, ("SymPy cse",), ("predict 2",))
+    assert not missing and not compiled.measure(tasks, "-O2", tmp_path, rounds=1)
+    assert {task.tool for task in tasks} == {*bench.ours.FORMS, bench.ours.NON_ZEROS, "SymPy cse"}
+    assert all(task.ns["-O2"] > 0 and task.apart < compiled.EQUAL for task in tasks)
+    if shutil.which("valgrind"):
+        assert all(task.instructions["-O2"] > 100 for task in tasks)
+
+
+def test_a_peer_that_fails_is_missing_and_says_why(small, monkeypatch):
+    def absent(problem, kind, name):
+        raise ImportError("no such peer")
+
+    monkeypatch.setitem(PRINTERS, "peer", absent)
+    missing = {}
+    assert not [*bench.of_peers(small, missing, ("peer",))]
+    assert missing == {"peer": "ImportError: no such peer"}
+
+
+def test_what_the_tools_print_is_read():
+    assert compiled.medians("1.0 10.0\n3.0 30.0\n2.0 20.0\n") == [2.0, 20.0]
+    dump = "version: 1\ndesc: Trigger: Client Request: f_one\nevents: Ir\ntotals: 4711\n"
+    assert compiled.instructions([dump, "desc: Trigger: Program termination\ntotals: 1\n"]) == {"f_one": 4711}
+    assert (
+        compiled.text_of("   text    data     bss     dec     hex filename\n   1234       8       0    1242  4da x\n")
+        == 1234
+    )
+    assert report.without_paths("g++: /home/me/a/b.cc:1: error: 1/2") == "g++: b.cc:1: error: 1/2"
+    assert report.machine("processor\t: 0\nmodel name\t: Some CPU 7\n") == "Some CPU 7"
+
+
+def test_the_table_says_who_wins():
+    cells = {("Boresight", "a"): 2.0, ("Boresight, UD factors", "a"): 0.5, ("peer", "a"): 1.0, ("other", "a"): 3.0,
+             ("Boresight", "b"): 1.0, ("peer", "b"): 4.0, ("peer", "c"): 5.0}  # fmt: skip
+    table = report.compared("title", cells, "abc", {("peer", "a"): 70.0}, [("limit", {"a": "0.5"})])
+    assert table.markdown().splitlines()[2:] == [
+        "|  | a | b | c |",
+        "|---|---|---|---|",
+        "| Boresight | 2 | **1** | - |",
+        "| Boresight, UD factors | 0 * | - | - |",
+        "| peer | **1** / 70 | 4 | **5** |",
+        "| other | 3 | - | - |",
+        "| Boresight over the best peer | 2.00, peer wins | 0.25, Boresight wins | - |",
+        "| limit | 0.5 | - | - |",
+    ]
+    assert [len(line) for line in table.text().splitlines()[1:]] == [len(table.text().splitlines()[1])] * 7
+    assert "**" not in table.text()
+    plain = report.compared(
+        "", {("Boresight", "updates, Joseph"): 3.0, ("peer", "updates, plain"): 2.0}, formulas.KINDS
+    )
+    assert plain.rows[-1][1][3:5] == [
+        "1.50, peer wins",
+        "-",
+    ]  # ours has no plain form: its Joseph form stands beside it
+
+
+def test_the_page_is_written_between_its_markers_alone(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text(f"before\n{report.BEGIN}\nold\n{report.END}\nafter\n")
+    report.written(page, "new")
+    assert page.read_text() == f"before\n{report.BEGIN}\nnew\n{report.END}\nafter\n"
+    page.write_text("no marker")
+    with pytest.raises(ValueError, match="one pair of markers"):
+        report.written(page, "new")
+    assert page.read_text() == "no marker"
+    committed = (ROOT / "docs" / "benchmarks.md").read_text()
+    assert committed.count(report.BEGIN) == committed.count(report.END) == 1
