@@ -9,14 +9,14 @@ from boresight.codegen.text.files import environment
 from boresight.evidence.targets import HARNESS, PRECISIONS
 from boresight.runtime.compiler import run
 
-HEADERS = ("boresight.h", "boresight_math.h")
+HEADERS = ("boresight.h", "boresight_precision.h", "boresight_math.h")
 FLAGS = ("-std=gnu99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror")
 
 
 def headers(out: Path) -> Path:
-    """The two headers alone, as they lie in each generated folder."""
+    """The headers alone, as they lie in each generated folder."""
     for name in HEADERS:
-        (out / name).write_text(environment().get_template(f"include/{name}.j2").render())
+        (out / name).write_text(environment().get_template(f"include/{name}.j2").render(exported=""))
     return out
 
 

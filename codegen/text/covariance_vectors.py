@@ -123,12 +123,14 @@ class Step:
     variance: list[float]
 
 
-def step(case: Case, order: int | None) -> Step:
-    """Phi and Q of a case: drawn where `order` is None, otherwise from F, Qc and dt to that power of F dt."""
-    if order is None:
-        return Step(case.A, abs(case.A), 2**8, case.B, 2**8, [v / 2**8 for v in np.diag(case.B)])
+def step(case: Case, order: int | None, moving: int) -> Step:
+    """Phi and Q of a case: where `order` is None Phi's rows that move and Q as drawn, otherwise from F, Qc and dt to
+    that power of F dt."""
     n = len(case.scale)
     one = np.array([[int(i == j) for j in range(n)] for i in range(n)], dtype=object)
+    if order is None:
+        Phi = np.vstack([case.A[:moving], 2**8 * one[moving:]])
+        return Step(Phi, abs(Phi), 2**8, case.B, 2**8, [v / 2**8 for v in np.diag(case.B)])
     a = 8 - DT_POWER  # F dt and Qc dt in 2^-a
     per = factorial(order) * 2 ** (a * order)
 
@@ -149,10 +151,10 @@ def step(case: Case, order: int | None) -> Step:
     return Step(series(case.A), series(abs(case.A)), per, Q, parts, [v / 2**a for v in np.diag(case.B)])
 
 
-def predicted(case: Case, order: int | None) -> tuple[list[float], list[float], list[float], list[float]]:
+def predicted(case: Case, order: int | None, moving: int) -> tuple[list[float], list[float], list[float], list[float]]:
     """Phi P Phi' + Q packed, Phi x, sizes of rounding errors in both."""
     n = len(case.scale)
-    s = step(case, order)
+    s = step(case, order, moving)
     PhiPPhi = s.Phi @ case.P @ s.Phi.T
     first = [Fraction(PhiPPhi[at], s.per**2 * 2**8) + Fraction(s.Q[at], s.parts) for at in upper(n)]
     P = [rounded(value, case.scale[i] + case.scale[j]) for (i, j), value in zip(upper(n), first, strict=True)]
@@ -208,10 +210,11 @@ def paths(n: int, F: Places) -> Counter[tuple[int, int]]:
     return total
 
 
-def vectors_view(n: int, A: Places, B: Places, order: int | None) -> dict[str, Any]:
-    """The tables of `test_covariance.c.j2`.  A and B: places of F and Qc, or of Phi and Q where `order` is None."""
+def vectors_view(n: int, A: Places, B: Places, order: int | None, moving: int) -> dict[str, Any]:
+    """The tables of `test_covariance.c.j2`.  A and B: places of F and Qc, or of Phi and Q where `order` is None; moving:
+    how many rows of Phi are not those of a unit matrix."""
     cases = [draw_case(k, n, A, B) for k in range(VECTORS)]
-    ahead, taken = [predicted(case, order) for case in cases], [updated(case) for case in cases]
+    ahead, taken = [predicted(case, order, moving) for case in cases], [updated(case) for case in cases]
 
     terms = n if order != 3 else max(paths(n, A).values()) + 2  # that are summed in an element of Phi
     return {

@@ -87,7 +87,9 @@ def unit_files(model: Model, unit: Unit, u: dict[str, Any]) -> dict[str, str]:
     """What belongs to one printed unit alone, but for its self-test."""
     m = model_view(model, [])
     paths = ("src/UNIT.c", "src/UNIT_kernel.h", "casadi/UNIT_kernel.h")
-    return rendered(paths, {"UNIT": u["file"]}, u=u, m=m) | {f"casadi/{u['file']}_casadi.c": casadi_c(unit, m["snake"])}
+    return rendered(paths, {"UNIT": u["file"]}, u=u, m=m) | {
+        f"casadi/{u['file']}_casadi.c": casadi_c(unit, model.c_prefix)
+    }
 
 
 def unit_test(model: Model, unit: Unit, u: dict[str, Any]) -> str:
@@ -114,7 +116,7 @@ def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         m["parts"] = [f"{model.c_prefix}_math"]
         paths += (
             "include/boresight_math.h",
-            "include/MODEL_math.h",
+            "src/PREFIX_math.h",
             "src/PREFIX_math.c",
             "selftest/test_PREFIX_math.c",
         )
@@ -136,13 +138,14 @@ def covariance_test(model: Model, made: list[Unit]) -> str:
     """The self-test of the covariance's loops, whose golden vectors depend on nothing but sizes and places."""
     names = ("F", "Qc") if model.kind == "error-state" else ("Phi", "Q")
     A, B = (nonzeros(made, name) for name in names)
-    v = vectors_view(model.n, A, B, model.order if model.kind == "error-state" else None)
-    views = {"m": model_view(model, []), "c": covariance_view(model, made), "v": v}
+    c = covariance_view(model, made)
+    v = vectors_view(model.n, A, B, model.order if model.kind == "error-state" else None, c["moving"])
+    views = {"m": model_view(model, []), "c": c, "v": v}
     (text,) = rendered(("selftest/test_PREFIX_covariance.c",), {}, **views).values()
     return text
 
 
-def casadi_c(unit: Unit, snake: str) -> str:
+def casadi_c(unit: Unit, prefix: str) -> str:
     """CasADi's own C of the unit, but for the elementary functions, which are those of the model."""
     generator = ca.CodeGenerator(
         unit.function.name(),
@@ -151,7 +154,7 @@ def casadi_c(unit: Unit, snake: str) -> str:
     generator.add(unit.function)
     text, include = generator.dump(), "#include <math.h>\n"
     ours = [f"#define {f['name']} BS_{f['name'].upper()}\n" for f in called([unit]) if f["name"] != "sincos"]
-    return text.replace(include, f'{include}#include "{snake}_math.h"\n{"".join(ours)}', 1) if ours else text
+    return text.replace(include, f'{include}#include "../src/{prefix}_math.h"\n{"".join(ours)}', 1) if ours else text
 
 
 def detector_files() -> tuple[dict[str, Any], dict[str, str]]:

@@ -374,6 +374,7 @@ def answered_by_all(model: Model, made: list[Unit]) -> list[np.ndarray]:
         "x": np.tile(inside(model), (count, 1))
     }
     keep = np.ones(count, dtype=bool)
+    boxes = {v.name: v for v in model.inputs}
     for unit in made:
         results, bounds = evaluate(unit.tape, [values[a.name] for a in unit.args])
         for (output, nz, _), value, bound in zip(unit.tape.results, results, bounds, strict=True):
@@ -381,6 +382,9 @@ def answered_by_all(model: Model, made: list[Unit]) -> list[np.ndarray]:
             keep &= np.isfinite(bound)
             if result.low:
                 keep &= (value >= result.low[nz]) & (value <= result.high[nz])
+            if result.name in boxes:  # what is carried on must lie in its box again
+                place = result.nonzeros[nz][0]
+                keep &= (value >= boxes[result.name].low[place]) & (value <= boxes[result.name].high[place])
     chosen = np.flatnonzero(keep)[:FLOWN]
     if len(chosen) < FLOWN:
         raise BoresightError(

@@ -67,7 +67,7 @@ class Emulated:
     """A core of `boresight.evidence`."""
 
     def __init__(self, target: Target, image: Path, filter_folder: Path):
-        made = Build(Folder(filter_folder), target, "", {}, image, image)
+        made = Build(Folder(filter_folder), target, "", {}, image)
         self.machine = Machine(made, image, watched=("flight_slave", "flight_master"))
 
     def put(self, name: str, values: np.ndarray) -> None:

@@ -6,7 +6,6 @@
 #include "azimuth_hold_filter.h"
 
 static ah_filter filter;
-static bs_real P[AH_N_STATES * AH_N_STATES];
 
 static void narrow(const double *from, bs_real *to, int n)
 {
@@ -32,10 +31,7 @@ int errors_begin(const navigation *nav)
     static const bs_real sigma[ERRORS] = { 1e-7F, 1e-7F, 1.0F,  0.1F,  0.1F,  0.1F,  1e-3F, 1e-3F,
                                            1e-2F, 1e-5F, 1e-5F, 1e-5F, 1e-2F, 1e-2F, 1e-2F };
     const ah_nav start = as_ah(nav);
-    for (int i = 0; i < ERRORS; ++i) {
-        P[i * (ERRORS + 1)] = sigma[i] * sigma[i];
-    }
-    return (int)ah_filter_init(&filter, &start, P);
+    return (int)ah_filter_init_sigmas(&filter, &start, sigma);
 }
 
 int errors_step(const navigation *nav, const double omega_ib_b[3], const double f_b[3], double dt)
@@ -53,18 +49,19 @@ int errors_at_rest(const navigation *nav, double x[ERRORS], double *sigma)
 {
     static const bs_real R[3] = { 1e-4F, 1e-4F, 1e-4F };
     ah_innovation innovation;
+    bs_real variance;
     bs_status status;
     filter.nav = as_ah(nav);
-    status = ah_filter_measure_zupt(&filter, R, BS_ALL_ROWS, 0.0F, &innovation);
+    status = ah_filter_measure_zupt(&filter, R, NULL, &innovation);
     if (status == BS_OK) {
-        status = ah_filter_covariance(&filter, P);
+        status = ah_filter_variance(&filter, AH_IX_DV_E, &variance);
     }
     if (status == BS_OK) {
         for (int i = 0; i < ERRORS; ++i) {
             x[i] = (double)filter.x[i];
             filter.x[i] = 0.0F; /* the navigation is corrected by it */
         }
-        *sigma = sqrt((double)P[3 * (ERRORS + 1)]);
+        *sigma = sqrt((double)variance);
     }
     return (int)status;
 }

@@ -99,7 +99,19 @@ def test_a_batch_gives_the_bits_of_single_calls(folder):
 def test_the_self_test_passes_in_float(folder, in_float, tmp_path):
     program = tmp_path / "selftest"
     flags = ["-DBORESIGHT_FLOAT", "-I", folder / "include", "-I", folder / "selftest"]
-    run(["gcc", "-O0", *flags, *folder.glob("selftest/*.c"), *in_float.values(), "-lm", "-o", program])
+    run(
+        [
+            "gcc",
+            "-O0",
+            *flags,
+            *folder.glob("selftest/*.c"),
+            *Folder(folder).identity,
+            *in_float.values(),
+            "-lm",
+            "-o",
+            program,
+        ]
+    )
     assert run([program]).splitlines()[-1] == passed(folder)
 
 

@@ -77,7 +77,7 @@ def test_an_edited_sign_changes_that_function_alone_and_moves_the_filter(checkou
     after = contents(folder)
     changed = {path for path in before | after if before.get(path) != after.get(path)}
     assert changed <= {
-        "manifest.json", "equations.json",
+        "manifest.json", "equations.json", "include/euler_matching_identity.h",
         "src/em_euler_H.c", "src/em_euler_H_kernel.h",
         "casadi/em_euler_H_casadi.c", "casadi/em_euler_H_kernel.h",
         "selftest/test_em_euler_H.c",

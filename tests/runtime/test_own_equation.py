@@ -163,7 +163,7 @@ def test_the_exported_pendulum_falls_on_an_emulated_cortex_m4f(precision, folder
         *(M4F.compiler, *WARNINGS, *M4F.flags, *PRECISIONS[precision], *OPTIMISED, "-I", include, *M4F.link),
         *("-Wl,-e,fall", "-Wl,--gc-sections", "-Wl,--no-warnings", *sources, "-lm", "-o", image),
     ])  # fmt: skip
-    machine = Machine(Build(None, M4F, precision, {}, image, image), image)
+    machine = Machine(Build(None, M4F, precision, {}, image), image)
     assert machine.call("fall") == 0
     f = equation(PENDULUM)
     inputs = {"length": 1.0, "damping": 0.1}

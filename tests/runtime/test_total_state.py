@@ -150,7 +150,7 @@ int main(void)
     assert ("60 s flown; state and sigmas within" in done.stdout) is (made == "example")
     program = str(tmp_path / "fall")
     flags = ["-std=c99", "-Wall", "-Werror", "-ffp-contract=off", f"-I{out / 'include'}"]
-    sources = [tmp_path / "fall.c", out / "build" / "libpendulum.a"]
+    sources = [tmp_path / "fall.c", out / "build" / f"libpendulum{'_f32' if precision == 'float' else ''}.a"]
     subprocess.run(["cc", *flags, *sources, "-lm", "-o", program], check=True)
     angles = [float(word) for word in subprocess.run([program], capture_output=True, check=True).stdout.split()]
     wanted = [integrated(swinging, [2.0, 0.0], seconds)[0] for seconds in (0.2, 0.4)]

@@ -2,6 +2,7 @@
 
 import ctypes
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,8 +19,8 @@ BEYOND = np.array([np.pi, np.nextafter(np.pi, 4), np.nextafter(-np.pi, -4), 4.0,
 @pytest.fixture(scope="module")
 def in_c(tmp_path_factory):
     folder = tmp_path_factory.mktemp("wrap")
-    (text,) = rendered(("include/boresight.h",), {}).values()
-    (folder / "boresight.h").write_text(text)
+    for path, text in rendered(("include/boresight.h", "include/boresight_precision.h"), {}, exported="").items():
+        (folder / Path(path).name).write_text(text)
     (folder / "wrap.c").write_text(
         '#include "boresight.h"\nbs_real wrap(bs_real angle);\n'
         "bs_real wrap(bs_real angle)\n{\n    return bs_wrap(angle);\n}\n"

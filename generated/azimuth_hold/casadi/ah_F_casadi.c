@@ -8,7 +8,7 @@
 #endif
 
 #include <math.h>
-#include "azimuth_hold_math.h"
+#include "../src/ah_math.h"
 #define cos BS_COS
 #define sin BS_SIN
 

@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "azimuth_hold is of Boresight 0.1.0; another version was seen before: use two files"
+#error "azimuth_hold is of Boresight 0.1.0; another version was seen: use two files"
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "acc8daf0479d7fd212c5b394196d089150be1c7d8dc6a9bef32f9940b01b4520"
+#define AH_MODEL_HASH "9749c71ac994121362e663f3def55b0ff365c842b51f5f756656b6705764faed"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -4,7 +4,7 @@
  * granted. */
 #include <stdio.h>
 
-#include "azimuth_hold_math.h"
+#include "../src/ah_math.h"
 #include "selftest.h"
 
 #define MOST_POINTS 17

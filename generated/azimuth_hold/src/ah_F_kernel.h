@@ -5,7 +5,7 @@
 #define AH_F_KERNEL_H
 
 #include "boresight.h"
-#include "azimuth_hold_math.h"
+#include "ah_math.h"
 
 static void ah_F_kernel(const bs_real position[3],
                         const bs_real v_n[3],

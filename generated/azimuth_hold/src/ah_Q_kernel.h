@@ -6,7 +6,7 @@
 #define AH_Q_KERNEL_H
 
 #include "boresight.h"
-#include "azimuth_hold_math.h"
+#include "ah_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {

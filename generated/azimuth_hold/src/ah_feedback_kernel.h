@@ -6,7 +6,7 @@
 #define AH_FEEDBACK_KERNEL_H
 
 #include "boresight.h"
-#include "azimuth_hold_math.h"
+#include "ah_math.h"
 
 static void ah_feedback_kernel(const bs_real x[15],
                                const bs_real position[3],

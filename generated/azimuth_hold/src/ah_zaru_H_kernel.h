@@ -6,7 +6,7 @@
 #define AH_ZARU_H_KERNEL_H
 
 #include "boresight.h"
-#include "azimuth_hold_math.h"
+#include "ah_math.h"
 
 static void ah_zaru_H_kernel(const bs_real position[3],
                              const bs_real q_b2n_wxyz[4],

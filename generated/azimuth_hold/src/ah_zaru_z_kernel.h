@@ -5,7 +5,7 @@
 #define AH_ZARU_Z_KERNEL_H
 
 #include "boresight.h"
-#include "azimuth_hold_math.h"
+#include "ah_math.h"
 
 static void ah_zaru_z_kernel(const bs_real position[3],
                              const bs_real q_b2n_wxyz[4],

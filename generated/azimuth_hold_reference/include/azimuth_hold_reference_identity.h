@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "azimuth_hold_reference is of Boresight 0.1.0; another version was seen before: use two files"
+#error "azimuth_hold_reference is of Boresight 0.1.0; another version was seen: use two files"
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "0081ae088361d91b89a6ab6ce74725b0b13111ccd6110cbc3bf05a1faf1dac48"
+#define AHR_MODEL_HASH "ea595a42f5a166a7d23670209e5415d358e99e93f49fc43a91a5387850576507"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

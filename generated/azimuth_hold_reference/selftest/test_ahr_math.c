@@ -4,7 +4,7 @@
  * granted. */
 #include <stdio.h>
 
-#include "azimuth_hold_reference_math.h"
+#include "../src/ahr_math.h"
 #include "selftest.h"
 
 #define MOST_POINTS 17

@@ -5,7 +5,7 @@
 #define AHR_F_KERNEL_H
 
 #include "boresight.h"
-#include "azimuth_hold_reference_math.h"
+#include "ahr_math.h"
 
 static void ahr_F_kernel(const bs_real position[3],
                          const bs_real v_n[3],

@@ -6,7 +6,7 @@
 #define AHR_FEEDBACK_KERNEL_H
 
 #include "boresight.h"
-#include "azimuth_hold_reference_math.h"
+#include "ahr_math.h"
 
 static void ahr_feedback_kernel(const bs_real x[16],
                                 const bs_real position[3],

@@ -1,6 +1,6 @@
 /* ahr_math.c - the elementary functions that the units of azimuth-hold-reference call.  Generated
  * by Boresight: do not edit. */
-#include "azimuth_hold_reference_math.h"
+#include "ahr_math.h"
 
 #ifndef BORESIGHT_LIBM
 #include "boresight_math.h"

@@ -6,7 +6,7 @@
 #define AHR_STRAPDOWN_KERNEL_H
 
 #include "boresight.h"
-#include "azimuth_hold_reference_math.h"
+#include "ahr_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {

@@ -6,7 +6,7 @@
 #define AHR_ZARU_H_KERNEL_H
 
 #include "boresight.h"
-#include "azimuth_hold_reference_math.h"
+#include "ahr_math.h"
 
 static void ahr_zaru_H_kernel(const bs_real position[3],
                               const bs_real q_b2n_wxyz[4],

@@ -8,7 +8,7 @@
 #endif
 
 #include <math.h>
-#include "euler_matching_math.h"
+#include "../src/em_math.h"
 #define cos BS_COS
 #define sin BS_SIN
 

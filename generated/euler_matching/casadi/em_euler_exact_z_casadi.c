@@ -8,7 +8,7 @@
 #endif
 
 #include <math.h>
-#include "euler_matching_math.h"
+#include "../src/em_math.h"
 #define atan2 BS_ATAN2
 #define cos BS_COS
 #define sin BS_SIN

@@ -67,7 +67,8 @@ static inline void bs_digest_take(bs_digest *digest)
         uint32_t second;
         if (t < 16U) {
             const unsigned char *const at = &digest->block[4U * t];
-            word = ((uint32_t)at[0] << 24U) | ((uint32_t)at[1] << 16U) | ((uint32_t)at[2] << 8U) | (uint32_t)at[3];
+            word = ((uint32_t)at[0] << 24U) | ((uint32_t)at[1] << 16U);
+            word |= ((uint32_t)at[2] << 8U) | (uint32_t)at[3];
         } else {
             const uint32_t low = w[(t + 1U) % 16U];
             const uint32_t high = w[(t + 14U) % 16U];

@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "euler_matching is of Boresight 0.1.0; another version was seen before: use two files"
+#error "euler_matching is of Boresight 0.1.0; another version was seen: use two files"
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "c4f74592672eed7deb272c077d9b1070f2eb7ac9aad173300204805af0f83918"
+#define EM_MODEL_HASH "2aeeb8f26a8fd42e8df7194be5374bb4a76d1c9cc739569890bff569fa091a9e"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

@@ -4,7 +4,7 @@
  * granted. */
 #include <stdio.h>
 
-#include "euler_matching_math.h"
+#include "../src/em_math.h"
 #include "selftest.h"
 
 #define MOST_POINTS 21

@@ -7,7 +7,7 @@
 #define EM_EULER_H_KERNEL_H
 
 #include "boresight.h"
-#include "euler_matching_math.h"
+#include "em_math.h"
 
 static void em_euler_H_kernel(const bs_real euler_b[3], const bs_real euler_m[3], bs_real H_nz[14])
 {

@@ -6,7 +6,7 @@
 #define EM_EULER_ANGLES_KERNEL_H
 
 #include "boresight.h"
-#include "euler_matching_math.h"
+#include "em_math.h"
 
 static void em_euler_angles_kernel(const bs_real q_b2n_wxyz[4], bs_real euler_b_nz[3])
 {

@@ -8,7 +8,7 @@
 #define EM_EULER_EXACT_HX_KERNEL_H
 
 #include "boresight.h"
-#include "euler_matching_math.h"
+#include "em_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {

@@ -8,7 +8,7 @@
 #define EM_EULER_EXACT_Z_KERNEL_H
 
 #include "boresight.h"
-#include "euler_matching_math.h"
+#include "em_math.h"
 
 static void em_euler_exact_z_kernel(const bs_real mu[3],
                                     const bs_real euler_b[3],

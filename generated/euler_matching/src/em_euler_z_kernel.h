@@ -7,7 +7,7 @@
 #define EM_EULER_Z_KERNEL_H
 
 #include "boresight.h"
-#include "euler_matching_math.h"
+#include "em_math.h"
 
 static void em_euler_z_kernel(const bs_real mu[3],
                               const bs_real euler_b[3],

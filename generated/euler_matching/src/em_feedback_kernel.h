@@ -6,7 +6,7 @@
 #define EM_FEEDBACK_KERNEL_H
 
 #include "boresight.h"
-#include "euler_matching_math.h"
+#include "em_math.h"
 
 static void em_feedback_kernel(const bs_real x[6],
                                const bs_real q_b2n_wxyz[4],

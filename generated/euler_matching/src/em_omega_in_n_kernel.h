@@ -5,7 +5,7 @@
 #define EM_OMEGA_IN_N_KERNEL_H
 
 #include "boresight.h"
-#include "euler_matching_math.h"
+#include "em_math.h"
 
 static void em_omega_in_n_kernel(const bs_real lat[1],
                                  const bs_real height[1],

@@ -6,7 +6,7 @@
 #define EM_STRAPDOWN_KERNEL_H
 
 #include "boresight.h"
-#include "euler_matching_math.h"
+#include "em_math.h"
 
 static void em_strapdown_kernel(const bs_real q_b2n_wxyz[4],
                                 const bs_real dtheta_ib_b[3],

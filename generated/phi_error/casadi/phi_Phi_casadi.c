@@ -8,7 +8,7 @@
 #endif
 
 #include <math.h>
-#include "phi_error_math.h"
+#include "../src/phi_math.h"
 #define cos BS_COS
 #define sin BS_SIN
 

@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "phi_error is of Boresight 0.1.0; another version was seen before: use two files"
+#error "phi_error is of Boresight 0.1.0; another version was seen: use two files"
 #endif
 
 #define PHI_MODEL "phi-error"
-#define PHI_MODEL_HASH "b2ef9095def155bc9747ddeea7c215334d42541c79c3c72716125b262330b3eb"
+#define PHI_MODEL_HASH "bc1c2dfb4d9a0b61000766ecf161b0c2cf342af947b97a8a32c34f9dba629fe1"
 #define PHI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PHI_VERSION_MAJOR 0
 #define PHI_VERSION_MINOR 1

@@ -4,7 +4,7 @@
  * granted. */
 #include <stdio.h>
 
-#include "phi_error_math.h"
+#include "../src/phi_math.h"
 #include "selftest.h"
 
 #define MOST_POINTS 17

@@ -4,7 +4,7 @@
 #define PHI_F_KERNEL_H
 
 #include "boresight.h"
-#include "phi_error_math.h"
+#include "phi_math.h"
 
 static void phi_F_kernel(const bs_real position[3],
                          const bs_real v_n[3],

@@ -5,7 +5,7 @@
 #define PHI_PHI_KERNEL_H
 
 #include "boresight.h"
-#include "phi_error_math.h"
+#include "phi_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {

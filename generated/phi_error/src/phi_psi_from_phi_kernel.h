@@ -6,7 +6,7 @@
 #define PHI_PSI_FROM_PHI_KERNEL_H
 
 #include "boresight.h"
-#include "phi_error_math.h"
+#include "phi_math.h"
 
 static void phi_psi_from_phi_kernel(const bs_real position[3],
                                     const bs_real v_n[3],

@@ -8,7 +8,7 @@
 #endif
 
 #include <math.h>
-#include "psi_error_math.h"
+#include "../src/psi_math.h"
 #define cos BS_COS
 #define sin BS_SIN
 

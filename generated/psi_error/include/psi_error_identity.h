@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "psi_error is of Boresight 0.1.0; another version was seen before: use two files"
+#error "psi_error is of Boresight 0.1.0; another version was seen: use two files"
 #endif
 
 #define PSI_MODEL "psi-error"
-#define PSI_MODEL_HASH "39dd98189364414f3fb375d43dbd93c7892a373851d967d8201212195061988e"
+#define PSI_MODEL_HASH "eddb1e38ef0f1ee8b6709a3513328e811273d5be81b26028dd5077a8cafcc82f"
 #define PSI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PSI_VERSION_MAJOR 0
 #define PSI_VERSION_MINOR 1

@@ -4,7 +4,7 @@
  * granted. */
 #include <stdio.h>
 
-#include "psi_error_math.h"
+#include "../src/psi_math.h"
 #include "selftest.h"
 
 #define MOST_POINTS 17

@@ -4,7 +4,7 @@
 #define PSI_F_KERNEL_H
 
 #include "boresight.h"
-#include "psi_error_math.h"
+#include "psi_math.h"
 
 static void psi_F_kernel(const bs_real position[3],
                          const bs_real v_n[3],

@@ -5,7 +5,7 @@
 #define PSI_Q_KERNEL_H
 
 #include "boresight.h"
-#include "psi_error_math.h"
+#include "psi_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {

@@ -6,7 +6,7 @@
 #define PSI_PHI_FROM_PSI_KERNEL_H
 
 #include "boresight.h"
-#include "psi_error_math.h"
+#include "psi_math.h"
 
 static void psi_phi_from_psi_kernel(const bs_real position[3],
                                     const bs_real v_n[3],

@@ -14,7 +14,7 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "stationary_detector is of Boresight 0.1.0; another version was seen before: use two files"
+#error "stationary_detector is of Boresight 0.1.0; another version was seen: use two files"
 #endif
 
 #define DET_MODEL "stationary-detector"

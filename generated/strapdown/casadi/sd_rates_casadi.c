@@ -8,7 +8,7 @@
 #endif
 
 #include <math.h>
-#include "strapdown_math.h"
+#include "../src/sd_math.h"
 #define cos BS_COS
 #define sin BS_SIN
 

@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "strapdown is of Boresight 0.1.0; another version was seen before: use two files"
+#error "strapdown is of Boresight 0.1.0; another version was seen: use two files"
 #endif
 
 #define SD_MODEL "strapdown"
-#define SD_MODEL_HASH "3d72bd46ccc51df08c1225aa83f7359f4f3284b0b97f6996aa4e74ac8eb27bc0"
+#define SD_MODEL_HASH "40eaae1c17b446d368f17d2eb256b61331de2e3076058576fe5e25363ae6ee8f"
 #define SD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define SD_VERSION_MAJOR 0
 #define SD_VERSION_MINOR 1

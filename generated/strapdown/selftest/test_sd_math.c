@@ -4,7 +4,7 @@
  * granted. */
 #include <stdio.h>
 
-#include "strapdown_math.h"
+#include "../src/sd_math.h"
 #include "selftest.h"
 
 #define MOST_POINTS 17

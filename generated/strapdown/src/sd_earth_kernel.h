@@ -5,7 +5,7 @@
 #define SD_EARTH_KERNEL_H
 
 #include "boresight.h"
-#include "strapdown_math.h"
+#include "sd_math.h"
 
 static void sd_earth_kernel(const bs_real position[3],
                             const bs_real v_n[3],

@@ -5,7 +5,7 @@
 #define SD_STEP_KERNEL_H
 
 #include "boresight.h"
-#include "strapdown_math.h"
+#include "sd_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {

@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "velocity_attitude is of Boresight 0.1.0; another version was seen before: use two files"
+#error "velocity_attitude is of Boresight 0.1.0; another version was seen: use two files"
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "c9ac2db9f3c64500bd549f63e9536685fa12d346158108a360880f8109ee0682"
+#define VA_MODEL_HASH "7b6fc62d1f34139a715f15ec9a6045f9d49567d9cc1fd74675e37cc69201c2a3"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

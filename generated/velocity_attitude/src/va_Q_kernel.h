@@ -5,7 +5,7 @@
 #define VA_Q_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_attitude_math.h"
+#include "va_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {

@@ -6,7 +6,7 @@
 #define VA_EULER_Z_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_attitude_math.h"
+#include "va_math.h"
 
 static void va_euler_z_kernel(const bs_real position[3],
                               const bs_real v_n[3],

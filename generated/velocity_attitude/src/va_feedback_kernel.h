@@ -5,7 +5,7 @@
 #define VA_FEEDBACK_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_attitude_math.h"
+#include "va_math.h"
 
 static void va_feedback_kernel(const bs_real x[16],
                                const bs_real v_n[3],

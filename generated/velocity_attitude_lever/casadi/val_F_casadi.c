@@ -8,7 +8,7 @@
 #endif
 
 #include <math.h>
-#include "velocity_attitude_lever_math.h"
+#include "../src/val_math.h"
 #define cos BS_COS
 #define sin BS_SIN
 

@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "velocity_attitude_lever is of Boresight 0.1.0; another version was seen before: use two files"
+#error "velocity_attitude_lever is of Boresight 0.1.0; another version was seen: use two files"
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "bb0d55932b22c42c4fabe8f0bb91326c27d35c5f3637c5da67e391ad6479c45a"
+#define VAL_MODEL_HASH "0c442765ebbcaa0bd44807649d3fe86014a4a331ae220e64b69e1ce2914c1865"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -4,7 +4,7 @@
  * granted. */
 #include <stdio.h>
 
-#include "velocity_attitude_lever_math.h"
+#include "../src/val_math.h"
 #include "selftest.h"
 
 #define MOST_POINTS 21

@@ -4,7 +4,7 @@
 #define VAL_F_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_attitude_lever_math.h"
+#include "val_math.h"
 
 static void val_F_kernel(const bs_real position[3],
                          const bs_real v_n[3],

@@ -5,7 +5,7 @@
 #define VAL_Q_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_attitude_lever_math.h"
+#include "val_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {

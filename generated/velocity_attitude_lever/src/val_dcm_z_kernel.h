@@ -6,7 +6,7 @@
 #define VAL_DCM_Z_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_attitude_lever_math.h"
+#include "val_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {

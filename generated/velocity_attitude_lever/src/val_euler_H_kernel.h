@@ -6,7 +6,7 @@
 #define VAL_EULER_H_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_attitude_lever_math.h"
+#include "val_math.h"
 
 static void val_euler_H_kernel(const bs_real position[3],
                                const bs_real v_n[3],

@@ -6,7 +6,7 @@
 #define VAL_FEEDBACK_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_attitude_lever_math.h"
+#include "val_math.h"
 
 static void val_feedback_kernel(const bs_real x[19],
                                 const bs_real v_n[3],

@@ -1,6 +1,6 @@
 /* val_math.c - the elementary functions that the units of velocity-attitude-lever call.  Generated
  * by Boresight: do not edit. */
-#include "velocity_attitude_lever_math.h"
+#include "val_math.h"
 
 #ifndef BORESIGHT_LIBM
 #include "boresight_math.h"

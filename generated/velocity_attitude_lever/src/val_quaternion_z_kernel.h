@@ -7,7 +7,7 @@
 #define VAL_QUATERNION_Z_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_attitude_lever_math.h"
+#include "val_math.h"
 
 static void val_quaternion_z_kernel(const bs_real position[3],
                                     const bs_real v_n[3],

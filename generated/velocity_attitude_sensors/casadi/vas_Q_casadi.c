@@ -8,7 +8,7 @@
 #endif
 
 #include <math.h>
-#include "velocity_attitude_sensors_math.h"
+#include "../src/vas_math.h"
 #define cos BS_COS
 #define sin BS_SIN
 

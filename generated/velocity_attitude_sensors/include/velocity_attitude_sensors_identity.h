@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "velocity_attitude_sensors is of Boresight 0.1.0; another version was seen before: use two files"
+#error "velocity_attitude_sensors is of Boresight 0.1.0; another version was seen: use two files"
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "8dcbe1f42ff6f79855ec0571c643db7558bbcd4ac62f5070ea860593066b1a29"
+#define VAS_MODEL_HASH "1e18e55dd6864c769f1860bbf462366783dcc7d762c5ad5ddba156462846fce9"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -1480,7 +1480,6 @@ static int kept(void)
         if (k < 2) {
             failures += unsound("propagate: memory", propagate, value, bad);
         }
-        failures += unsound("strapdown: memory", strapdown, value, bad);
         failures += unsound("correct: memory", correct, value, bad);
         rows = (k == 2) ? 0U : BS_ALL_ROWS;
         failures += unsound("measure_dcm: memory", measure_dcm, value, bad);

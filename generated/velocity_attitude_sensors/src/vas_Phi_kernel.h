@@ -5,7 +5,7 @@
 #define VAS_PHI_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_attitude_sensors_math.h"
+#include "vas_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {

@@ -6,7 +6,7 @@
 #define VAS_EULER_H_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_attitude_sensors_math.h"
+#include "vas_math.h"
 
 static void vas_euler_H_kernel(const bs_real position[3],
                                const bs_real v_n[3],

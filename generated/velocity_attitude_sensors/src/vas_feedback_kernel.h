@@ -6,7 +6,7 @@
 #define VAS_FEEDBACK_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_attitude_sensors_math.h"
+#include "vas_math.h"
 
 static void vas_feedback_kernel(const bs_real x[46],
                                 const bs_real v_n[3],

@@ -8,7 +8,7 @@
 #endif
 
 #include <math.h>
-#include "velocity_dcm_math.h"
+#include "../src/vd_math.h"
 #define cos BS_COS
 #define sin BS_SIN
 

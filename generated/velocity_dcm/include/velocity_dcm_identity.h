@@ -14,11 +14,11 @@
 #define BORESIGHT_VERSION_NUMBER 100
 #endif
 #if BORESIGHT_VERSION_NUMBER != 100
-#error "velocity_dcm is of Boresight 0.1.0; another version was seen before: use two files"
+#error "velocity_dcm is of Boresight 0.1.0; another version was seen: use two files"
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "384b26de51196655af177c15eb5026176f69f182b48abbc4b4e6b06aa6f887a6"
+#define VD_MODEL_HASH "6380c75caf30d6a4cfe1ec1e986eb97d8a8e80e90ca6313b089c20319b9d7318"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1

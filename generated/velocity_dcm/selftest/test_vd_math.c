@@ -4,7 +4,7 @@
  * granted. */
 #include <stdio.h>
 
-#include "velocity_dcm_math.h"
+#include "../src/vd_math.h"
 #include "selftest.h"
 
 #define MOST_POINTS 17

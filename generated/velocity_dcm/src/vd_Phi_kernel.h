@@ -6,7 +6,7 @@
 #define VD_PHI_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_dcm_math.h"
+#include "vd_math.h"
 
 static void vd_Phi_kernel(const bs_real position[3],
                           const bs_real v_n[3],

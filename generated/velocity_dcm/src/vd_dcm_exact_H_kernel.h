@@ -8,7 +8,7 @@
 #define VD_DCM_EXACT_H_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_dcm_math.h"
+#include "vd_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {

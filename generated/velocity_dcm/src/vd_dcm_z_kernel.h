@@ -7,7 +7,7 @@
 #define VD_DCM_Z_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_dcm_math.h"
+#include "vd_math.h"
 
 static void vd_dcm_z_kernel(const bs_real q_b2n_wxyz[4],
                             const bs_real mu[3],

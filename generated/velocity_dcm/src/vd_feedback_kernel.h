@@ -5,7 +5,7 @@
 #define VD_FEEDBACK_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_dcm_math.h"
+#include "vd_math.h"
 
 static void vd_feedback_kernel(const bs_real x[10],
                                const bs_real v_n[3],

@@ -6,7 +6,7 @@
 #define VD_STRAPDOWN_KERNEL_H
 
 #include "boresight.h"
-#include "velocity_dcm_math.h"
+#include "vd_math.h"
 
 /* What a part of the list leaves to a later one. */
 typedef struct {
