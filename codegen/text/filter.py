@@ -382,7 +382,7 @@ def answered_by_all(model: Model, made: list[Unit]) -> list[np.ndarray]:
             keep &= np.isfinite(bound)
             if result.low:
                 keep &= (value >= result.low[nz]) & (value <= result.high[nz])
-            if result.name in boxes:  # what is carried on must lie in its box again
+            if unit.name == "strapdown" and result.name in boxes:  # what is carried on must lie in its box again
                 place = result.nonzeros[nz][0]
                 keep &= (value >= boxes[result.name].low[place]) & (value <= boxes[result.name].high[place])
     chosen = np.flatnonzero(keep)[:FLOWN]
