@@ -18,7 +18,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "e3886161564c0573531e84234fedd8f58d336c869586a24ed6293e1cc7a7a8a5"
+#define AH_MODEL_HASH "59f817d9d99878a1f50125d5edbb5a5e4ca2504885678ef12e95644c8066118f"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

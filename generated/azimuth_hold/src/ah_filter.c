@@ -788,17 +788,6 @@ static void choose(ah_filter *filter, const unsigned char *considered)
     }
 }
 
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const ah_filter *filter)
-{
-    ah_nav held_nav = filter->nav;
-    bs_status status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    return status;
-}
-
 bs_status ah_filter_consider(ah_filter *filter, const unsigned char considered[AH_N_STATES])
 {
     bs_status status;

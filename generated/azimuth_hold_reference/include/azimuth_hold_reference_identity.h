@@ -18,7 +18,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "71a0bf07ef44801a54789e1b915bc69201a9c32fcfd432d480b6a8c0d9235392"
+#define AHR_MODEL_HASH "e025454c14ff5530a53b26df65dc03456b2761ecfbef55bc508802636a3612da"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

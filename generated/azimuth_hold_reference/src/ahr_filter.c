@@ -855,21 +855,6 @@ static void choose(ahr_filter *filter, const unsigned char *considered)
     }
 }
 
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const ahr_filter *filter)
-{
-    ahr_nav held_nav = filter->nav;
-    ahr_reference held_reference = filter->reference;
-    bs_status status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    if (status == BS_OK) {
-        status = check_reference(&held_reference, 0);
-    }
-    return status;
-}
-
 bs_status ahr_filter_consider(ahr_filter *filter, const unsigned char considered[AHR_N_STATES])
 {
     bs_status status;

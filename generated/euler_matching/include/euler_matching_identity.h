@@ -18,7 +18,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "5cbc99e52b1075189f693e4c0eb69cfbde7a9c6de128378f1a9e863ded8d3862"
+#define EM_MODEL_HASH "404581e52b41de84c48ab474c1a63ff5014a45cb62971dd1beca616bac4e125b"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

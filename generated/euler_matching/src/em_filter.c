@@ -794,17 +794,6 @@ static void choose(em_filter *filter, const unsigned char *considered)
     }
 }
 
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const em_filter *filter)
-{
-    em_nav held_nav = filter->nav;
-    bs_status status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    return status;
-}
-
 bs_status em_filter_consider(em_filter *filter, const unsigned char considered[EM_N_STATES])
 {
     bs_status status;

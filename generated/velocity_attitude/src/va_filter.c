@@ -1051,17 +1051,6 @@ static void choose(va_filter *filter, const unsigned char *considered)
     }
 }
 
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const va_filter *filter)
-{
-    va_nav held_nav = filter->nav;
-    bs_status status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    return status;
-}
-
 bs_status va_filter_consider(va_filter *filter, const unsigned char considered[VA_N_STATES])
 {
     bs_status status;

@@ -18,7 +18,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "f35e3ca95759b7385a95e0093c8df167f6323b04d1ca75ef44090f3178c54ffe"
+#define VAL_MODEL_HASH "2227b6bdb3729249b61b2e7398ca750a10f561e870559aba686fb641809737f3"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -1113,21 +1113,6 @@ static void choose(val_filter *filter, const unsigned char *considered)
     }
 }
 
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const val_filter *filter)
-{
-    val_nav held_nav = filter->nav;
-    val_mounting held_mounting = filter->mounting;
-    bs_status status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    if (status == BS_OK) {
-        status = check_mounting(&held_mounting, 0);
-    }
-    return status;
-}
-
 bs_status val_filter_consider(val_filter *filter, const unsigned char considered[VAL_N_STATES])
 {
     bs_status status;

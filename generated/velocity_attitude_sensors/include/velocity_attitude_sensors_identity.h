@@ -18,7 +18,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "99cebae5907cc10bfd79044da861b9f097f545e6787b25fb1f28ba304ab781ce"
+#define VAS_MODEL_HASH "eceb9eafe231a50de8cf24f8f219c4ae1b1590665bf15620e98768cd624fddf2"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

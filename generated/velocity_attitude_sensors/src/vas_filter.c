@@ -1433,33 +1433,6 @@ static void choose(vas_filter *filter, const unsigned char *considered)
     }
 }
 
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const vas_filter *filter)
-{
-    vas_nav held_nav = filter->nav;
-    vas_mounting held_mounting = filter->mounting;
-    vas_bending held_bending = filter->bending;
-    vas_triads held_triads = filter->triads;
-    vas_biases held_biases = filter->biases;
-    bs_status status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    if (status == BS_OK) {
-        status = check_mounting(&held_mounting, 0);
-    }
-    if (status == BS_OK) {
-        status = check_bending(&held_bending, 0);
-    }
-    if (status == BS_OK) {
-        status = check_triads(&held_triads, 0);
-    }
-    if (status == BS_OK) {
-        status = check_biases(&held_biases, 0);
-    }
-    return status;
-}
-
 bs_status vas_filter_consider(vas_filter *filter, const unsigned char considered[VAS_N_STATES])
 {
     bs_status status;

@@ -875,17 +875,6 @@ static void choose(vd_filter *filter, const unsigned char *considered)
     }
 }
 
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const vd_filter *filter)
-{
-    vd_nav held_nav = filter->nav;
-    bs_status status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
-    }
-    return status;
-}
-
 bs_status vd_filter_consider(vd_filter *filter, const unsigned char considered[VD_N_STATES])
 {
     bs_status status;
