@@ -18,7 +18,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "59f817d9d99878a1f50125d5edbb5a5e4ca2504885678ef12e95644c8066118f"
+#define AH_MODEL_HASH "4a0b200d35767dba87c4ca8f0c50686f1d1761152c80453d7ce9721b3a3e079c"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "e025454c14ff5530a53b26df65dc03456b2761ecfbef55bc508802636a3612da"
+#define AHR_MODEL_HASH "13d03759230f5a1838c1e3f1675de396c96088972bdb7270466f33a0089d5c7c"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "404581e52b41de84c48ab474c1a63ff5014a45cb62971dd1beca616bac4e125b"
+#define EM_MODEL_HASH "e70173f83866e790e6a7fd1b6a4cc7a8fb0cf3f52d9c197b566ef048f8b183bb"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

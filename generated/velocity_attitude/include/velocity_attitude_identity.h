@@ -18,7 +18,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "f4022fcb760d52d38fbb18cafee402359aa14aa2caf4a1de0367f6a2b4d0862b"
+#define VA_MODEL_HASH "a9febd5b162db25b58ab6f8a5ff557815e435b85ddcc7b3057b9d14cd1034df7"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

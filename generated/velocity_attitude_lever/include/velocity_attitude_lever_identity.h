@@ -18,7 +18,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "2227b6bdb3729249b61b2e7398ca750a10f561e870559aba686fb641809737f3"
+#define VAL_MODEL_HASH "e3eb29b930d204a5ed1baf8c68323b9640de0a47cf2a61cda4b29db80364d076"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "eceb9eafe231a50de8cf24f8f219c4ae1b1590665bf15620e98768cd624fddf2"
+#define VAS_MODEL_HASH "4a3c033e03262a6627c0c558550a9c21947ff4f23ffedea0215fb23c2fe0d953"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "eb8289122350a24de94d977f90d79b001f9862801de3ba373639518c15eec40d"
+#define VD_MODEL_HASH "62734661c66492ee6d79ba268f48ce9482423004452d9c4dddf94a883ed43f93"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
