@@ -211,8 +211,10 @@ def paths(n: int, F: Places) -> Counter[tuple[int, int]]:
 
 
 def vectors_view(n: int, A: Places, B: Places, order: int | None, moving: int) -> dict[str, Any]:
-    """The tables of `test_covariance.c.j2`.  A and B: places of F and Qc, or of Phi and Q where `order` is None; moving:
-    how many rows of Phi are not those of a unit matrix."""
+    """The tables of `test_covariance.c.j2`.
+
+    A and B: places of F and Qc, or of Phi and Q where `order` is None; moving: how many rows of Phi are not those of a
+    unit matrix."""
     cases = [draw_case(k, n, A, B) for k in range(VECTORS)]
     ahead, taken = [predicted(case, order, moving) for case in cases], [updated(case) for case in cases]
 

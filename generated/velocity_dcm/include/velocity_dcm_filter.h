@@ -12,7 +12,8 @@
  * P and nav are as they were, bit for bit.  x and P are judged by every call that reads or writes
  * them: by all but vd_filter_strapdown.
  * A measurement is taken with all of its rows that pass, or not at all: with a status that is
- * neither BS_OK nor BS_AT_CEILING no row of it stays taken, and innovation->used is 0.
+ * neither BS_OK nor BS_AT_CEILING no row of it stays taken, and innovation->used is 0;
+ * BS_NULL_POINTER alone writes no innovation.
  * A variance has a ceiling.  Where a step carries one beyond it, its row and column of P are
  * divided by a power of two, which changes no correlation, the step is taken, and the status is
  * BS_AT_CEILING.  The ceilings, as sigmas: dv_n 1e+05, 1e+05, 1e+05 (m/s), psi 1e+03, 1e+03, 1e+03
@@ -190,7 +191,9 @@ bs_status vd_filter_health(const vd_filter *filter, vd_health *health);
 /* All that is carried from call to call, behind a head that says whose it is.  Scratch memory is
  * not in it.
  * restore refuses the bytes of another model, layout, precision, form or order of bytes, and judges
- * the numbers as init does.
+ * the numbers as a step does, by the sentence on BS_OK above; a variance above its ceiling is
+ * refused.
+ * No checksum is in it: a flipped bit that leaves such numbers is not found.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE, BS_OUT_OF_RANGE */
 bs_status vd_filter_snapshot(const vd_filter *filter, unsigned char bytes[VD_SNAPSHOT_SIZE]);
 bs_status vd_filter_restore(vd_filter *filter, const unsigned char bytes[VD_SNAPSHOT_SIZE]);

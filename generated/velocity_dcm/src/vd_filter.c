@@ -348,6 +348,9 @@ static bs_status finish(vd_filter *filter,
             innovation->used = 0U;
         }
         end = judge(filter->x, filter->P);
+        if ((end == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
+            filter->ceilings += 1U;
+        }
     }
     if (!bs_good(end)) {
         restore(filter, a);

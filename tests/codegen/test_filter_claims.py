@@ -1,0 +1,86 @@
+"""Sentences of the filter's header, held against the C: how an adopter found them wrong."""
+
+import re
+
+import pytest
+from building import run
+
+from boresight.runtime.manifest import folder_of
+
+MODEL = "azimuth-hold"
+BEGIN = """
+#include <stdio.h>
+#include <string.h>
+#include "azimuth_hold_filter.h"
+static ah_filter f, g;
+static unsigned char bytes[AH_SNAPSHOT_SIZE];
+int main(void)
+{
+    const ah_nav nav = { { 0, BS_REAL(0.7), 100 }, { 0, 0, 0 }, { 1, 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
+    bs_real sigma[AH_N_STATES] = { 0 };
+"""
+CEILINGS = """
+    const unsigned char considered[AH_N_STATES] = { 0, 0, 0, 1, 1 };
+    unsigned long long seed = 1;
+    unsigned int met = 0;
+    ah_innovation innovation;
+    ah_health health;
+    for (int i = 3; i < 6; ++i) sigma[i] = BS_REAL(1e5);
+    for (int k = 0; (k < 20000) && (met == 0); ++k) {
+        bs_real R[3];
+        seed = (seed * 6364136223846793005ULL) + 1;
+        for (int i = 0; i < 3; ++i) R[i] = BS_REAL(1e9) * (bs_real)(1 + ((seed >> (20 + 5 * i)) & 0xffff));
+        if (ah_filter_init_sigmas(&f, &nav, sigma) != BS_OK) return 1;
+        if (ah_filter_consider(&f, considered) != BS_OK) return 2;
+        if (ah_filter_measure_zupt(&f, R, NULL, &innovation) == BS_AT_CEILING) ++met;
+    }
+    (void)ah_filter_health(&f, &health);
+    printf("%u %u", met, health.ceilings);
+    return 0;
+}
+"""
+RESTORE = """
+    const bs_real covariance = 1;
+    const size_t at = BS_SNAPSHOT_HEAD + sizeof(ah_nav) + sizeof(f.x) + (13 * sizeof(bs_real));
+    bs_real dense[AH_N_STATES * AH_N_STATES];
+    for (int i = 0; i < AH_N_STATES; ++i) sigma[i] = BS_REAL(1e-3);
+    (void)ah_filter_init_sigmas(&f, &nav, sigma);
+    (void)ah_filter_snapshot(&f, bytes);
+    memcpy(&bytes[at], &covariance, sizeof(covariance));
+    printf("%d ", (int)ah_filter_restore(&g, bytes));
+    (void)ah_filter_covariance(&g, dense);
+    printf("%d", (int)ah_filter_init(&f, &nav, dense));
+    return 0;
+}
+"""
+
+
+def answer(body, tmp_path, *flags):
+    folder = folder_of(MODEL)
+    source = tmp_path / "main.c"
+    source.write_text(BEGIN + body)
+    built = tmp_path / "main"
+    done = run("cc", "-std=c99", "-O2", "-ffp-contract=off", *flags, "-I", folder / "include", source,
+               *sorted((folder / "src").glob("*.c")), "-lm", "-o", built)  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    return run(built).stdout.split()
+
+
+@pytest.mark.parametrize("flags", [(), ("-DBORESIGHT_FLOAT",)])
+def test_a_measurement_that_ends_at_the_ceiling_is_counted(flags, tmp_path):
+    assert answer(CEILINGS, tmp_path, *flags) == ["1", "1"]
+
+
+def test_restore_judges_the_diagonal_alone_and_its_header_says_so(tmp_path):
+    assert answer(RESTORE, tmp_path) == ["0", "5"]
+    header = (folder_of(MODEL) / "include/azimuth_hold_filter.h").read_text()
+    words = re.sub(r"[\s*]+", " ", header)
+    assert "judges the numbers as a step does" in words
+    assert "as init does" not in words
+
+
+def test_no_function_of_a_file_is_defined_twice():
+    """As a merge of two branches once left it: no filter compiled."""
+    for path in sorted(folder_of(MODEL).parent.glob("*/src/*.c")):
+        defined = re.findall(r"^static [a-z_ ]+?\**(\w+)\([^;{]*\)\n\{", path.read_text(), re.M)
+        assert len(defined) == len(set(defined)), path
