@@ -6,6 +6,7 @@ documents and tests are derived from it.  Nothing here assumes navigation.
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any
 
 from sympy import ImmutableMatrix, Matrix, Symbol
@@ -227,6 +228,20 @@ class Mechanics:
     level: Level | None = None
 
 
+# Q of an error state is a sum of squares, weight B S S' B' with S S' = Qc dt: for each order of Phi the weights, and of
+# each B what stands with the powers of A = F dt.  Order 2 has the two nodes of Radau; order 1 the middle of the step;
+# order 3 the mean of Phi over the step and its slope, by Legendre's polynomials.
+Node = tuple[Fraction, tuple[Fraction, ...]]
+SPREAD: dict[int, tuple[Node, ...]] = {
+    1: ((Fraction(1), (Fraction(1), Fraction(1, 2))),),
+    2: ((Fraction(1, 4), (Fraction(1),)), (Fraction(3, 4), (Fraction(1), Fraction(2, 3), Fraction(2, 9)))),
+    3: (
+        (Fraction(1), (Fraction(1), Fraction(1, 2), Fraction(1, 6), Fraction(1, 24))),
+        (Fraction(1, 3), (Fraction(0), Fraction(1, 2), Fraction(1, 4))),
+    ),
+}
+
+
 @dataclass(frozen=True)
 class Model:
     """A state of one of two kinds, driven by white noise w of densities `noise` over steps of `dt`.
@@ -236,7 +251,7 @@ class Model:
     discrete time, next (n), the state one step later, with Q (n, n), the covariance that the noise adds.
     G: (n, m).  noise: (m) noise densities, roots of power spectral densities.  Of a total state both may depend on it.
     dt: symbol of the step, which a model in discrete time need not have.  order: of an
-    error state, the power of F dt to which Phi is taken; Q is taken to one more of dt.  structs: the inputs.
+    error state, the power of F dt to which Phi is taken; Q is right to one more of dt (SPREAD).  structs: the inputs.
     loops: of a state flown by f, the filter in C takes its step by loops over printed f, F and Qc, which is less code.
     equations: the source of F, as `song-lee-2001 (20)`.
     A model without states has functions alone, such as a strapdown integrator: no F, G, noise, dt or measurements.

@@ -5,7 +5,6 @@ whole step, the reference puts the step together from values and Jacobians of f,
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from fractions import Fraction
 from math import factorial
 from typing import Any
 
@@ -14,21 +13,10 @@ from flint import arb
 
 from boresight.codegen.functions.reference import Entries, precise
 from boresight.codegen.functions.units import Unit, UnitMaker, described
+from boresight.derive.model import SPREAD
 
 Values = Mapping[str, Sequence[Any]]  # field name -> components, floats or balls
 Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
-# Q of an error state is a sum of squares, weight B S S' B' with S S' = Qc dt: for each order of Phi the weights, and of
-# each B what stands with the powers of A = F dt.  Order 2 has the two nodes of Radau; order 1 the middle of the step;
-# order 3 the mean of Phi over the step and its slope, by Legendre's polynomials.
-Node = tuple[Fraction, tuple[Fraction, ...]]
-SPREAD: dict[int, tuple[Node, ...]] = {
-    1: ((Fraction(1), (Fraction(1), Fraction(1, 2))),),
-    2: ((Fraction(1, 4), (Fraction(1),)), (Fraction(3, 4), (Fraction(1), Fraction(2, 3), Fraction(2, 9)))),
-    3: (
-        (Fraction(1), (Fraction(1), Fraction(1, 2), Fraction(1, 6), Fraction(1, 24))),
-        (Fraction(1, 3), (Fraction(0), Fraction(1, 2), Fraction(1, 4))),
-    ),
-}
 LARGEST = 3e38  # a float holds it: what is not below it counts as not finite
 
 

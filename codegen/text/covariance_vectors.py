@@ -21,8 +21,8 @@ from typing import Any
 
 import numpy as np
 
-from boresight.codegen.functions.dynamics import SPREAD
 from boresight.codegen.text.names import rows_of, three_digits
+from boresight.derive.model import SPREAD
 
 VECTORS = 8  # one of each kind: three kill every mutant of the loops that 64 kill
 DT_POWER = -4

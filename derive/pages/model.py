@@ -7,8 +7,10 @@ names and costs of its C functions.
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from functools import cache
 from itertools import count
+from math import factorial
 from typing import Any
 
 from sympy import (
@@ -39,7 +41,7 @@ from sympy.matrices import MatrixBase
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation, as_written, product, total
 from boresight.derive.mechanics.rotation import skew
-from boresight.derive.model import Measurement, Model, Variable, symbols_in
+from boresight.derive.model import SPREAD, Measurement, Model, Variable, symbols_in
 from boresight.derive.pages.named import (
     Named,
     Naming,
@@ -281,10 +283,6 @@ class Part:
 MATRICES = MatrixBase
 
 
-def turned(expression: Any) -> Any:
-    return transpose(expression, evaluate=False)
-
-
 def identity(size: int) -> Symbol:
     return Symbol(f"I_{size}", commutative=False)
 
@@ -519,33 +517,40 @@ def _dynamics(shown: Description, units: Mapping[str, Any]) -> list[Section]:
 def _series(shown: Description, units: Mapping[str, Any]) -> Section:
     """Phi and Q of an error state."""
     model, dt = shown.model, shown.called[shown.model.dt]
-    half, sixth = Rational(1, 2), Rational(1, 6)
-    FF = product(F_, F_, Q_c)
-    terms_of_Phi = [identity(model.n), product(dt, F_), product(half, dt**2, F_, F_), product(sixth, dt**3, F_, F_, F_)]
-    by_F = product(F_, Q_c)
-    once = total(by_F, turned(by_F))
-    twice = total(FF, product(Integer(2), F_, Q_c, transpose(F_)), turned(FF))
-    FFF, mixed = product(F_, FF), product(F_, F_, Q_c, transpose(F_))
-    thrice = total(FFF, product(Integer(3), mixed), product(Integer(3), turned(mixed)), turned(FFF))
-    terms_of_Q = [
-        product(Q_c, dt),
-        product(half, dt**2, once),
-        product(sixth, dt**3, twice),
-        product(Rational(1, 24), dt**4, thrice),
-    ]
-    powers = ("first", "second", "third", "fourth")
-    words = f"to the {powers[model.order - 1]} power of the step, and what the noise adds to the {powers[model.order]}"
+    I = identity(model.n)
+
+    def times(factor: Any, *others: Any) -> Any:
+        return product(*[Rational(factor)] * (factor != 1), *others)
+
+    def powers(factors: Sequence[Any]) -> Any:
+        """The sum of the factors, each with its power of F dt; the first is 1 or 0."""
+        terms = [times(factor, dt**k, *[F_] * k) for k, factor in enumerate(factors) if k and factor]
+        return total(*[I] * bool(factors[0]), *terms)
+
+    onward: list[Form] = []
+    squares = []
+    for weight, factors in SPREAD[model.order]:
+        B = Symbol("BC"[len(onward)], commutative=False)
+        if len(factors) == 1:  # the noise at the end of the step, which nothing carries on
+            squares.append(times(weight, dt, Q_c))
+            continue
+        shown.shaped(B, (model.n, model.n))
+        onward.append(form(B, powers(factors)))
+        squares.append(times(weight, dt, B, Q_c, transpose(B)))
+    names = ("first", "second", "third", "fourth")
     return Section(
         f"Over a step {dt}",
         (
-            Prose(f"The transition matrix {words}; F and Q_c are those of its start."),
-            Formulas(
-                (form(Phi, total(*terms_of_Phi[: model.order + 1])), form(Q_, total(*terms_of_Q[: model.order + 1])))
-            ),
+            Prose(f"The transition matrix to the {names[model.order - 1]} power of the step; F and Q_c are those of "
+                  "its start."),
+            Formulas((form(Phi, powers([Fraction(1, factorial(k)) for k in range(model.order + 1)])),)),
+            Prose("What the noise adds, as a sum of squares, which no step makes indefinite; it is right to the "
+                  f"{names[model.order]} power of the step."),
+            Formulas((*onward, form(Q_, total(*squares)))),
             *_in_c(model, units, "Phi", "Q"),
         ),
         "step",
-    )
+    )  # fmt: skip
 
 
 def _flown(shown: Description, units: Mapping[str, Any]) -> Section:

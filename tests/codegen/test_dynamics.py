@@ -311,6 +311,7 @@ static bs_real operator/(bs_real a, bs_real b) { ++operations; return a.v / b.v;
 static bs_real &operator+=(bs_real &a, bs_real b) { ++operations; a.v += b.v; return a; }
 static bs_real &operator-=(bs_real &a, bs_real b) { ++operations; a.v -= b.v; return a; }
 static bs_real &operator*=(bs_real &a, bs_real b) { ++operations; a.v *= b.v; return a; }
+static bs_real &operator/=(bs_real &a, bs_real b) { ++operations; a.v /= b.v; return a; }
 static bool operator>(bs_real a, bs_real b) { return a.v > b.v; }
 static bool operator<(bs_real a, bs_real b) { return a.v < b.v; }
 static bool operator>=(bs_real a, bs_real b) { return a.v >= b.v; }
@@ -318,7 +319,8 @@ static bool operator<=(bs_real a, bs_real b) { return a.v <= b.v; }
 #define BS_REAL(x) bs_real(x)
 #define BS_SQRT(a) bs_real(sqrt((a).v))
 #define BS_FABS(a) bs_real(fabs((a).v))
-enum bs_status { BS_OK, BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_READY, BS_NOT_POSITIVE };
+enum bs_status { BS_OK, BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_READY, BS_NOT_POSITIVE, BS_AT_CEILING };
+bs_status bs_check_finite(const bs_real *value, int n);
 """
 
 

@@ -125,7 +125,8 @@ def test_an_edit_of_the_functions_is_refused_with_its_entry():
 # ---------------------------------------------------------------- Phi and Q
 
 
-def test_the_generators_phi_and_q_are_those_of_the_rows():
+def test_the_generators_phi_is_that_of_the_row_and_its_q_differs_by_what_makes_it_squares():
+    """By those terms alone, of which the first has the fourth power of the step: the row ends with the third."""
     made = phi_error_ned()
     units = {unit.name: unit.reference for unit in dynamics(UnitMaker(made))}
     inputs = {v.name: [0.3 + 0.1 * k for k in range(v.size)] for v in made.inputs}
@@ -137,7 +138,11 @@ def test_the_generators_phi_and_q_are_those_of_the_rows():
         return found
 
     with digits(60), precise():
-        at = Point({"F": matrix("F"), "S": matrix("Qc"), "Δt": exact(0.3), "I_9": eye(9)})
-        for number, name in (("transition-1", "Phi"), ("transition-2", "Q")):
+        F, S, step = matrix("F"), matrix("Qc"), exact(0.3)
+        at = Point({"F": F, "S": S, "Δt": step, "I_9": eye(9)})
+        once = F * F * S * F.T
+        squares = (once + once.T) * step**4 / 9 + once * F.T * step**5 / 27
+        for number, name, higher in (("transition-1", "Phi", zeros(9)), ("transition-2", "Q", squares)):
             (row,) = PAPER.equation(number).derived
-            assert largest(evaluate(row.sides[1], at) - matrix(name)) < EXACT
+            assert largest(evaluate(row.sides[1], at) + higher - matrix(name)) < EXACT
+        assert largest(squares) > 1e-6  # seen at this step

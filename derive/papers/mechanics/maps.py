@@ -52,5 +52,5 @@ UNFLOWN = {
     "map-1": "the matrix T is held",
     "map-4": "it ties two matrices, each of which is held",
     "transition-1": "the generator makes it of F; tests hold it",
-    "transition-2": "the generator makes it of F, G and the noise; tests hold it",
+    "transition-2": "the generator's Q has these terms, and higher ones that make it a sum of squares; tests hold both",
 }
