@@ -14,6 +14,7 @@
  * A measurement is taken with all of its rows that pass, or not at all: with a status that is
  * neither BS_OK nor BS_AT_CEILING no row of it stays taken, and innovation->used is 0;
  * BS_NULL_POINTER alone writes no innovation.
+ * A function that changes nothing judges x and P alone.
  * A variance has a ceiling.  Where a step carries one beyond it, its row and column of P are
  * divided by a power of two, which changes no correlation, the step is taken, and the status is
  * BS_AT_CEILING.  The ceilings, as sigmas: d_position 1e+01, 1e+01, 1e+06 (rad, rad, m), dv_n

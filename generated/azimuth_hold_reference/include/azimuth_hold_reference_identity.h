@@ -18,7 +18,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "ea595a42f5a166a7d23670209e5415d358e99e93f49fc43a91a5387850576507"
+#define AHR_MODEL_HASH "899fa72d7998848c9b2b4f955d1359b4a14b92f2dbef50202bdc5ca4ef9db465"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

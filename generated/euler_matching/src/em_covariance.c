@@ -481,6 +481,8 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
         }
         weight[j] = next[column(j) + j];
         weight[M + j] = UD[column(j) + j];
+        V[(j * (WIDTH + 1)) + M] -= BS_REAL(1.0); /* what a step adds to 1 is small: it is kept
+                                                   * apart until its row's turn */
     }
     /* The states that stay: U and D are theirs already.  Their noise raises them, and what of it is
      * left for the states that move takes the place of their columns in V. */
@@ -506,12 +508,29 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
     /* The rows of V, so weighted, are made orthogonal from the last to the first; row j begins in
      * column j. */
     for (int j = M - 1; j >= 0; --j) {
-        const bs_real *const v = &V[j * WIDTH];
-        bs_real weighted[M + N];
+        bs_real *const v = &V[j * WIDTH];
+        const bs_real d = weight[M + j];
+        const bs_real more = v[M + j]; /* of the state's own part, 1 + more */
+        const bs_real own = BS_REAL(1.0) + more;
+        bs_real weighted[M + 6];
         bs_real sum = BS_REAL(0.0);
+        bs_real first = BS_REAL(0.0);
+        bs_real beyond = BS_REAL(0.0);
+        v[M + j] = BS_REAL(0.0);
         for (int k = j; k < (M + N); ++k) {
             weighted[k] = weight[k] * v[k];
             sum += weighted[k] * v[k];
+        }
+        v[M + j] = own;
+        /* In a short step D and U change by little.  What they change by is summed first and meets
+         * them once, or the rounding of each of its parts would go the same way in every step. */
+        if (BS_FABS(sum + (d * (more * (BS_REAL(2.0) + more)))) < (BS_REAL(0.5) * d)) {
+            beyond = sum + (d * (more * own));
+            sum = d + (sum + (d * (more * (BS_REAL(2.0) + more))));
+            first = BS_REAL(1.0);
+        } else {
+            weighted[M + j] = d * own;
+            sum += weighted[M + j] * own;
         }
         next[column(j) + j] = sum;
         if (sum < LEAST) { /* no variance: nothing depends on it, and nothing may be divided by
@@ -532,9 +551,12 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
                 u1 += w[WIDTH + k] * by;
                 u2 += w[(2 * WIDTH) + k] * by;
             }
-            u0 *= inverse;
-            u1 *= inverse;
-            u2 *= inverse;
+            const bs_real g0 = first * w[M + j];
+            u0 = g0 + (((u0 + weighted[M + i]) - (g0 * beyond)) * inverse);
+            const bs_real g1 = first * w[WIDTH + M + j];
+            u1 = g1 + (((u1 + weighted[M + i + 1]) - (g1 * beyond)) * inverse);
+            const bs_real g2 = first * w[(2 * WIDTH) + M + j];
+            u2 = g2 + (((u2 + weighted[M + i + 2]) - (g2 * beyond)) * inverse);
             for (int k = j; k < (M + N); ++k) {
                 const bs_real by = v[k];
                 w[k] -= u0 * by;

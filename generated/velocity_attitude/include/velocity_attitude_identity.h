@@ -18,7 +18,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "7b6fc62d1f34139a715f15ec9a6045f9d49567d9cc1fd74675e37cc69201c2a3"
+#define VA_MODEL_HASH "e1c5b92a985e226d91b12ea45687d3b2fff600792b6684b18b6d935576ce62f9"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1
