@@ -368,8 +368,9 @@ def inside(model: Model) -> list[float]:
 
 def answered_by_all(model: Model, made: list[Unit]) -> list[np.ndarray]:
     """FLOWN points of all inputs, (FLOWN, size) each, at which every unit answers for x as `inside` has it."""
-    count = 64 * FLOWN
-    drawn = sample(model.inputs, 0, count, generator("filter", model.name))
+    half, rng = 64 * FLOWN, generator("filter", model.name)
+    anywhere, small = (sample(model.inputs, 0, half, rng, small=small) for small in (False, True))
+    drawn, count = [np.vstack(both) for both in zip(anywhere, small, strict=True)], 2 * half
     values = {v.name: part for v, part in zip(model.inputs, drawn, strict=True)} | {
         "x": np.tile(inside(model), (count, 1))
     }

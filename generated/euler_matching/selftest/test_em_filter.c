@@ -688,7 +688,7 @@ static int accepts(const char *what,
     before = flown;
     for (int end = 0; end < 2; ++end) {
         *value = (end == 0) ? low : high;
-        failures += expect(what, function() == BS_OK);
+        failures += expect(what, bs_good(function()));
         flown = before;
     }
     *value = good;

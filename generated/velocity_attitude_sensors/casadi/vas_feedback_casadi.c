@@ -1,0 +1,494 @@
+/* How to prefix internal symbols */
+#ifdef CASADI_CODEGEN_PREFIX
+  #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
+  #define _CASADI_NAMESPACE_CONCAT(NS, ID) NS ## ID
+  #define CASADI_PREFIX(ID) CASADI_NAMESPACE_CONCAT(CODEGEN_PREFIX, ID)
+#else
+  #define CASADI_PREFIX(ID) vas_feedback_casadi__ ## ID
+#endif
+
+#include <math.h>
+#include "../src/vas_math.h"
+#define cos BS_COS
+#define sin BS_SIN
+
+#ifndef casadi_real
+#define casadi_real double
+#endif
+
+#ifndef casadi_int
+#define casadi_int int
+#endif
+
+/* Add prefix to internal symbols */
+#define casadi_f0 CASADI_PREFIX(f0)
+#define casadi_s0 CASADI_PREFIX(s0)
+#define casadi_s1 CASADI_PREFIX(s1)
+#define casadi_s2 CASADI_PREFIX(s2)
+#define casadi_s3 CASADI_PREFIX(s3)
+#define casadi_s4 CASADI_PREFIX(s4)
+
+/* Symbol visibility in DLLs */
+#ifndef CASADI_SYMBOL_EXPORT
+  #if defined(_WIN32) || defined(__WIN32__) || defined(__CYGWIN__)
+    #if defined(STATIC_LINKED)
+      #define CASADI_SYMBOL_EXPORT
+    #else
+      #define CASADI_SYMBOL_EXPORT __declspec(dllexport)
+    #endif
+  #elif defined(__GNUC__) && defined(GCC_HASCLASSVISIBILITY)
+    #define CASADI_SYMBOL_EXPORT __attribute__ ((visibility ("default")))
+  #else
+    #define CASADI_SYMBOL_EXPORT
+  #endif
+#endif
+
+/* Configuration this file was compiled with */
+CASADI_SYMBOL_EXPORT void vas_feedback_casadi__casadi_version(int* major, int* minor, int* patch) {
+  *major = 3;
+  *minor = 8;
+  *patch = 2;
+}
+CASADI_SYMBOL_EXPORT int vas_feedback_casadi__casadi_int_size(void) { return (int) sizeof(casadi_int); }
+CASADI_SYMBOL_EXPORT int vas_feedback_casadi__casadi_real_size(void) { return (int) sizeof(casadi_real); }
+
+static const casadi_int casadi_s0[3] = {46, 1, 1};
+static const casadi_int casadi_s1[3] = {3, 1, 1};
+static const casadi_int casadi_s2[3] = {4, 1, 1};
+static const casadi_int casadi_s3[3] = {1, 1, 1};
+static const casadi_int casadi_s4[3] = {6, 1, 1};
+
+/* vas_feedback_casadi:(x[46],v_n[3],q_b2n_wxyz[4],gyro_bias[3],accel_bias[3],q_b2m_wxyz[4],tau,lever_b[3],flexure[3],flexure_rate[3],gyro_scale[3],accel_scale[3],gyro_axes[6],accel_axes[3],gyro_turn_on[3],accel_turn_on[3])->(out_v_n[3],out_q_b2n_wxyz[4],out_gyro_bias[3],out_accel_bias[3],out_q_b2m_wxyz[4],out_tau,out_lever_b[3],out_flexure[3],out_flexure_rate[3],out_gyro_scale[3],out_accel_scale[3],out_gyro_axes[6],out_accel_axes[3],out_gyro_turn_on[3],out_accel_turn_on[3]) */
+static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17;
+  a00=arg[1]? arg[1][0] : 0;
+  a01=arg[0]? arg[0][3] : 0;
+  a00=(a00-a01);
+  if (res[0]!=0) res[0][0]=a00;
+  a00=arg[1]? arg[1][1] : 0;
+  a01=arg[0]? arg[0][4] : 0;
+  a00=(a00-a01);
+  if (res[0]!=0) res[0][1]=a00;
+  a00=arg[1]? arg[1][2] : 0;
+  a01=arg[0]? arg[0][5] : 0;
+  a00=(a00-a01);
+  if (res[0]!=0) res[0][2]=a00;
+  a00=5.0000000000000000e-01;
+  a01=1.0000000000000001e-30;
+  a02=arg[0]? arg[0][2] : 0;
+  a03=(a02*a02);
+  a03=(a01+a03);
+  a04=arg[0]? arg[0][1] : 0;
+  a05=(a04*a04);
+  a03=(a03+a05);
+  a05=arg[0]? arg[0][0] : 0;
+  a06=(a05*a05);
+  a03=(a03+a06);
+  a03=sqrt(a03);
+  a06=(a00*a03);
+  a07=cos(a06);
+  a08=arg[2]? arg[2][0] : 0;
+  a09=(a07*a08);
+  a06=sin(a06);
+  a06=(a06/a03);
+  a03=arg[2]? arg[2][3] : 0;
+  a10=(a06*a03);
+  a11=(a10*a02);
+  a09=(a09-a11);
+  a11=arg[2]? arg[2][2] : 0;
+  a12=(a06*a11);
+  a13=(a12*a04);
+  a09=(a09-a13);
+  a13=(a06*a05);
+  a14=arg[2]? arg[2][1] : 0;
+  a15=(a13*a14);
+  a09=(a09-a15);
+  a15=1.;
+  a03=(a07*a03);
+  a16=(a12*a05);
+  a03=(a03+a16);
+  a16=(a06*a02);
+  a17=(a16*a08);
+  a03=(a03+a17);
+  a06=(a06*a04);
+  a17=(a06*a14);
+  a03=(a03-a17);
+  a17=(a03*a03);
+  a11=(a07*a11);
+  a16=(a16*a14);
+  a11=(a11+a16);
+  a06=(a06*a08);
+  a11=(a11+a06);
+  a05=(a10*a05);
+  a11=(a11-a05);
+  a05=(a11*a11);
+  a17=(a17+a05);
+  a07=(a07*a14);
+  a10=(a10*a04);
+  a07=(a07+a10);
+  a13=(a13*a08);
+  a07=(a07+a13);
+  a12=(a12*a02);
+  a07=(a07-a12);
+  a12=(a07*a07);
+  a17=(a17+a12);
+  a12=(a09*a09);
+  a17=(a17+a12);
+  a17=sqrt(a17);
+  a17=(a15/a17);
+  a09=(a09*a17);
+  if (res[1]!=0) res[1][0]=a09;
+  a07=(a07*a17);
+  if (res[1]!=0) res[1][1]=a07;
+  a11=(a11*a17);
+  if (res[1]!=0) res[1][2]=a11;
+  a03=(a03*a17);
+  if (res[1]!=0) res[1][3]=a03;
+  a03=arg[3]? arg[3][0] : 0;
+  a17=arg[0]? arg[0][6] : 0;
+  a03=(a03-a17);
+  if (res[2]!=0) res[2][0]=a03;
+  a03=arg[3]? arg[3][1] : 0;
+  a17=arg[0]? arg[0][7] : 0;
+  a03=(a03-a17);
+  if (res[2]!=0) res[2][1]=a03;
+  a03=arg[3]? arg[3][2] : 0;
+  a17=arg[0]? arg[0][8] : 0;
+  a03=(a03-a17);
+  if (res[2]!=0) res[2][2]=a03;
+  a03=arg[4]? arg[4][0] : 0;
+  a17=arg[0]? arg[0][9] : 0;
+  a03=(a03-a17);
+  if (res[3]!=0) res[3][0]=a03;
+  a03=arg[4]? arg[4][1] : 0;
+  a17=arg[0]? arg[0][10] : 0;
+  a03=(a03-a17);
+  if (res[3]!=0) res[3][1]=a03;
+  a03=arg[4]? arg[4][2] : 0;
+  a17=arg[0]? arg[0][11] : 0;
+  a03=(a03-a17);
+  if (res[3]!=0) res[3][2]=a03;
+  a03=arg[0]? arg[0][12] : 0;
+  a17=(a03*a03);
+  a01=(a01+a17);
+  a17=arg[0]? arg[0][13] : 0;
+  a11=(a17*a17);
+  a01=(a01+a11);
+  a11=arg[0]? arg[0][14] : 0;
+  a07=(a11*a11);
+  a01=(a01+a07);
+  a01=sqrt(a01);
+  a00=(a00*a01);
+  a07=cos(a00);
+  a09=arg[5]? arg[5][0] : 0;
+  a12=(a07*a09);
+  a00=sin(a00);
+  a00=(a00/a01);
+  a03=(a00*a03);
+  a01=arg[5]? arg[5][1] : 0;
+  a02=(a03*a01);
+  a12=(a12-a02);
+  a17=(a00*a17);
+  a02=arg[5]? arg[5][2] : 0;
+  a13=(a17*a02);
+  a12=(a12-a13);
+  a00=(a00*a11);
+  a11=arg[5]? arg[5][3] : 0;
+  a13=(a00*a11);
+  a12=(a12-a13);
+  a13=(a12*a12);
+  a08=(a07*a01);
+  a10=(a03*a09);
+  a08=(a08+a10);
+  a10=(a17*a11);
+  a08=(a08+a10);
+  a10=(a00*a02);
+  a08=(a08-a10);
+  a10=(a08*a08);
+  a13=(a13+a10);
+  a10=(a07*a11);
+  a04=(a03*a02);
+  a10=(a10+a04);
+  a04=(a00*a09);
+  a10=(a10+a04);
+  a04=(a17*a01);
+  a10=(a10-a04);
+  a04=(a10*a10);
+  a13=(a13+a04);
+  a07=(a07*a02);
+  a17=(a17*a09);
+  a07=(a07+a17);
+  a00=(a00*a01);
+  a07=(a07+a00);
+  a03=(a03*a11);
+  a07=(a07-a03);
+  a03=(a07*a07);
+  a13=(a13+a03);
+  a13=sqrt(a13);
+  a15=(a15/a13);
+  a12=(a12*a15);
+  if (res[4]!=0) res[4][0]=a12;
+  a08=(a08*a15);
+  if (res[4]!=0) res[4][1]=a08;
+  a07=(a07*a15);
+  if (res[4]!=0) res[4][2]=a07;
+  a10=(a10*a15);
+  if (res[4]!=0) res[4][3]=a10;
+  a10=arg[6]? arg[6][0] : 0;
+  a15=arg[0]? arg[0][15] : 0;
+  a10=(a10-a15);
+  if (res[5]!=0) res[5][0]=a10;
+  a10=arg[7]? arg[7][0] : 0;
+  a15=arg[0]? arg[0][16] : 0;
+  a10=(a10-a15);
+  if (res[6]!=0) res[6][0]=a10;
+  a10=arg[7]? arg[7][1] : 0;
+  a15=arg[0]? arg[0][17] : 0;
+  a10=(a10-a15);
+  if (res[6]!=0) res[6][1]=a10;
+  a10=arg[7]? arg[7][2] : 0;
+  a15=arg[0]? arg[0][18] : 0;
+  a10=(a10-a15);
+  if (res[6]!=0) res[6][2]=a10;
+  a10=arg[8]? arg[8][0] : 0;
+  a15=arg[0]? arg[0][19] : 0;
+  a10=(a10-a15);
+  if (res[7]!=0) res[7][0]=a10;
+  a10=arg[8]? arg[8][1] : 0;
+  a15=arg[0]? arg[0][20] : 0;
+  a10=(a10-a15);
+  if (res[7]!=0) res[7][1]=a10;
+  a10=arg[8]? arg[8][2] : 0;
+  a15=arg[0]? arg[0][21] : 0;
+  a10=(a10-a15);
+  if (res[7]!=0) res[7][2]=a10;
+  a10=arg[9]? arg[9][0] : 0;
+  a15=arg[0]? arg[0][22] : 0;
+  a10=(a10-a15);
+  if (res[8]!=0) res[8][0]=a10;
+  a10=arg[9]? arg[9][1] : 0;
+  a15=arg[0]? arg[0][23] : 0;
+  a10=(a10-a15);
+  if (res[8]!=0) res[8][1]=a10;
+  a10=arg[9]? arg[9][2] : 0;
+  a15=arg[0]? arg[0][24] : 0;
+  a10=(a10-a15);
+  if (res[8]!=0) res[8][2]=a10;
+  a10=arg[10]? arg[10][0] : 0;
+  a15=arg[0]? arg[0][25] : 0;
+  a10=(a10-a15);
+  if (res[9]!=0) res[9][0]=a10;
+  a10=arg[10]? arg[10][1] : 0;
+  a15=arg[0]? arg[0][26] : 0;
+  a10=(a10-a15);
+  if (res[9]!=0) res[9][1]=a10;
+  a10=arg[10]? arg[10][2] : 0;
+  a15=arg[0]? arg[0][27] : 0;
+  a10=(a10-a15);
+  if (res[9]!=0) res[9][2]=a10;
+  a10=arg[11]? arg[11][0] : 0;
+  a15=arg[0]? arg[0][28] : 0;
+  a10=(a10-a15);
+  if (res[10]!=0) res[10][0]=a10;
+  a10=arg[11]? arg[11][1] : 0;
+  a15=arg[0]? arg[0][29] : 0;
+  a10=(a10-a15);
+  if (res[10]!=0) res[10][1]=a10;
+  a10=arg[11]? arg[11][2] : 0;
+  a15=arg[0]? arg[0][30] : 0;
+  a10=(a10-a15);
+  if (res[10]!=0) res[10][2]=a10;
+  a10=arg[12]? arg[12][0] : 0;
+  a15=arg[0]? arg[0][31] : 0;
+  a10=(a10-a15);
+  if (res[11]!=0) res[11][0]=a10;
+  a10=arg[12]? arg[12][1] : 0;
+  a15=arg[0]? arg[0][32] : 0;
+  a10=(a10-a15);
+  if (res[11]!=0) res[11][1]=a10;
+  a10=arg[12]? arg[12][2] : 0;
+  a15=arg[0]? arg[0][33] : 0;
+  a10=(a10-a15);
+  if (res[11]!=0) res[11][2]=a10;
+  a10=arg[12]? arg[12][3] : 0;
+  a15=arg[0]? arg[0][34] : 0;
+  a10=(a10-a15);
+  if (res[11]!=0) res[11][3]=a10;
+  a10=arg[12]? arg[12][4] : 0;
+  a15=arg[0]? arg[0][35] : 0;
+  a10=(a10-a15);
+  if (res[11]!=0) res[11][4]=a10;
+  a10=arg[12]? arg[12][5] : 0;
+  a15=arg[0]? arg[0][36] : 0;
+  a10=(a10-a15);
+  if (res[11]!=0) res[11][5]=a10;
+  a10=arg[13]? arg[13][0] : 0;
+  a15=arg[0]? arg[0][37] : 0;
+  a10=(a10-a15);
+  if (res[12]!=0) res[12][0]=a10;
+  a10=arg[13]? arg[13][1] : 0;
+  a15=arg[0]? arg[0][38] : 0;
+  a10=(a10-a15);
+  if (res[12]!=0) res[12][1]=a10;
+  a10=arg[13]? arg[13][2] : 0;
+  a15=arg[0]? arg[0][39] : 0;
+  a10=(a10-a15);
+  if (res[12]!=0) res[12][2]=a10;
+  a10=arg[14]? arg[14][0] : 0;
+  a15=arg[0]? arg[0][40] : 0;
+  a10=(a10-a15);
+  if (res[13]!=0) res[13][0]=a10;
+  a10=arg[14]? arg[14][1] : 0;
+  a15=arg[0]? arg[0][41] : 0;
+  a10=(a10-a15);
+  if (res[13]!=0) res[13][1]=a10;
+  a10=arg[14]? arg[14][2] : 0;
+  a15=arg[0]? arg[0][42] : 0;
+  a10=(a10-a15);
+  if (res[13]!=0) res[13][2]=a10;
+  a10=arg[15]? arg[15][0] : 0;
+  a15=arg[0]? arg[0][43] : 0;
+  a10=(a10-a15);
+  if (res[14]!=0) res[14][0]=a10;
+  a10=arg[15]? arg[15][1] : 0;
+  a15=arg[0]? arg[0][44] : 0;
+  a10=(a10-a15);
+  if (res[14]!=0) res[14][1]=a10;
+  a10=arg[15]? arg[15][2] : 0;
+  a15=arg[0]? arg[0][45] : 0;
+  a10=(a10-a15);
+  if (res[14]!=0) res[14][2]=a10;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int vas_feedback_casadi(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f0(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int vas_feedback_casadi_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void vas_feedback_casadi_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void vas_feedback_casadi_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void vas_feedback_casadi_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int vas_feedback_casadi_n_in(void) { return 16;}
+
+CASADI_SYMBOL_EXPORT casadi_int vas_feedback_casadi_n_out(void) { return 15;}
+
+CASADI_SYMBOL_EXPORT casadi_real vas_feedback_casadi_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* vas_feedback_casadi_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "x";
+    case 1: return "v_n";
+    case 2: return "q_b2n_wxyz";
+    case 3: return "gyro_bias";
+    case 4: return "accel_bias";
+    case 5: return "q_b2m_wxyz";
+    case 6: return "tau";
+    case 7: return "lever_b";
+    case 8: return "flexure";
+    case 9: return "flexure_rate";
+    case 10: return "gyro_scale";
+    case 11: return "accel_scale";
+    case 12: return "gyro_axes";
+    case 13: return "accel_axes";
+    case 14: return "gyro_turn_on";
+    case 15: return "accel_turn_on";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* vas_feedback_casadi_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "out_v_n";
+    case 1: return "out_q_b2n_wxyz";
+    case 2: return "out_gyro_bias";
+    case 3: return "out_accel_bias";
+    case 4: return "out_q_b2m_wxyz";
+    case 5: return "out_tau";
+    case 6: return "out_lever_b";
+    case 7: return "out_flexure";
+    case 8: return "out_flexure_rate";
+    case 9: return "out_gyro_scale";
+    case 10: return "out_accel_scale";
+    case 11: return "out_gyro_axes";
+    case 12: return "out_accel_axes";
+    case 13: return "out_gyro_turn_on";
+    case 14: return "out_accel_turn_on";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* vas_feedback_casadi_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s1;
+    case 2: return casadi_s2;
+    case 3: return casadi_s1;
+    case 4: return casadi_s1;
+    case 5: return casadi_s2;
+    case 6: return casadi_s3;
+    case 7: return casadi_s1;
+    case 8: return casadi_s1;
+    case 9: return casadi_s1;
+    case 10: return casadi_s1;
+    case 11: return casadi_s1;
+    case 12: return casadi_s4;
+    case 13: return casadi_s1;
+    case 14: return casadi_s1;
+    case 15: return casadi_s1;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* vas_feedback_casadi_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s1;
+    case 1: return casadi_s2;
+    case 2: return casadi_s1;
+    case 3: return casadi_s1;
+    case 4: return casadi_s2;
+    case 5: return casadi_s3;
+    case 6: return casadi_s1;
+    case 7: return casadi_s1;
+    case 8: return casadi_s1;
+    case 9: return casadi_s1;
+    case 10: return casadi_s1;
+    case 11: return casadi_s4;
+    case 12: return casadi_s1;
+    case 13: return casadi_s1;
+    case 14: return casadi_s1;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int vas_feedback_casadi_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 16;
+  if (sz_res) *sz_res = 15;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int vas_feedback_casadi_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 15*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+

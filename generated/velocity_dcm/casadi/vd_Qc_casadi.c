@@ -1,0 +1,277 @@
+/* How to prefix internal symbols */
+#ifdef CASADI_CODEGEN_PREFIX
+  #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
+  #define _CASADI_NAMESPACE_CONCAT(NS, ID) NS ## ID
+  #define CASADI_PREFIX(ID) CASADI_NAMESPACE_CONCAT(CODEGEN_PREFIX, ID)
+#else
+  #define CASADI_PREFIX(ID) vd_Qc_casadi__ ## ID
+#endif
+
+#include <math.h>
+
+#ifndef casadi_real
+#define casadi_real double
+#endif
+
+#ifndef casadi_int
+#define casadi_int int
+#endif
+
+/* Add prefix to internal symbols */
+#define casadi_f0 CASADI_PREFIX(f0)
+#define casadi_s0 CASADI_PREFIX(s0)
+#define casadi_s1 CASADI_PREFIX(s1)
+#define casadi_s2 CASADI_PREFIX(s2)
+#define casadi_sq CASADI_PREFIX(sq)
+
+/* Symbol visibility in DLLs */
+#ifndef CASADI_SYMBOL_EXPORT
+  #if defined(_WIN32) || defined(__WIN32__) || defined(__CYGWIN__)
+    #if defined(STATIC_LINKED)
+      #define CASADI_SYMBOL_EXPORT
+    #else
+      #define CASADI_SYMBOL_EXPORT __declspec(dllexport)
+    #endif
+  #elif defined(__GNUC__) && defined(GCC_HASCLASSVISIBILITY)
+    #define CASADI_SYMBOL_EXPORT __attribute__ ((visibility ("default")))
+  #else
+    #define CASADI_SYMBOL_EXPORT
+  #endif
+#endif
+
+static casadi_real casadi_sq(casadi_real x) { return x*x;}
+
+/* Configuration this file was compiled with */
+CASADI_SYMBOL_EXPORT void vd_Qc_casadi__casadi_version(int* major, int* minor, int* patch) {
+  *major = 3;
+  *minor = 8;
+  *patch = 2;
+}
+CASADI_SYMBOL_EXPORT int vd_Qc_casadi__casadi_int_size(void) { return (int) sizeof(casadi_int); }
+CASADI_SYMBOL_EXPORT int vd_Qc_casadi__casadi_real_size(void) { return (int) sizeof(casadi_real); }
+
+static const casadi_int casadi_s0[3] = {4, 1, 1};
+static const casadi_int casadi_s1[3] = {3, 1, 1};
+static const casadi_int casadi_s2[3] = {18, 1, 1};
+
+/* vd_Qc_casadi:(q_b2n_wxyz[4],gyro_noise[3],accel_noise[3])->(out_Qc[18]) */
+static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21;
+  a00=arg[0]? arg[0][1] : 0;
+  a01=casadi_sq(a00);
+  a02=arg[0]? arg[0][2] : 0;
+  a03=casadi_sq(a02);
+  a04=(a01-a03);
+  a05=arg[0]? arg[0][0] : 0;
+  a06=casadi_sq(a05);
+  a07=arg[0]? arg[0][3] : 0;
+  a08=casadi_sq(a07);
+  a09=(a06-a08);
+  a10=(a04+a09);
+  a11=arg[2]? arg[2][0] : 0;
+  a11=casadi_sq(a11);
+  a12=(a10*a11);
+  a12=(a12*a10);
+  a05=(2.*a05);
+  a13=(a05*a07);
+  a14=(2.*a00);
+  a15=(a14*a02);
+  a16=(a13-a15);
+  a17=arg[2]? arg[2][1] : 0;
+  a17=casadi_sq(a17);
+  a18=(a16*a17);
+  a18=(a18*a16);
+  a12=(a12+a18);
+  a18=(a05*a02);
+  a14=(a14*a07);
+  a19=(a18+a14);
+  a20=arg[2]? arg[2][2] : 0;
+  a20=casadi_sq(a20);
+  a21=(a19*a20);
+  a21=(a21*a19);
+  a12=(a12+a21);
+  if (res[0]!=0) res[0][0]=a12;
+  a15=(a15+a13);
+  a13=(a15*a11);
+  a12=(a13*a10);
+  a09=(a09-a04);
+  a04=(a09*a17);
+  a21=(a04*a16);
+  a12=(a12-a21);
+  a05=(a05*a00);
+  a02=(a02*a07);
+  a02=(2.*a02);
+  a07=(a05-a02);
+  a00=(a07*a20);
+  a21=(a00*a19);
+  a12=(a12-a21);
+  if (res[0]!=0) res[0][1]=a12;
+  a01=(a01+a03);
+  a06=(a06-a01);
+  a06=(a06+a08);
+  a20=(a06*a20);
+  a08=(a20*a19);
+  a18=(a18-a14);
+  a11=(a18*a11);
+  a14=(a11*a10);
+  a05=(a05+a02);
+  a17=(a05*a17);
+  a02=(a17*a16);
+  a14=(a14+a02);
+  a08=(a08-a14);
+  if (res[0]!=0) res[0][2]=a08;
+  if (res[0]!=0) res[0][3]=a12;
+  a13=(a13*a15);
+  a04=(a04*a09);
+  a13=(a13+a04);
+  a00=(a00*a07);
+  a13=(a13+a00);
+  if (res[0]!=0) res[0][4]=a13;
+  a13=(a17*a09);
+  a00=(a11*a15);
+  a13=(a13-a00);
+  a00=(a20*a07);
+  a13=(a13-a00);
+  if (res[0]!=0) res[0][5]=a13;
+  if (res[0]!=0) res[0][6]=a08;
+  if (res[0]!=0) res[0][7]=a13;
+  a11=(a11*a18);
+  a17=(a17*a05);
+  a11=(a11+a17);
+  a20=(a20*a06);
+  a11=(a11+a20);
+  if (res[0]!=0) res[0][8]=a11;
+  a11=arg[1]? arg[1][0] : 0;
+  a11=casadi_sq(a11);
+  a20=(a10*a11);
+  a20=(a20*a10);
+  a17=arg[1]? arg[1][1] : 0;
+  a17=casadi_sq(a17);
+  a13=(a16*a17);
+  a13=(a13*a16);
+  a20=(a20+a13);
+  a13=arg[1]? arg[1][2] : 0;
+  a13=casadi_sq(a13);
+  a08=(a19*a13);
+  a08=(a08*a19);
+  a20=(a20+a08);
+  if (res[0]!=0) res[0][9]=a20;
+  a20=(a15*a11);
+  a08=(a20*a10);
+  a00=(a09*a17);
+  a04=(a00*a16);
+  a08=(a08-a04);
+  a04=(a07*a13);
+  a12=(a04*a19);
+  a08=(a08-a12);
+  if (res[0]!=0) res[0][10]=a08;
+  a13=(a06*a13);
+  a19=(a13*a19);
+  a11=(a18*a11);
+  a10=(a11*a10);
+  a17=(a05*a17);
+  a16=(a17*a16);
+  a10=(a10+a16);
+  a19=(a19-a10);
+  if (res[0]!=0) res[0][11]=a19;
+  if (res[0]!=0) res[0][12]=a08;
+  a20=(a20*a15);
+  a00=(a00*a09);
+  a20=(a20+a00);
+  a04=(a04*a07);
+  a20=(a20+a04);
+  if (res[0]!=0) res[0][13]=a20;
+  a09=(a17*a09);
+  a15=(a11*a15);
+  a09=(a09-a15);
+  a07=(a13*a07);
+  a09=(a09-a07);
+  if (res[0]!=0) res[0][14]=a09;
+  if (res[0]!=0) res[0][15]=a19;
+  if (res[0]!=0) res[0][16]=a09;
+  a11=(a11*a18);
+  a17=(a17*a05);
+  a11=(a11+a17);
+  a13=(a13*a06);
+  a11=(a11+a13);
+  if (res[0]!=0) res[0][17]=a11;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int vd_Qc_casadi(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f0(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int vd_Qc_casadi_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void vd_Qc_casadi_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void vd_Qc_casadi_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void vd_Qc_casadi_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int vd_Qc_casadi_n_in(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_int vd_Qc_casadi_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real vd_Qc_casadi_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* vd_Qc_casadi_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "q_b2n_wxyz";
+    case 1: return "gyro_noise";
+    case 2: return "accel_noise";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* vd_Qc_casadi_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "out_Qc";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* vd_Qc_casadi_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s1;
+    case 2: return casadi_s1;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* vd_Qc_casadi_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s2;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int vd_Qc_casadi_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 3;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int vd_Qc_casadi_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 3*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+

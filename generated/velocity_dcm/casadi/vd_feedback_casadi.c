@@ -1,0 +1,248 @@
+/* How to prefix internal symbols */
+#ifdef CASADI_CODEGEN_PREFIX
+  #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
+  #define _CASADI_NAMESPACE_CONCAT(NS, ID) NS ## ID
+  #define CASADI_PREFIX(ID) CASADI_NAMESPACE_CONCAT(CODEGEN_PREFIX, ID)
+#else
+  #define CASADI_PREFIX(ID) vd_feedback_casadi__ ## ID
+#endif
+
+#include <math.h>
+#include "../src/vd_math.h"
+#define cos BS_COS
+#define sin BS_SIN
+
+#ifndef casadi_real
+#define casadi_real double
+#endif
+
+#ifndef casadi_int
+#define casadi_int int
+#endif
+
+/* Add prefix to internal symbols */
+#define casadi_f0 CASADI_PREFIX(f0)
+#define casadi_s0 CASADI_PREFIX(s0)
+#define casadi_s1 CASADI_PREFIX(s1)
+#define casadi_s2 CASADI_PREFIX(s2)
+#define casadi_s3 CASADI_PREFIX(s3)
+
+/* Symbol visibility in DLLs */
+#ifndef CASADI_SYMBOL_EXPORT
+  #if defined(_WIN32) || defined(__WIN32__) || defined(__CYGWIN__)
+    #if defined(STATIC_LINKED)
+      #define CASADI_SYMBOL_EXPORT
+    #else
+      #define CASADI_SYMBOL_EXPORT __declspec(dllexport)
+    #endif
+  #elif defined(__GNUC__) && defined(GCC_HASCLASSVISIBILITY)
+    #define CASADI_SYMBOL_EXPORT __attribute__ ((visibility ("default")))
+  #else
+    #define CASADI_SYMBOL_EXPORT
+  #endif
+#endif
+
+/* Configuration this file was compiled with */
+CASADI_SYMBOL_EXPORT void vd_feedback_casadi__casadi_version(int* major, int* minor, int* patch) {
+  *major = 3;
+  *minor = 8;
+  *patch = 2;
+}
+CASADI_SYMBOL_EXPORT int vd_feedback_casadi__casadi_int_size(void) { return (int) sizeof(casadi_int); }
+CASADI_SYMBOL_EXPORT int vd_feedback_casadi__casadi_real_size(void) { return (int) sizeof(casadi_real); }
+
+static const casadi_int casadi_s0[3] = {10, 1, 1};
+static const casadi_int casadi_s1[3] = {3, 1, 1};
+static const casadi_int casadi_s2[3] = {4, 1, 1};
+static const casadi_int casadi_s3[3] = {1, 1, 1};
+
+/* vd_feedback_casadi:(x[10],v_n[3],q_b2n_wxyz[4],mu[3],tau)->(out_v_n[3],out_q_b2n_wxyz[4],out_mu[3],out_tau) */
+static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13;
+  a00=arg[1]? arg[1][0] : 0;
+  a01=arg[0]? arg[0][0] : 0;
+  a00=(a00-a01);
+  if (res[0]!=0) res[0][0]=a00;
+  a00=arg[1]? arg[1][1] : 0;
+  a01=arg[0]? arg[0][1] : 0;
+  a00=(a00-a01);
+  if (res[0]!=0) res[0][1]=a00;
+  a00=arg[1]? arg[1][2] : 0;
+  a01=arg[0]? arg[0][2] : 0;
+  a00=(a00-a01);
+  if (res[0]!=0) res[0][2]=a00;
+  a00=5.0000000000000000e-01;
+  a01=1.0000000000000001e-30;
+  a02=arg[0]? arg[0][3] : 0;
+  a03=(a02*a02);
+  a01=(a01+a03);
+  a03=arg[0]? arg[0][4] : 0;
+  a04=(a03*a03);
+  a01=(a01+a04);
+  a04=arg[0]? arg[0][5] : 0;
+  a05=(a04*a04);
+  a01=(a01+a05);
+  a01=sqrt(a01);
+  a00=(a00*a01);
+  a05=cos(a00);
+  a06=arg[2]? arg[2][0] : 0;
+  a07=(a05*a06);
+  a00=sin(a00);
+  a00=(a00/a01);
+  a02=(a00*a02);
+  a01=arg[2]? arg[2][1] : 0;
+  a08=(a02*a01);
+  a07=(a07-a08);
+  a03=(a00*a03);
+  a08=arg[2]? arg[2][2] : 0;
+  a09=(a03*a08);
+  a07=(a07-a09);
+  a00=(a00*a04);
+  a04=arg[2]? arg[2][3] : 0;
+  a09=(a00*a04);
+  a07=(a07-a09);
+  a09=1.;
+  a10=(a05*a08);
+  a11=(a03*a06);
+  a10=(a10+a11);
+  a11=(a00*a01);
+  a10=(a10+a11);
+  a11=(a02*a04);
+  a10=(a10-a11);
+  a11=(a10*a10);
+  a12=(a07*a07);
+  a11=(a11+a12);
+  a12=(a05*a01);
+  a13=(a02*a06);
+  a12=(a12+a13);
+  a13=(a03*a04);
+  a12=(a12+a13);
+  a13=(a00*a08);
+  a12=(a12-a13);
+  a13=(a12*a12);
+  a11=(a11+a13);
+  a05=(a05*a04);
+  a02=(a02*a08);
+  a05=(a05+a02);
+  a00=(a00*a06);
+  a05=(a05+a00);
+  a03=(a03*a01);
+  a05=(a05-a03);
+  a03=(a05*a05);
+  a11=(a11+a03);
+  a11=sqrt(a11);
+  a09=(a09/a11);
+  a07=(a07*a09);
+  if (res[1]!=0) res[1][0]=a07;
+  a12=(a12*a09);
+  if (res[1]!=0) res[1][1]=a12;
+  a10=(a10*a09);
+  if (res[1]!=0) res[1][2]=a10;
+  a05=(a05*a09);
+  if (res[1]!=0) res[1][3]=a05;
+  a05=arg[3]? arg[3][0] : 0;
+  a09=arg[0]? arg[0][6] : 0;
+  a05=(a05-a09);
+  if (res[2]!=0) res[2][0]=a05;
+  a05=arg[3]? arg[3][1] : 0;
+  a09=arg[0]? arg[0][7] : 0;
+  a05=(a05-a09);
+  if (res[2]!=0) res[2][1]=a05;
+  a05=arg[3]? arg[3][2] : 0;
+  a09=arg[0]? arg[0][8] : 0;
+  a05=(a05-a09);
+  if (res[2]!=0) res[2][2]=a05;
+  a05=arg[4]? arg[4][0] : 0;
+  a09=arg[0]? arg[0][9] : 0;
+  a05=(a05-a09);
+  if (res[3]!=0) res[3][0]=a05;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int vd_feedback_casadi(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f0(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int vd_feedback_casadi_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void vd_feedback_casadi_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void vd_feedback_casadi_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void vd_feedback_casadi_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int vd_feedback_casadi_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int vd_feedback_casadi_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real vd_feedback_casadi_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* vd_feedback_casadi_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "x";
+    case 1: return "v_n";
+    case 2: return "q_b2n_wxyz";
+    case 3: return "mu";
+    case 4: return "tau";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* vd_feedback_casadi_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "out_v_n";
+    case 1: return "out_q_b2n_wxyz";
+    case 2: return "out_mu";
+    case 3: return "out_tau";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* vd_feedback_casadi_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s1;
+    case 2: return casadi_s2;
+    case 3: return casadi_s1;
+    case 4: return casadi_s3;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* vd_feedback_casadi_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s1;
+    case 1: return casadi_s2;
+    case 2: return casadi_s1;
+    case 3: return casadi_s3;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int vd_feedback_casadi_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int vd_feedback_casadi_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+
