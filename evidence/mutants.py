@@ -43,10 +43,14 @@ WORDS = "typedef unsigned int uint32_t; typedef unsigned long uint64_t, size_t;"
 
 
 def parsed(unit: Source) -> Any:
-    """The unit with the headers of its folder, preprocessed for double; its elementary functions are the library's, so
-    that they can be told by name."""
+    """The unit with the headers of its folder, preprocessed for double.
+
+    The elementary functions of a printed one are the library's, so that they can be told by name; a filter is held
+    against its parts bit by bit, and keeps its own.
+    """
     text, ours = [WORDS], False
-    for line in run(["gcc", "-E", "-std=c99", "-DBORESIGHT_LIBM", "-I", unit.folder.include, unit.path]).splitlines():
+    library = ["-DBORESIGHT_LIBM"] if unit.described else []
+    for line in run(["gcc", "-E", "-std=c99", *library, "-I", unit.folder.include, unit.path]).splitlines():
         mark = re.match(r'# (\d+) "([^"]*)"', line)
         if mark:
             ours = Path(mark[2]).is_relative_to(unit.folder.path)
@@ -131,8 +135,9 @@ class Mutator(c_generator.CGenerator):
         return f"((evidence_mutant == {self.chosen[number]}) ? ({mutant}) : ({otherwise}))"
 
     def visit_FuncDef(self, n: Any) -> str:
-        # what all units share is mutated in each that calls it
-        self.inside = Path(n.coord.file).parent.name != "include" or n.decl.name in self.types.called
+        # what all units share is mutated in each that calls it, a kernel in its own unit
+        file, own = Path(n.coord.file), (self.unit.path.name, f"{self.unit.name}_kernel.h")
+        self.inside = n.decl.name in self.types.called if file.parent.name == "include" else file.name in own
         text = str(super().visit_FuncDef(n))
         self.inside = False
         return text
