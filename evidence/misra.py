@@ -19,6 +19,17 @@ DEVIATED = {
     "2.5": "the headers offer the same macros to every model, and the indices of all states; no folder uses all",
 }
 
+# Rules that are broken and should not be: what the table counts.
+OPEN = {
+    "5.9": "static helpers of two files may have one name: each file is read by itself",
+    "10.3": "boresight_math.h keeps a comparison's truth in an int",
+    "10.4": "boresight_math.h compares a truth value with a comparison",
+    "10.8": "boresight_math.h turns a computed whole number into another type where its range is known",
+    "12.1": "a condition of two comparisons, or a chosen value, stands without further parentheses",
+    "14.1": "a copy is skipped where its source is its target, by a second condition of the loop",
+    "14.4": "boresight_math.h asks an int that holds a truth value",
+}
+
 
 def version() -> str:
     return run(["cppcheck", "--version"]).strip()
