@@ -6,17 +6,15 @@ from committed import SMALL, committed, folder_of, spoilt
 from boresight.evidence.mutants import Types, candidates, mutants, parsed
 
 BAR = 0.99
-# Below the bar: dropped statements that save work or clear what is clear; see "What fell short" in docs/evidence.md.
-# Of what iterates and turns, ties, what only saves work, and a step of exactly a sigma are left.
+# Below the bar, as far as the self-test reaches today; what survives is told under "What fell short" in
+# docs/evidence.md: the probe of the compiler, ends of boxes moved inward, ceilings, ties, what only saves work.
 BELOW = {
-    "ah_filter": 0.985,
-    "ahr_filter": 0.985,
-    "em_covariance": 0.987,
-    "val_covariance": 0.987,
-    "em_filter": 0.90,
-    "va_filter": 0.95,
-    "val_filter": 0.94,
-    "vd_filter": 0.94,
+    **dict.fromkeys((f"{prefix}_filter" for prefix in ("ah", "ahr")), 0.68),
+    **dict.fromkeys((f"{prefix}_filter" for prefix in ("em", "va", "val", "vd")), 0.74),
+    **dict.fromkeys((f"{prefix}_covariance" for prefix in ("ah", "ahr", "va", "val")), 0.93),
+    "vd_covariance": 0.88,
+    "em_covariance": 0.83,
+    **dict.fromkeys((f"{prefix}_digest" for prefix in ("ah", "ahr", "em", "va", "val", "vd")), 0.90),
 }
 
 
