@@ -13,7 +13,8 @@ BELOW = {
     **dict.fromkeys((f"{prefix}_filter" for prefix in ("em", "va", "val", "vd")), 0.74),
     **dict.fromkeys((f"{prefix}_covariance" for prefix in ("ah", "ahr", "va", "val")), 0.93),
     "vd_covariance": 0.88,
-    "em_covariance": 0.83,
+    "em_covariance": 0.82,
+    "stationary_detector": 0.96,
     **dict.fromkeys((f"{prefix}_digest" for prefix in ("ah", "ahr", "em", "va", "val", "vd")), 0.90),
 }
 
