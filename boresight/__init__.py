@@ -26,6 +26,7 @@ EXTRAS = {
     "ulog": ("pyulog",),
     "ardupilot": ("pymavlink",),
     "ros": ("rosbags",),
+    "cluster": ("dask", "distributed"),
     "cli": ("typer", "rich"),
 }
 

@@ -560,6 +560,49 @@ def fly(one: Any, scenario: Any, out: Path | None, svg: bool, as_json: bool, see
     raise typer.Exit(0 if good else 1)
 
 
+@app.command()
+def many(
+    out: Annotated[
+        Path | None, typer.Option("-o", "--out", help="Folder that keeps every run; a second call goes on there.")
+    ] = None,
+    runs: Annotated[int, typer.Option(help="How many at most.")] = 10_000,
+    seed: Annotated[int, typer.Option(help="Of the random numbers; a run's depend on seed and run alone.")] = 0,
+    motion: Annotated[str, typer.Option(help="wave, slope or sea, as of 'study sea-state'.")] = "sea",
+    grade: Annotated[int, typer.Option(help="Sea state, 1 to 6.")] = 4,
+    within: Annotated[
+        float | None,
+        typer.Option(
+            help="End when 95 % of the heading errors are known to lie below a limit so many mil to either side.",
+            show_default=False,
+        ),
+    ] = None,
+    jobs: Annotated[int, typer.Option(help="Processes.")] = 1,
+    dask: Annotated[
+        str | None, typer.Option(help="Address of a Dask scheduler, whose workers then fly.", show_default=False)
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Fly a transfer alignment at sea as often as asked for.
+
+    Prints percentiles of the heading error and whether the filter is consistent.  The result depends on motion, grade
+    and seed alone, whatever flies it, and has a SHA-256.  Ctrl-C loses nothing that is flown, if there is a folder.
+    Exits 1 if --within was not reached.
+    """
+    from boresight import terminal
+    from boresight.runtime import runs as r
+    from boresight.studies.sea_state import many as sea
+
+    flown = sea.experiment(sea.Sea(motion, grade))
+    goal = None if within is None else r.Goal("heading_mil", within)
+    with terminal.progress() as progress:
+        found = r.many(flown, runs=runs, seed=seed, jobs=jobs, dask=dask, directory=out, goal=goal, progress=progress)
+    if as_json:
+        print_json(found.document())
+    else:
+        terminal.page_text(r.report(found) + "\n")
+    raise typer.Exit(1 if found.reached is False else 0)
+
+
 REPLAYED = ["euler-matching", "velocity-attitude", "velocity-attitude-lever", "azimuth-hold"]
 
 
@@ -746,8 +789,8 @@ def main(words: list[str] | None = None) -> None:
         print(f"boresight: the output cannot be written ({error.strerror})", file=sys.stderr)
         sys.stdout = open(os.devnull, "w")  # noqa: SIM115
         sys.exit(1)
-    except KeyboardInterrupt:
-        print("boresight: interrupted", file=sys.stderr)
+    except KeyboardInterrupt as error:
+        print(f"boresight: interrupted{f'; {error}' if error.args else ''}", file=sys.stderr)
         sys.exit(130)
 
 

@@ -144,6 +144,8 @@ def test_the_command_line_without_its_packages_says_in_one_line_what_to_install(
         ("export euler-matching -o out", "derive"),
         ("replay drive.csv", "replay"),
         ("study euler-table -o out", "replay"),
+        ("many -o out", "parquet"),
+        ("many --runs 1 --dask tcp://127.0.0.1:1", "cluster"),
     ],
 )
 def test_a_command_without_its_extra_says_in_one_line_what_to_install(monkeypatch, capsys, tmp_path, words, extra):
@@ -195,7 +197,7 @@ def test_the_layers_import_nothing_that_their_extra_does_not_bring():
     """What a layer imports, at any depth, is the standard library, the base, or of its own extra."""
     from test_imports import files, imported
 
-    formats = ("parquet", "excel", "hdf5", "ulog", "ardupilot", "ros")
+    formats = ("parquet", "excel", "hdf5", "ulog", "ardupilot", "ros", "cluster")
     allowed = {
         "derive": ("derive",), "codegen": ("derive",), "runtime": ("replay", *formats), "studies": ("replay",)
     }  # fmt: skip

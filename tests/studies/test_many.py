@@ -1,0 +1,122 @@
+"""Transfer alignments at sea by the thousand: the flights, and the command that flies them."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from boresight import BoresightError, cli
+from boresight.runtime import runs as r
+from boresight.runtime.library import load
+from boresight.runtime.simulation import hull, sensors
+from boresight.runtime.units import MIL
+from boresight.studies.sea_state import flight
+from boresight.studies.sea_state import many as sea
+
+SHORT = flight.Scenario(covariance_hz=1, seconds=12)
+
+
+@pytest.fixture(scope="module")
+def slope():
+    """500 runs of 60 s over one motion."""
+    return r.many(sea.experiment(sea.Sea("slope", 5)), runs=500, seed=3, chunk=256)
+
+
+def test_the_filter_is_consistent_and_its_intervals_say_so(slope):
+    for name, expected in (("nees", 16.0), ("nis", 6.0)):
+        column = slope.columns[name]
+        low, high = column["interval"]
+        spread = (high - low) / 2
+        assert column["expected"] == expected
+        assert (
+            abs(column["mean"] - expected) < 1.5 * spread + 0.01 * expected
+        )  # 3 sigma, and a part of the second order
+    assert slope.lost == 0
+    said = r.report(slope)
+    assert "nees" in said and "16 of a consistent filter" in said and "6 of a consistent filter" in said
+    for name in ("phi_d", "d_tau", "dmu_z"):
+        ratio = slope.columns[name]["sd"] / slope.columns[f"sigma_{name}"]["mean"]
+        assert 0.9 < ratio < 1.1, name
+
+
+def test_the_heading_is_as_good_as_that_of_the_study_s_own_filter(slope):
+    """`flight.fly`, whose loop is `Transfer`, over the same motion: the mean of |heading error| of 100 runs."""
+    s = replace(sea.Sea().scenario, height_m=(flight.HEIGHT_M[4],))
+    flown = flight.fly(load(sea.MODEL), "slope", s, runs=100, seed=8, belief=flight.Belief())
+    other = np.abs(flown.heading[-1]) / MIL
+    column = slope.columns["heading_mil"]
+    spread = np.hypot(other.std(ddof=1) / 10, column["sd"] / np.sqrt(500))
+    assert abs(other.mean() - column["mean"]) < 3 * spread
+
+
+@pytest.mark.parametrize("motion", ["wave", "slope", "sea"])
+def test_the_final_states_are_the_same_in_every_chunk(motion):
+    kind = sea.experiment(sea.Sea(motion, 4, SHORT))
+    (one,) = {r.many(kind, runs=150, seed=1, chunk=chunk).digest for chunk in (7, 64, 150)}
+    assert r.many(kind, runs=150, seed=1, chunk=64, jobs=2).digest == one
+    alone = sea.fly(load(sea.MODEL), kind.settings, 1, range(70, 71))
+    np.testing.assert_array_equal(alone, r.many(kind, runs=150, seed=1).values[[70]])
+
+
+@pytest.mark.parametrize("motion", ["slope", "sea"])
+def test_the_late_master_is_where_the_hull_was(motion):
+    """The polynomial in the delay against the hull itself."""
+    at = sea.Sea(motion, 1 if motion == "sea" else 6, SHORT)  # short waves, steep waves
+    true, delay = sea.shared(at, 4, 3), np.array([0.005, 0.0061, 0.0083, 0.01])
+    s = replace(at.scenario, height_m=(at.scenario.height_m[at.grade - 1],))
+    pose = hull.ride(flight.motion_of(motion, s, [sensors.generator(4, 3)]), np.arange(13.0)[:, None, None] - delay)
+    v, q = sea.late(true, delay)
+    np.testing.assert_allclose(v, pose.v_n[:, 0], atol=1e-10)
+    np.testing.assert_allclose(q, pose.q_b2n_wxyz[:, 0], atol=1e-11)
+
+
+def test_runs_of_one_sea_are_neighbours_and_seas_differ():
+    kind = sea.Sea("sea", 4, SHORT)
+    first, second = (sea.shared(kind, 1, number) for number in (0, 1))
+    assert np.abs(first.dv - second.dv).max() > 1e-4
+    assert sea.shared(kind, 1, 0) is first and np.abs(sea.shared(kind, 2, 0).dv - first.dv).max() > 1e-4
+
+
+def said(capsys, *words):
+    with pytest.raises(SystemExit) as ended:
+        cli.main(["many", *words])
+    return ended.value.code, *capsys.readouterr()
+
+
+def test_the_command_flies_keeps_and_goes_on(capsys, tmp_path):
+    words = ["--motion", "wave", "--grade", "3", "--seed", "2", "-o", str(tmp_path)]
+    code, out, _ = said(capsys, *words, "--runs", "40", "--json")
+    first = json.loads(out)
+    assert code == 0 and first["runs"] == 40 and first["seed"] == 2 and first["reached"] is None
+    assert set(first["percentiles"]["heading_mil"]) == {"50", "95", "99"}
+    code, out, _ = said(capsys, *words, "--runs", "60")
+    assert code == 0 and "60 runs, seed 2" in out and "SHA-256" in out
+    code, out, _ = said(capsys, *words, "--runs", "40", "--json")
+    assert json.loads(out) == first
+    code, out, err = said(capsys, "--motion", "slope", "--seed", "2", "-o", str(tmp_path))
+    assert code == 1 and not out and err.count("\n") == 1 and "another settings, motion: wave there, slope here" in err
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (["--motion", "heave"], "no motion 'heave'; there are wave, slope, sea"),
+        (["--grade", "7"], "no sea state 7; there are 1, 2, 3, 4, 5, 6"),
+        (["--runs", "0"], "runs is 0"),
+        (["--within", "-1"], "width above 0"),
+    ],
+)
+def test_what_has_no_meaning_is_refused_in_one_line(capsys, words, says):
+    code, out, err = said(capsys, *words)
+    assert code == 1 and not out and err.count("\n") == 1 and says in err
+
+
+def test_a_goal_that_is_not_reached_exits_1(capsys):
+    code, out, _ = said(capsys, "--motion", "wave", "--runs", "30", "--within", "1e-6")
+    assert code == 1 and "NOT reached" in out
+
+
+def test_a_scenario_that_the_flights_do_not_know_is_refused():
+    with pytest.raises(BoresightError, match="does not bend"):
+        sea.experiment(sea.Sea(scenario=replace(SHORT, bending_mrad=1.0)))
