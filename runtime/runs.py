@@ -125,7 +125,7 @@ def many(
     with ExitStack() as stack:
         asked = stack.enter_context(_interruptible())
         executor: Executor | None = None
-        where, window = str(folder), 2 * jobs + 1
+        where, window = str(folder.resolve()), 2 * jobs + 1
         for count in _counts(runs, goal):
             pieces = list(store.missing(count, chunk))
             if pieces and executor is None:  # only where there is something to fly
