@@ -15,6 +15,7 @@ from conftest import ROOT
 
 from boresight import BoresightError
 from boresight.runtime import runs as r
+from boresight.runtime import store, summary
 from boresight.runtime.library import load
 
 MODEL = "euler-matching"
@@ -43,7 +44,7 @@ def experiment(**settings):
 @pytest.fixture(scope="module")
 def plainly():
     """3000 runs, in one chunk of each block."""
-    return r.many(experiment(), runs=3000, seed=5, chunk=r.BLOCK)
+    return r.many(experiment(), runs=3000, seed=5, chunk=store.BLOCK)
 
 
 @pytest.mark.parametrize(("chunk", "jobs"), [(1, 1), (7, 1), (64, 1), (256, 1), (7, 2), (64, 2)])
@@ -72,7 +73,7 @@ def test_the_summaries_are_those_of_the_values(plainly):
 
 def test_a_sum_keeps_what_a_large_mean_would_hide():
     rows = 1e8 + np.random.default_rng(1).standard_normal((5000, 1))
-    whole = r.Moments.of_runs(rows).whole()
+    whole = summary.Moments.of_runs(rows).whole()
     np.testing.assert_allclose(np.sqrt(whole.square[0, 0] / 4999), np.std(rows, ddof=1), rtol=1e-9)
 
 
@@ -81,7 +82,7 @@ def test_the_interval_of_a_percentile_holds_it_95_times_of_100(tmp_path):
     inside = {50.0: 0, 95.0: 0, 99.0: 0}
     kind = r.Experiment("none", MODEL, {"a": ""}, walk)
     for seed in range(400):
-        known = r._Known(r.Store(None, ["a"], {}), ("a",), kind)
+        known = summary.Known(store.Store(None, ["a"], {}), ("a",), kind)
         known.values["a"] = [np.random.default_rng(seed).exponential(size=1024)]
         for p in inside:
             _, low, high = known.percentile("a", p)
@@ -114,7 +115,7 @@ def test_it_stops_where_the_interval_is_narrow_enough_and_no_later(tmp_path):
     _, low, high = found.percentiles["a"]["95"]
     counts = list(r._counts(20_000, goal))
     assert found.reached and (high - low) / 2 <= 0.12 and 1024 < found.runs < 20_000
-    assert found.runs in counts and len(list((tmp_path / "runs").iterdir())) == found.runs // r.BLOCK
+    assert found.runs in counts and len(list((tmp_path / "runs").iterdir())) == found.runs // store.BLOCK
     fewer = r.many(experiment(), runs=counts[counts.index(found.runs) - 1], seed=5).percentiles["a"]["95"]
     assert (fewer[2] - fewer[1]) / 2 > 0.12
     assert "95 % of a" in said[-1][2] and all(done <= total for done, total, _ in said)
@@ -172,11 +173,11 @@ def test_killed_or_interrupted_and_resumed_it_says_the_same(tmp_path, jobs, sent
     process.send_signal(sent)
     out, err = process.communicate(timeout=60)
     assert process.returncode and not out
-    kept = r.Store(tmp_path, list(COLUMNS), json.loads((tmp_path / "experiment.json").read_text()))
-    assert r.BLOCK <= kept.held < 3000
+    kept = store.Store(tmp_path, list(COLUMNS), json.loads((tmp_path / "experiment.json").read_text()))
+    assert store.BLOCK <= kept.held < 3000
     if sent == signal.SIGINT:
         assert f"{kept.held} runs are flown and kept" in err
-        assert kept.held % r.BLOCK  # what lay between two whole blocks is kept too
+        assert kept.held % store.BLOCK  # what lay between two whole blocks is kept too
     whole = r.many(experiment(slow_s=5e-4), runs=3000, seed=5, directory=tmp_path)
     slowly = r.many(experiment(), runs=3000, seed=5)
     assert whole.digest == slowly.digest
@@ -269,12 +270,13 @@ def test_final_states_of_another_shape_are_refused():
 MEMORY = """
 import resource, numpy as np
 from boresight.runtime import runs as r
+from boresight.runtime import store, summary
 
 def fly(library, settings, seed, runs):
     return np.random.Generator(np.random.Philox(key=[seed, runs.start])).standard_normal((len(runs), 35))
 
 r.many(r.Experiment("e", "euler-matching", {{f"c{{i}}": "" for i in range(35)}}, fly, percentiles=("c0",)),
-       runs=1_000_000, chunk=r.BLOCK, directory={folder!r})
+       runs=1_000_000, chunk=store.BLOCK, directory={folder!r})
 print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
 """
 
@@ -284,7 +286,7 @@ def test_a_million_runs_take_less_than_a_gigabyte_of_memory(tmp_path):
     code = MEMORY.format(folder=str(tmp_path))
     done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True)
     assert float(done.stdout) < 500  # MB
-    assert len(list((tmp_path / "runs").iterdir())) == -(-1_000_000 // r.BLOCK)
+    assert len(list((tmp_path / "runs").iterdir())) == -(-1_000_000 // store.BLOCK)
 
 
 # ---- a cluster
