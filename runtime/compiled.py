@@ -1,10 +1,12 @@
-"""The filter of `boresight.runtime.filter` with its algebra in the generated C, `src/PREFIX_filter.c`.
+"""The filter of `boresight.runtime.filter` with its algebra in the generated C, `batch/PREFIX_lanes.c`.
 
-The same methods with the same meaning, for one run or many; each is one call of C, in which the runs follow
-one another.  The results are those of the Python loop, to rounding.
+The same methods with the same meaning, for one run or many; each is one call of C, in which blocks of runs follow one
+another.  The state stays in the C between calls.  A run has the bits that the scalar functions of `src/PREFIX_filter.c`
+give it, whatever stands beside it; they are those of the Python loop, to rounding.
 """
 
 import ctypes
+from collections.abc import Iterator, MutableMapping
 from typing import Any
 
 import numpy as np
@@ -16,11 +18,99 @@ from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.library import Library
 from boresight.runtime.status import Status
 
+ALIGNED = 64  # bytes: the widest block of numbers that C reads at once
+
+
+class Given(ctypes.Structure):
+    """bs_given of boresight_lanes.h."""
+
+    _fields_ = [("at", ctypes.c_void_p), ("stride", ctypes.c_size_t), ("step", ctypes.c_size_t)]
+
+
+class Taking(ctypes.Structure):
+    """bs_taking of boresight_lanes.h."""
+
+    _fields_ = [
+        ("rows", ctypes.c_void_p), ("stride", ctypes.c_size_t), ("gates", ctypes.c_void_p),
+        ("iterations", ctypes.c_void_p), ("nu", ctypes.c_void_p), ("S", ctypes.c_void_p), ("nis", ctypes.c_void_p),
+        ("used", ctypes.c_void_p),
+    ]  # fmt: skip
+
+
+class Memory:
+    """The state of n runs as the C has it: blocks of `width` runs, number after number, each of all runs of a block."""
+
+    def __init__(self, n: int, numbers: int, width: int):
+        self.n, self.width = n, width
+        blocks = -(-n // width)
+        room = np.zeros(blocks * numbers * width + ALIGNED // 8)
+        start = -room.ctypes.data % ALIGNED // 8
+        self.blocks = room[start : start + blocks * numbers * width].reshape(blocks, numbers, width)
+        self.address = self.blocks.ctypes.data
+        self._backup = np.empty_like(self.blocks)
+
+    def read(self, part: slice) -> Array:
+        """(n, size), a copy."""
+        runs = self.blocks[:, part].transpose(0, 2, 1)
+        return runs.reshape(-1, runs.shape[-1])[: self.n].copy()
+
+    def write(self, part: slice, value: Array) -> None:
+        """value: (n, size)."""
+        if self.n % self.width:  # lanes beyond the last run are as that, so that nothing odd is computed there
+            value = np.concatenate([value, np.repeat(value[-1:], -self.n % self.width, axis=0)])
+        self.blocks[:, part] = value.reshape(len(self.blocks), self.width, -1).transpose(0, 2, 1)
+
+    def keep(self, part: slice) -> None:
+        """Remember what stands there for `give_back`."""
+        np.copyto(self._backup[:, part], self.blocks[:, part])
+
+    def give_back(self, part: slice) -> None:
+        np.copyto(self.blocks[:, part], self._backup[:, part])
+
+
+class Held(MutableMapping[str, Array]):
+    """`nav` of a CompiledFilter: what is read comes out of the C, and is looked at again by the next call."""
+
+    def __init__(self, loop: "CompiledFilter", names: list[str]):
+        self._loop, self._names = loop, names
+
+    def __getitem__(self, name: str) -> Array:
+        if name not in self._names:
+            raise KeyError(name)
+        return self._loop._lend(name)
+
+    def __setitem__(self, name: str, value: Any) -> None:
+        if name not in self._names:
+            self._names.append(name)
+        self._loop._take(name, np.asarray(value, dtype=float))
+
+    def __delitem__(self, name: str) -> None:
+        self._loop._lend(name)
+        self._names.remove(name)
+        self._loop._forget([name])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+    def __or__(self, other: Any) -> dict[str, Array]:
+        return {**self, **other}
+
+    def __ror__(self, other: Any) -> dict[str, Array]:
+        return {**other, **self}
+
+    def __repr__(self) -> str:
+        return repr(dict(self))
+
 
 class CompiledFilter(Filter):
     """Predict, update by a named measurement, feed back.  model: a library of `boresight.runtime.library.load`.
 
-    nav, P and x are as in `Filter`, and may be assigned between calls.
+    nav, P and x are as in `Filter`, and may be assigned, or changed in place, between calls.  They stay in the C: an
+    array that was read holds what the filter held then, and only until the next call what it holds.  `variances` costs
+    less than P.
     """
 
     def __init__(self, model: Library, nav: dict[str, Array], P: Array, x: Any = None):
@@ -31,24 +121,140 @@ class CompiledFilter(Filter):
             )
         if model.precision != "double":
             raise BoresightError(f"{model.name} is compiled in {model.precision}; CompiledFilter carries P in double")
+        self.described, self._library = described, model
+        self._held: dict[str, Array] = {}  # as the caller sees them; what is not there, or in _lent, is as in the C
+        self._lent: set[str] = set()  # what the caller may have changed since the last call
+        self._runs: tuple[int, ...] = ()
+        self._memory: Memory | None = None
+        self._places(model)
         super().__init__(model, nav, P, x)
-        self.described = described
+        self._runs = np.broadcast_shapes(self._held["P"].shape[:-2], self._held["x"].shape[:-1])
+
+    def _places(self, model: Library) -> None:
+        """Where what stands in the C of a run."""
         n = len(model.states)
-        size = getattr(model.dll, f"{model.manifest['c_prefix']}_filter_size")
-        size.restype = ctypes.c_size_t
-        self._width = int(size())
-        self._memory, self._considering = np.zeros((0, self._width)), False
-        self._carried: dict[str, slice] = {}
+        self._part: dict[str, slice] = {}
         start = 0
-        for struct in described["carried"]:
+        for struct in self.described["carried"]:
             for name, part in model.layout[struct].items():
-                self._carried[name] = slice(start + part.start, start + part.stop)
+                self._part[name] = slice(start + part.start, start + part.stop)
             start += model.width[struct]
-        self._x, self._P = slice(start, start + n), slice(start + n, start + n + n * (n + 1) // 2)
+        self._carried = tuple(self._part)
+        start = max(1, start)
+        sizes = {"x": n, "P": n * (n + 1) // 2, "counts": len(self.described["measurements"]) + 1, "considered": 1 + n}
+        for name, size in sizes.items():
+            self._part[name] = slice(start, start + size)
+            start += size
+        self._size = start
         columns, rows = np.tril_indices(n)  # column after column of the upper triangle
         self._upper = rows, columns
         self._place = np.zeros((n, n), dtype=int)
         self._place[rows, columns] = self._place[columns, rows] = np.arange(len(rows))
+        self._diagonal = self._part["P"].start + self._place.diagonal()
+
+    # ------------------------------------------------------------ what the caller sees
+
+    @property  # type: ignore[override]
+    def P(self) -> Array:
+        """(..., n, n) covariance of the state."""
+        return self._lend("P")
+
+    @P.setter
+    def P(self, value: Array) -> None:
+        self._take("P", np.asarray(value, dtype=float))
+
+    @property  # type: ignore[override]
+    def x(self) -> Array:
+        """(..., n) the state."""
+        return self._lend("x")
+
+    @x.setter
+    def x(self, value: Array) -> None:
+        self._take("x", np.asarray(value, dtype=float))
+
+    @property  # type: ignore[override]
+    def nav(self) -> Held:
+        return self._nav
+
+    @nav.setter
+    def nav(self, value: dict[str, Array]) -> None:
+        self._nav = Held(self, [])
+        self._nav.update(value)
+
+    def variances(self) -> Array:
+        """(..., n) the diagonal of P."""
+        if "P" in self._lent or self._memory is None:
+            return np.diagonal(self.P, axis1=-2, axis2=-1).copy()
+        return self._shaped(self._memory.blocks[:, self._diagonal].transpose(0, 2, 1))
+
+    def _shaped(self, blocks: Array) -> Array:
+        """(blocks, width, size) as (..., size)."""
+        assert self._memory is not None
+        return blocks.reshape(-1, blocks.shape[-1])[: self._memory.n].reshape(*self._runs, -1)
+
+    def _lend(self, name: str) -> Array:
+        self._lent.add(name)
+        return self._seen(name)
+
+    def _take(self, name: str, value: Array) -> None:
+        self._held[name] = value
+        self._lent.add(name)
+
+    def _forget(self, names: Any) -> None:
+        """What these are stands in the C alone."""
+        for name in names:
+            self._held.pop(name, None)
+            self._lent.discard(name)
+
+    def _seen(self, name: str) -> Array:
+        """x, P or a field of nav."""
+        if name not in self._held:
+            assert self._memory is not None
+            value = self._memory.read(self._part[name]).reshape(*self._runs, -1)
+            if name == "P":
+                value = value[..., self._place]
+            elif name != "x" and self._library.field[name]["size"] == 1:
+                value = value[..., 0]
+            self._held[name] = value
+        return self._held[name]
+
+    def _leading(self) -> tuple[int, ...]:
+        return self._runs
+
+    # ------------------------------------------------------------ into the C and back
+
+    def _settle(self, runs: tuple[int, ...]) -> Memory:
+        """The memory of so many runs, with all that the caller has changed."""
+        if self._memory is None or self._runs != runs:
+            for name in (*self._carried, "x", "P"):
+                if self._memory is not None or name in self._held:
+                    self._lend(name)
+            width, self._dll = self._library.lanes(int(np.prod(runs, dtype=int)))
+            self._memory, self._runs = Memory(int(np.prod(runs, dtype=int)), self._size, width), runs
+            for name in self._carried:
+                if name not in self._held:  # it stands in no function that is called
+                    self._write(name, inside(self._library.field[name]))
+        for name in self._lent:
+            if name in self._part:
+                self._write(name, self._held[name])
+        self._lent.clear()
+        return self._memory
+
+    def _write(self, name: str, value: Array) -> None:
+        assert self._memory is not None
+        if name == "P":
+            value = value[(..., *self._upper)]
+        part = self._part[name]
+        size = part.stop - part.start
+        if name in self._carried and size == 1:
+            value = value[..., None]
+        self._memory.write(part, np.broadcast_to(value, (*self._runs, size)).reshape(-1, size))
+
+    def strapdown(self, **inputs: Any) -> None:
+        """Carry nav over one interval of inertial data."""
+        if self.described["strapdown"] is None:
+            raise BoresightError(f"{self.model.name} has no function 'strapdown'")
+        self._fly("strapdown", self.described["strapdown"], inputs)
 
     def predict(self, **inputs: Any) -> None:
         """Carry x and P over `dt`."""
@@ -106,87 +312,112 @@ class CompiledFilter(Filter):
 
         measured: rows (..., m) bool, m, the gates of a row and the joint one, iterations and the considered states
         (..., n) bool, or None, of a measurement, for which nu, S, nis and used are returned.
+        Where a run is refused, all are as they were, and BoresightError names it.
         """
-        library: Library = self.model
-        check_inputs(function, library, inputs, self.nav, self.P)
-        values = {**self.nav, **inputs}
-        missing = [name for name in described["fields"] if name not in values]
+        library = self._library
+        check_inputs(function, library, inputs, self.nav, np.empty((*self._runs, 0, 0)))
+        missing = [name for name in described["fields"] if name not in inputs and name not in self.nav]
         if missing:
             raise BoresightError(f"{function} needs {', '.join(missing)}; pass it as a keyword")
-        read = {name: values[name] for name in {*described["fields"], *self._carried} if name in values}
-        given, runs = library.arrange(function, read)
-        shapes = [runs, self.x.shape[:-1], self.P.shape[:-2], *(v.shape[:-1] for v in (vectors or {}).values())]
+        own = {name: np.asarray(inputs[name], dtype=float) for name in self._carried if name in inputs}
+        read = {n: inputs[n] if n in inputs else self._seen(n) for n in described["fields"] if n not in self._carried}
+        given, runs = library.arrange(function, {**read, **own})
+        shapes = [runs, self._runs, *(v.shape[:-1] for v in (vectors or {}).values())]
+        shapes += [self._held[n].shape[: -self._axes(n) or None] for n in (*self._carried, "x", "P") if n in self._held]
         if measured is not None:
             shapes += [each.shape[:-1] for each in (measured[0], measured[4]) if each is not None]
         runs = np.broadcast_shapes(*shapes)
-        n = int(np.prod(runs, dtype=int))
 
-        if self._memory.shape[:-1] != runs:  # kept from call to call: most of it is scratch
-            self._memory, self._considering = np.zeros((*runs, self._width)), False
-        memory = self._memory
-        for name, part in self._carried.items():
-            memory[..., part] = given[name] if name in given else inside(library.field[name])
-        memory[..., self._x] = self.x
-        memory[..., self._P] = self.P[(..., *self._upper)]
-        arguments: list[Any] = [ctypes.c_size_t(n), ctypes.c_void_p(memory.ctypes.data)]
-        kept: list[Any] = []
+        memory = self._settle(runs)
+        for name in own:  # for this call alone
+            if name in self.nav:
+                self._lend(name)
+            self._write(name, own[name])
+        arguments: list[Any] = [memory.n, memory.address]
+        kept: list[Any] = []  # from the collector, until the call is over
+        blocks = []
         for packed, stride in library.pack(described["structs"], given, runs):
             kept.append(packed)
-            arguments += [ctypes.c_void_p(packed.ctypes.data), ctypes.c_size_t(stride)]
+            blocks.append((packed.ctypes.data, stride * packed.shape[-1]))
         out: tuple[Array, ...] = ()
+        name = function
         if measured is not None:
-            rows, m, gates, iterations, kept_states = measured
-            self._consider(n, runs, kept_states)
+            rows, m, gates, iterations, considered = measured
+            self._consider(considered)
             for vector in (vectors or {}).values():
-                kept.append(np.ascontiguousarray(np.broadcast_to(vector, (*runs, vector.shape[-1]))))
-                arguments += [ctypes.c_void_p(kept[-1].ctypes.data), ctypes.c_size_t(vector.shape[-1])]
-            kept.append(np.ascontiguousarray(np.broadcast_to(rows, (*runs, m)), dtype=np.uint8))
-            arguments.append(ctypes.c_void_p(kept[-1].ctypes.data))
-            arguments += [ctypes.c_void_p(gates.ctypes.data), ctypes.byref(ctypes.c_int(iterations))]
+                shared = vector.ndim == 1
+                kept.append(np.ascontiguousarray(vector if shared else np.broadcast_to(vector, (*runs, vector.shape[-1]))))
+                blocks.append((kept[-1].ctypes.data, 0 if shared else vector.shape[-1]))
             out = np.zeros((*runs, m)), np.zeros((*runs, m)), np.zeros(runs), np.zeros((*runs, m), dtype=np.uint8)
-            arguments += [ctypes.c_void_p(part.ctypes.data) for part in out]
-        status = np.empty(n, dtype=np.uint8)
-        arguments.append(ctypes.c_void_p(status.ctypes.data))
-        called = getattr(library.dll, f"{library.manifest['c_prefix']}_filter_{function}_batch")
-        called.restype = ctypes.c_size_t
-        if called(*arguments):
-            self._explain(function, given, runs, status.reshape(runs))
+            asked = np.ascontiguousarray(np.broadcast_to(rows, (*runs, m)), dtype=np.uint8)
+            often = np.array([iterations], dtype=np.intc)
+            kept += [asked, often, gates]
+            name = "measure"
+            arguments.append(described["index"])
+        arguments.append((Given * max(1, len(blocks)))(*(Given(at, stride, 0) for at, stride in blocks)))
+        if out:
+            pointers = (part.ctypes.data for part in out)
+            arguments.append(ctypes.byref(Taking(asked.ctypes.data, m, gates.ctypes.data, often.ctypes.data, *pointers)))
+        status = np.zeros(memory.n, dtype=np.uint8)
+        arguments.append(status.ctypes.data)
+        changed = self._changed(name)
+        memory.keep(changed)
+        if self._called(name)(*arguments):
+            memory.give_back(changed)
+            self._explain(function, {**{n: self._column(n) for n in self.nav if n in self._part}, **given}, status)
         if function == "propagate":
             self.at_ceiling = (status == Status.AT_CEILING).reshape(runs)
-        self.x = memory[..., self._x].copy()
-        self.P = memory[..., self._P][..., self._place]
-        if function == "correct":
-            for name in described["written"]:
-                value = memory[..., self._carried[name]]
-                self.nav[name] = value.copy() if library.field[name]["size"] > 1 else value[..., 0]
+        self._forget((*described.get("written", ()), *(("x", "P") if name != "strapdown" else ())))
         return (*out[:3], out[3].astype(bool)) if out else None
 
-    def _consider(self, n: int, runs: tuple[int, ...], considered: Array | None) -> None:
-        """Tell the C of n runs which states (..., n) bool no measurement corrects; it keeps that in its memory."""
-        if considered is None and not self._considering:
-            return
-        states = self.P.shape[-1]
-        each = np.broadcast_to(False if considered is None else considered, (*runs, states))
-        told = np.ascontiguousarray(each, dtype=np.uint8)
-        called = getattr(self.model.dll, f"{self.model.manifest['c_prefix']}_filter_consider_batch")
-        called.restype = ctypes.c_size_t
-        status = np.empty(n, dtype=np.uint8)
-        memory = (ctypes.c_void_p(array.ctypes.data) for array in (self._memory, told))
-        called(ctypes.c_size_t(n), *memory, ctypes.c_size_t(states), ctypes.c_void_p(status.ctypes.data))
-        self._considering = considered is not None
+    def _axes(self, name: str) -> int:
+        """How many axes of a value are none of runs."""
+        return 2 if name == "P" else 1 if name == "x" or self._library.field[name]["size"] > 1 else 0
 
-    def _explain(self, function: str, given: dict[str, Array], runs: tuple[int, ...], status: Array) -> None:
+    def _called(self, name: str) -> Any:
+        function = getattr(self._dll, f"{self._library.manifest['c_prefix']}_lanes_{name}")
+        function.restype = ctypes.c_size_t
+        pointers = 4 if name == "measure" else 3
+        function.argtypes = [ctypes.c_size_t, *pointers * [ctypes.c_void_p]]
+        if name == "measure":
+            function.argtypes = [ctypes.c_size_t, ctypes.c_void_p, ctypes.c_int, *3 * [ctypes.c_void_p]]
+        return function
+
+    def _changed(self, name: str) -> slice:
+        """What of a run a function changes."""
+        carried = slice(0, self._part["x"].start)
+        if name == "strapdown":
+            return carried
+        return slice(0 if name == "correct" else carried.stop, self._part["counts"].stop)
+
+    def _column(self, name: str) -> Array:
+        """A carried field as `Library.arrange` makes it."""
+        assert self._memory is not None
+        return self._memory.read(self._part[name]).reshape(*self._runs, -1)
+
+    def _consider(self, considered: Array | None) -> None:
+        """Tell the C which states (..., n) bool no measurement corrects."""
+        assert self._memory is not None
+        part = self._part["considered"]
+        if considered is None:
+            if self._memory.blocks[:, part.start].any():
+                self._memory.blocks[:, part] = 0.0
+            return
+        told = np.concatenate([considered.any(axis=-1, keepdims=True), considered], axis=-1)
+        self._write("considered", told.astype(float))
+
+    def _explain(self, function: str, given: dict[str, Array], status: Array) -> None:
+        status = status.reshape(self._runs)
         bad = (status != Status.OK) & (status != Status.AT_CEILING)
         where = tuple(int(i) for i in np.argwhere(bad)[0])
-        held = [np.broadcast_to(self.P, (*runs, *self.P.shape[-2:]))[where]]
-        held.append(np.broadcast_to(self.x, (*runs, self.x.shape[-1]))[where])
+        held = [self._column("P")[where], self._column("x")[where]]
         if status[where] == Status.NOT_POSITIVE or not all(np.isfinite(part).all() for part in held):
             at = f" of run {where[0] if len(where) == 1 else where}" if where else ""
             raise BoresightError(
                 f"{function}: an innovation or its variance{at} is no number, or a variance is negative; start again "
                 "from a new P"
             )
-        self.model.explain(function, {**given, "x": self.x}, runs, np.where(bad, status, Status.OK))
+        self.model.explain(function, {**given, "x": self._column("x")}, self._runs, np.where(bad, status, Status.OK))
 
 
 def inside(field: dict[str, Any]) -> Array:
@@ -195,4 +426,4 @@ def inside(field: dict[str, Any]) -> Array:
     value = np.where((low <= 0) & (high >= 0), 0.0, (low + high) / 2)
     if field["norm"]:
         value[0] = sum(field["norm"]) / 2
-    return value
+    return value if field["size"] > 1 else value[0]

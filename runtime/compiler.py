@@ -32,6 +32,24 @@ def version(*command: str) -> str:
     return run([*command, "--version"])
 
 
+@functools.cache
+def processor(*command: str) -> tuple[tuple[str, ...], str]:
+    """Flags by which a compiler uses all of this machine's processor, and the macros that say what this has."""
+    for flags in (("-march=native",), ("-mcpu=native",), ()):
+        try:
+            return flags, run([*command, *flags, "-dM", "-E", "-x", "c", os.devnull])
+        except BoresightError:
+            if not flags:
+                raise
+    raise AssertionError
+
+
+def lanes() -> int:
+    """How many doubles this machine's processor computes at a time."""
+    macros = processor(*compiler())[1]
+    return 8 if "__AVX512F__" in macros else 4 if "__AVX__" in macros else 2
+
+
 def run(command: Iterable[object], cwd: Path | None = None) -> str:
     """Standard output of a command.  Raises BoresightError with the first error that it reports."""
     words = [str(word) for word in command]
@@ -58,15 +76,16 @@ def compile_sources(command: Sequence[object], sources: Mapping[Path, Sequence[o
 def shared_library(
     name: str, contents: str, sources: Mapping[Path, Sequence[object]], include: Path, flags: Sequence[str] = ()
 ) -> tuple[Path, str]:
-    """Path of the library in the cache, compiled first if it is not there, and the hash that it carries.
+    """Path of the library in the cache, compiled for this processor if it is not there, and the hash that it carries.
 
     contents: a text that differs if any source or header differs, such as their hashes.  sources: see
     `compile_sources`; a set of flags of their own needs a name of its own.  include: folder of the headers.
     flags: of all sources, beside FLAGS.
     """
     command = compiler()
+    native, macros = processor(*command)
     key = hashlib.sha256()
-    for part in (name, contents, *FLAGS, *flags, *command, version(*command)):
+    for part in (name, contents, *FLAGS, *native, *flags, *command, version(*command), macros):
         key.update(part.encode() + b"\0")
     digest = key.hexdigest()
     target = cache_folder() / f"{name}-{digest[:32]}.so"
@@ -84,7 +103,7 @@ def shared_library(
         stamp.write_text(
             f'const char *boresight_build(void);\nconst char *boresight_build(void) {{ return "{digest}"; }}\n'
         )
-        objects = compile_sources([*command, *FLAGS, *flags, "-I", include], {stamp: (), **sources}, Path(folder))
+        objects = compile_sources([*command, *FLAGS, *native, *flags, "-I", include], {stamp: (), **sources}, Path(folder))
         run([*command, "-shared", *objects.values(), "-lm", "-o", library])
         os.replace(library, target)
     return target, digest

@@ -81,6 +81,9 @@ class Filter:
         runs = np.broadcast_shapes(self.P.shape[:-2], x.shape[:-1])
         return self.wrapped(np.array(np.broadcast_to(x, (*runs, n))))
 
+    def _leading(self) -> tuple[int, ...]:
+        return tuple(self.x.shape[:-1])
+
     def wrapped(self, x: Array) -> Array:
         """The state x with those of its angles that wrap in [-pi, pi)."""
         places = getattr(self.model, "wraps", ())
@@ -204,7 +207,7 @@ class Filter:
 
     def _noise(self, measurement: str, given: Any, shape: tuple[int, ...], rows: Array) -> tuple[Array, Array | None]:
         """Variances of independent rows (..., m), and L^-1 (..., m, m) which makes them so, or None.  shape: of z."""
-        m, runs = shape[-1], np.broadcast_shapes(shape[:-1], self.x.shape[:-1])
+        m, runs = shape[-1], np.broadcast_shapes(shape[:-1], self._leading())
         if rows.ndim and rows.shape[-1] not in (1, m):
             raise BoresightError(f"{measurement}: rows has shape {rows.shape}; its last axis must be {m} long")
         R: Array = np.atleast_1d(np.asarray(given, dtype=float))

@@ -15,18 +15,20 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.runtime import compiler
 from boresight.runtime.compiler import PRECISIONS, open_library, shared_library
 from boresight.runtime.manifest import built_in, folder_of, read_manifest
 from boresight.runtime.status import Status
 
 BACKENDS = ("flight", "casadi")
+WIDTHS = (1, 2, 4, 8)  # runs that one call of the filter's C computes at a time
 
 
 def build(
     folder: Path, manifest: dict[str, Any], backend: str = "flight", precision: str = "double"
 ) -> tuple[Path, str]:
     """The compiled library of a generated folder, as `compiler.shared_library`."""
-    sources: dict[Path, list[object]] = {folder / path: [] for path in manifest["files"] if path.startswith("batch/")}
+    sources: dict[Path, list[object]] = {folder / path: [] for path in manifest["files"] if path.endswith("_batch.c")}
     for stem in (unit["file"] for unit in manifest["units"].values()):
         # CasADi's kernel has the include guard of ours: seen first, it is the one that the wrapper calls
         instead = ["-include", folder / "casadi" / f"{stem}_kernel.h"] if backend == "casadi" else []
@@ -37,6 +39,15 @@ def build(
     sources |= {path: [] for path in others if path not in sources}
     name, contents = f"{folder.name}-{backend}-{precision}", json.dumps(manifest["files"], sort_keys=True)
     return shared_library(name, contents, sources, folder / "include", PRECISIONS[precision])
+
+
+def build_lanes(folder: Path, manifest: dict[str, Any], width: int) -> tuple[Path, str]:
+    """The compiled library of a generated folder's filter over blocks of `width` runs."""
+    ours = ("-DBORESIGHT_LANES=%d" % width, "-fno-math-errno", "-Wno-psabi")
+    sources = {folder / path: () for path in manifest["files"] if path.startswith("src/") and path.endswith(".c")}
+    lanes = folder / "batch" / f"{manifest['c_prefix']}_lanes.c"
+    contents = json.dumps(manifest["files"], sort_keys=True)
+    return shared_library(f"{folder.name}-lanes{width}", contents, {**sources, lanes: ours}, folder / "include")
 
 
 class Unit:
@@ -149,10 +160,20 @@ class Library:
     ceiling: (n,) the largest variance that a filter of it lets each state have, or None.
     manifest: what was generated, and the hash of each function.
     real: the NumPy type of the precision, in which the numbers go to the C and come back.
+    folder: where it was generated.  widest: how many runs its filter in C computes at a time, where there are several.
     """
 
-    def __init__(self, manifest: dict[str, Any], dll: ctypes.CDLL, precision: str = "double"):
+    def __init__(
+        self,
+        manifest: dict[str, Any],
+        dll: ctypes.CDLL,
+        precision: str = "double",
+        folder: Path | None = None,
+        widest: int = 1,
+    ):
         self.manifest, self.dll, self.precision = manifest, dll, precision
+        self.folder, self.widest = folder, widest
+        self._lanes: dict[int, ctypes.CDLL] = {}
         self.real: type[np.floating] = np.float32 if precision == "float" else np.float64
         self.name: str = manifest["model"]
         self.states: tuple[str, ...] = tuple(manifest["states"])
@@ -205,6 +226,14 @@ class Library:
             packed.append((array, 0 if shared else self.width[struct] if struct == "x" else 1))
         return packed
 
+    def lanes(self, runs: int) -> tuple[int, ctypes.CDLL]:
+        """How many of so many runs are computed at a time, and the library that does: compiled when it is needed."""
+        width = min(self.widest, next((w for w in WIDTHS if w >= runs), WIDTHS[-1]))
+        if width not in self._lanes:
+            assert self.folder is not None
+            self._lanes[width] = open_library(*build_lanes(self.folder, self.manifest, width))
+        return width, self._lanes[width]
+
     def explain(self, function: str, given: dict[str, np.ndarray], runs: tuple[int, ...], status: np.ndarray) -> None:
         """Raise BoresightError that names the first field, component and run that was refused."""
         where = tuple(int(i) for i in np.argwhere(status != 0)[0])
@@ -243,20 +272,27 @@ class Library:
         return [*super().__dir__(), *self.units]
 
 
-def load(model: str | Path, backend: str = "flight", precision: str = "double") -> Library:
+def load(
+    model: str | Path, backend: str = "flight", precision: str = "double", lanes: int | None = None
+) -> Library:
     """The compiled functions of a model: a built-in name, or a folder that `boresight generate` wrote.
 
     backend: "flight" for our C, "casadi" for CasADi's own; both have the same functions and give the same bits.
     precision: "double" or "float"; CasADi's C knows double alone.
+    lanes: 1, 2, 4 or 8, how many runs the filter in C computes at a time, which changes no bit of them; by default as
+    many as the processor has room for.  Fewer where there are fewer runs.
     Raises BoresightError on an unknown model, an edited file, a missing compiler, or a library that is out of date.
     """
     for what, given, known in (("backend", backend, BACKENDS), ("precision", precision, tuple(PRECISIONS))):
         if given not in known:
             raise BoresightError(f"no {what} {given!r}; there are {', '.join(known)}")
+    if lanes is not None and lanes not in WIDTHS:
+        raise BoresightError(f"no {lanes!r} lanes; there are {', '.join(map(str, WIDTHS))}")
     if backend == "casadi" and precision == "float":
         raise BoresightError("CasADi's C computes in double; take the backend 'flight' for float")
     folder = folder_of(model)
     manifest = read_manifest(folder)
     if "component" in manifest:
         raise BoresightError(f"{manifest['model']} comes from no model; models are {', '.join(built_in())}")
-    return Library(manifest, open_library(*build(folder, manifest, backend, precision)), precision)
+    dll = open_library(*build(folder, manifest, backend, precision))
+    return Library(manifest, dll, precision, folder, lanes or compiler.lanes())

@@ -25,6 +25,7 @@ from boresight.codegen.text.elementary import called, tests
 from boresight.codegen.text.equations import FILE, equations_text
 from boresight.codegen.text.filter import filter_view, has_filter, test_view
 from boresight.codegen.text.identity import identity_view, numbers
+from boresight.codegen.text.lanes import lanes_view
 from boresight.codegen.text.layout import laid_out
 from boresight.codegen.text.manifest import described
 from boresight.codegen.text.names import file_stem, snake
@@ -124,12 +125,14 @@ def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         f = filter_view(model, made, views)
         extra |= {"c": covariance_view(model, made), "f": f, "t": test_view(model, made, f)}
         extra["d"] = digest_view(model, f["carried"])
+        extra["l"] = lanes_view(model, made, f)
         m["parts"] += [f"{model.c_prefix}_{part}" for part in ("covariance", "filter", "digest")]
         paths += (
             *("include/boresight_filter.h", "include/MODEL_covariance.h", "include/MODEL_filter.h"),
             *("src/PREFIX_covariance.c", "src/PREFIX_filter.c", "selftest/test_PREFIX_filter.c"),
             *("include/boresight_digest.h", "include/MODEL_digest.h"),
             *("src/PREFIX_digest.c", "selftest/test_PREFIX_digest.c"),
+            *("batch/boresight_lanes.h", "batch/PREFIX_lanes.c"),
         )
     return rendered(paths, {"MODEL": m["snake"], "PREFIX": model.c_prefix}, m=m, **extra)
 

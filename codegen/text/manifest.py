@@ -20,10 +20,14 @@ def filter_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]])
         "ceiling": ceilings(model),
         "propagate": {key: f["propagate"][key] for key in ("structs", "fields")}
         | ({"loops": model.loops} if f["total"] else {}),
-        "correct": f["correct"] and {key: f["correct"][key] for key in ("structs", "fields", "written")},
+        **{
+            name: f[name] and {key: f[name][key] for key in ("structs", "fields", "written")}
+            for name in ("strapdown", "correct")
+        },
         "measurements": {
-            m["name"]: {key: m[key] for key in ("m", "structs", "fields", "nonlinear")} | {"brings_z": m["z"] is None}
-            for m in f["measurements"]
+            m["name"]: {key: m[key] for key in ("m", "structs", "fields", "nonlinear")}
+            | {"brings_z": m["z"] is None, "index": i}
+            for i, m in enumerate(f["measurements"])
         },
     }
 

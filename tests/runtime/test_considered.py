@@ -73,6 +73,8 @@ def radar(radar_folder):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(compiler, "FLAGS", (*compiler.FLAGS, "-DBORESIGHT_UD=1"))
         Factored.library = load(radar_folder)
+        for runs in (1, 2, 4, 8):  # compiled when they are needed, and needed with these flags
+            Factored.library.lanes(runs)
     return load(radar_folder)
 
 

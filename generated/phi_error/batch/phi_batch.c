@@ -157,4 +157,3 @@ int phi_psi_from_phi_bound(void *const *at)
     return (int)phi_psi_from_phi((const phi_nav *)at[0], (bs_real *)at[1]);
 }
 
-

@@ -157,4 +157,3 @@ int psi_phi_from_psi_bound(void *const *at)
     return (int)psi_phi_from_psi((const psi_nav *)at[0], (bs_real *)at[1]);
 }
 
-

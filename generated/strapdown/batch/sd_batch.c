@@ -144,4 +144,3 @@ int sd_earth_bound(void *const *at)
                          (bs_real *)at[3]);
 }
 
-

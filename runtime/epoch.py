@@ -1,0 +1,182 @@
+"""All that a filter does from one epoch to the next in one call: its strapdown over the samples between, prediction,
+measurements and correction.
+
+A readable loop spends most of its time on the way from Python to C and back; an epoch goes that way once.
+"""
+
+import ctypes
+import functools
+from collections.abc import Collection
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.runtime.array import Array
+from boresight.runtime.compiled import CompiledFilter, Given, Taking
+from boresight.runtime.status import Status
+
+
+class Cycle(ctypes.Structure):
+    """bs_epoch of boresight_lanes.h."""
+
+    _fields_ = [
+        ("samples", ctypes.c_size_t), ("strapdown", ctypes.c_void_p), ("propagate", ctypes.c_void_p),
+        ("count", ctypes.c_int), ("which", ctypes.c_void_p), ("given", ctypes.c_void_p), ("taking", ctypes.c_void_p),
+        ("correct", ctypes.c_int),
+    ]  # fmt: skip
+
+
+class Inputs:
+    """What one function of the filter is given, in arrays that the C reads: `inputs["dt"][...] = 0.01`.
+
+    A field is (..., size), or (...,) if it has one component; a field of the strapdown has an axis of samples in front.
+    Where all fields of a struct of the C are shared, they have no axes of runs.
+    """
+
+    def __init__(self, loop: CompiledFilter, described: dict[str, Any], runs: tuple[int, ...], samples: int | None,
+                 shared: Collection[str], vectors: dict[str, int]):  # fmt: skip
+        library = loop._library
+        front = () if samples is None else (samples,)
+        self.fields: dict[str, Array] = {}
+        self._arrays: list[Array] = []
+        blocks = []
+        for struct in described["structs"]:
+            used = {n: part for n, part in library.layout[struct].items() if n in described["fields"]}
+            alike = all(name in shared for name in used)
+            array = np.zeros((*front, *(() if alike else runs), library.width[struct]))
+            blocks.append((array, 0 if alike else array.shape[-1]))
+            for name, part in used.items():
+                self.fields[name] = array[..., part] if library.field[name]["size"] > 1 else array[..., part.start]
+        for name, size in vectors.items():
+            array = np.zeros((*(() if name in shared else runs), size))
+            blocks.append((array, 0 if name in shared else size))
+            self.fields[name] = array
+        self._arrays = [array for array, _ in blocks]
+        self.given = (Given * max(1, len(blocks)))(
+            *(Given(a.ctypes.data, stride, a[0].size if front else 0) for a, stride in blocks)
+        )
+
+    def __getitem__(self, name: str) -> Array:
+        return self.fields[name]
+
+    def __setitem__(self, name: str, value: Any) -> None:
+        """Write into the array, by broadcasting; it stays the same array."""
+        self.fields[name][...] = value
+
+
+class Measured(Inputs):
+    """A measurement of an epoch: its inputs, R (..., m) and, where the caller brings it, z (..., m); how it is taken;
+    and its innovation after a call, as `runtime.filter.Innovation` has it.
+
+    rows: (..., m) not 0 for a row to be taken.  gates: (2,) that of a row in sigmas and the joint one, 0 for none.
+    iterations: (1,) linearisations at most.
+    nu, S, used (..., m), nis (...).
+    """
+
+    def __init__(self, loop: CompiledFilter, name: str, runs: tuple[int, ...], shared: Collection[str]):
+        described = loop.described["measurements"][name]
+        m = described["m"]
+        size = m * m if loop._described(name, "correlated") else m
+        super().__init__(loop, described, runs, None, shared, {**({"z": m} if described["brings_z"] else {}), "R": size})
+        self.index: int = described["index"]
+        alike = "rows" in shared
+        self.rows = np.ones((*(() if alike else runs), m), dtype=np.uint8)
+        self.gates, self.iterations = np.zeros(2), np.ones(1, dtype=np.intc)
+        self.nu, self.S, self.nis = np.zeros((*runs, m)), np.zeros((*runs, m)), np.zeros(runs)
+        self.used = np.zeros((*runs, m), dtype=np.uint8)
+        ends = (part.ctypes.data for part in (self.gates, self.iterations, self.nu, self.S, self.nis, self.used))
+        self.taking = Taking(self.rows.ctypes.data, 0 if alike else m, *ends)
+
+
+class Epoch:
+    """One call from one epoch to the next, for all runs of a `CompiledFilter`, bound to arrays of its own.
+
+    Write `strapdown`, `predict` and `measured[NAME]`, call, look at `status`: the strapdown is called for each sample,
+    then once the prediction, the measurements in their order, and the correction.  A run has the bits of these calls
+    one by one.  One that a step refuses stays as the step before it left it, and the others go on.
+
+    loop: its state is carried on, and can be read and assigned between calls as ever.
+    samples: how many there are between two epochs; 0 for none.
+    predict, feedback: whether they are part of it.  measurements: their names; one can be left out of a call by
+    `rows`, and one that comes seldom is better in an Epoch of its own.
+    runs: the leading axes, by default those of the loop's x and P.
+    shared: fields, and z, R or rows, that are alike in all runs, and have no axes of them.
+
+    status: (...,) of each run, a `Status`; with AT_CEILING the run went on.
+    """
+
+    def __init__(
+        self,
+        loop: CompiledFilter,
+        samples: int,
+        measurements: Collection[str] = (),
+        *,
+        predict: bool = True,
+        feedback: bool = True,
+        runs: tuple[int, ...] | None = None,
+        shared: Collection[str] = (),
+    ):
+        described, fields = loop.described, loop._library.field
+        unknown = [name for name in measurements if name not in described["measurements"]]
+        if unknown:
+            known = ", ".join(described["measurements"])
+            raise BoresightError(f"{loop.model.name} has no measurement {unknown[0]!r}; it has {known}")
+        unknown = [name for name in shared if name not in {*fields, "z", "R", "rows"}]
+        if unknown:
+            raise BoresightError(f"{loop.model.name} has no input {unknown[0]!r}; it has {', '.join(fields)}")
+        for what, wanted, function in (("strapdown", samples, "strapdown"), ("feedback", feedback, "correct")):
+            if wanted and described[function] is None:
+                raise BoresightError(f"{loop.model.name} has no function {what!r}")
+        if samples < 0:
+            raise BoresightError(f"samples is {samples}; it must be at least 0, and whole")
+        if loop.considered is not None:
+            raise BoresightError("an Epoch corrects every state; fly a filter with considered states by its methods")
+        self.loop, self.runs = loop, loop._leading() if runs is None else runs
+        nothing: dict[str, Any] = {"structs": [], "fields": []}
+        self.strapdown = Inputs(
+            loop, described["strapdown"] if samples else nothing, self.runs, samples or None, shared, {}
+        )
+        self.predict = Inputs(loop, described["propagate"] if predict else nothing, self.runs, None, shared, {})
+        self.measured = {name: Measured(loop, name, self.runs, shared) for name in measurements}
+        self.status = np.zeros(self.runs, dtype=np.uint8)
+        self._changed = [*(["x", "P"] if predict or measurements or feedback else [])]
+        self._changed += described["strapdown"]["written"] if samples else []
+        self._changed += described["correct"]["written"] if feedback else []
+        each = list(self.measured.values())
+        self._which = (ctypes.c_int * max(1, len(each)))(*(one.index for one in each))
+        self._given = (ctypes.c_void_p * max(1, len(each)))(*(ctypes.addressof(one.given) for one in each))
+        self._taking = (Taking * max(1, len(each)))(*(one.taking for one in each))
+        self._cycle = Cycle(
+            samples, ctypes.addressof(self.strapdown.given), ctypes.addressof(self.predict.given) if predict else None,
+            len(each), ctypes.addressof(self._which), ctypes.addressof(self._given), ctypes.addressof(self._taking),
+            int(feedback),
+        )  # fmt: skip
+        self._bound: Any = None
+        self._memory: Any = None
+
+    def __call__(self) -> int:
+        """How many runs a step refused; 0 is all well."""
+        loop = self.loop
+        if loop._lent or loop._runs != self.runs or loop._memory is None:
+            loop._settle(self.runs)
+        if self._memory is not loop._memory:
+            self._memory = loop._settle(self.runs)
+            function = getattr(loop._dll, f"{loop._library.manifest['c_prefix']}_lanes_epoch")
+            function.restype = ctypes.c_size_t
+            addresses = (self._memory.address, ctypes.addressof(self._cycle), self.status.ctypes.data)
+            self._bound = functools.partial(
+                function, ctypes.c_size_t(self._memory.n), *map(ctypes.c_void_p, addresses)
+            )
+        refused: int = self._bound()
+        loop._forget(self._changed)
+        return refused
+
+    def refused(self) -> str:
+        """What became of the first run that was refused, in words; nothing where all is well."""
+        bad = np.argwhere((self.status != Status.OK) & (self.status != Status.AT_CEILING))
+        if not len(bad):
+            return ""
+        where = tuple(int(i) for i in bad[0])
+        at = f"run {where[0] if len(where) == 1 else where}: " if where else ""
+        return f"{at}BS_{Status(int(self.status[where])).name}"
