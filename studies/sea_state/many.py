@@ -10,7 +10,6 @@ each run is the delay, the biases and all noise.  An interval of the runner is o
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 
@@ -18,16 +17,18 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.epoch import Epoch
 from boresight.runtime.library import Library, load
 from boresight.runtime.runs import Experiment
 from boresight.runtime.simulation import sensors
+from boresight.runtime.status import Status
 from boresight.runtime.transfer import Message
 from boresight.runtime.units import DEG, HOUR, MIL, MILLI_G
 from boresight.studies.consistency import nees
 from boresight.studies.sea_state import flight as at_sea
 
 MODEL = "velocity-attitude"
-SEAS, TOGETHER = 32, 64
+SEAS, TOGETHER = 32, 128
 NODES = 6  # of the polynomial by which the master's pose depends on the delay
 SPAN = 4  # samples of a rate at an update, the mean over them
 
@@ -114,8 +115,7 @@ def late(true: Shared, delay: Array) -> tuple[Array, Array]:
         for other in np.delete(true.delays, i):
             weight *= (delay - other) / (node - other)
         pose += weight[:, None] * true.master[i][:, None]
-    q = pose[..., 3:]
-    return pose[..., :3], q / np.sqrt(summed(q * q))[..., None]
+    return pose[..., :3], normal(pose[..., 3:])
 
 
 # ---- many flights over it
@@ -133,7 +133,7 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     """The same for runs of one sea."""
     s, true = sea.scenario, shared(sea, seed, number)
     n, updates, per_update = len(runs), s.seconds * s.update_hz, s.navigation_hz // s.update_hz
-    dt = 1 / s.navigation_hz
+    dt, half = 1 / s.navigation_hz, per_update // 2
     streams = [np.random.Generator(np.random.Philox(key=[seed, run])) for run in runs]
     part = np.array([stream.random() for stream in streams])
     delay = 1e-3 * (s.delay_ms[0] + (s.delay_ms[1] - s.delay_ms[0]) * part)
@@ -144,37 +144,56 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     v_m_n = v_m_n + s.velocity_noise_m_s * noise[..., :3]
     q_m2n = times(small(s.attitude_noise_deg * DEG * noise[..., 3:]), q_m2n)  # a turn in level axes
 
-    given, R = at_sea.constants(s), at_sea.matching_variances(s)
+    given = at_sea.constants(s)
     walk = np.repeat([given["gyro_noise"][0], given["accel_noise"][0]], 3) * np.sqrt(dt)
-    swing = np.cross(true.dtheta[0] / dt, s.lever_b)
+    swing = np.broadcast_to(np.cross(true.dtheta[0] / dt, s.lever_b), (n, 3))
     nav = {
         "position": np.broadcast_to(true.position[0], (n, 3)), "q_b2n_wxyz": q_m2n[0],
         "v_n": v_m_n[0] + turned(q_m2n[0], swing), "gyro_bias": np.zeros((n, 3)), "accel_bias": np.zeros((n, 3)),
         "q_b2m_wxyz": np.broadcast_to([1.0, 0, 0, 0], (n, 4)), "tau": np.zeros(n),
     }  # fmt: skip
     loop = CompiledFilter(model, nav, np.broadcast_to(true.P, (n, 16, 16)))
-    before = None
-    ideal = np.concatenate([true.dtheta, true.dv], axis=-1)
-    nis = np.zeros(n)
-    for update in range(1, updates + 1):
-        sensed = np.array([stream.standard_normal((per_update, 6)) for stream in streams])
-        sensed *= walk
-        sensed += ideal[(update - 1) * per_update : update * per_update]
-        sensed += (bias * dt)[:, None]
-        samples = np.ascontiguousarray(np.moveaxis(sensed, 1, 0))  # (samples, runs, 6)
-        half = per_update // 2
-        before = strapdown(loop, samples[:half], before, dt)
-        f_b = summed_over(samples)[:, 3:] / (per_update * dt) - loop.nav["accel_bias"]
-        loop.predict(f_b=f_b, dt=per_update * dt, **given)  # linearised in the middle of what it carries P over
-        before = strapdown(loop, samples[half:], before, dt)
-        loop.nav["position"] = np.broadcast_to(true.position[update], (n, 3)).copy()
-        message = {"v_m_n": v_m_n[update], "q_m2n_wxyz": q_m2n[update], "lag": loop.nav["tau"]}
-        now = moving(model, loop, samples[-2 * SPAN :], dt, given) | message | given
-        one = loop.update("dcm", R[3:], **now)
-        other = loop.update("velocity", R[:3], **now)
-        loop.feedback()
-        if update > at_sea.SETTLED_S * s.update_hz:
-            nis += one.nis + other.nis
+    # The covariance is carried from update to update in the middle between them, where it is linearised.
+    alike = {"dt", "lever_b", "R", *given}
+    before = Epoch(loop, half, feedback=False, shared=alike)
+    after = Epoch(loop, per_update - half, predict=False, feedback=False, shared=alike)
+    update = Epoch(loop, 0, ("dcm", "velocity"), predict=False, shared=alike)
+    before.strapdown["dt"] = after.strapdown["dt"] = dt
+    before.predict["dt"] = per_update * dt
+    for name in before.predict.fields.keys() & given.keys():
+        before.predict[name] = given[name]
+    attitude, velocity = (update.measured[name] for name in ("dcm", "velocity"))
+    velocity["lever_b"] = s.lever_b
+    velocity["R"], attitude["R"] = at_sea.matching_variances(s).reshape(2, 3)
+
+    # Samples stand from the newest to the oldest, so that each has the one before it behind it.
+    ideal = np.concatenate([true.dtheta, true.dv], axis=-1)[::-1]
+    scale, steady = np.tile(walk, per_update), np.tile(bias * dt, per_update)
+    samples = np.zeros((n, per_update + 1, 6))
+    deliver(before, samples, per_update - 1)
+    deliver(after, samples, per_update - 1 - half)
+    nis, lost = np.zeros(n), np.zeros(n, bool)
+    for k in range(updates):
+        sensed = np.array([stream.standard_normal(6 * per_update) for stream in streams])
+        sensed *= scale
+        sensed += ideal[(updates - 1 - k) * per_update : (updates - k) * per_update].reshape(-1)
+        sensed += steady
+        sensed = sensed.reshape(n, per_update, 6)
+        samples[:, -1] = samples[:, 0] if k else sensed[:, -1]
+        samples[:, :-1] = sensed
+        biases = loop.nav["gyro_bias"], loop.nav["accel_bias"]
+        before.predict["f_b"] = summed(sensed)[:, 3:] / (per_update * dt) - biases[1]
+        failed = before() + after()
+        omega, a_n = moving(sensed[:, : 2 * SPAN], loop.nav["q_b2n_wxyz"], *biases, dt, s.lever_b)
+        for measured in (attitude, velocity):
+            measured["omega_ib_b"], measured["lag"] = omega, loop.nav["tau"]
+        attitude["q_m2n_wxyz"] = q_m2n[k + 1]
+        velocity["v_m_n"], velocity["a_n"] = v_m_n[k + 1], a_n
+        if failed + update():
+            for epoch in (before, after, update):
+                lost |= (epoch.status != Status.OK) & (epoch.status != Status.AT_CEILING)
+        if k >= at_sea.SETTLED_S * s.update_hz:
+            nis += attitude.nis + velocity.nis
     error = np.concatenate(
         [
             rotation.attitude_error(loop.nav["q_b2n_wxyz"], true.q_b2n_wxyz),
@@ -187,54 +206,63 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
         axis=-1,
     )
     settled = updates - at_sea.SETTLED_S * s.update_hz
-    sigma = np.sqrt(np.einsum("...ii->...i", loop.P))
     more = [np.abs(error[:, 2]) / MIL, nees(error, loop.P), nis / settled]
-    return np.concatenate([error, sigma, np.stack(more, axis=-1)], axis=-1)
+    rows = np.concatenate([error, np.sqrt(loop.variances()), np.stack(more, axis=-1)], axis=-1)
+    rows[lost] = np.nan
+    return rows
 
 
-def strapdown(loop: CompiledFilter, samples: Array, before: Array | None, dt: float) -> Array:
-    """Carry nav over samples (T, runs, 6); returns the last one."""
-    for sample in samples:
-        earlier = sample if before is None else before
-        loop.strapdown(dtheta_ib_b=sample[:, :3], dv_b=sample[:, 3:], dtheta_before=earlier[:, :3],
-                       dv_before=earlier[:, 3:], dt=dt)  # fmt: skip
-        before = sample
-    assert before is not None
-    return before
+def deliver(epoch: Epoch, samples: Array, first: int) -> None:
+    """Where an epoch reads its increments: samples (runs, T, 6), its first one at `first`, each next one before it.
+
+    The C reads twelve numbers of a sample: its own six, and those of the sample before it.
+    """
+    structs = epoch.loop.described["strapdown"]["structs"]
+    given = epoch.strapdown.given[structs.index("increments")]
+    given.at, given.stride, given.step = samples[0, first].ctypes.data, samples[0].size, 2**64 - 6
 
 
-def moving(model: Library, loop: CompiledFilter, last: Array, dt: float, given: dict[str, Any]) -> dict[str, Array]:
-    """How the slave turns and how its master is accelerated now, by the last 2 SPAN samples (2 SPAN, runs, 6)."""
-    earlier, later = (summed_over(part) / (SPAN * dt) for part in (last[:SPAN], last[SPAN:]))
+def moving(
+    last: Array, q_b2n: Array, gyro_bias: Array, accel_bias: Array, dt: float, lever: tuple[float, float, float]
+) -> tuple[Array, Array]:
+    """How the slave turns, and how its master is accelerated, (runs, 3) each; by its last samples (runs, 2 SPAN, 6)."""
+    later, earlier = (summed(last[:, part]) / (SPAN * dt) for part in (slice(SPAN), slice(SPAN, None)))
     rates = later + (later - earlier) / 2  # the later one is that of SPAN / 2 samples ago
-    omega, f_b = rates[:, :3] - loop.nav["gyro_bias"], rates[:, 3:] - loop.nav["accel_bias"]
-    alpha = (later - earlier)[:, :3] / (SPAN * dt)
-    lever = given["lever_b"]
-    at_master = f_b - np.cross(alpha, lever) - np.cross(omega, np.cross(omega, lever))
-    a_n = turned(loop.nav["q_b2n_wxyz"], at_master) + np.array([0.0, 0.0, 9.798])  # 0.01 m/s^2 for 10 ms are nothing
-    return {"omega_ib_b": omega, "a_n": a_n}
+    omega, f_b = rates[:, :3] - gyro_bias, rates[:, 3:] - accel_bias
+    alpha, arm = (later - earlier)[:, :3] / (SPAN * dt), np.broadcast_to(lever, omega.shape)
+    a_n = turned(q_b2n, f_b - crossed(alpha, arm) - crossed(omega, crossed(omega, arm)))
+    return omega, a_n + np.array([0.0, 0.0, 9.798])  # 0.01 m/s^2 for 10 ms are nothing
+
+
+def crossed(a: Array, b: Array) -> Array:
+    """The cross product of (runs, 3)."""
+    out = np.empty_like(a)
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        out[:, i] = a[:, j] * b[:, k] - a[:, k] * b[:, j]
+    return out
 
 
 def summed(values: Array) -> Array:
-    """Over the last axis, one number after the other, whatever else there is."""
-    total = values[..., 0]
-    for i in range(1, values.shape[-1]):
-        total = total + values[..., i]
-    return total
-
-
-def summed_over(values: Array) -> Array:
-    """The same over the first."""
-    total = values[0]
-    for value in values[1:]:
-        total = total + value
-    return total
+    """Over the middle axis of (runs, T, size), in an order that no other axis changes."""
+    while values.shape[1] > 1:
+        half, odd = divmod(values.shape[1], 2)
+        rest = values[:, 2 * half :]
+        values = values[:, :half] + values[:, half : 2 * half]
+        if odd:
+            values[:, 0] += rest[:, 0]
+    return values[:, 0]
 
 
 def small(turn: Array) -> Array:
     """exp([v x]) of a turn (..., 3) rad below a millirad, as a quaternion (..., 4)."""
     q = np.concatenate([np.ones((*turn.shape[:-1], 1)), turn / 2], axis=-1)
-    return q / np.sqrt(summed(q * q))[..., None]
+    return normal(q)
+
+
+def normal(q: Array) -> Array:
+    """(..., 4) of norm 1."""
+    w, x, y, z = np.moveaxis(q, -1, 0)
+    return q / np.sqrt(w * w + x * x + y * y + z * z)[..., None]
 
 
 def times(p: Array, q: Array) -> Array:
@@ -247,7 +275,7 @@ def times(p: Array, q: Array) -> Array:
 
 
 def turned(q: Array, vector: Array) -> Array:
-    """C of q (..., 4) times a vector (..., 3)."""
-    w, axis = q[..., :1], q[..., 1:]
-    twice = 2 * np.cross(axis, vector)
-    return vector + w * twice + np.cross(axis, twice)
+    """C of q (runs, 4) times a vector (runs, 3)."""
+    axis = q[:, 1:]
+    twice = 2 * crossed(axis, vector)
+    return vector + q[:, :1] * twice + crossed(axis, twice)
