@@ -16,6 +16,7 @@ from boresight import BoresightError
 from boresight.runtime.manifest import cache_folder
 
 FLAGS = ("-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror")
+LANES = ("-fno-math-errno", "-Wno-psabi")  # of C over blocks of runs, which no function of another file is given
 PRECISIONS: dict[str, tuple[str, ...]] = {"float": ("-DBORESIGHT_FLOAT",), "double": ()}
 
 

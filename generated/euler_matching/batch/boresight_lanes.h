@@ -69,4 +69,136 @@ typedef struct {
     int correct; /* 0: none */
 } bs_epoch;
 
+/* ---- What C has for one number. */
+
+#define BS_INLINE static inline __attribute__((always_inline))
+
+#define BS_SAME(l) same
+BS_INLINE bs_lanes bs_all_of(double same)
+{
+    const bs_lanes lanes = BS_LANES(BS_SAME);
+    return lanes;
+}
+
+/* a where the condition holds, else b: chosen by bits, so that what is not chosen may be
+ * anything. */
+BS_INLINE bs_lanes bs_choose(bs_bits condition, bs_lanes a, bs_lanes b)
+{
+    return (bs_lanes)((condition & (bs_bits)a) | (~condition & (bs_bits)b));
+}
+
+/* Whether it holds in every lane. */
+BS_INLINE int bs_everywhere(bs_bits condition)
+{
+    long long all = -1;
+    for (int l = 0; l < BORESIGHT_LANES; ++l) {
+        all &= condition[l];
+    }
+    return all != 0;
+}
+
+BS_INLINE bs_lanes bs_root(bs_lanes x)
+{
+    bs_lanes root;
+    for (int l = 0; l < BORESIGHT_LANES; ++l) {
+        root[l] = sqrt(x[l]);
+    }
+    return root;
+}
+
+BS_INLINE bs_lanes bs_magnitude(bs_lanes x)
+{
+    return (bs_lanes)((bs_bits)x & 0x7FFFFFFFFFFFFFFFLL);
+}
+
+/* ---- What boresight_math.h has for one number, with its bits; where a lane is rare, by that
+ * itself. */
+#ifdef BORESIGHT_MATH_H
+
+BS_INLINE void bs_sincos_lanes(bs_lanes angle, bs_lanes *sine, bs_lanes *cosine)
+{
+    const bs_lanes shifted = (angle * 0.6366197723675814) + BS_MATH_SHIFT;
+    const bs_lanes turned = shifted - BS_MATH_SHIFT;
+    const bs_bits quadrant = (bs_bits)shifted; /* whose last bits are those of the whole number */
+    const bs_lanes first = angle - (turned * BS_MATH_HALF_PI_1);
+    const bs_lanes second = turned * BS_MATH_HALF_PI_2;
+    const bs_lanes rest = first - second;
+    const bs_lanes tail = ((rest - first) + second) + (turned * BS_MATH_HALF_PI_3);
+    const bs_lanes z = rest * rest;
+    const bs_lanes half = 0.5 * z;
+    const bs_lanes near_one = 1.0 - half;
+    const bs_lanes of_sine = 0.1666666666666663 +
+        (z *
+         (-0.008333333333321924 +
+          (z *
+           (0.0001984126982946497 +
+            (z *
+             (-2.7557313585030056e-06 +
+              (z * (2.505074281422434e-08 + (z * -1.5895975029828002e-10)))))))));
+    const bs_lanes of_cosine = 0.041666666666666595 +
+        (z *
+         (-0.0013888888888873348 +
+          (z *
+           (2.4801587289008097e-05 +
+            (z *
+             (-2.7557314219059267e-07 +
+              (z * (2.0875705689505815e-09 + (z * -1.1358764866516342e-11)))))))));
+    const bs_lanes s = rest - (((rest * z) * of_sine) + (tail * near_one));
+    const bs_lanes c = near_one +
+        (((1.0 - near_one) - half) + ((z * (z * of_cosine)) + (rest * tail)));
+    const bs_bits odd = -(quadrant & 1);
+    const bs_lanes along = bs_choose(odd, c, s);
+    const bs_lanes across = bs_choose(odd, s, c);
+    const bs_bits usual = bs_magnitude(angle) <= BS_MATH_ANGLE;
+    bs_lanes sines = (bs_lanes)((bs_bits)along ^ ((quadrant & 2) << 62));
+    bs_lanes cosines = (bs_lanes)((bs_bits)across ^ (((quadrant + 1) & 2) << 62));
+    if (!bs_everywhere(usual)) {
+        for (int l = 0; l < BORESIGHT_LANES; ++l) {
+            if (usual[l] == 0) {
+                double one;
+                double other;
+                bs_sincos(angle[l], &one, &other);
+                sines[l] = one;
+                cosines[l] = other;
+            }
+        }
+    }
+    *sine = sines;
+    *cosine = cosines;
+}
+
+BS_INLINE bs_lanes bs_log_lanes(bs_lanes x)
+{
+    const bs_bits low = (bs_bits)x & 0x000FFFFFFFFFFFFFLL;
+    const bs_lanes mantissa = (bs_lanes)(low | 0x3FE0000000000000LL);
+    const bs_bits small = mantissa < 0.7071067811865476;
+    const bs_lanes part = bs_choose(small, mantissa * 2.0, mantissa);
+    const bs_bits doublings = (((bs_bits)x >> 52) & 0x7FF) - 1022 + small;
+    const bs_lanes k = (bs_lanes)(doublings + 0x4338000000000000LL) - BS_MATH_SHIFT;
+    const bs_lanes f = part - 1.0;
+    const bs_lanes half = 0.5 * (f * f);
+    const bs_lanes s = f / (2.0 + f);
+    const bs_lanes z = s * s;
+    const bs_lanes polynomial = 0.6666666666666734 +
+        (z *
+         (0.39999999999417063 +
+          (z *
+           (0.28571428741887983 +
+            (z *
+             (0.22222198622096068 +
+              (z *
+               (0.1818356188375313 + (z * (0.1531411087143652 + (z * 0.14795365146499964)))))))))));
+    const bs_lanes more = s * (half + (z * polynomial));
+    const bs_bits usual = (x >= 2.2250738585072014e-308) & (x <= 1.7976931348623157e+308);
+    bs_lanes log = (k * BS_MATH_LOG_2_1) - ((half - (more + (k * BS_MATH_LOG_2_2))) - f);
+    if (!bs_everywhere(usual)) {
+        for (int l = 0; l < BORESIGHT_LANES; ++l) {
+            if (usual[l] == 0) {
+                log[l] = bs_log(x[l]);
+            }
+        }
+    }
+    return log;
+}
+#endif
 #endif
