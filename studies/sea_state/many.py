@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime import rotation
+from boresight.runtime import random, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.epoch import Epoch
@@ -30,6 +30,7 @@ from boresight.studies.sea_state import flight as at_sea
 MODEL = "velocity-attitude"
 SEAS, TOGETHER = 32, 128
 NODES = 6  # of the polynomial by which the master's pose depends on the delay
+SLAVE, MASTER, DELAY = 0, 1, 2  # streams of random numbers of a run
 SPAN = 4  # samples of a rate at an update, the mean over them
 
 
@@ -134,10 +135,9 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     s, true = sea.scenario, shared(sea, seed, number)
     n, updates, per_update = len(runs), s.seconds * s.update_hz, s.navigation_hz // s.update_hz
     dt, half = 1 / s.navigation_hz, per_update // 2
-    streams = [np.random.Generator(np.random.Philox(key=[seed, run])) for run in runs]
-    part = np.array([stream.random() for stream in streams])
+    part = (random.words(seed, runs, 1, stream=DELAY)[:, 0] >> np.uint64(11)) * 2.0**-53
     delay = 1e-3 * (s.delay_ms[0] + (s.delay_ms[1] - s.delay_ms[0]) * part)
-    drawn = np.array([stream.standard_normal(6 * (updates + 2)) for stream in streams]).reshape(n, -1, 6)
+    drawn = random.normals(seed, runs, 6 * (updates + 2), stream=MASTER).reshape(n, -1, 6)
     bias = drawn[:, 0] * np.repeat([s.gyro_bias_deg_h * DEG / HOUR, s.accel_bias_mg * MILLI_G], 3)
     noise = np.moveaxis(drawn[:, 1:], 1, 0)  # (U + 1, runs, 6)
     v_m_n, q_m2n = late(true, delay)
@@ -170,21 +170,23 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     ideal = np.concatenate([true.dtheta, true.dv], axis=-1)[::-1]
     scale, steady = np.tile(walk, per_update), np.tile(bias * dt, per_update)
     samples = np.zeros((n, per_update + 1, 6))
+    newest = samples.reshape(n, -1)[:, : 6 * per_update]
     deliver(before, samples, per_update - 1)
     deliver(after, samples, per_update - 1 - half)
+    width = model.lanes(n)[0]
     nis, lost = np.zeros(n), np.zeros(n, bool)
     for k in range(updates):
-        sensed = np.array([stream.standard_normal(6 * per_update) for stream in streams])
-        sensed *= scale
-        sensed += ideal[(updates - 1 - k) * per_update : (updates - k) * per_update].reshape(-1)
-        sensed += steady
-        sensed = sensed.reshape(n, per_update, 6)
-        samples[:, -1] = samples[:, 0] if k else sensed[:, -1]
-        samples[:, :-1] = sensed
+        samples[:, -1] = samples[:, 0]
+        random.normals(seed, runs, 6 * per_update, first=6 * per_update * k, stream=SLAVE, out=newest, lanes=width)
+        newest *= scale
+        newest += ideal[(updates - 1 - k) * per_update : (updates - k) * per_update].reshape(-1)
+        newest += steady
+        if k == 0:
+            samples[:, -1] = samples[:, -2]
         biases = loop.nav["gyro_bias"], loop.nav["accel_bias"]
-        before.predict["f_b"] = summed(sensed)[:, 3:] / (per_update * dt) - biases[1]
+        before.predict["f_b"] = summed(samples[:, :-1])[:, 3:] / (per_update * dt) - biases[1]
         failed = before() + after()
-        omega, a_n = moving(sensed[:, : 2 * SPAN], loop.nav["q_b2n_wxyz"], *biases, dt, s.lever_b)
+        omega, a_n = moving(samples[:, : 2 * SPAN], loop.nav["q_b2n_wxyz"], *biases, dt, s.lever_b)
         for measured in (attitude, velocity):
             measured["omega_ib_b"], measured["lag"] = omega, loop.nav["tau"]
         attitude["q_m2n_wxyz"] = q_m2n[k + 1]

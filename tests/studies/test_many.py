@@ -56,7 +56,15 @@ def test_the_final_states_are_the_same_in_every_chunk(motion):
     (one,) = {r.many(kind, runs=150, seed=1, chunk=chunk).digest for chunk in (7, 64, 150)}
     assert r.many(kind, runs=150, seed=1, chunk=64, jobs=2).digest == one
     alone = sea.fly(load(sea.MODEL), kind.settings, 1, range(140, 141))
-    np.testing.assert_array_equal(alone, r.many(kind, runs=150, seed=1).values[[70]])
+    np.testing.assert_array_equal(alone, r.many(kind, runs=150, seed=1).values[[140]])
+
+
+def test_the_final_states_are_the_same_in_lanes_of_every_width():
+    kind, found = sea.Sea("slope", 4, SHORT), []
+    for lanes in (1, 2, 4, 8):
+        found.append(sea.fly(load(sea.MODEL, lanes=lanes), kind, 1, range(21)))
+    for other in found[1:]:
+        np.testing.assert_array_equal(other, found[0])
 
 
 @pytest.mark.parametrize("motion", ["slope", "sea"])
