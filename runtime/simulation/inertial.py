@@ -5,6 +5,7 @@ velocity and attitude, whose bias estimates are then zero.  Positions are in its
 `dtheta_ib_b` (rad) and `dv_b` (m/s) belong to the interval that ends at the sample behind them.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -97,7 +98,7 @@ def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt:
     for name, values in out.items():
         values[0] = start[name]
     fields, none = intervals(dtheta, dv, first), unbiased(step)
-    if shape:
+    if math.prod(shape) > 1:
         for k in range(len(dtheta)):
             now = step(**{name: values[k] for name, values in (out | fields).items()}, **none, dt=dt)
             for name, values in out.items():

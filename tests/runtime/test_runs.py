@@ -201,7 +201,7 @@ def test_processes_do_not_outlive_their_parent(tmp_path):
     workers = children(process.pid)
     assert len(workers) >= 2
     process.kill()
-    process.communicate()
+    process.wait()
     deadline = time.monotonic() + 20
     while any(Path(f"/proc/{pid}").exists() for pid in workers):
         assert time.monotonic() < deadline, "a worker goes on without its parent"
