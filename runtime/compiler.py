@@ -16,6 +16,8 @@ from boresight import BoresightError
 from boresight.runtime.manifest import cache_folder
 
 FLAGS = ("-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror")
+# gcc 12 makes sums and differences side by side into one fused instruction, whatever -ffp-contract says
+NOT_FUSED = "-fno-tree-slp-vectorize"
 LANES = ("-fno-math-errno", "-Wno-psabi")  # of C over blocks of runs, which no function of another file is given
 PRECISIONS: dict[str, tuple[str, ...]] = {"float": ("-DBORESIGHT_FLOAT",), "double": ()}
 
@@ -38,7 +40,7 @@ def processor(*command: str) -> tuple[tuple[str, ...], str]:
     """Flags by which a compiler uses all of this machine's processor, and the macros that say what this has."""
     for flags in (("-march=native",), ("-mcpu=native",), ()):
         try:
-            return flags, run([*command, *flags, "-dM", "-E", "-x", "c", os.devnull])
+            return (*flags, NOT_FUSED), run([*command, *flags, "-dM", "-E", "-x", "c", os.devnull])
         except BoresightError:
             if not flags:
                 raise

@@ -125,7 +125,7 @@ def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         f = filter_view(model, made, views)
         extra |= {"c": covariance_view(model, made), "f": f, "t": test_view(model, made, f)}
         extra["d"] = digest_view(model, f["carried"])
-        extra["l"] = lanes_view(model, made, f)
+        extra["l"] = lanes_view(model, made, views, f)
         m["parts"] += [f"{model.c_prefix}_{part}" for part in ("covariance", "filter", "digest")]
         paths += (
             *("include/boresight_filter.h", "include/MODEL_covariance.h", "include/MODEL_filter.h"),

@@ -1,13 +1,195 @@
-"""The filter over blocks of runs, as its template sees it."""
+"""The filter over blocks of runs, as its template sees it: what of it goes in lanes, and its sparse products."""
 
 from typing import Any
 
 from boresight.codegen.functions.units import Unit
-from boresight.derive.model import Model
+from boresight.codegen.text.covariance import Places, coupled, even, movers, nonzeros, reach
+from boresight.codegen.text.names import number
+from boresight.derive.model import Model, Variable
+
+WIDE, TALL = 8, 3  # sums of a product that are made at a time
 
 
-def lanes_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, Any]:
-    """f: `text.filter.filter_view` of the model."""
-    sizes = [a.size for s in model.structs if s.name in f["carried"] for a in s.fields]
+def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: dict[str, Any]) -> dict[str, Any]:
+    """f: `text.filter.filter_view` of the model.
+
+    Of an error state whose angles do not wrap the strapdown, the correction and every measurement that is linear in the
+    state, of independent rows, go in lanes; so does the prediction, where Phi is of second order.
+    """
+    by_name = {unit.name: (unit, view) for unit, view in zip(made, views, strict=True)}
+    fields = [a for s in model.structs if s.name in f["carried"] for a in s.fields]
+    at, start = {}, 0
+    for a in fields:
+        at[a.name], start = start, start + a.size
     calls = {name: f[name] for name in ("strapdown", "propagate", "correct") if f[name]}
-    return {"carried": max(1, sum(sizes)), "calls": calls}
+    wide = model.kind == "error-state" and not f["wraps"]
+    view: dict[str, Any] = {
+        "carried": max(1, start), "calls": calls, "wide": wide, "files": [],
+        "box": boxes(fields, at) if fields else None,
+    }  # fmt: skip
+    if not wide:
+        return view
+    files: dict[str, None] = {}
+
+    def given(call: dict[str, Any]) -> dict[str, Any]:
+        """The fields that a call is given: which number of which struct goes where, and their boxes."""
+        loads, used, place, to = [], [], {}, 0
+        for k, name in enumerate(call["structs"]):
+            (struct,) = (s for s in model.structs if s.name == name)
+            offset = 0
+            for a in struct.fields:
+                if a.name in call["fields"]:
+                    loads.append((k, offset, a.size, to))
+                    used.append(a)
+                    place[a.name], to = to, to + a.size
+                offset += a.size
+        return {"loads": loads, "count": to, "place": place, "box": boxes(used, place) if used else None}
+
+    def kernel(name: str, given: dict[str, Any], out: list[str]) -> dict[str, Any]:
+        """The call of a unit's kernel, and of its answers what is judged."""
+        unit, seen = by_name[name]
+        files[seen["file"]] = None
+        inputs = ["b->x" if a.name == "x" else f"&b->carried[{at[a.name]}]" if a.name in at
+                  else f"&in[{given['place'][a.name]}]" for a in unit.args]  # fmt: skip
+        judged = [
+            {"at": to, "count": len(r.nonzeros), "low": r.low and ", ".join(map(number, r.low)),
+             "high": r.low and ", ".join(map(number, r.high))}
+            for r, shown, to in zip(unit.results, seen["results"], out, strict=True) if shown["checked"]
+        ]  # fmt: skip
+        return {"call": f"{seen['c_name']}_kernel({', '.join([*inputs, *out])})", "judged": judged}
+
+    def change(name: str, call: dict[str, Any]) -> dict[str, Any]:
+        unit, _ = by_name[name]
+        taken = given(call)
+        out = [f"&next[{at[r.name]}]" for r in unit.results]
+        changed = [a for a in fields if a.name in {r.name for r in unit.results}]
+        return {
+            **taken, "kernel": kernel(name, taken, out), "after": groups([(at[a.name], a.size) for a in changed]),
+            "norms": boxes(changed, at)["norms"],
+            "state": any(a.name == "x" for a in unit.args) or None,
+        }  # fmt: skip
+
+    for name, unit_name in (("strapdown", "strapdown"), ("correct", "feedback")):
+        if name in calls:
+            view[name] = change(unit_name, calls[name])
+    x = [(lo, hi) for v in model.states for lo, hi in zip(v.low, v.high, strict=True)]
+    view["x"] = {"low": ", ".join(number(lo) for lo, _ in x), "high": ", ".join(number(hi) for _, hi in x)}
+    view["measurements"] = {}
+    for u in f["measurements"]:
+        if not (u["nonlinear"] or u["correlated"] or u["h"]):
+            taken = given(u)
+            view["measurements"][u["name"]] = {
+                **taken, "z": kernel(f"{u['name']}_z", taken, ["z"]) if u["z"] else None,
+                "H": kernel(f"{u['name']}_H", taken, ["H"]), "angles": [int(u["angles"][:-1]) >> i & 1 for i in range(u["m"])],
+            }  # fmt: skip
+    sparse = discretized(model, made) if model.order == 2 else None
+    if sparse:
+        taken = given(calls["propagate"])
+        dt, place = next((v, v.symbols.index(model.dt)) for v in model.inputs if model.dt in v.symbols)
+        view["propagate"] = {
+            **taken, **sparse, "F": kernel("F", taken, ["s->F"]), "Qc": kernel("Qc", taken, ["s->Qc"]),
+            "dt": f"b->carried[{at[dt.name] + place}]" if dt.name in at else f"in[{taken['place'][dt.name] + place}]",
+        }  # fmt: skip
+    else:
+        view["propagate"] = None
+    view["files"] = list(files)
+    return view
+
+
+def groups(ranges: list[tuple[int, int]]) -> list[dict[str, int]]:
+    """Ranges of numbers, those that touch as one."""
+    found: list[dict[str, int]] = []
+    for at, count in ranges:
+        if found and found[-1]["at"] + found[-1]["count"] == at:
+            found[-1]["count"] += count
+        else:
+            found.append({"at": at, "count": count})
+    return found
+
+
+def boxes(fields: list[Variable], at: dict[str, int]) -> dict[str, Any]:
+    """Ends of the numbers of fields, and where the norms stand."""
+    return {
+        "at": [at[a.name] + i for a in fields for i in range(a.size)],
+        "low": ", ".join(number(v) for a in fields for v in a.low),
+        "high": ", ".join(number(v) for a in fields for v in a.high),
+        "norms": [(at[a.name], a.size, *(number(v * v) for v in a.norm)) for a in fields if a.norm],
+    }
+
+
+def discretized(model: Model, made: list[Unit]) -> dict[str, Any] | None:
+    """`discretize` of second order and `joseph_predict` by the non-zeros alone: the sums of the loops of src/, in
+    their order, less the terms that are zero.  None where noises of two states that stay have a part in common."""
+    n, F, Qc = model.n, sorted(nonzeros(made, "F")), sorted(nonzeros(made, "Qc"))
+    m = movers(model, made)
+    first = reach(n, tuple(Qc))
+    if any(m <= i for j, begin in enumerate(first) for i in range(begin, j)):
+        return None
+    a = {place: p for p, place in enumerate(F)}
+    squared = {
+        (i, j): [(a[i, k], a[k, j]) for k in range(m) if (i, k) in a and (k, j) in a] for i in range(m) for j in range(n)
+    }
+    squared = {place: pairs for place, pairs in squared.items() if pairs}
+    Phi = sorted({*F, *squared, *((i, i) for i in range(m))})
+    phi = {place: p for p, place in enumerate(Phi)}
+    noisy = {j for i, j in Qc if i == j} | {k for k in coupled(first)}  # states that noise drives
+    # of B = I + 2/3 A + 2/9 A^2, times the factor of Qc, only the columns that meet noise
+    filled = {place for place in Phi if place[1] in noisy}
+    for k in coupled(first):
+        filled |= {(i, k) for i, j in phi if first[k] <= j < k}
+    B = sorted(filled)
+    b = {place: p for p, place in enumerate(B)}
+    lines = []
+    for place in Phi:
+        own, twice = f"A[{a[place]}]" if place in a else None, "twice" if place in squared else None
+        lines.append(
+            {
+                "twice": " + ".join(["0.0", *(f"(A[{p}] * A[{q}])" for p, q in squared.get(place, ()))]),
+                "Phi": (phi[place], entry(place, own, twice, None, 0.5)),
+                "B": (b[place], entry(place, own, twice, 2 / 3, 2 / 9)) if place in b else None,
+            }
+        )
+    steps = [
+        {
+            "k": k, "diagonal": k * (k + 3) // 2,
+            "left": [
+                {"l": l, "u": k * (k + 1) // 2 + l,
+                 "inner": [(l * (l + 1) // 2 + i, k * (k + 1) // 2 + i) for i in range(first[k], l)],
+                 "B": [(b[i, k], b[i, l]) for i in range(m) if (i, l) in phi]}
+                for l in range(k - 1, first[k] - 1, -1)
+            ],
+        }
+        for k in coupled(first)
+    ]  # fmt: skip
+    size, wide = even(n, WIDE)
+    tall, down = even(m, TALL)
+    upper = sorted((i >= m, p, j * (j + 1) // 2 + i) for p, (i, j) in enumerate(Qc) if i <= j)
+    return {
+        "m": m, "row": wide, "block": size, "tall": tall, "down": down,
+        "n_Phi": len(Phi), "n_B": len(B), "lines": lines, "steps": steps,
+        "fresh": [b[p] for p in B if p not in phi],
+        "Phi_at": rows(Phi, m, lambda k: k * wide), "Phi_tall": rows(Phi, m, lambda k: k * down),
+        "Phi_x": rows(Phi, m, lambda k: k),
+        "B_at": rows(B, m, lambda k: k * down),
+        "T": [(k * down + i, b[i, k], k) for i, k in B],
+        "noise": [(p, at) for _, p, at in upper],
+        "moving": [(p, at) for stays, p, at in upper if not stays],
+        "staying": [(p, at) for stays, p, at in upper if stays],
+        "beyond": [(j * (j + 1) // 2 + i, j * down + i) for i, j in B if j >= m],
+        "noisy": [(k, k * (k + 3) // 2) for k in sorted(noisy)],
+    }  # fmt: skip
+
+
+def entry(place: tuple[int, int], a: str | None, twice: str | None, of_a: float | None, of_twice: float) -> str:
+    """An element of I + of_a A + of_twice A^2, zeros added as the loop adds them: they change the sign of a zero."""
+    if not (a or twice):
+        return "bs_all_of(1.0)"
+    first = "0.0" if a is None else a if of_a is None else f"({of_a!r} * {a})"
+    value = f"{first} + {f'({of_twice!r} * twice)' if twice else '0.0'}"
+    return f"({value}) + 1.0" if place[0] == place[1] else value
+
+
+def rows(places: list[tuple[int, int]], m: int, stride: Any) -> dict[str, str]:
+    """Where rows begin, and where what their non-zeros meet stands."""
+    starts = [sum(i < row for i, _ in places) for row in range(m + 1)]
+    return {"start": ", ".join(map(str, starts)), "at": ", ".join(str(stride(j)) for _, j in places), "count": str(len(places))}

@@ -8,9 +8,46 @@ typedef int ah_no_lanes; /* a translation unit may not be empty */
 #else
 #include "azimuth_hold_filter.h"
 
+#include "../src/ah_math.h"
 #include "boresight_math.h"
 
 #include "boresight_lanes.h"
+
+/* The kernels of the units, with a block of runs as their number. */
+#undef BS_REAL
+#undef BS_SQRT
+#undef BS_FABS
+#undef BS_TRUTH
+#undef BS_SELECT
+#undef BS_SIGN
+#undef BS_FMIN
+#undef BS_FMAX
+#define bs_real bs_lanes
+#define BS_REAL(x) bs_all_of(x)
+#define BS_SQRT bs_root
+#define BS_FABS bs_magnitude
+#define BS_TRUTH(condition) bs_choose(condition, bs_all_of(1.0), bs_all_of(0.0))
+#define BS_SELECT(condition, value) bs_choose((condition) > 0.0, value, bs_all_of(0.0))
+#define BS_SIGN(a) bs_choose((a) < 0.0, bs_all_of(-1.0), bs_choose((a) > 0.0, bs_all_of(1.0), a))
+#define BS_FMIN(a, b) bs_choose((a) < (b), a, bs_choose((a) >= (b), b, (a) + (b)))
+#define BS_FMAX(a, b) bs_choose((a) > (b), a, bs_choose((a) <= (b), b, (a) + (b)))
+#undef BS_SINCOS
+#define BS_SINCOS bs_sincos_lanes
+#undef BS_COS
+#define BS_COS bs_cos_lanes
+#undef BS_SIN
+#define BS_SIN bs_sin_lanes
+#include "../src/ah_strapdown_kernel.h"
+#include "../src/ah_feedback_kernel.h"
+#include "../src/ah_zupt_z_kernel.h"
+#include "../src/ah_zupt_H_kernel.h"
+#include "../src/ah_azimuth_z_kernel.h"
+#include "../src/ah_azimuth_H_kernel.h"
+#include "../src/ah_zaru_z_kernel.h"
+#include "../src/ah_zaru_H_kernel.h"
+#include "../src/ah_F_kernel.h"
+#include "../src/ah_Qc_kernel.h"
+#undef bs_real
 
 /* What the filter carries from call to call, of a block of runs. */
 typedef struct {
@@ -23,11 +60,26 @@ typedef struct {
     bs_lanes considered[AH_N_STATES];
 } block;
 
-/* What a call reads of a block, and which of it. */
+/* Scratch memory of all blocks; what is zero in it stays so. */
+typedef struct {
+    bs_lanes P[AH_N_PACKED]; /* as it was */
+    bs_lanes F[AH_N_F];
+    bs_lanes Qc[AH_N_QC];
+    bs_lanes Phi[115];
+    bs_lanes B[98];
+    bs_lanes w[AH_N_STATES];
+    bs_lanes T[AH_N_STATES * 9]; /* (B times the noise)', rows of 9 */
+    bs_lanes Q[AH_N_PACKED];
+    bs_lanes X[AH_N_STATES * 16]; /* P, dense, rows of 16 */
+    bs_lanes Y[16 * 9]; /* (Phi P)', rows of 9 */
+} scratch;
+
+/* Which block of a call it is. */
 typedef struct {
     size_t first; /* run in its first lane */
     size_t n;     /* runs in all */
     unsigned char *status;
+    scratch *s;
 } chosen;
 
 size_t ah_lanes_width(void);
@@ -101,6 +153,1455 @@ static size_t refused(size_t n, const unsigned char *status)
     return count;
 }
 /* ---- one run by the scalar functions */
+/* ---- in lanes: what goes its usual way; rare says which runs there are, and then which of them
+ * are still to go */
+
+static const double carried_low[16] = { (-6.283185307179586), (-1.4835298641951802), (-500.0),
+                                        (-1000.0), (-1000.0), (-1000.0), (-1.001), (-1.001),
+                                        (-1.001), (-1.001), (-0.017453292519943295),
+                                        (-0.017453292519943295), (-0.017453292519943295), (-1.0),
+                                        (-1.0), (-1.0) };
+static const double carried_high[16] = { (6.283185307179586), (1.4835298641951802), (30000.0),
+                                         (1000.0), (1000.0), (1000.0), (1.001), (1.001), (1.001),
+                                         (1.001), (0.017453292519943295), (0.017453292519943295),
+                                         (0.017453292519943295), (1.0), (1.0), (1.0) };
+
+static bs_bits in_box(const block *b)
+{
+    bs_bits good = bs_inside(b->carried, carried_low, carried_high, 16);
+    good &= bs_normed(&b->carried[6], (0.998001), (1.0020009999999997), 4);
+    return good;
+}
+
+/* Where the diagonal of a packed matrix stands in column i. */
+static int diagonal(int i)
+{
+    return (i * (i + 3)) / 2;
+}
+
+/* Whether a step has made of x and P what raises no question: finite, no variance negative, none
+ * above its ceiling. */
+static bs_bits judged(const bs_lanes *x, const bs_lanes *P)
+{
+    static const double ceiling[AH_N_STATES] = { (100.0), (100.0), (1000000000000.0),
+                                                 (10000000000.0), (10000000000.0), (10000000000.0),
+                                                 (1000000.0), (1000000.0), (1000000.0), (10000.0),
+                                                 (10000.0), (10000.0), (1000000.0), (1000000.0),
+                                                 (1000000.0) };
+    bs_bits good = bs_finite(P, AH_N_PACKED);
+    for (int i = 0; i < AH_N_STATES; ++i) {
+        const bs_lanes variance = P[diagonal(i)];
+        good &= (variance >= 0.0) & (variance <= ceiling[i]) & ((x[i] * x[i]) <= ceiling[i]);
+    }
+    return good;
+}
+
+static void strapdown_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    bs_bits good = *rare;
+    bs_lanes next[16];
+    bs_lanes in[13];
+    bs_read(&in[0], &given[0], 6, 1, runs->first, runs->n);
+    bs_read(&in[1], &given[1], 0, 3, runs->first, runs->n);
+    bs_read(&in[4], &given[1], 3, 3, runs->first, runs->n);
+    bs_read(&in[7], &given[1], 6, 3, runs->first, runs->n);
+    bs_read(&in[10], &given[1], 9, 3, runs->first, runs->n);
+    static const double low[13] = { (1e-06), (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0),
+                                    (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0) };
+    static const double high[13] = { (10.0), (0.5), (0.5), (0.5), (100.0), (100.0), (100.0), (0.5),
+                                     (0.5), (0.5), (100.0), (100.0), (100.0) };
+    good &= bs_inside(in, low, high, 13);
+    good &= in_box(b);
+    ah_strapdown_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[10],
+                        &b->carried[13], &in[0], &in[1], &in[4], &in[7], &in[10], &next[0],
+                        &next[3], &next[6]);
+    good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 10);
+    good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
+    bs_keep(&b->carried[0], &next[0], good, 10);
+    *rare &= ~good;
+}
+
+static void correct_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    bs_bits good = *rare;
+    bs_lanes next[16];
+    bs_lanes in[1];
+    static const double x_low[15] = { (-0.008726646259971648), (-0.008726646259971648), (-1000.0),
+                                      (-100.0), (-100.0), (-100.0), (-0.5), (-0.5), (-0.5),
+                                      (-0.017453292519943295), (-0.017453292519943295),
+                                      (-0.017453292519943295), (-1.0), (-1.0), (-1.0) };
+    static const double x_high[15] = { (0.008726646259971648), (0.008726646259971648), (1000.0),
+                                       (100.0), (100.0), (100.0), (0.5), (0.5), (0.5),
+                                       (0.017453292519943295), (0.017453292519943295),
+                                       (0.017453292519943295), (1.0), (1.0), (1.0) };
+    good &= in_box(b);
+    good &= bs_inside(b->x, x_low, x_high, AH_N_STATES);
+    good &= bs_finite(b->x, AH_N_STATES) & bs_finite(b->P, AH_N_PACKED);
+    for (int i = 0; i < AH_N_STATES; ++i) {
+        good &= b->P[diagonal(i)] >= 0.0;
+    }
+    ah_feedback_kernel(b->x, &b->carried[0], &b->carried[3], &b->carried[6], &b->carried[10],
+                       &b->carried[13], &next[0], &next[3], &next[6], &next[10], &next[13]);
+    good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 16);
+    good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
+    bs_keep(&b->carried[0], &next[0], good, 16);
+    for (int i = 0; i < AH_N_STATES; ++i) {
+        b->x[i] = bs_choose(good, bs_all_of(0.0), b->x[i]);
+    }
+    *rare &= ~good;
+    (void)in;
+    (void)runs;
+    (void)given;
+}
+
+#if !BORESIGHT_UD
+
+/* out = the sum of coefficients times 8 numbers each. */
+BS_INLINE void wide_sums(const bs_lanes *coefficient,
+                         const unsigned short *at,
+                         int count,
+                         const bs_lanes *x,
+                         bs_lanes *out,
+                         int stride)
+{
+    bs_lanes s0 = bs_all_of(0.0);
+    bs_lanes s1 = bs_all_of(0.0);
+    bs_lanes s2 = bs_all_of(0.0);
+    bs_lanes s3 = bs_all_of(0.0);
+    bs_lanes s4 = bs_all_of(0.0);
+    bs_lanes s5 = bs_all_of(0.0);
+    bs_lanes s6 = bs_all_of(0.0);
+    bs_lanes s7 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes a = coefficient[p];
+        const bs_lanes *const from = &x[at[p]];
+        s0 += a * from[0];
+        s1 += a * from[1];
+        s2 += a * from[2];
+        s3 += a * from[3];
+        s4 += a * from[4];
+        s5 += a * from[5];
+        s6 += a * from[6];
+        s7 += a * from[7];
+    }
+    out[0] = s0;
+    out[1 * stride] = s1;
+    out[2 * stride] = s2;
+    out[3 * stride] = s3;
+    out[4 * stride] = s4;
+    out[5 * stride] = s5;
+    out[6 * stride] = s6;
+    out[7 * stride] = s7;
+}
+
+/* out = the sum of coefficients times 3 numbers each. */
+BS_INLINE void tall_sums(const bs_lanes *coefficient,
+                         const unsigned short *at,
+                         int count,
+                         const bs_lanes *x,
+                         bs_lanes *out,
+                         int stride)
+{
+    bs_lanes s0 = bs_all_of(0.0);
+    bs_lanes s1 = bs_all_of(0.0);
+    bs_lanes s2 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes a = coefficient[p];
+        const bs_lanes *const from = &x[at[p]];
+        s0 += a * from[0];
+        s1 += a * from[1];
+        s2 += a * from[2];
+    }
+    out[0] = s0;
+    out[1 * stride] = s1;
+    out[2 * stride] = s2;
+}
+
+/* Phi and Q of the step, of the non-zeros of F and Qc: ah_discretize. */
+static void discretize(scratch *s, const bs_lanes *dt)
+{
+    static const unsigned short start[10] = { 0, 8, 17, 26, 38, 50, 62, 74, 86, 98 };
+    static const unsigned short at[98] = { 27, 36, 45, 63, 72, 108, 117, 126, 27, 36, 45, 54, 63,
+                                           72, 108, 117, 126, 27, 36, 45, 54, 63, 72, 108, 117, 126,
+                                           27, 36, 45, 54, 63, 72, 81, 90, 99, 108, 117, 126, 27,
+                                           36, 45, 54, 63, 72, 81, 90, 99, 108, 117, 126, 27, 36,
+                                           45, 54, 63, 72, 81, 90, 99, 108, 117, 126, 27, 36, 45,
+                                           54, 63, 72, 81, 90, 99, 108, 117, 126, 27, 36, 45, 54,
+                                           63, 72, 81, 90, 99, 108, 117, 126, 27, 36, 45, 54, 63,
+                                           72, 81, 90, 99, 108, 117, 126 };
+    const bs_lanes share = 0.75 * *dt;
+    const bs_lanes quarter = 0.25 * *dt;
+    bs_lanes A[AH_N_F];
+    bs_lanes *const Phi = s->Phi;
+    bs_lanes *const B = s->B;
+    bs_lanes *const Q = s->Q;
+    bs_lanes *const w = s->w;
+    for (int p = 0; p < AH_N_F; ++p) {
+        A[p] = s->F[p] * *dt;
+    }
+    Phi[0] = bs_all_of(1.0);
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[3]) + (A[2] * A[7]);
+        Phi[1] = A[0] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[4]) + (A[2] * A[8]);
+        Phi[2] = A[1] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[9]);
+        Phi[3] = A[2] + (0.5 * twice);
+        B[0] = (0.6666666666666666 * A[2]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[5]) + (A[2] * A[10]);
+        Phi[4] = 0.0 + (0.5 * twice);
+        B[1] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[1] * A[6]) + (A[2] * A[11]);
+        Phi[5] = 0.0 + (0.5 * twice);
+        B[2] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[12]);
+        Phi[6] = 0.0 + (0.5 * twice);
+        B[3] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[13]);
+        Phi[7] = 0.0 + (0.5 * twice);
+        B[4] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[14]);
+        Phi[8] = 0.0 + (0.5 * twice);
+        B[5] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[15]);
+        Phi[9] = 0.0 + (0.5 * twice);
+        B[6] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[16]);
+        Phi[10] = 0.0 + (0.5 * twice);
+        B[7] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[3] * A[3]) + (A[5] * A[17]);
+        Phi[11] = (A[3] + (0.5 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[3] * A[4]) + (A[5] * A[18]);
+        Phi[12] = A[4] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[5] * A[19]);
+        Phi[13] = 0.0 + (0.5 * twice);
+        B[8] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[3] * A[5]) + (A[5] * A[20]);
+        Phi[14] = A[5] + (0.5 * twice);
+        B[9] = (0.6666666666666666 * A[5]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[4] * A[6]) + (A[5] * A[21]);
+        Phi[15] = 0.0 + (0.5 * twice);
+        B[10] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[5] * A[22]);
+        Phi[16] = 0.0 + (0.5 * twice);
+        B[11] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[5] * A[23]);
+        Phi[17] = 0.0 + (0.5 * twice);
+        B[13] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[5] * A[24]);
+        Phi[18] = 0.0 + (0.5 * twice);
+        B[14] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[5] * A[25]);
+        Phi[19] = 0.0 + (0.5 * twice);
+        B[15] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[5] * A[26]);
+        Phi[20] = 0.0 + (0.5 * twice);
+        B[16] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[27]);
+        Phi[21] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[28]);
+        Phi[22] = (0.0 + (0.5 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[29]);
+        Phi[23] = 0.0 + (0.5 * twice);
+        B[17] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[30]);
+        Phi[24] = 0.0 + (0.5 * twice);
+        B[18] = 0.0 + (0.2222222222222222 * twice);
+    }
+    Phi[25] = A[6] + 0.0;
+    B[19] = (0.6666666666666666 * A[6]) + 0.0;
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[31]);
+        Phi[26] = 0.0 + (0.5 * twice);
+        B[20] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[32]);
+        Phi[27] = 0.0 + (0.5 * twice);
+        B[21] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[33]);
+        Phi[28] = 0.0 + (0.5 * twice);
+        B[23] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[34]);
+        Phi[29] = 0.0 + (0.5 * twice);
+        B[24] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[35]);
+        Phi[30] = 0.0 + (0.5 * twice);
+        B[25] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[7] * A[3]) + (A[9] * A[7]) + (A[10] * A[17]) +
+            (A[11] * A[27]) + (A[12] * A[44]) + (A[13] * A[52]);
+        Phi[31] = A[7] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[7] * A[4]) + (A[9] * A[8]) + (A[10] * A[18]) +
+            (A[11] * A[28]) + (A[12] * A[45]) + (A[13] * A[53]);
+        Phi[32] = A[8] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[9] * A[9]) + (A[10] * A[19]) + (A[11] * A[29]) +
+            (A[12] * A[46]) + (A[13] * A[54]);
+        Phi[33] = (A[9] + (0.5 * twice)) + 1.0;
+        B[26] = ((0.6666666666666666 * A[9]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[7] * A[5]) + (A[9] * A[10]) + (A[10] * A[20]) +
+            (A[11] * A[30]);
+        Phi[34] = A[10] + (0.5 * twice);
+        B[27] = (0.6666666666666666 * A[10]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[8] * A[6]) + (A[9] * A[11]) + (A[10] * A[21]);
+        Phi[35] = A[11] + (0.5 * twice);
+        B[28] = (0.6666666666666666 * A[11]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[10] * A[22]) + (A[11] * A[31]) + (A[12] * A[47]) +
+            (A[13] * A[55]);
+        Phi[36] = 0.0 + (0.5 * twice);
+        B[29] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[9] * A[12]) + (A[11] * A[32]) + (A[13] * A[56]);
+        Phi[37] = A[12] + (0.5 * twice);
+        B[30] = (0.6666666666666666 * A[12]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[9] * A[13]) + (A[10] * A[23]) + (A[12] * A[48]);
+        Phi[38] = A[13] + (0.5 * twice);
+        B[31] = (0.6666666666666666 * A[13]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[12] * A[49]) + (A[13] * A[57]);
+        Phi[39] = 0.0 + (0.5 * twice);
+        B[32] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[12] * A[50]) + (A[13] * A[58]);
+        Phi[40] = 0.0 + (0.5 * twice);
+        B[33] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[12] * A[51]) + (A[13] * A[59]);
+        Phi[41] = 0.0 + (0.5 * twice);
+        B[34] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[9] * A[14]) + (A[10] * A[24]) + (A[11] * A[33]);
+        Phi[42] = A[14] + (0.5 * twice);
+        B[35] = (0.6666666666666666 * A[14]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[9] * A[15]) + (A[10] * A[25]) + (A[11] * A[34]);
+        Phi[43] = A[15] + (0.5 * twice);
+        B[36] = (0.6666666666666666 * A[15]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[9] * A[16]) + (A[10] * A[26]) + (A[11] * A[35]);
+        Phi[44] = A[16] + (0.5 * twice);
+        B[37] = (0.6666666666666666 * A[16]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[3]) + (A[19] * A[7]) + (A[20] * A[17]) +
+            (A[21] * A[27]) + (A[22] * A[36]) + (A[23] * A[52]);
+        Phi[45] = A[17] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[4]) + (A[19] * A[8]) + (A[20] * A[18]) +
+            (A[21] * A[28]) + (A[22] * A[37]) + (A[23] * A[53]);
+        Phi[46] = A[18] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[19] * A[9]) + (A[20] * A[19]) + (A[21] * A[29]) +
+            (A[23] * A[54]);
+        Phi[47] = A[19] + (0.5 * twice);
+        B[38] = (0.6666666666666666 * A[19]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[5]) + (A[19] * A[10]) + (A[20] * A[20]) +
+            (A[21] * A[30]) + (A[22] * A[38]);
+        Phi[48] = (A[20] + (0.5 * twice)) + 1.0;
+        B[39] = ((0.6666666666666666 * A[20]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[18] * A[6]) + (A[19] * A[11]) + (A[20] * A[21]);
+        Phi[49] = A[21] + (0.5 * twice);
+        B[40] = (0.6666666666666666 * A[21]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[20] * A[22]) + (A[21] * A[31]) + (A[23] * A[55]);
+        Phi[50] = A[22] + (0.5 * twice);
+        B[41] = (0.6666666666666666 * A[22]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[19] * A[12]) + (A[21] * A[32]) + (A[22] * A[39]) +
+            (A[23] * A[56]);
+        Phi[51] = 0.0 + (0.5 * twice);
+        B[42] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[19] * A[13]) + (A[20] * A[23]) + (A[22] * A[40]);
+        Phi[52] = A[23] + (0.5 * twice);
+        B[43] = (0.6666666666666666 * A[23]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[22] * A[41]) + (A[23] * A[57]);
+        Phi[53] = 0.0 + (0.5 * twice);
+        B[44] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[22] * A[42]) + (A[23] * A[58]);
+        Phi[54] = 0.0 + (0.5 * twice);
+        B[45] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[22] * A[43]) + (A[23] * A[59]);
+        Phi[55] = 0.0 + (0.5 * twice);
+        B[46] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[19] * A[14]) + (A[20] * A[24]) + (A[21] * A[33]);
+        Phi[56] = A[24] + (0.5 * twice);
+        B[47] = (0.6666666666666666 * A[24]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[19] * A[15]) + (A[20] * A[25]) + (A[21] * A[34]);
+        Phi[57] = A[25] + (0.5 * twice);
+        B[48] = (0.6666666666666666 * A[25]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[19] * A[16]) + (A[20] * A[26]) + (A[21] * A[35]);
+        Phi[58] = A[26] + (0.5 * twice);
+        B[49] = (0.6666666666666666 * A[26]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[27] * A[3]) + (A[29] * A[7]) + (A[30] * A[17]) +
+            (A[31] * A[36]) + (A[32] * A[44]);
+        Phi[59] = A[27] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[27] * A[4]) + (A[29] * A[8]) + (A[30] * A[18]) +
+            (A[31] * A[37]) + (A[32] * A[45]);
+        Phi[60] = A[28] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[29] * A[9]) + (A[30] * A[19]) + (A[32] * A[46]);
+        Phi[61] = A[29] + (0.5 * twice);
+        B[50] = (0.6666666666666666 * A[29]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[27] * A[5]) + (A[29] * A[10]) + (A[30] * A[20]) +
+            (A[31] * A[38]);
+        Phi[62] = A[30] + (0.5 * twice);
+        B[51] = (0.6666666666666666 * A[30]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[28] * A[6]) + (A[29] * A[11]) + (A[30] * A[21]);
+        Phi[63] = (0.0 + (0.5 * twice)) + 1.0;
+        B[52] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[22]) + (A[32] * A[47]);
+        Phi[64] = A[31] + (0.5 * twice);
+        B[53] = (0.6666666666666666 * A[31]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[29] * A[12]) + (A[31] * A[39]);
+        Phi[65] = A[32] + (0.5 * twice);
+        B[54] = (0.6666666666666666 * A[32]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[29] * A[13]) + (A[30] * A[23]) + (A[31] * A[40]) +
+            (A[32] * A[48]);
+        Phi[66] = 0.0 + (0.5 * twice);
+        B[55] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[31] * A[41]) + (A[32] * A[49]);
+        Phi[67] = 0.0 + (0.5 * twice);
+        B[56] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[31] * A[42]) + (A[32] * A[50]);
+        Phi[68] = 0.0 + (0.5 * twice);
+        B[57] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[31] * A[43]) + (A[32] * A[51]);
+        Phi[69] = 0.0 + (0.5 * twice);
+        B[58] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[29] * A[14]) + (A[30] * A[24]);
+        Phi[70] = A[33] + (0.5 * twice);
+        B[59] = (0.6666666666666666 * A[33]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[29] * A[15]) + (A[30] * A[25]);
+        Phi[71] = A[34] + (0.5 * twice);
+        B[60] = (0.6666666666666666 * A[34]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[29] * A[16]) + (A[30] * A[26]);
+        Phi[72] = A[35] + (0.5 * twice);
+        B[61] = (0.6666666666666666 * A[35]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[36] * A[3]) + (A[38] * A[17]) + (A[39] * A[44]) +
+            (A[40] * A[52]);
+        Phi[73] = A[36] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[36] * A[4]) + (A[38] * A[18]) + (A[39] * A[45]) +
+            (A[40] * A[53]);
+        Phi[74] = A[37] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[38] * A[19]) + (A[39] * A[46]) + (A[40] * A[54]);
+        Phi[75] = 0.0 + (0.5 * twice);
+        B[62] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[36] * A[5]) + (A[38] * A[20]);
+        Phi[76] = A[38] + (0.5 * twice);
+        B[63] = (0.6666666666666666 * A[38]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[37] * A[6]) + (A[38] * A[21]);
+        Phi[77] = 0.0 + (0.5 * twice);
+        B[64] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[38] * A[22]) + (A[39] * A[47]) + (A[40] * A[55]);
+        Phi[78] = (0.0 + (0.5 * twice)) + 1.0;
+        B[65] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[40] * A[56]);
+        Phi[79] = A[39] + (0.5 * twice);
+        B[66] = (0.6666666666666666 * A[39]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[38] * A[23]) + (A[39] * A[48]);
+        Phi[80] = A[40] + (0.5 * twice);
+        B[67] = (0.6666666666666666 * A[40]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[39] * A[49]) + (A[40] * A[57]);
+        Phi[81] = A[41] + (0.5 * twice);
+        B[68] = (0.6666666666666666 * A[41]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[39] * A[50]) + (A[40] * A[58]);
+        Phi[82] = A[42] + (0.5 * twice);
+        B[69] = (0.6666666666666666 * A[42]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[39] * A[51]) + (A[40] * A[59]);
+        Phi[83] = A[43] + (0.5 * twice);
+        B[70] = (0.6666666666666666 * A[43]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[38] * A[24]);
+        Phi[84] = 0.0 + (0.5 * twice);
+        B[71] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[38] * A[25]);
+        Phi[85] = 0.0 + (0.5 * twice);
+        B[72] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[38] * A[26]);
+        Phi[86] = 0.0 + (0.5 * twice);
+        B[73] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[44] * A[3]) + (A[46] * A[7]) + (A[47] * A[36]) +
+            (A[48] * A[52]);
+        Phi[87] = A[44] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[44] * A[4]) + (A[46] * A[8]) + (A[47] * A[37]) +
+            (A[48] * A[53]);
+        Phi[88] = A[45] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[46] * A[9]) + (A[48] * A[54]);
+        Phi[89] = A[46] + (0.5 * twice);
+        B[74] = (0.6666666666666666 * A[46]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[44] * A[5]) + (A[46] * A[10]) + (A[47] * A[38]);
+        Phi[90] = 0.0 + (0.5 * twice);
+        B[75] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[6]) + (A[46] * A[11]);
+        Phi[91] = 0.0 + (0.5 * twice);
+        B[76] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[48] * A[55]);
+        Phi[92] = A[47] + (0.5 * twice);
+        B[77] = (0.6666666666666666 * A[47]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[46] * A[12]) + (A[47] * A[39]) + (A[48] * A[56]);
+        Phi[93] = (0.0 + (0.5 * twice)) + 1.0;
+        B[78] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[46] * A[13]) + (A[47] * A[40]);
+        Phi[94] = A[48] + (0.5 * twice);
+        B[79] = (0.6666666666666666 * A[48]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[41]) + (A[48] * A[57]);
+        Phi[95] = A[49] + (0.5 * twice);
+        B[80] = (0.6666666666666666 * A[49]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[42]) + (A[48] * A[58]);
+        Phi[96] = A[50] + (0.5 * twice);
+        B[81] = (0.6666666666666666 * A[50]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[43]) + (A[48] * A[59]);
+        Phi[97] = A[51] + (0.5 * twice);
+        B[82] = (0.6666666666666666 * A[51]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[46] * A[14]);
+        Phi[98] = 0.0 + (0.5 * twice);
+        B[83] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[46] * A[15]);
+        Phi[99] = 0.0 + (0.5 * twice);
+        B[84] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[46] * A[16]);
+        Phi[100] = 0.0 + (0.5 * twice);
+        B[85] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[52] * A[3]) + (A[54] * A[7]) + (A[55] * A[36]) +
+            (A[56] * A[44]);
+        Phi[101] = A[52] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[52] * A[4]) + (A[54] * A[8]) + (A[55] * A[37]) +
+            (A[56] * A[45]);
+        Phi[102] = A[53] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[54] * A[9]) + (A[56] * A[46]);
+        Phi[103] = A[54] + (0.5 * twice);
+        B[86] = (0.6666666666666666 * A[54]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[52] * A[5]) + (A[54] * A[10]) + (A[55] * A[38]);
+        Phi[104] = 0.0 + (0.5 * twice);
+        B[87] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[53] * A[6]) + (A[54] * A[11]);
+        Phi[105] = 0.0 + (0.5 * twice);
+        B[88] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[56] * A[47]);
+        Phi[106] = A[55] + (0.5 * twice);
+        B[89] = (0.6666666666666666 * A[55]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[54] * A[12]) + (A[55] * A[39]);
+        Phi[107] = A[56] + (0.5 * twice);
+        B[90] = (0.6666666666666666 * A[56]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[54] * A[13]) + (A[55] * A[40]) + (A[56] * A[48]);
+        Phi[108] = (0.0 + (0.5 * twice)) + 1.0;
+        B[91] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[55] * A[41]) + (A[56] * A[49]);
+        Phi[109] = A[57] + (0.5 * twice);
+        B[92] = (0.6666666666666666 * A[57]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[55] * A[42]) + (A[56] * A[50]);
+        Phi[110] = A[58] + (0.5 * twice);
+        B[93] = (0.6666666666666666 * A[58]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[55] * A[43]) + (A[56] * A[51]);
+        Phi[111] = A[59] + (0.5 * twice);
+        B[94] = (0.6666666666666666 * A[59]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[54] * A[14]);
+        Phi[112] = 0.0 + (0.5 * twice);
+        B[95] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[54] * A[15]);
+        Phi[113] = 0.0 + (0.5 * twice);
+        B[96] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[54] * A[16]);
+        Phi[114] = 0.0 + (0.5 * twice);
+        B[97] = 0.0 + (0.2222222222222222 * twice);
+    }
+    B[12] = bs_all_of(0.0);
+    B[22] = bs_all_of(0.0);
+    Q[9] = s->Qc[0] * share;
+    Q[13] = s->Qc[1] * share;
+    Q[18] = s->Qc[2] * share;
+    Q[14] = s->Qc[4] * share;
+    Q[19] = s->Qc[5] * share;
+    Q[20] = s->Qc[8] * share;
+    Q[27] = s->Qc[9] * share;
+    Q[34] = s->Qc[10] * share;
+    Q[42] = s->Qc[11] * share;
+    Q[35] = s->Qc[13] * share;
+    Q[43] = s->Qc[14] * share;
+    Q[44] = s->Qc[17] * share;
+    Q[54] = s->Qc[18] * share;
+    Q[65] = s->Qc[19] * share;
+    Q[77] = s->Qc[20] * share;
+    Q[90] = s->Qc[21] * share;
+    Q[104] = s->Qc[22] * share;
+    Q[119] = s->Qc[23] * share;
+    w[3] = Q[9];
+    w[4] = Q[14];
+    w[5] = Q[20];
+    w[6] = Q[27];
+    w[7] = Q[35];
+    w[8] = Q[44];
+    w[9] = Q[54];
+    w[10] = Q[65];
+    w[11] = Q[77];
+    w[12] = Q[90];
+    w[13] = Q[104];
+    w[14] = Q[119];
+    /* Noises that have a part in common, factored; rounding counts as none. */
+    {
+        const bs_bits counts = w[8] > ((2.220446049250313e-16 * Q[44]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[8];
+        {
+            const bs_lanes gain = Q[43] * inverse;
+            Q[34] = bs_choose(counts, Q[34] - (Q[42] * gain), Q[34]);
+            w[7] = bs_choose(counts, w[7] - (Q[43] * gain), w[7]);
+            B[4] = bs_choose(counts, B[4] + (B[3] * gain), B[4]);
+            B[22] = bs_choose(counts, B[22] + (B[21] * gain), B[22]);
+            B[31] = bs_choose(counts, B[31] + (B[30] * gain), B[31]);
+            B[43] = bs_choose(counts, B[43] + (B[42] * gain), B[43]);
+            B[55] = bs_choose(counts, B[55] + (B[54] * gain), B[55]);
+            B[67] = bs_choose(counts, B[67] + (B[66] * gain), B[67]);
+            B[79] = bs_choose(counts, B[79] + (B[78] * gain), B[79]);
+            B[91] = bs_choose(counts, B[91] + (B[90] * gain), B[91]);
+        }
+        {
+            const bs_lanes gain = Q[42] * inverse;
+            w[6] = bs_choose(counts, w[6] - (Q[42] * gain), w[6]);
+            B[13] = bs_choose(counts, B[13] + (B[11] * gain), B[13]);
+            B[22] = bs_choose(counts, B[22] + (B[20] * gain), B[22]);
+            B[31] = bs_choose(counts, B[31] + (B[29] * gain), B[31]);
+            B[43] = bs_choose(counts, B[43] + (B[41] * gain), B[43]);
+            B[55] = bs_choose(counts, B[55] + (B[53] * gain), B[55]);
+            B[67] = bs_choose(counts, B[67] + (B[65] * gain), B[67]);
+            B[79] = bs_choose(counts, B[79] + (B[77] * gain), B[79]);
+            B[91] = bs_choose(counts, B[91] + (B[89] * gain), B[91]);
+        }
+        w[8] = bs_choose(counts, w[8], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[7] > ((2.220446049250313e-16 * Q[35]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[7];
+        {
+            const bs_lanes gain = Q[34] * inverse;
+            w[6] = bs_choose(counts, w[6] - (Q[34] * gain), w[6]);
+            B[12] = bs_choose(counts, B[12] + (B[11] * gain), B[12]);
+            B[21] = bs_choose(counts, B[21] + (B[20] * gain), B[21]);
+            B[30] = bs_choose(counts, B[30] + (B[29] * gain), B[30]);
+            B[42] = bs_choose(counts, B[42] + (B[41] * gain), B[42]);
+            B[54] = bs_choose(counts, B[54] + (B[53] * gain), B[54]);
+            B[66] = bs_choose(counts, B[66] + (B[65] * gain), B[66]);
+            B[78] = bs_choose(counts, B[78] + (B[77] * gain), B[78]);
+            B[90] = bs_choose(counts, B[90] + (B[89] * gain), B[90]);
+        }
+        w[7] = bs_choose(counts, w[7], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[6] > ((2.220446049250313e-16 * Q[27]) + 2.2250738585072014e-308);
+        w[6] = bs_choose(counts, w[6], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[5] > ((2.220446049250313e-16 * Q[20]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[5];
+        {
+            const bs_lanes gain = Q[19] * inverse;
+            Q[13] = bs_choose(counts, Q[13] - (Q[18] * gain), Q[13]);
+            w[4] = bs_choose(counts, w[4] - (Q[19] * gain), w[4]);
+            B[2] = bs_choose(counts, B[2] + (B[1] * gain), B[2]);
+            B[10] = bs_choose(counts, B[10] + (B[9] * gain), B[10]);
+            B[19] = bs_choose(counts, B[19] + (B[18] * gain), B[19]);
+            B[28] = bs_choose(counts, B[28] + (B[27] * gain), B[28]);
+            B[40] = bs_choose(counts, B[40] + (B[39] * gain), B[40]);
+            B[52] = bs_choose(counts, B[52] + (B[51] * gain), B[52]);
+            B[64] = bs_choose(counts, B[64] + (B[63] * gain), B[64]);
+            B[76] = bs_choose(counts, B[76] + (B[75] * gain), B[76]);
+            B[88] = bs_choose(counts, B[88] + (B[87] * gain), B[88]);
+        }
+        {
+            const bs_lanes gain = Q[18] * inverse;
+            w[3] = bs_choose(counts, w[3] - (Q[18] * gain), w[3]);
+            B[2] = bs_choose(counts, B[2] + (B[0] * gain), B[2]);
+            B[10] = bs_choose(counts, B[10] + (B[8] * gain), B[10]);
+            B[19] = bs_choose(counts, B[19] + (B[17] * gain), B[19]);
+            B[28] = bs_choose(counts, B[28] + (B[26] * gain), B[28]);
+            B[40] = bs_choose(counts, B[40] + (B[38] * gain), B[40]);
+            B[52] = bs_choose(counts, B[52] + (B[50] * gain), B[52]);
+            B[64] = bs_choose(counts, B[64] + (B[62] * gain), B[64]);
+            B[76] = bs_choose(counts, B[76] + (B[74] * gain), B[76]);
+            B[88] = bs_choose(counts, B[88] + (B[86] * gain), B[88]);
+        }
+        w[5] = bs_choose(counts, w[5], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[4] > ((2.220446049250313e-16 * Q[14]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[4];
+        {
+            const bs_lanes gain = Q[13] * inverse;
+            w[3] = bs_choose(counts, w[3] - (Q[13] * gain), w[3]);
+            B[1] = bs_choose(counts, B[1] + (B[0] * gain), B[1]);
+            B[9] = bs_choose(counts, B[9] + (B[8] * gain), B[9]);
+            B[18] = bs_choose(counts, B[18] + (B[17] * gain), B[18]);
+            B[27] = bs_choose(counts, B[27] + (B[26] * gain), B[27]);
+            B[39] = bs_choose(counts, B[39] + (B[38] * gain), B[39]);
+            B[51] = bs_choose(counts, B[51] + (B[50] * gain), B[51]);
+            B[63] = bs_choose(counts, B[63] + (B[62] * gain), B[63]);
+            B[75] = bs_choose(counts, B[75] + (B[74] * gain), B[75]);
+            B[87] = bs_choose(counts, B[87] + (B[86] * gain), B[87]);
+        }
+        w[4] = bs_choose(counts, w[4], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[3] > ((2.220446049250313e-16 * Q[9]) + 2.2250738585072014e-308);
+        w[3] = bs_choose(counts, w[3], bs_all_of(0.0));
+    }
+    s->T[27] = B[0] * w[3];
+    s->T[36] = B[1] * w[4];
+    s->T[45] = B[2] * w[5];
+    s->T[63] = B[3] * w[7];
+    s->T[72] = B[4] * w[8];
+    s->T[108] = B[5] * w[12];
+    s->T[117] = B[6] * w[13];
+    s->T[126] = B[7] * w[14];
+    s->T[28] = B[8] * w[3];
+    s->T[37] = B[9] * w[4];
+    s->T[46] = B[10] * w[5];
+    s->T[55] = B[11] * w[6];
+    s->T[64] = B[12] * w[7];
+    s->T[73] = B[13] * w[8];
+    s->T[109] = B[14] * w[12];
+    s->T[118] = B[15] * w[13];
+    s->T[127] = B[16] * w[14];
+    s->T[29] = B[17] * w[3];
+    s->T[38] = B[18] * w[4];
+    s->T[47] = B[19] * w[5];
+    s->T[56] = B[20] * w[6];
+    s->T[65] = B[21] * w[7];
+    s->T[74] = B[22] * w[8];
+    s->T[110] = B[23] * w[12];
+    s->T[119] = B[24] * w[13];
+    s->T[128] = B[25] * w[14];
+    s->T[30] = B[26] * w[3];
+    s->T[39] = B[27] * w[4];
+    s->T[48] = B[28] * w[5];
+    s->T[57] = B[29] * w[6];
+    s->T[66] = B[30] * w[7];
+    s->T[75] = B[31] * w[8];
+    s->T[84] = B[32] * w[9];
+    s->T[93] = B[33] * w[10];
+    s->T[102] = B[34] * w[11];
+    s->T[111] = B[35] * w[12];
+    s->T[120] = B[36] * w[13];
+    s->T[129] = B[37] * w[14];
+    s->T[31] = B[38] * w[3];
+    s->T[40] = B[39] * w[4];
+    s->T[49] = B[40] * w[5];
+    s->T[58] = B[41] * w[6];
+    s->T[67] = B[42] * w[7];
+    s->T[76] = B[43] * w[8];
+    s->T[85] = B[44] * w[9];
+    s->T[94] = B[45] * w[10];
+    s->T[103] = B[46] * w[11];
+    s->T[112] = B[47] * w[12];
+    s->T[121] = B[48] * w[13];
+    s->T[130] = B[49] * w[14];
+    s->T[32] = B[50] * w[3];
+    s->T[41] = B[51] * w[4];
+    s->T[50] = B[52] * w[5];
+    s->T[59] = B[53] * w[6];
+    s->T[68] = B[54] * w[7];
+    s->T[77] = B[55] * w[8];
+    s->T[86] = B[56] * w[9];
+    s->T[95] = B[57] * w[10];
+    s->T[104] = B[58] * w[11];
+    s->T[113] = B[59] * w[12];
+    s->T[122] = B[60] * w[13];
+    s->T[131] = B[61] * w[14];
+    s->T[33] = B[62] * w[3];
+    s->T[42] = B[63] * w[4];
+    s->T[51] = B[64] * w[5];
+    s->T[60] = B[65] * w[6];
+    s->T[69] = B[66] * w[7];
+    s->T[78] = B[67] * w[8];
+    s->T[87] = B[68] * w[9];
+    s->T[96] = B[69] * w[10];
+    s->T[105] = B[70] * w[11];
+    s->T[114] = B[71] * w[12];
+    s->T[123] = B[72] * w[13];
+    s->T[132] = B[73] * w[14];
+    s->T[34] = B[74] * w[3];
+    s->T[43] = B[75] * w[4];
+    s->T[52] = B[76] * w[5];
+    s->T[61] = B[77] * w[6];
+    s->T[70] = B[78] * w[7];
+    s->T[79] = B[79] * w[8];
+    s->T[88] = B[80] * w[9];
+    s->T[97] = B[81] * w[10];
+    s->T[106] = B[82] * w[11];
+    s->T[115] = B[83] * w[12];
+    s->T[124] = B[84] * w[13];
+    s->T[133] = B[85] * w[14];
+    s->T[35] = B[86] * w[3];
+    s->T[44] = B[87] * w[4];
+    s->T[53] = B[88] * w[5];
+    s->T[62] = B[89] * w[6];
+    s->T[71] = B[90] * w[7];
+    s->T[80] = B[91] * w[8];
+    s->T[89] = B[92] * w[9];
+    s->T[98] = B[93] * w[10];
+    s->T[107] = B[94] * w[11];
+    s->T[116] = B[95] * w[12];
+    s->T[125] = B[96] * w[13];
+    s->T[134] = B[97] * w[14];
+    for (int j = 0; j < 9; ++j) {
+        bs_lanes sum[9];
+        for (int i = 0; i <= j; i += 3) {
+            tall_sums(&B[start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j], &s->T[i],
+                      &sum[i], 1);
+        }
+        for (int i = 0; i <= j; ++i) {
+            Q[((j * (j + 1)) / 2) + i] = sum[i];
+        }
+    }
+    Q[78] = s->T[108];
+    Q[91] = s->T[117];
+    Q[105] = s->T[126];
+    Q[79] = s->T[109];
+    Q[92] = s->T[118];
+    Q[106] = s->T[127];
+    Q[80] = s->T[110];
+    Q[93] = s->T[119];
+    Q[107] = s->T[128];
+    Q[48] = s->T[84];
+    Q[58] = s->T[93];
+    Q[69] = s->T[102];
+    Q[81] = s->T[111];
+    Q[94] = s->T[120];
+    Q[108] = s->T[129];
+    Q[49] = s->T[85];
+    Q[59] = s->T[94];
+    Q[70] = s->T[103];
+    Q[82] = s->T[112];
+    Q[95] = s->T[121];
+    Q[109] = s->T[130];
+    Q[50] = s->T[86];
+    Q[60] = s->T[95];
+    Q[71] = s->T[104];
+    Q[83] = s->T[113];
+    Q[96] = s->T[122];
+    Q[110] = s->T[131];
+    Q[51] = s->T[87];
+    Q[61] = s->T[96];
+    Q[72] = s->T[105];
+    Q[84] = s->T[114];
+    Q[97] = s->T[123];
+    Q[111] = s->T[132];
+    Q[52] = s->T[88];
+    Q[62] = s->T[97];
+    Q[73] = s->T[106];
+    Q[85] = s->T[115];
+    Q[98] = s->T[124];
+    Q[112] = s->T[133];
+    Q[53] = s->T[89];
+    Q[63] = s->T[98];
+    Q[74] = s->T[107];
+    Q[86] = s->T[116];
+    Q[99] = s->T[125];
+    Q[113] = s->T[134];
+    Q[9] += quarter * s->Qc[0];
+    Q[13] += quarter * s->Qc[1];
+    Q[18] += quarter * s->Qc[2];
+    Q[14] += quarter * s->Qc[4];
+    Q[19] += quarter * s->Qc[5];
+    Q[20] += quarter * s->Qc[8];
+    Q[27] += quarter * s->Qc[9];
+    Q[34] += quarter * s->Qc[10];
+    Q[42] += quarter * s->Qc[11];
+    Q[35] += quarter * s->Qc[13];
+    Q[43] += quarter * s->Qc[14];
+    Q[44] += quarter * s->Qc[17];
+    Q[54] = *dt * s->Qc[18];
+    Q[65] = *dt * s->Qc[19];
+    Q[77] = *dt * s->Qc[20];
+    Q[90] = *dt * s->Qc[21];
+    Q[104] = *dt * s->Qc[22];
+    Q[119] = *dt * s->Qc[23];
+}
+
+/* P = Phi P Phi' + Q: ah_joseph_predict.  P as it was stands in s->X. */
+static void predict(scratch *s, bs_lanes *P)
+{
+    static const unsigned short start[10] = { 0, 11, 21, 31, 45, 59, 73, 87, 101, 115 };
+    static const unsigned short at[115] = { 0, 16, 32, 48, 64, 80, 112, 128, 192, 208, 224, 16, 32,
+                                            48, 64, 80, 96, 128, 192, 208, 224, 16, 32, 48, 64, 80,
+                                            96, 112, 192, 208, 224, 16, 32, 48, 64, 80, 96, 112,
+                                            128, 144, 160, 176, 192, 208, 224, 16, 32, 48, 64, 80,
+                                            96, 112, 128, 144, 160, 176, 192, 208, 224, 16, 32, 48,
+                                            64, 80, 96, 112, 128, 144, 160, 176, 192, 208, 224, 16,
+                                            32, 48, 64, 80, 96, 112, 128, 144, 160, 176, 192, 208,
+                                            224, 16, 32, 48, 64, 80, 96, 112, 128, 144, 160, 176,
+                                            192, 208, 224, 16, 32, 48, 64, 80, 96, 112, 128, 144,
+                                            160, 176, 192, 208, 224 };
+    static const unsigned short across[115] = { 0, 9, 18, 27, 36, 45, 63, 72, 108, 117, 126, 9, 18,
+                                                27, 36, 45, 54, 72, 108, 117, 126, 9, 18, 27, 36,
+                                                45, 54, 63, 108, 117, 126, 9, 18, 27, 36, 45, 54,
+                                                63, 72, 81, 90, 99, 108, 117, 126, 9, 18, 27, 36,
+                                                45, 54, 63, 72, 81, 90, 99, 108, 117, 126, 9, 18,
+                                                27, 36, 45, 54, 63, 72, 81, 90, 99, 108, 117, 126,
+                                                9, 18, 27, 36, 45, 54, 63, 72, 81, 90, 99, 108, 117,
+                                                126, 9, 18, 27, 36, 45, 54, 63, 72, 81, 90, 99, 108,
+                                                117, 126, 9, 18, 27, 36, 45, 54, 63, 72, 81, 90, 99,
+                                                108, 117, 126 };
+    const bs_lanes *next = P;
+    for (int j = 0; j < AH_N_STATES; ++j) {
+        for (int i = 0; i <= j; ++i, ++next) {
+            s->X[(i * 16) + j] = *next;
+            s->X[(j * 16) + i] = *next;
+        }
+    }
+    for (int i = 0; i < 9; ++i) {
+        for (int j = 0; j < 16; j += 8) {
+            wide_sums(&s->Phi[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &s->X[j],
+                      &s->Y[(j * 9) + i], 9);
+        }
+    }
+    for (int j = 0; j < 9; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
+        bs_lanes sum[9];
+        for (int i = 0; i <= j; i += 3) {
+            tall_sums(&s->Phi[start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
+                      &s->Y[i], &sum[i], 1);
+        }
+        for (int i = 0; i <= j; ++i) {
+            to[i] = sum[i] + Q[i];
+        }
+    }
+    for (int j = 9; j < AH_N_STATES; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
+        for (int i = 0; i < 9; ++i) {
+            to[i] = s->Y[(j * 9) + i] + Q[i];
+        }
+        for (int i = 9; i <= j; ++i) {
+            to[i] += Q[i];
+        }
+    }
+}
+
+static void propagate_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    static const unsigned short start[10] = { 0, 11, 21, 31, 45, 59, 73, 87, 101, 115 };
+    static const unsigned short at[115] = { 0, 1, 2, 3, 4, 5, 7, 8, 12, 13, 14, 1, 2, 3, 4, 5, 6, 8,
+                                            12, 13, 14, 1, 2, 3, 4, 5, 6, 7, 12, 13, 14, 1, 2, 3, 4,
+                                            5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 1, 2, 3, 4, 5, 6, 7,
+                                            8, 9, 10, 11, 12, 13, 14, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,
+                                            11, 12, 13, 14, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
+                                            13, 14, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
+                                            1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 };
+    scratch *const s = runs->s;
+    bs_bits good = *rare;
+    bs_lanes x[AH_N_STATES];
+    bs_lanes in[16];
+    bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[0], 6, 1, runs->first, runs->n);
+    bs_read(&in[4], &given[1], 0, 3, runs->first, runs->n);
+    bs_read(&in[7], &given[1], 3, 3, runs->first, runs->n);
+    bs_read(&in[10], &given[1], 6, 3, runs->first, runs->n);
+    bs_read(&in[13], &given[1], 9, 3, runs->first, runs->n);
+    static const double low[16] = { (-500.0), (-500.0), (-500.0), (1e-06), (0.0), (0.0), (0.0),
+                                    (0.0), (0.0), (0.0), (0.0), (0.0), (0.0), (0.0), (0.0), (0.0) };
+    static const double high[16] = { (500.0), (500.0), (500.0), (10.0), (0.1), (0.1), (0.1), (10.0),
+                                     (10.0), (10.0), (0.1), (0.1), (0.1), (10.0), (10.0), (10.0) };
+    good &= bs_inside(in, low, high, 16);
+    good &= in_box(b);
+    ah_F_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], s->F);
+    ah_Qc_kernel(&b->carried[6], &in[4], &in[7], &in[10], &in[13], s->Qc);
+    discretize(s, &in[3]);
+    for (int i = 0; i < AH_N_STATES; ++i) {
+        x[i] = b->x[i];
+    }
+    for (int i = 0; i < 9; ++i) {
+        bs_lanes sum = bs_all_of(0.0);
+        for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
+            sum += s->Phi[p] * b->x[at[p]];
+        }
+        x[i] = sum;
+    }
+    predict(s, b->P);
+    good &= judged(x, b->P);
+    bs_keep(b->x, x, good, AH_N_STATES);
+    if (!bs_everywhere(good)) {
+        bs_lanes *to = b->P;
+        for (int j = 0; j < AH_N_STATES; ++j) {
+            for (int i = 0; i <= j; ++i, ++to) {
+                *to = bs_choose(good, *to, s->X[(i * 16) + j]);
+            }
+        }
+    }
+    *rare &= ~good;
+}
+
+/* One row of a measurement: ah_joseph_update.  Returns by `good` where it went its usual way; nis
+ * grows. */
+static void take_row(block *b,
+                     const bs_lanes *h,
+                     const unsigned short *states,
+                     int count,
+                     const bs_lanes *z,
+                     const bs_lanes *R,
+                     double gate,
+                     int asked,
+                     bs_lanes *nu,
+                     bs_lanes *S,
+                     bs_lanes *nis,
+                     bs_bits *good)
+{
+    bs_lanes g[AH_N_STATES];
+    bs_lanes K[AH_N_STATES];
+    bs_lanes own[AH_N_STATES]; /* A h, of the rounded A = P - K g' */
+    bs_lanes *const P = b->P;
+    bs_lanes inverse;
+    *nu = *z;
+    *S = *R;
+    for (int i = 0; i < AH_N_STATES; ++i) {
+        g[i] = bs_all_of(0.0);
+        own[i] = bs_all_of(0.0);
+    }
+    for (int p = 0; p < count; ++p) {
+        const int k = (int)states[p];
+        const bs_lanes *const column = &P[(k * (k + 1)) / 2];
+        *nu -= h[p] * b->x[k];
+        for (int i = 0; i < k; ++i) {
+            g[i] += h[p] * column[i];
+        }
+        for (int i = k; i < AH_N_STATES; ++i) {
+            g[i] += h[p] * P[((i * (i + 1)) / 2) + k];
+        }
+    }
+    for (int p = 0; p < count; ++p) {
+        *S += h[p] * g[states[p]];
+    }
+    *good &= ((*nu - *nu) <= 0.0) & ((*S - *S) <= 0.0) & (*S >= 2.2250738585072014e-308);
+    if (asked == 0) {
+        return;
+    }
+    if (gate > 0.0) {
+        *good &= (*nu * *nu) <= ((gate * gate) * *S);
+    }
+    *nis += (*nu * *nu) / *S;
+    inverse = 1.0 / *S;
+    for (int i = 0; i < AH_N_STATES; ++i) {
+        K[i] = g[i] * inverse;
+        b->x[i] += K[i] * *nu;
+    }
+    for (int p = 0; p < count; ++p) {
+        const int k = (int)states[p];
+        const bs_lanes *const column = &P[(k * (k + 1)) / 2];
+        for (int i = 0; i < k; ++i) {
+            own[i] += h[p] * (column[i] - (K[i] * g[k]));
+        }
+        for (int i = k; i < AH_N_STATES; ++i) {
+            own[i] += h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k]));
+        }
+    }
+    for (int j = 0; j < AH_N_STATES; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes gj = g[j];
+        const bs_lanes Kj = K[j];
+        for (int i = 0; i <= j; ++i) {
+            to[i] = ((to[i] - (K[i] * gj)) - (own[i] * Kj)) + (*R * (K[i] * Kj));
+        }
+    }
+}
+
+/* What all measurements share: H, z and R of m rows are ready, and good says where. */
+static void take_lanes(block *b,
+                       const chosen *runs,
+                       const bs_lanes *H,
+                       const unsigned short *start,
+                       const unsigned short *at,
+                       int m,
+                       const bs_lanes *z,
+                       const bs_lanes *R,
+                       unsigned int angles,
+                       int index,
+                       const bs_taking *taking,
+                       bs_bits *good,
+                       bs_bits *rare)
+{
+    bs_lanes nu[3];
+    bs_lanes S[3];
+    bs_lanes nis = bs_all_of(0.0);
+    bs_lanes x[AH_N_STATES];
+    scratch *const s = runs->s;
+    unsigned int asked = 0U;
+    const unsigned char *rows = &taking->rows[runs->first * taking->stride];
+    for (int k = 0; k < m; ++k) { /* as the first run of the block has them */
+        asked |= (rows[k] != 0U) ? (1U << (unsigned int)k) : 0U;
+    }
+    for (size_t l = 1U; (l < BORESIGHT_LANES) && ((runs->first + l) < runs->n); ++l) {
+        unsigned int own = 0U;
+        for (int k = 0; k < m; ++k) {
+            own |= (rows[(l * taking->stride) + (size_t)k] != 0U) ? (1U << (unsigned int)k) : 0U;
+        }
+        if (own != asked) {
+            (*good)[l] = 0;
+        }
+    }
+    for (int i = 0; i < AH_N_PACKED; ++i) {
+        s->P[i] = b->P[i];
+    }
+    for (int i = 0; i < AH_N_STATES; ++i) {
+        x[i] = b->x[i];
+    }
+    for (int i = 0; i < m; ++i) {
+        if (((angles >> (unsigned int)i) & 1U) != 0U) { /* no whole turn is to be taken */
+            bs_lanes off = z[i];
+            for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
+                off -= H[p] * x[at[p]];
+            }
+            *good &= (off >= -3.141592653589793) & (off < 3.141592653589793);
+        }
+    }
+    for (int i = 0; i < m; ++i) {
+        take_row(b, &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &z[i], &R[i],
+                 taking->gates[0], (int)((asked >> (unsigned int)i) & 1U), &nu[i], &S[i], &nis,
+                 good);
+    }
+    if (taking->gates[1] > 0.0) {
+        *good &= nis <= taking->gates[1];
+    }
+    *good &= judged(b->x, b->P);
+    if (!bs_everywhere(*good)) {
+        for (int i = 0; i < AH_N_PACKED; ++i) {
+            b->P[i] = bs_choose(*good, b->P[i], s->P[i]);
+        }
+        for (int i = 0; i < AH_N_STATES; ++i) {
+            b->x[i] = bs_choose(*good, b->x[i], x[i]);
+        }
+    }
+    if (asked != 0U) {
+        b->rejected[index] = bs_choose(*good, bs_all_of(0.0), b->rejected[index]);
+    }
+    for (int l = 0; l < BORESIGHT_LANES; ++l) {
+        if ((*good)[l] != 0) {
+            const size_t run = runs->first + (size_t)l;
+            taking->nis[run] = nis[l];
+            for (int k = 0; k < m; ++k) {
+                taking->nu[(run * (size_t)m) + (size_t)k] = nu[k][l];
+                taking->S[(run * (size_t)m) + (size_t)k] = S[k][l];
+                taking->used[(run * (size_t)m) +
+                             (size_t)k] = (unsigned char)((asked >> (unsigned int)k) & 1U);
+            }
+        }
+    }
+    *rare &= ~*good;
+}
+
+static void measure_zupt_lanes(block *b,
+                               const chosen *runs,
+                               const bs_given *given,
+                               const bs_taking *taking,
+                               bs_bits *rare)
+{
+    static const unsigned short start[4] = { 0, 1, 2, 3 };
+    static const unsigned short at[3] = { 3, 4, 5 };
+    static const double least[1] = { 1e-30 };
+    static const double most[1] = { 1e+30 };
+    bs_bits good = *rare & (b->considering <= 0.0);
+    bs_lanes z[3];
+    bs_lanes R[3];
+    bs_lanes H[3];
+    bs_lanes in[1];
+    for (int i = 0; i < 2; ++i) {
+        if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
+            return; /* the scalar function says what is wrong */
+        }
+    }
+    if (*taking->iterations < 0) {
+        return;
+    }
+    bs_read(R, &given[0], 0, 3, runs->first, runs->n);
+    for (int i = 0; i < 3; ++i) {
+        good &= bs_inside(&R[i], least, most, 1);
+    }
+    good &= in_box(b);
+    ah_zupt_z_kernel(&b->carried[3], z);
+    ah_zupt_H_kernel(H);
+    take_lanes(b, runs, H, start, at, 3, z, R, 0U, AH_MEASUREMENT_ZUPT, taking, &good, rare);
+    (void)in;
+}
+
+static void measure_azimuth_lanes(block *b,
+                                  const chosen *runs,
+                                  const bs_given *given,
+                                  const bs_taking *taking,
+                                  bs_bits *rare)
+{
+    static const unsigned short start[2] = { 0, 1 };
+    static const unsigned short at[1] = { 8 };
+    static const double least[1] = { 1e-30 };
+    static const double most[1] = { 1e+30 };
+    bs_bits good = *rare & (b->considering <= 0.0);
+    bs_lanes z[1];
+    bs_lanes R[1];
+    bs_lanes H[1];
+    bs_lanes in[4];
+    bs_read(&in[0], &given[0], 0, 4, runs->first, runs->n);
+    static const double low[4] = { (-1.001), (-1.001), (-1.001), (-1.001) };
+    static const double high[4] = { (1.001), (1.001), (1.001), (1.001) };
+    for (int i = 0; i < 2; ++i) {
+        if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
+            return; /* the scalar function says what is wrong */
+        }
+    }
+    if (*taking->iterations < 0) {
+        return;
+    }
+    bs_read(R, &given[1], 0, 1, runs->first, runs->n);
+    for (int i = 0; i < 1; ++i) {
+        good &= bs_inside(&R[i], least, most, 1);
+    }
+    good &= bs_inside(in, low, high, 4);
+    good &= bs_normed(&in[0], (0.998001), (1.0020009999999997), 4);
+    good &= in_box(b);
+    ah_azimuth_z_kernel(&b->carried[6], &in[0], z);
+    ah_azimuth_H_kernel(H);
+    take_lanes(b, runs, H, start, at, 1, z, R, 0U, AH_MEASUREMENT_AZIMUTH, taking, &good, rare);
+}
+
+static void measure_zaru_lanes(block *b,
+                               const chosen *runs,
+                               const bs_given *given,
+                               const bs_taking *taking,
+                               bs_bits *rare)
+{
+    static const unsigned short start[4] = { 0, 5, 10, 15 };
+    static const unsigned short at[15] = { 1, 6, 7, 8, 9, 1, 6, 7, 8, 10, 1, 6, 7, 8, 11 };
+    static const double least[1] = { 1e-30 };
+    static const double most[1] = { 1e+30 };
+    bs_bits good = *rare & (b->considering <= 0.0);
+    bs_lanes z[3];
+    bs_lanes R[3];
+    bs_lanes H[15];
+    bs_lanes in[3];
+    bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
+    static const double low[3] = { (-20.0), (-20.0), (-20.0) };
+    static const double high[3] = { (20.0), (20.0), (20.0) };
+    for (int i = 0; i < 2; ++i) {
+        if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
+            return; /* the scalar function says what is wrong */
+        }
+    }
+    if (*taking->iterations < 0) {
+        return;
+    }
+    bs_read(R, &given[1], 0, 3, runs->first, runs->n);
+    for (int i = 0; i < 3; ++i) {
+        good &= bs_inside(&R[i], least, most, 1);
+    }
+    good &= bs_inside(in, low, high, 3);
+    good &= in_box(b);
+    ah_zaru_z_kernel(&b->carried[0], &b->carried[6], &in[0], z);
+    ah_zaru_H_kernel(&b->carried[0], &b->carried[6], H);
+    take_lanes(b, runs, H, start, at, 3, z, R, 0U, AH_MEASUREMENT_ZARU, taking, &good, rare);
+}
+
+#endif
+
 
 static __attribute__((noinline)) void strapdown_alone(block *b,
                      size_t run,
@@ -121,11 +1622,14 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
 
 static void strapdown_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            strapdown_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    strapdown_lanes(b, runs, given, &rare);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                strapdown_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -148,11 +1652,16 @@ static __attribute__((noinline)) void propagate_alone(block *b,
 
 static void propagate_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            propagate_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    propagate_lanes(b, runs, given, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                propagate_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -175,11 +1684,14 @@ static __attribute__((noinline)) void correct_alone(block *b,
 
 static void correct_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            correct_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    correct_lanes(b, runs, given, &rare);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                correct_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -215,11 +1727,16 @@ static void measure_zupt_block(block *b,
                                const bs_given *given,
                                const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_zupt_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    measure_zupt_lanes(b, runs, given, taking, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_zupt_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -257,11 +1774,16 @@ static void measure_azimuth_block(block *b,
                                   const bs_given *given,
                                   const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_azimuth_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    measure_azimuth_lanes(b, runs, given, taking, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_azimuth_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -299,11 +1821,16 @@ static void measure_zaru_block(block *b,
                                const bs_given *given,
                                const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_zaru_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    measure_zaru_lanes(b, runs, given, taking, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_zaru_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -335,7 +1862,8 @@ static void measure_block(block *b,
 size_t ah_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t ah_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         strapdown_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -345,7 +1873,8 @@ size_t ah_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned ch
 size_t ah_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t ah_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         propagate_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -355,7 +1884,8 @@ size_t ah_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned ch
 size_t ah_lanes_correct(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t ah_lanes_correct(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         correct_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -375,7 +1905,8 @@ size_t ah_lanes_measure(size_t n,
                         const bs_taking *taking,
                         unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         measure_block(&b[runs.first / BORESIGHT_LANES], &runs, which, given, taking);
     }
@@ -386,7 +1917,8 @@ size_t ah_lanes_measure(size_t n,
 size_t ah_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *status);
 size_t ah_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (size_t i = 0U; i < n; ++i) {
         status[i] = (unsigned char)BS_OK;
     }

@@ -8,9 +8,44 @@ typedef int em_no_lanes; /* a translation unit may not be empty */
 #else
 #include "euler_matching_filter.h"
 
+#include "../src/em_math.h"
 #include "boresight_math.h"
 
 #include "boresight_lanes.h"
+
+/* The kernels of the units, with a block of runs as their number. */
+#undef BS_REAL
+#undef BS_SQRT
+#undef BS_FABS
+#undef BS_TRUTH
+#undef BS_SELECT
+#undef BS_SIGN
+#undef BS_FMIN
+#undef BS_FMAX
+#define bs_real bs_lanes
+#define BS_REAL(x) bs_all_of(x)
+#define BS_SQRT bs_root
+#define BS_FABS bs_magnitude
+#define BS_TRUTH(condition) bs_choose(condition, bs_all_of(1.0), bs_all_of(0.0))
+#define BS_SELECT(condition, value) bs_choose((condition) > 0.0, value, bs_all_of(0.0))
+#define BS_SIGN(a) bs_choose((a) < 0.0, bs_all_of(-1.0), bs_choose((a) > 0.0, bs_all_of(1.0), a))
+#define BS_FMIN(a, b) bs_choose((a) < (b), a, bs_choose((a) >= (b), b, (a) + (b)))
+#define BS_FMAX(a, b) bs_choose((a) > (b), a, bs_choose((a) <= (b), b, (a) + (b)))
+#undef BS_SINCOS
+#define BS_SINCOS bs_sincos_lanes
+#undef BS_ATAN2
+#define BS_ATAN2 bs_atan2_lanes
+#undef BS_COS
+#define BS_COS bs_cos_lanes
+#undef BS_SIN
+#define BS_SIN bs_sin_lanes
+#include "../src/em_strapdown_kernel.h"
+#include "../src/em_feedback_kernel.h"
+#include "../src/em_euler_z_kernel.h"
+#include "../src/em_euler_H_kernel.h"
+#include "../src/em_F_kernel.h"
+#include "../src/em_Qc_kernel.h"
+#undef bs_real
 
 /* What the filter carries from call to call, of a block of runs. */
 typedef struct {
@@ -23,11 +58,26 @@ typedef struct {
     bs_lanes considered[EM_N_STATES];
 } block;
 
-/* What a call reads of a block, and which of it. */
+/* Scratch memory of all blocks; what is zero in it stays so. */
+typedef struct {
+    bs_lanes P[EM_N_PACKED]; /* as it was */
+    bs_lanes F[EM_N_F];
+    bs_lanes Qc[EM_N_QC];
+    bs_lanes Phi[9];
+    bs_lanes B[9];
+    bs_lanes w[EM_N_STATES];
+    bs_lanes T[EM_N_STATES * 3]; /* (B times the noise)', rows of 3 */
+    bs_lanes Q[EM_N_PACKED];
+    bs_lanes X[EM_N_STATES * 6]; /* P, dense, rows of 6 */
+    bs_lanes Y[6 * 3]; /* (Phi P)', rows of 3 */
+} scratch;
+
+/* Which block of a call it is. */
 typedef struct {
     size_t first; /* run in its first lane */
     size_t n;     /* runs in all */
     unsigned char *status;
+    scratch *s;
 } chosen;
 
 size_t em_lanes_width(void);
@@ -101,6 +151,561 @@ static size_t refused(size_t n, const unsigned char *status)
     return count;
 }
 /* ---- one run by the scalar functions */
+/* ---- in lanes: what goes its usual way; rare says which runs there are, and then which of them
+ * are still to go */
+
+static const double carried_low[7] = { (-1.001), (-1.001), (-1.001), (-1.001), (-0.5), (-0.5),
+                                       (-0.5) };
+static const double carried_high[7] = { (1.001), (1.001), (1.001), (1.001), (0.5), (0.5), (0.5) };
+
+static bs_bits in_box(const block *b)
+{
+    bs_bits good = bs_inside(b->carried, carried_low, carried_high, 7);
+    good &= bs_normed(&b->carried[0], (0.998001), (1.0020009999999997), 4);
+    return good;
+}
+
+/* Where the diagonal of a packed matrix stands in column i. */
+static int diagonal(int i)
+{
+    return (i * (i + 3)) / 2;
+}
+
+/* Whether a step has made of x and P what raises no question: finite, no variance negative, none
+ * above its ceiling. */
+static bs_bits judged(const bs_lanes *x, const bs_lanes *P)
+{
+    static const double ceiling[EM_N_STATES] = { (1000000.0), (1000000.0), (1000000.0), (1000000.0),
+                                                 (1000000.0), (1000000.0) };
+    bs_bits good = bs_finite(P, EM_N_PACKED);
+    for (int i = 0; i < EM_N_STATES; ++i) {
+        const bs_lanes variance = P[diagonal(i)];
+        good &= (variance >= 0.0) & (variance <= ceiling[i]) & ((x[i] * x[i]) <= ceiling[i]);
+    }
+    return good;
+}
+
+static void strapdown_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    bs_bits good = *rare;
+    bs_lanes next[7];
+    bs_lanes in[7];
+    bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[0], 3, 3, runs->first, runs->n);
+    bs_read(&in[6], &given[0], 6, 1, runs->first, runs->n);
+    static const double low[7] = { (-0.5), (-0.5), (-0.5), (-0.01), (-0.01), (-0.01), (1e-06) };
+    static const double high[7] = { (0.5), (0.5), (0.5), (0.01), (0.01), (0.01), (10.0) };
+    good &= bs_inside(in, low, high, 7);
+    good &= in_box(b);
+    em_strapdown_kernel(&b->carried[0], &in[0], &in[3], &in[6], &next[0]);
+    good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 4);
+    good &= bs_normed(&next[0], (0.998001), (1.0020009999999997), 4);
+    bs_keep(&b->carried[0], &next[0], good, 4);
+    *rare &= ~good;
+}
+
+static void correct_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    bs_bits good = *rare;
+    bs_lanes next[7];
+    bs_lanes in[1];
+    static const double x_low[6] = { (-0.5), (-0.5), (-0.5), (-0.5), (-0.5), (-0.5) };
+    static const double x_high[6] = { (0.5), (0.5), (0.5), (0.5), (0.5), (0.5) };
+    good &= in_box(b);
+    good &= bs_inside(b->x, x_low, x_high, EM_N_STATES);
+    good &= bs_finite(b->x, EM_N_STATES) & bs_finite(b->P, EM_N_PACKED);
+    for (int i = 0; i < EM_N_STATES; ++i) {
+        good &= b->P[diagonal(i)] >= 0.0;
+    }
+    em_feedback_kernel(b->x, &b->carried[0], &b->carried[4], &next[0], &next[4]);
+    good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 7);
+    good &= bs_normed(&next[0], (0.998001), (1.0020009999999997), 4);
+    bs_keep(&b->carried[0], &next[0], good, 7);
+    for (int i = 0; i < EM_N_STATES; ++i) {
+        b->x[i] = bs_choose(good, bs_all_of(0.0), b->x[i]);
+    }
+    *rare &= ~good;
+    (void)in;
+    (void)runs;
+    (void)given;
+}
+
+#if !BORESIGHT_UD
+
+/* out = the sum of coefficients times 6 numbers each. */
+BS_INLINE void wide_sums(const bs_lanes *coefficient,
+                         const unsigned short *at,
+                         int count,
+                         const bs_lanes *x,
+                         bs_lanes *out,
+                         int stride)
+{
+    bs_lanes s0 = bs_all_of(0.0);
+    bs_lanes s1 = bs_all_of(0.0);
+    bs_lanes s2 = bs_all_of(0.0);
+    bs_lanes s3 = bs_all_of(0.0);
+    bs_lanes s4 = bs_all_of(0.0);
+    bs_lanes s5 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes a = coefficient[p];
+        const bs_lanes *const from = &x[at[p]];
+        s0 += a * from[0];
+        s1 += a * from[1];
+        s2 += a * from[2];
+        s3 += a * from[3];
+        s4 += a * from[4];
+        s5 += a * from[5];
+    }
+    out[0] = s0;
+    out[1 * stride] = s1;
+    out[2 * stride] = s2;
+    out[3 * stride] = s3;
+    out[4 * stride] = s4;
+    out[5 * stride] = s5;
+}
+
+/* out = the sum of coefficients times 3 numbers each. */
+BS_INLINE void tall_sums(const bs_lanes *coefficient,
+                         const unsigned short *at,
+                         int count,
+                         const bs_lanes *x,
+                         bs_lanes *out,
+                         int stride)
+{
+    bs_lanes s0 = bs_all_of(0.0);
+    bs_lanes s1 = bs_all_of(0.0);
+    bs_lanes s2 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes a = coefficient[p];
+        const bs_lanes *const from = &x[at[p]];
+        s0 += a * from[0];
+        s1 += a * from[1];
+        s2 += a * from[2];
+    }
+    out[0] = s0;
+    out[1 * stride] = s1;
+    out[2 * stride] = s2;
+}
+
+/* Phi and Q of the step, of the non-zeros of F and Qc: em_discretize. */
+static void discretize(scratch *s, const bs_lanes *dt)
+{
+    static const unsigned short start[4] = { 0, 3, 6, 9 };
+    static const unsigned short at[9] = { 0, 3, 6, 0, 3, 6, 0, 3, 6 };
+    const bs_lanes share = 0.75 * *dt;
+    const bs_lanes quarter = 0.25 * *dt;
+    bs_lanes A[EM_N_F];
+    bs_lanes *const Phi = s->Phi;
+    bs_lanes *const B = s->B;
+    bs_lanes *const Q = s->Q;
+    bs_lanes *const w = s->w;
+    for (int p = 0; p < EM_N_F; ++p) {
+        A[p] = s->F[p] * *dt;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[2]) + (A[1] * A[4]);
+        Phi[0] = (0.0 + (0.5 * twice)) + 1.0;
+        B[0] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[1] * A[5]);
+        Phi[1] = A[0] + (0.5 * twice);
+        B[1] = (0.6666666666666666 * A[0]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[3]);
+        Phi[2] = A[1] + (0.5 * twice);
+        B[2] = (0.6666666666666666 * A[1]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[3] * A[4]);
+        Phi[3] = A[2] + (0.5 * twice);
+        B[3] = (0.6666666666666666 * A[2]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[0]) + (A[3] * A[5]);
+        Phi[4] = (0.0 + (0.5 * twice)) + 1.0;
+        B[4] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[1]);
+        Phi[5] = A[3] + (0.5 * twice);
+        B[5] = (0.6666666666666666 * A[3]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[5] * A[2]);
+        Phi[6] = A[4] + (0.5 * twice);
+        B[6] = (0.6666666666666666 * A[4]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[4] * A[0]);
+        Phi[7] = A[5] + (0.5 * twice);
+        B[7] = (0.6666666666666666 * A[5]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[4] * A[1]) + (A[5] * A[3]);
+        Phi[8] = (0.0 + (0.5 * twice)) + 1.0;
+        B[8] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    Q[0] = s->Qc[0] * share;
+    Q[1] = s->Qc[1] * share;
+    Q[3] = s->Qc[2] * share;
+    Q[2] = s->Qc[4] * share;
+    Q[4] = s->Qc[5] * share;
+    Q[5] = s->Qc[8] * share;
+    w[0] = Q[0];
+    w[1] = Q[2];
+    w[2] = Q[5];
+    /* Noises that have a part in common, factored; rounding counts as none. */
+    {
+        const bs_bits counts = w[2] > ((2.220446049250313e-16 * Q[5]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[2];
+        {
+            const bs_lanes gain = Q[4] * inverse;
+            Q[1] = bs_choose(counts, Q[1] - (Q[3] * gain), Q[1]);
+            w[1] = bs_choose(counts, w[1] - (Q[4] * gain), w[1]);
+            B[2] = bs_choose(counts, B[2] + (B[1] * gain), B[2]);
+            B[5] = bs_choose(counts, B[5] + (B[4] * gain), B[5]);
+            B[8] = bs_choose(counts, B[8] + (B[7] * gain), B[8]);
+        }
+        {
+            const bs_lanes gain = Q[3] * inverse;
+            w[0] = bs_choose(counts, w[0] - (Q[3] * gain), w[0]);
+            B[2] = bs_choose(counts, B[2] + (B[0] * gain), B[2]);
+            B[5] = bs_choose(counts, B[5] + (B[3] * gain), B[5]);
+            B[8] = bs_choose(counts, B[8] + (B[6] * gain), B[8]);
+        }
+        w[2] = bs_choose(counts, w[2], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[1] > ((2.220446049250313e-16 * Q[2]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[1];
+        {
+            const bs_lanes gain = Q[1] * inverse;
+            w[0] = bs_choose(counts, w[0] - (Q[1] * gain), w[0]);
+            B[1] = bs_choose(counts, B[1] + (B[0] * gain), B[1]);
+            B[4] = bs_choose(counts, B[4] + (B[3] * gain), B[4]);
+            B[7] = bs_choose(counts, B[7] + (B[6] * gain), B[7]);
+        }
+        w[1] = bs_choose(counts, w[1], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[0] > ((2.220446049250313e-16 * Q[0]) + 2.2250738585072014e-308);
+        w[0] = bs_choose(counts, w[0], bs_all_of(0.0));
+    }
+    s->T[0] = B[0] * w[0];
+    s->T[3] = B[1] * w[1];
+    s->T[6] = B[2] * w[2];
+    s->T[1] = B[3] * w[0];
+    s->T[4] = B[4] * w[1];
+    s->T[7] = B[5] * w[2];
+    s->T[2] = B[6] * w[0];
+    s->T[5] = B[7] * w[1];
+    s->T[8] = B[8] * w[2];
+    for (int j = 0; j < 3; ++j) {
+        bs_lanes sum[3];
+        for (int i = 0; i <= j; i += 3) {
+            tall_sums(&B[start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j], &s->T[i],
+                      &sum[i], 1);
+        }
+        for (int i = 0; i <= j; ++i) {
+            Q[((j * (j + 1)) / 2) + i] = sum[i];
+        }
+    }
+    Q[0] += quarter * s->Qc[0];
+    Q[1] += quarter * s->Qc[1];
+    Q[3] += quarter * s->Qc[2];
+    Q[2] += quarter * s->Qc[4];
+    Q[4] += quarter * s->Qc[5];
+    Q[5] += quarter * s->Qc[8];
+}
+
+/* P = Phi P Phi' + Q: em_joseph_predict.  P as it was stands in s->X. */
+static void predict(scratch *s, bs_lanes *P)
+{
+    static const unsigned short start[4] = { 0, 3, 6, 9 };
+    static const unsigned short at[9] = { 0, 6, 12, 0, 6, 12, 0, 6, 12 };
+    static const unsigned short across[9] = { 0, 3, 6, 0, 3, 6, 0, 3, 6 };
+    const bs_lanes *next = P;
+    for (int j = 0; j < EM_N_STATES; ++j) {
+        for (int i = 0; i <= j; ++i, ++next) {
+            s->X[(i * 6) + j] = *next;
+            s->X[(j * 6) + i] = *next;
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 6; j += 6) {
+            wide_sums(&s->Phi[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &s->X[j],
+                      &s->Y[(j * 3) + i], 3);
+        }
+    }
+    for (int j = 0; j < 3; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
+        bs_lanes sum[3];
+        for (int i = 0; i <= j; i += 3) {
+            tall_sums(&s->Phi[start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
+                      &s->Y[i], &sum[i], 1);
+        }
+        for (int i = 0; i <= j; ++i) {
+            to[i] = sum[i] + Q[i];
+        }
+    }
+    for (int j = 3; j < EM_N_STATES; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
+        for (int i = 0; i < 3; ++i) {
+            to[i] = s->Y[(j * 3) + i] + Q[i];
+        }
+        for (int i = 3; i <= j; ++i) {
+            to[i] += Q[i];
+        }
+    }
+}
+
+static void propagate_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    static const unsigned short start[4] = { 0, 3, 6, 9 };
+    static const unsigned short at[9] = { 0, 1, 2, 0, 1, 2, 0, 1, 2 };
+    scratch *const s = runs->s;
+    bs_bits good = *rare;
+    bs_lanes x[EM_N_STATES];
+    bs_lanes in[7];
+    bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[0], 6, 1, runs->first, runs->n);
+    bs_read(&in[4], &given[1], 0, 3, runs->first, runs->n);
+    static const double low[7] = { (-0.01), (-0.01), (-0.01), (1e-06), (0.0), (0.0), (0.0) };
+    static const double high[7] = { (0.01), (0.01), (0.01), (10.0), (0.1), (0.1), (0.1) };
+    good &= bs_inside(in, low, high, 7);
+    good &= in_box(b);
+    em_F_kernel(&in[0], s->F);
+    em_Qc_kernel(&b->carried[0], &in[4], s->Qc);
+    discretize(s, &in[3]);
+    for (int i = 0; i < EM_N_STATES; ++i) {
+        x[i] = b->x[i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        bs_lanes sum = bs_all_of(0.0);
+        for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
+            sum += s->Phi[p] * b->x[at[p]];
+        }
+        x[i] = sum;
+    }
+    predict(s, b->P);
+    good &= judged(x, b->P);
+    bs_keep(b->x, x, good, EM_N_STATES);
+    if (!bs_everywhere(good)) {
+        bs_lanes *to = b->P;
+        for (int j = 0; j < EM_N_STATES; ++j) {
+            for (int i = 0; i <= j; ++i, ++to) {
+                *to = bs_choose(good, *to, s->X[(i * 6) + j]);
+            }
+        }
+    }
+    *rare &= ~good;
+}
+
+/* One row of a measurement: em_joseph_update.  Returns by `good` where it went its usual way; nis
+ * grows. */
+static void take_row(block *b,
+                     const bs_lanes *h,
+                     const unsigned short *states,
+                     int count,
+                     const bs_lanes *z,
+                     const bs_lanes *R,
+                     double gate,
+                     int asked,
+                     bs_lanes *nu,
+                     bs_lanes *S,
+                     bs_lanes *nis,
+                     bs_bits *good)
+{
+    bs_lanes g[EM_N_STATES];
+    bs_lanes K[EM_N_STATES];
+    bs_lanes own[EM_N_STATES]; /* A h, of the rounded A = P - K g' */
+    bs_lanes *const P = b->P;
+    bs_lanes inverse;
+    *nu = *z;
+    *S = *R;
+    for (int i = 0; i < EM_N_STATES; ++i) {
+        g[i] = bs_all_of(0.0);
+        own[i] = bs_all_of(0.0);
+    }
+    for (int p = 0; p < count; ++p) {
+        const int k = (int)states[p];
+        const bs_lanes *const column = &P[(k * (k + 1)) / 2];
+        *nu -= h[p] * b->x[k];
+        for (int i = 0; i < k; ++i) {
+            g[i] += h[p] * column[i];
+        }
+        for (int i = k; i < EM_N_STATES; ++i) {
+            g[i] += h[p] * P[((i * (i + 1)) / 2) + k];
+        }
+    }
+    for (int p = 0; p < count; ++p) {
+        *S += h[p] * g[states[p]];
+    }
+    *good &= ((*nu - *nu) <= 0.0) & ((*S - *S) <= 0.0) & (*S >= 2.2250738585072014e-308);
+    if (asked == 0) {
+        return;
+    }
+    if (gate > 0.0) {
+        *good &= (*nu * *nu) <= ((gate * gate) * *S);
+    }
+    *nis += (*nu * *nu) / *S;
+    inverse = 1.0 / *S;
+    for (int i = 0; i < EM_N_STATES; ++i) {
+        K[i] = g[i] * inverse;
+        b->x[i] += K[i] * *nu;
+    }
+    for (int p = 0; p < count; ++p) {
+        const int k = (int)states[p];
+        const bs_lanes *const column = &P[(k * (k + 1)) / 2];
+        for (int i = 0; i < k; ++i) {
+            own[i] += h[p] * (column[i] - (K[i] * g[k]));
+        }
+        for (int i = k; i < EM_N_STATES; ++i) {
+            own[i] += h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k]));
+        }
+    }
+    for (int j = 0; j < EM_N_STATES; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes gj = g[j];
+        const bs_lanes Kj = K[j];
+        for (int i = 0; i <= j; ++i) {
+            to[i] = ((to[i] - (K[i] * gj)) - (own[i] * Kj)) + (*R * (K[i] * Kj));
+        }
+    }
+}
+
+/* What all measurements share: H, z and R of m rows are ready, and good says where. */
+static void take_lanes(block *b,
+                       const chosen *runs,
+                       const bs_lanes *H,
+                       const unsigned short *start,
+                       const unsigned short *at,
+                       int m,
+                       const bs_lanes *z,
+                       const bs_lanes *R,
+                       unsigned int angles,
+                       int index,
+                       const bs_taking *taking,
+                       bs_bits *good,
+                       bs_bits *rare)
+{
+    bs_lanes nu[3];
+    bs_lanes S[3];
+    bs_lanes nis = bs_all_of(0.0);
+    bs_lanes x[EM_N_STATES];
+    scratch *const s = runs->s;
+    unsigned int asked = 0U;
+    const unsigned char *rows = &taking->rows[runs->first * taking->stride];
+    for (int k = 0; k < m; ++k) { /* as the first run of the block has them */
+        asked |= (rows[k] != 0U) ? (1U << (unsigned int)k) : 0U;
+    }
+    for (size_t l = 1U; (l < BORESIGHT_LANES) && ((runs->first + l) < runs->n); ++l) {
+        unsigned int own = 0U;
+        for (int k = 0; k < m; ++k) {
+            own |= (rows[(l * taking->stride) + (size_t)k] != 0U) ? (1U << (unsigned int)k) : 0U;
+        }
+        if (own != asked) {
+            (*good)[l] = 0;
+        }
+    }
+    for (int i = 0; i < EM_N_PACKED; ++i) {
+        s->P[i] = b->P[i];
+    }
+    for (int i = 0; i < EM_N_STATES; ++i) {
+        x[i] = b->x[i];
+    }
+    for (int i = 0; i < m; ++i) {
+        if (((angles >> (unsigned int)i) & 1U) != 0U) { /* no whole turn is to be taken */
+            bs_lanes off = z[i];
+            for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
+                off -= H[p] * x[at[p]];
+            }
+            *good &= (off >= -3.141592653589793) & (off < 3.141592653589793);
+        }
+    }
+    for (int i = 0; i < m; ++i) {
+        take_row(b, &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &z[i], &R[i],
+                 taking->gates[0], (int)((asked >> (unsigned int)i) & 1U), &nu[i], &S[i], &nis,
+                 good);
+    }
+    if (taking->gates[1] > 0.0) {
+        *good &= nis <= taking->gates[1];
+    }
+    *good &= judged(b->x, b->P);
+    if (!bs_everywhere(*good)) {
+        for (int i = 0; i < EM_N_PACKED; ++i) {
+            b->P[i] = bs_choose(*good, b->P[i], s->P[i]);
+        }
+        for (int i = 0; i < EM_N_STATES; ++i) {
+            b->x[i] = bs_choose(*good, b->x[i], x[i]);
+        }
+    }
+    if (asked != 0U) {
+        b->rejected[index] = bs_choose(*good, bs_all_of(0.0), b->rejected[index]);
+    }
+    for (int l = 0; l < BORESIGHT_LANES; ++l) {
+        if ((*good)[l] != 0) {
+            const size_t run = runs->first + (size_t)l;
+            taking->nis[run] = nis[l];
+            for (int k = 0; k < m; ++k) {
+                taking->nu[(run * (size_t)m) + (size_t)k] = nu[k][l];
+                taking->S[(run * (size_t)m) + (size_t)k] = S[k][l];
+                taking->used[(run * (size_t)m) +
+                             (size_t)k] = (unsigned char)((asked >> (unsigned int)k) & 1U);
+            }
+        }
+    }
+    *rare &= ~*good;
+}
+
+static void measure_euler_lanes(block *b,
+                                const chosen *runs,
+                                const bs_given *given,
+                                const bs_taking *taking,
+                                bs_bits *rare)
+{
+    static const unsigned short start[4] = { 0, 5, 9, 14 };
+    static const unsigned short at[14] = { 0, 1, 3, 4, 5, 0, 1, 4, 5, 0, 1, 2, 4, 5 };
+    static const double least[1] = { 1e-30 };
+    static const double most[1] = { 1e+30 };
+    bs_bits good = *rare & (b->considering <= 0.0);
+    bs_lanes z[3];
+    bs_lanes R[3];
+    bs_lanes H[14];
+    bs_lanes in[6];
+    bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[0], 3, 3, runs->first, runs->n);
+    static const double low[6] = { (-3.141592653589793), (-1.3962634015954636),
+                                   (-3.141592653589793), (-3.141592653589793),
+                                   (-1.3962634015954636), (-3.141592653589793) };
+    static const double high[6] = { (3.141592653589793), (1.3962634015954636), (3.141592653589793),
+                                    (3.141592653589793), (1.3962634015954636),
+                                    (3.141592653589793) };
+    for (int i = 0; i < 2; ++i) {
+        if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
+            return; /* the scalar function says what is wrong */
+        }
+    }
+    if (*taking->iterations < 0) {
+        return;
+    }
+    bs_read(R, &given[1], 0, 3, runs->first, runs->n);
+    for (int i = 0; i < 3; ++i) {
+        good &= bs_inside(&R[i], least, most, 1);
+    }
+    good &= bs_inside(in, low, high, 6);
+    good &= in_box(b);
+    em_euler_z_kernel(&b->carried[4], &in[0], &in[3], z);
+    em_euler_H_kernel(&in[0], &in[3], H);
+    take_lanes(b, runs, H, start, at, 3, z, R, 7U, EM_MEASUREMENT_EULER, taking, &good, rare);
+}
+
+#endif
+
 
 static __attribute__((noinline)) void strapdown_alone(block *b,
                      size_t run,
@@ -119,11 +724,14 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
 
 static void strapdown_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            strapdown_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    strapdown_lanes(b, runs, given, &rare);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                strapdown_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -146,11 +754,16 @@ static __attribute__((noinline)) void propagate_alone(block *b,
 
 static void propagate_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            propagate_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    propagate_lanes(b, runs, given, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                propagate_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -173,11 +786,14 @@ static __attribute__((noinline)) void correct_alone(block *b,
 
 static void correct_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            correct_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    correct_lanes(b, runs, given, &rare);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                correct_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -216,11 +832,16 @@ static void measure_euler_block(block *b,
                                 const bs_given *given,
                                 const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_euler_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    measure_euler_lanes(b, runs, given, taking, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_euler_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -258,11 +879,13 @@ static void measure_euler_exact_block(block *b,
                                       const bs_given *given,
                                       const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_euler_exact_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_euler_exact_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -291,7 +914,8 @@ static void measure_block(block *b,
 size_t em_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t em_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         strapdown_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -301,7 +925,8 @@ size_t em_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned ch
 size_t em_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t em_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         propagate_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -311,7 +936,8 @@ size_t em_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned ch
 size_t em_lanes_correct(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t em_lanes_correct(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         correct_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -331,7 +957,8 @@ size_t em_lanes_measure(size_t n,
                         const bs_taking *taking,
                         unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         measure_block(&b[runs.first / BORESIGHT_LANES], &runs, which, given, taking);
     }
@@ -342,7 +969,8 @@ size_t em_lanes_measure(size_t n,
 size_t em_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *status);
 size_t em_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (size_t i = 0U; i < n; ++i) {
         status[i] = (unsigned char)BS_OK;
     }

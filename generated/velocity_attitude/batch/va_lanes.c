@@ -8,9 +8,48 @@ typedef int va_no_lanes; /* a translation unit may not be empty */
 #else
 #include "velocity_attitude_filter.h"
 
+#include "../src/va_math.h"
 #include "boresight_math.h"
 
 #include "boresight_lanes.h"
+
+/* The kernels of the units, with a block of runs as their number. */
+#undef BS_REAL
+#undef BS_SQRT
+#undef BS_FABS
+#undef BS_TRUTH
+#undef BS_SELECT
+#undef BS_SIGN
+#undef BS_FMIN
+#undef BS_FMAX
+#define bs_real bs_lanes
+#define BS_REAL(x) bs_all_of(x)
+#define BS_SQRT bs_root
+#define BS_FABS bs_magnitude
+#define BS_TRUTH(condition) bs_choose(condition, bs_all_of(1.0), bs_all_of(0.0))
+#define BS_SELECT(condition, value) bs_choose((condition) > 0.0, value, bs_all_of(0.0))
+#define BS_SIGN(a) bs_choose((a) < 0.0, bs_all_of(-1.0), bs_choose((a) > 0.0, bs_all_of(1.0), a))
+#define BS_FMIN(a, b) bs_choose((a) < (b), a, bs_choose((a) >= (b), b, (a) + (b)))
+#define BS_FMAX(a, b) bs_choose((a) > (b), a, bs_choose((a) <= (b), b, (a) + (b)))
+#undef BS_SINCOS
+#define BS_SINCOS bs_sincos_lanes
+#undef BS_ATAN2
+#define BS_ATAN2 bs_atan2_lanes
+#undef BS_COS
+#define BS_COS bs_cos_lanes
+#undef BS_SIN
+#define BS_SIN bs_sin_lanes
+#include "../src/va_strapdown_kernel.h"
+#include "../src/va_feedback_kernel.h"
+#include "../src/va_velocity_z_kernel.h"
+#include "../src/va_velocity_H_kernel.h"
+#include "../src/va_dcm_z_kernel.h"
+#include "../src/va_dcm_H_kernel.h"
+#include "../src/va_euler_z_kernel.h"
+#include "../src/va_euler_H_kernel.h"
+#include "../src/va_F_kernel.h"
+#include "../src/va_Qc_kernel.h"
+#undef bs_real
 
 /* What the filter carries from call to call, of a block of runs. */
 typedef struct {
@@ -23,11 +62,26 @@ typedef struct {
     bs_lanes considered[VA_N_STATES];
 } block;
 
-/* What a call reads of a block, and which of it. */
+/* Scratch memory of all blocks; what is zero in it stays so. */
+typedef struct {
+    bs_lanes P[VA_N_PACKED]; /* as it was */
+    bs_lanes F[VA_N_F];
+    bs_lanes Qc[VA_N_QC];
+    bs_lanes Phi[72];
+    bs_lanes B[72];
+    bs_lanes w[VA_N_STATES];
+    bs_lanes T[VA_N_STATES * 6]; /* (B times the noise)', rows of 6 */
+    bs_lanes Q[VA_N_PACKED];
+    bs_lanes X[VA_N_STATES * 16]; /* P, dense, rows of 16 */
+    bs_lanes Y[16 * 6]; /* (Phi P)', rows of 6 */
+} scratch;
+
+/* Which block of a call it is. */
 typedef struct {
     size_t first; /* run in its first lane */
     size_t n;     /* runs in all */
     unsigned char *status;
+    scratch *s;
 } chosen;
 
 size_t va_lanes_width(void);
@@ -101,6 +155,1231 @@ static size_t refused(size_t n, const unsigned char *status)
     return count;
 }
 /* ---- one run by the scalar functions */
+/* ---- in lanes: what goes its usual way; rare says which runs there are, and then which of them
+ * are still to go */
+
+static const double carried_low[21] = { (-1.4835298641951802), (-6.283185307179586), (-500.0),
+                                        (-1000.0), (-1000.0), (-1000.0), (-1.001), (-1.001),
+                                        (-1.001), (-1.001), (-0.017453292519943295),
+                                        (-0.017453292519943295), (-0.017453292519943295), (-1.0),
+                                        (-1.0), (-1.0), (-1.001), (-1.001), (-1.001), (-1.001),
+                                        (-1.0) };
+static const double carried_high[21] = { (1.4835298641951802), (6.283185307179586), (30000.0),
+                                         (1000.0), (1000.0), (1000.0), (1.001), (1.001), (1.001),
+                                         (1.001), (0.017453292519943295), (0.017453292519943295),
+                                         (0.017453292519943295), (1.0), (1.0), (1.0), (1.001),
+                                         (1.001), (1.001), (1.001), (1.0) };
+
+static bs_bits in_box(const block *b)
+{
+    bs_bits good = bs_inside(b->carried, carried_low, carried_high, 21);
+    good &= bs_normed(&b->carried[6], (0.998001), (1.0020009999999997), 4);
+    good &= bs_normed(&b->carried[16], (0.998001), (1.0020009999999997), 4);
+    return good;
+}
+
+/* Where the diagonal of a packed matrix stands in column i. */
+static int diagonal(int i)
+{
+    return (i * (i + 3)) / 2;
+}
+
+/* Whether a step has made of x and P what raises no question: finite, no variance negative, none
+ * above its ceiling. */
+static bs_bits judged(const bs_lanes *x, const bs_lanes *P)
+{
+    static const double ceiling[VA_N_STATES] = { (1000000.0), (1000000.0), (1000000.0),
+                                                 (10000000000.0), (10000000000.0), (10000000000.0),
+                                                 (10000.0), (10000.0), (10000.0), (1000000.0),
+                                                 (1000000.0), (1000000.0), (1000000.0), (1000000.0),
+                                                 (1000000.0), (1000000.0) };
+    bs_bits good = bs_finite(P, VA_N_PACKED);
+    for (int i = 0; i < VA_N_STATES; ++i) {
+        const bs_lanes variance = P[diagonal(i)];
+        good &= (variance >= 0.0) & (variance <= ceiling[i]) & ((x[i] * x[i]) <= ceiling[i]);
+    }
+    return good;
+}
+
+static void strapdown_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    bs_bits good = *rare;
+    bs_lanes next[21];
+    bs_lanes in[13];
+    bs_read(&in[0], &given[0], 6, 1, runs->first, runs->n);
+    bs_read(&in[1], &given[1], 0, 3, runs->first, runs->n);
+    bs_read(&in[4], &given[1], 3, 3, runs->first, runs->n);
+    bs_read(&in[7], &given[1], 6, 3, runs->first, runs->n);
+    bs_read(&in[10], &given[1], 9, 3, runs->first, runs->n);
+    static const double low[13] = { (1e-06), (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0),
+                                    (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0) };
+    static const double high[13] = { (10.0), (0.5), (0.5), (0.5), (100.0), (100.0), (100.0), (0.5),
+                                     (0.5), (0.5), (100.0), (100.0), (100.0) };
+    good &= bs_inside(in, low, high, 13);
+    good &= in_box(b);
+    va_strapdown_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[10],
+                        &b->carried[13], &in[0], &in[1], &in[4], &in[7], &in[10], &next[0],
+                        &next[3], &next[6]);
+    good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 10);
+    good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
+    bs_keep(&b->carried[0], &next[0], good, 10);
+    *rare &= ~good;
+}
+
+static void correct_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    bs_bits good = *rare;
+    bs_lanes next[21];
+    bs_lanes in[1];
+    static const double x_low[16] = { (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0),
+                                      (-0.017453292519943295), (-0.017453292519943295),
+                                      (-0.017453292519943295), (-1.0), (-1.0), (-1.0), (-0.5),
+                                      (-0.5), (-0.5), (-1.0) };
+    static const double x_high[16] = { (0.5), (0.5), (0.5), (100.0), (100.0), (100.0),
+                                       (0.017453292519943295), (0.017453292519943295),
+                                       (0.017453292519943295), (1.0), (1.0), (1.0), (0.5), (0.5),
+                                       (0.5), (1.0) };
+    good &= in_box(b);
+    good &= bs_inside(b->x, x_low, x_high, VA_N_STATES);
+    good &= bs_finite(b->x, VA_N_STATES) & bs_finite(b->P, VA_N_PACKED);
+    for (int i = 0; i < VA_N_STATES; ++i) {
+        good &= b->P[diagonal(i)] >= 0.0;
+    }
+    va_feedback_kernel(b->x, &b->carried[3], &b->carried[6], &b->carried[10], &b->carried[13],
+                       &b->carried[16], &b->carried[20], &next[3], &next[6], &next[10], &next[13],
+                       &next[16], &next[20]);
+    good &= bs_inside(&next[3], &carried_low[3], &carried_high[3], 18);
+    good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
+    good &= bs_normed(&next[16], (0.998001), (1.0020009999999997), 4);
+    bs_keep(&b->carried[3], &next[3], good, 18);
+    for (int i = 0; i < VA_N_STATES; ++i) {
+        b->x[i] = bs_choose(good, bs_all_of(0.0), b->x[i]);
+    }
+    *rare &= ~good;
+    (void)in;
+    (void)runs;
+    (void)given;
+}
+
+#if !BORESIGHT_UD
+
+/* out = the sum of coefficients times 8 numbers each. */
+BS_INLINE void wide_sums(const bs_lanes *coefficient,
+                         const unsigned short *at,
+                         int count,
+                         const bs_lanes *x,
+                         bs_lanes *out,
+                         int stride)
+{
+    bs_lanes s0 = bs_all_of(0.0);
+    bs_lanes s1 = bs_all_of(0.0);
+    bs_lanes s2 = bs_all_of(0.0);
+    bs_lanes s3 = bs_all_of(0.0);
+    bs_lanes s4 = bs_all_of(0.0);
+    bs_lanes s5 = bs_all_of(0.0);
+    bs_lanes s6 = bs_all_of(0.0);
+    bs_lanes s7 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes a = coefficient[p];
+        const bs_lanes *const from = &x[at[p]];
+        s0 += a * from[0];
+        s1 += a * from[1];
+        s2 += a * from[2];
+        s3 += a * from[3];
+        s4 += a * from[4];
+        s5 += a * from[5];
+        s6 += a * from[6];
+        s7 += a * from[7];
+    }
+    out[0] = s0;
+    out[1 * stride] = s1;
+    out[2 * stride] = s2;
+    out[3 * stride] = s3;
+    out[4 * stride] = s4;
+    out[5 * stride] = s5;
+    out[6 * stride] = s6;
+    out[7 * stride] = s7;
+}
+
+/* out = the sum of coefficients times 3 numbers each. */
+BS_INLINE void tall_sums(const bs_lanes *coefficient,
+                         const unsigned short *at,
+                         int count,
+                         const bs_lanes *x,
+                         bs_lanes *out,
+                         int stride)
+{
+    bs_lanes s0 = bs_all_of(0.0);
+    bs_lanes s1 = bs_all_of(0.0);
+    bs_lanes s2 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes a = coefficient[p];
+        const bs_lanes *const from = &x[at[p]];
+        s0 += a * from[0];
+        s1 += a * from[1];
+        s2 += a * from[2];
+    }
+    out[0] = s0;
+    out[1 * stride] = s1;
+    out[2 * stride] = s2;
+}
+
+/* Phi and Q of the step, of the non-zeros of F and Qc: va_discretize. */
+static void discretize(scratch *s, const bs_lanes *dt)
+{
+    static const unsigned short start[7] = { 0, 12, 24, 36, 48, 60, 72 };
+    static const unsigned short at[72] = { 0, 6, 12, 18, 24, 30, 36, 42, 48, 54, 60, 66, 0, 6, 12,
+                                           18, 24, 30, 36, 42, 48, 54, 60, 66, 0, 6, 12, 18, 24, 30,
+                                           36, 42, 48, 54, 60, 66, 0, 6, 12, 18, 24, 30, 36, 42, 48,
+                                           54, 60, 66, 0, 6, 12, 18, 24, 30, 36, 42, 48, 54, 60, 66,
+                                           0, 6, 12, 18, 24, 30, 36, 42, 48, 54, 60, 66 };
+    const bs_lanes share = 0.75 * *dt;
+    const bs_lanes quarter = 0.25 * *dt;
+    bs_lanes A[VA_N_F];
+    bs_lanes *const Phi = s->Phi;
+    bs_lanes *const B = s->B;
+    bs_lanes *const Q = s->Q;
+    bs_lanes *const w = s->w;
+    for (int p = 0; p < VA_N_F; ++p) {
+        A[p] = s->F[p] * *dt;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[6]) + (A[1] * A[12]) + (A[2] * A[26]);
+        Phi[0] = (0.0 + (0.5 * twice)) + 1.0;
+        B[0] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[1] * A[13]);
+        Phi[1] = A[0] + (0.5 * twice);
+        B[1] = (0.6666666666666666 * A[0]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[7]) + (A[2] * A[27]);
+        Phi[2] = A[1] + (0.5 * twice);
+        B[2] = (0.6666666666666666 * A[1]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[8]) + (A[2] * A[28]);
+        Phi[3] = 0.0 + (0.5 * twice);
+        B[3] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[1] * A[14]) + (A[2] * A[29]);
+        Phi[4] = A[2] + (0.5 * twice);
+        B[4] = (0.6666666666666666 * A[2]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[30]);
+        Phi[5] = 0.0 + (0.5 * twice);
+        B[5] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[9]) + (A[1] * A[15]);
+        Phi[6] = A[3] + (0.5 * twice);
+        B[6] = (0.6666666666666666 * A[3]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[10]) + (A[1] * A[16]);
+        Phi[7] = A[4] + (0.5 * twice);
+        B[7] = (0.6666666666666666 * A[4]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[11]) + (A[1] * A[17]);
+        Phi[8] = A[5] + (0.5 * twice);
+        B[8] = (0.6666666666666666 * A[5]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[31]);
+        Phi[9] = 0.0 + (0.5 * twice);
+        B[9] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[32]);
+        Phi[10] = 0.0 + (0.5 * twice);
+        B[10] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[33]);
+        Phi[11] = 0.0 + (0.5 * twice);
+        B[11] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[7] * A[12]);
+        Phi[12] = A[6] + (0.5 * twice);
+        B[12] = (0.6666666666666666 * A[6]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[0]) + (A[7] * A[13]) + (A[8] * A[18]);
+        Phi[13] = (0.0 + (0.5 * twice)) + 1.0;
+        B[13] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[1]) + (A[8] * A[19]);
+        Phi[14] = A[7] + (0.5 * twice);
+        B[14] = (0.6666666666666666 * A[7]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[8] * A[20]);
+        Phi[15] = A[8] + (0.5 * twice);
+        B[15] = (0.6666666666666666 * A[8]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[2]) + (A[7] * A[14]) + (A[8] * A[21]);
+        Phi[16] = 0.0 + (0.5 * twice);
+        B[16] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[8] * A[22]);
+        Phi[17] = 0.0 + (0.5 * twice);
+        B[17] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[3]) + (A[7] * A[15]);
+        Phi[18] = A[9] + (0.5 * twice);
+        B[18] = (0.6666666666666666 * A[9]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[4]) + (A[7] * A[16]);
+        Phi[19] = A[10] + (0.5 * twice);
+        B[19] = (0.6666666666666666 * A[10]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[6] * A[5]) + (A[7] * A[17]);
+        Phi[20] = A[11] + (0.5 * twice);
+        B[20] = (0.6666666666666666 * A[11]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[8] * A[23]);
+        Phi[21] = 0.0 + (0.5 * twice);
+        B[21] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[8] * A[24]);
+        Phi[22] = 0.0 + (0.5 * twice);
+        B[22] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[8] * A[25]);
+        Phi[23] = 0.0 + (0.5 * twice);
+        B[23] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[13] * A[6]) + (A[14] * A[26]);
+        Phi[24] = A[12] + (0.5 * twice);
+        B[24] = (0.6666666666666666 * A[12]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[12] * A[0]);
+        Phi[25] = A[13] + (0.5 * twice);
+        B[25] = (0.6666666666666666 * A[13]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[12] * A[1]) + (A[13] * A[7]) + (A[14] * A[27]);
+        Phi[26] = (0.0 + (0.5 * twice)) + 1.0;
+        B[26] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[13] * A[8]) + (A[14] * A[28]);
+        Phi[27] = 0.0 + (0.5 * twice);
+        B[27] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[12] * A[2]) + (A[14] * A[29]);
+        Phi[28] = A[14] + (0.5 * twice);
+        B[28] = (0.6666666666666666 * A[14]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[14] * A[30]);
+        Phi[29] = 0.0 + (0.5 * twice);
+        B[29] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[12] * A[3]) + (A[13] * A[9]);
+        Phi[30] = A[15] + (0.5 * twice);
+        B[30] = (0.6666666666666666 * A[15]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[12] * A[4]) + (A[13] * A[10]);
+        Phi[31] = A[16] + (0.5 * twice);
+        B[31] = (0.6666666666666666 * A[16]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[12] * A[5]) + (A[13] * A[11]);
+        Phi[32] = A[17] + (0.5 * twice);
+        B[32] = (0.6666666666666666 * A[17]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[14] * A[31]);
+        Phi[33] = 0.0 + (0.5 * twice);
+        B[33] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[14] * A[32]);
+        Phi[34] = 0.0 + (0.5 * twice);
+        B[34] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[14] * A[33]);
+        Phi[35] = 0.0 + (0.5 * twice);
+        B[35] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[18] * A[6]) + (A[19] * A[12]) + (A[21] * A[26]) +
+            (A[22] * A[34]);
+        Phi[36] = 0.0 + (0.5 * twice);
+        B[36] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[19] * A[13]) + (A[20] * A[18]) + (A[22] * A[35]);
+        Phi[37] = A[18] + (0.5 * twice);
+        B[37] = (0.6666666666666666 * A[18]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[18] * A[7]) + (A[20] * A[19]) + (A[21] * A[27]);
+        Phi[38] = A[19] + (0.5 * twice);
+        B[38] = (0.6666666666666666 * A[19]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[18] * A[8]) + (A[20] * A[20]) + (A[21] * A[28]) +
+            (A[22] * A[36]);
+        Phi[39] = (A[20] + (0.5 * twice)) + 1.0;
+        B[39] = ((0.6666666666666666 * A[20]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[19] * A[14]) + (A[20] * A[21]) + (A[21] * A[29]) +
+            (A[22] * A[37]);
+        Phi[40] = A[21] + (0.5 * twice);
+        B[40] = (0.6666666666666666 * A[21]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[20] * A[22]) + (A[21] * A[30]);
+        Phi[41] = A[22] + (0.5 * twice);
+        B[41] = (0.6666666666666666 * A[22]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[18] * A[9]) + (A[19] * A[15]);
+        Phi[42] = 0.0 + (0.5 * twice);
+        B[42] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[18] * A[10]) + (A[19] * A[16]);
+        Phi[43] = 0.0 + (0.5 * twice);
+        B[43] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[18] * A[11]) + (A[19] * A[17]);
+        Phi[44] = 0.0 + (0.5 * twice);
+        B[44] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[20] * A[23]) + (A[21] * A[31]) + (A[22] * A[38]);
+        Phi[45] = A[23] + (0.5 * twice);
+        B[45] = (0.6666666666666666 * A[23]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[20] * A[24]) + (A[21] * A[32]) + (A[22] * A[39]);
+        Phi[46] = A[24] + (0.5 * twice);
+        B[46] = (0.6666666666666666 * A[24]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[20] * A[25]) + (A[21] * A[33]) + (A[22] * A[40]);
+        Phi[47] = A[25] + (0.5 * twice);
+        B[47] = (0.6666666666666666 * A[25]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[27] * A[12]) + (A[29] * A[26]) + (A[30] * A[34]);
+        Phi[48] = A[26] + (0.5 * twice);
+        B[48] = (0.6666666666666666 * A[26]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[26] * A[0]) + (A[27] * A[13]) + (A[28] * A[18]) +
+            (A[30] * A[35]);
+        Phi[49] = 0.0 + (0.5 * twice);
+        B[49] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[26] * A[1]) + (A[28] * A[19]) + (A[29] * A[27]);
+        Phi[50] = A[27] + (0.5 * twice);
+        B[50] = (0.6666666666666666 * A[27]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[28] * A[20]) + (A[29] * A[28]) + (A[30] * A[36]);
+        Phi[51] = A[28] + (0.5 * twice);
+        B[51] = (0.6666666666666666 * A[28]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[26] * A[2]) + (A[27] * A[14]) + (A[28] * A[21]) +
+            (A[29] * A[29]) + (A[30] * A[37]);
+        Phi[52] = (A[29] + (0.5 * twice)) + 1.0;
+        B[52] = ((0.6666666666666666 * A[29]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[28] * A[22]) + (A[29] * A[30]);
+        Phi[53] = A[30] + (0.5 * twice);
+        B[53] = (0.6666666666666666 * A[30]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[26] * A[3]) + (A[27] * A[15]);
+        Phi[54] = 0.0 + (0.5 * twice);
+        B[54] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[26] * A[4]) + (A[27] * A[16]);
+        Phi[55] = 0.0 + (0.5 * twice);
+        B[55] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[26] * A[5]) + (A[27] * A[17]);
+        Phi[56] = 0.0 + (0.5 * twice);
+        B[56] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[28] * A[23]) + (A[29] * A[31]) + (A[30] * A[38]);
+        Phi[57] = A[31] + (0.5 * twice);
+        B[57] = (0.6666666666666666 * A[31]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[28] * A[24]) + (A[29] * A[32]) + (A[30] * A[39]);
+        Phi[58] = A[32] + (0.5 * twice);
+        B[58] = (0.6666666666666666 * A[32]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[28] * A[25]) + (A[29] * A[33]) + (A[30] * A[40]);
+        Phi[59] = A[33] + (0.5 * twice);
+        B[59] = (0.6666666666666666 * A[33]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[35] * A[6]) + (A[37] * A[26]);
+        Phi[60] = A[34] + (0.5 * twice);
+        B[60] = (0.6666666666666666 * A[34]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[34] * A[0]) + (A[36] * A[18]);
+        Phi[61] = A[35] + (0.5 * twice);
+        B[61] = (0.6666666666666666 * A[35]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[34] * A[1]) + (A[35] * A[7]) + (A[36] * A[19]) +
+            (A[37] * A[27]);
+        Phi[62] = 0.0 + (0.5 * twice);
+        B[62] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[35] * A[8]) + (A[36] * A[20]) + (A[37] * A[28]);
+        Phi[63] = A[36] + (0.5 * twice);
+        B[63] = (0.6666666666666666 * A[36]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[34] * A[2]) + (A[36] * A[21]) + (A[37] * A[29]);
+        Phi[64] = A[37] + (0.5 * twice);
+        B[64] = (0.6666666666666666 * A[37]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[36] * A[22]) + (A[37] * A[30]);
+        Phi[65] = (0.0 + (0.5 * twice)) + 1.0;
+        B[65] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[34] * A[3]) + (A[35] * A[9]);
+        Phi[66] = 0.0 + (0.5 * twice);
+        B[66] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[34] * A[4]) + (A[35] * A[10]);
+        Phi[67] = 0.0 + (0.5 * twice);
+        B[67] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[34] * A[5]) + (A[35] * A[11]);
+        Phi[68] = 0.0 + (0.5 * twice);
+        B[68] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[36] * A[23]) + (A[37] * A[31]);
+        Phi[69] = A[38] + (0.5 * twice);
+        B[69] = (0.6666666666666666 * A[38]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[36] * A[24]) + (A[37] * A[32]);
+        Phi[70] = A[39] + (0.5 * twice);
+        B[70] = (0.6666666666666666 * A[39]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[36] * A[25]) + (A[37] * A[33]);
+        Phi[71] = A[40] + (0.5 * twice);
+        B[71] = (0.6666666666666666 * A[40]) + (0.2222222222222222 * twice);
+    }
+    Q[0] = s->Qc[0] * share;
+    Q[1] = s->Qc[1] * share;
+    Q[3] = s->Qc[2] * share;
+    Q[2] = s->Qc[4] * share;
+    Q[4] = s->Qc[5] * share;
+    Q[5] = s->Qc[8] * share;
+    Q[9] = s->Qc[9] * share;
+    Q[13] = s->Qc[10] * share;
+    Q[18] = s->Qc[11] * share;
+    Q[14] = s->Qc[13] * share;
+    Q[19] = s->Qc[14] * share;
+    Q[20] = s->Qc[17] * share;
+    Q[27] = s->Qc[18] * share;
+    Q[35] = s->Qc[19] * share;
+    Q[44] = s->Qc[20] * share;
+    Q[54] = s->Qc[21] * share;
+    Q[65] = s->Qc[22] * share;
+    Q[77] = s->Qc[23] * share;
+    Q[90] = s->Qc[24] * share;
+    Q[104] = s->Qc[25] * share;
+    Q[119] = s->Qc[26] * share;
+    Q[135] = s->Qc[27] * share;
+    w[0] = Q[0];
+    w[1] = Q[2];
+    w[2] = Q[5];
+    w[3] = Q[9];
+    w[4] = Q[14];
+    w[5] = Q[20];
+    w[6] = Q[27];
+    w[7] = Q[35];
+    w[8] = Q[44];
+    w[9] = Q[54];
+    w[10] = Q[65];
+    w[11] = Q[77];
+    w[12] = Q[90];
+    w[13] = Q[104];
+    w[14] = Q[119];
+    w[15] = Q[135];
+    /* Noises that have a part in common, factored; rounding counts as none. */
+    {
+        const bs_bits counts = w[5] > ((2.220446049250313e-16 * Q[20]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[5];
+        {
+            const bs_lanes gain = Q[19] * inverse;
+            Q[13] = bs_choose(counts, Q[13] - (Q[18] * gain), Q[13]);
+            w[4] = bs_choose(counts, w[4] - (Q[19] * gain), w[4]);
+            B[5] = bs_choose(counts, B[5] + (B[4] * gain), B[5]);
+            B[17] = bs_choose(counts, B[17] + (B[16] * gain), B[17]);
+            B[29] = bs_choose(counts, B[29] + (B[28] * gain), B[29]);
+            B[41] = bs_choose(counts, B[41] + (B[40] * gain), B[41]);
+            B[53] = bs_choose(counts, B[53] + (B[52] * gain), B[53]);
+            B[65] = bs_choose(counts, B[65] + (B[64] * gain), B[65]);
+        }
+        {
+            const bs_lanes gain = Q[18] * inverse;
+            w[3] = bs_choose(counts, w[3] - (Q[18] * gain), w[3]);
+            B[5] = bs_choose(counts, B[5] + (B[3] * gain), B[5]);
+            B[17] = bs_choose(counts, B[17] + (B[15] * gain), B[17]);
+            B[29] = bs_choose(counts, B[29] + (B[27] * gain), B[29]);
+            B[41] = bs_choose(counts, B[41] + (B[39] * gain), B[41]);
+            B[53] = bs_choose(counts, B[53] + (B[51] * gain), B[53]);
+            B[65] = bs_choose(counts, B[65] + (B[63] * gain), B[65]);
+        }
+        w[5] = bs_choose(counts, w[5], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[4] > ((2.220446049250313e-16 * Q[14]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[4];
+        {
+            const bs_lanes gain = Q[13] * inverse;
+            w[3] = bs_choose(counts, w[3] - (Q[13] * gain), w[3]);
+            B[4] = bs_choose(counts, B[4] + (B[3] * gain), B[4]);
+            B[16] = bs_choose(counts, B[16] + (B[15] * gain), B[16]);
+            B[28] = bs_choose(counts, B[28] + (B[27] * gain), B[28]);
+            B[40] = bs_choose(counts, B[40] + (B[39] * gain), B[40]);
+            B[52] = bs_choose(counts, B[52] + (B[51] * gain), B[52]);
+            B[64] = bs_choose(counts, B[64] + (B[63] * gain), B[64]);
+        }
+        w[4] = bs_choose(counts, w[4], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[3] > ((2.220446049250313e-16 * Q[9]) + 2.2250738585072014e-308);
+        w[3] = bs_choose(counts, w[3], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[2] > ((2.220446049250313e-16 * Q[5]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[2];
+        {
+            const bs_lanes gain = Q[4] * inverse;
+            Q[1] = bs_choose(counts, Q[1] - (Q[3] * gain), Q[1]);
+            w[1] = bs_choose(counts, w[1] - (Q[4] * gain), w[1]);
+            B[2] = bs_choose(counts, B[2] + (B[1] * gain), B[2]);
+            B[14] = bs_choose(counts, B[14] + (B[13] * gain), B[14]);
+            B[26] = bs_choose(counts, B[26] + (B[25] * gain), B[26]);
+            B[38] = bs_choose(counts, B[38] + (B[37] * gain), B[38]);
+            B[50] = bs_choose(counts, B[50] + (B[49] * gain), B[50]);
+            B[62] = bs_choose(counts, B[62] + (B[61] * gain), B[62]);
+        }
+        {
+            const bs_lanes gain = Q[3] * inverse;
+            w[0] = bs_choose(counts, w[0] - (Q[3] * gain), w[0]);
+            B[2] = bs_choose(counts, B[2] + (B[0] * gain), B[2]);
+            B[14] = bs_choose(counts, B[14] + (B[12] * gain), B[14]);
+            B[26] = bs_choose(counts, B[26] + (B[24] * gain), B[26]);
+            B[38] = bs_choose(counts, B[38] + (B[36] * gain), B[38]);
+            B[50] = bs_choose(counts, B[50] + (B[48] * gain), B[50]);
+            B[62] = bs_choose(counts, B[62] + (B[60] * gain), B[62]);
+        }
+        w[2] = bs_choose(counts, w[2], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[1] > ((2.220446049250313e-16 * Q[2]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[1];
+        {
+            const bs_lanes gain = Q[1] * inverse;
+            w[0] = bs_choose(counts, w[0] - (Q[1] * gain), w[0]);
+            B[1] = bs_choose(counts, B[1] + (B[0] * gain), B[1]);
+            B[13] = bs_choose(counts, B[13] + (B[12] * gain), B[13]);
+            B[25] = bs_choose(counts, B[25] + (B[24] * gain), B[25]);
+            B[37] = bs_choose(counts, B[37] + (B[36] * gain), B[37]);
+            B[49] = bs_choose(counts, B[49] + (B[48] * gain), B[49]);
+            B[61] = bs_choose(counts, B[61] + (B[60] * gain), B[61]);
+        }
+        w[1] = bs_choose(counts, w[1], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[0] > ((2.220446049250313e-16 * Q[0]) + 2.2250738585072014e-308);
+        w[0] = bs_choose(counts, w[0], bs_all_of(0.0));
+    }
+    s->T[0] = B[0] * w[0];
+    s->T[6] = B[1] * w[1];
+    s->T[12] = B[2] * w[2];
+    s->T[18] = B[3] * w[3];
+    s->T[24] = B[4] * w[4];
+    s->T[30] = B[5] * w[5];
+    s->T[36] = B[6] * w[6];
+    s->T[42] = B[7] * w[7];
+    s->T[48] = B[8] * w[8];
+    s->T[54] = B[9] * w[9];
+    s->T[60] = B[10] * w[10];
+    s->T[66] = B[11] * w[11];
+    s->T[1] = B[12] * w[0];
+    s->T[7] = B[13] * w[1];
+    s->T[13] = B[14] * w[2];
+    s->T[19] = B[15] * w[3];
+    s->T[25] = B[16] * w[4];
+    s->T[31] = B[17] * w[5];
+    s->T[37] = B[18] * w[6];
+    s->T[43] = B[19] * w[7];
+    s->T[49] = B[20] * w[8];
+    s->T[55] = B[21] * w[9];
+    s->T[61] = B[22] * w[10];
+    s->T[67] = B[23] * w[11];
+    s->T[2] = B[24] * w[0];
+    s->T[8] = B[25] * w[1];
+    s->T[14] = B[26] * w[2];
+    s->T[20] = B[27] * w[3];
+    s->T[26] = B[28] * w[4];
+    s->T[32] = B[29] * w[5];
+    s->T[38] = B[30] * w[6];
+    s->T[44] = B[31] * w[7];
+    s->T[50] = B[32] * w[8];
+    s->T[56] = B[33] * w[9];
+    s->T[62] = B[34] * w[10];
+    s->T[68] = B[35] * w[11];
+    s->T[3] = B[36] * w[0];
+    s->T[9] = B[37] * w[1];
+    s->T[15] = B[38] * w[2];
+    s->T[21] = B[39] * w[3];
+    s->T[27] = B[40] * w[4];
+    s->T[33] = B[41] * w[5];
+    s->T[39] = B[42] * w[6];
+    s->T[45] = B[43] * w[7];
+    s->T[51] = B[44] * w[8];
+    s->T[57] = B[45] * w[9];
+    s->T[63] = B[46] * w[10];
+    s->T[69] = B[47] * w[11];
+    s->T[4] = B[48] * w[0];
+    s->T[10] = B[49] * w[1];
+    s->T[16] = B[50] * w[2];
+    s->T[22] = B[51] * w[3];
+    s->T[28] = B[52] * w[4];
+    s->T[34] = B[53] * w[5];
+    s->T[40] = B[54] * w[6];
+    s->T[46] = B[55] * w[7];
+    s->T[52] = B[56] * w[8];
+    s->T[58] = B[57] * w[9];
+    s->T[64] = B[58] * w[10];
+    s->T[70] = B[59] * w[11];
+    s->T[5] = B[60] * w[0];
+    s->T[11] = B[61] * w[1];
+    s->T[17] = B[62] * w[2];
+    s->T[23] = B[63] * w[3];
+    s->T[29] = B[64] * w[4];
+    s->T[35] = B[65] * w[5];
+    s->T[41] = B[66] * w[6];
+    s->T[47] = B[67] * w[7];
+    s->T[53] = B[68] * w[8];
+    s->T[59] = B[69] * w[9];
+    s->T[65] = B[70] * w[10];
+    s->T[71] = B[71] * w[11];
+    for (int j = 0; j < 6; ++j) {
+        bs_lanes sum[6];
+        for (int i = 0; i <= j; i += 3) {
+            tall_sums(&B[start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j], &s->T[i],
+                      &sum[i], 1);
+        }
+        for (int i = 0; i <= j; ++i) {
+            Q[((j * (j + 1)) / 2) + i] = sum[i];
+        }
+    }
+    Q[21] = s->T[36];
+    Q[28] = s->T[42];
+    Q[36] = s->T[48];
+    Q[45] = s->T[54];
+    Q[55] = s->T[60];
+    Q[66] = s->T[66];
+    Q[22] = s->T[37];
+    Q[29] = s->T[43];
+    Q[37] = s->T[49];
+    Q[46] = s->T[55];
+    Q[56] = s->T[61];
+    Q[67] = s->T[67];
+    Q[23] = s->T[38];
+    Q[30] = s->T[44];
+    Q[38] = s->T[50];
+    Q[47] = s->T[56];
+    Q[57] = s->T[62];
+    Q[68] = s->T[68];
+    Q[24] = s->T[39];
+    Q[31] = s->T[45];
+    Q[39] = s->T[51];
+    Q[48] = s->T[57];
+    Q[58] = s->T[63];
+    Q[69] = s->T[69];
+    Q[25] = s->T[40];
+    Q[32] = s->T[46];
+    Q[40] = s->T[52];
+    Q[49] = s->T[58];
+    Q[59] = s->T[64];
+    Q[70] = s->T[70];
+    Q[26] = s->T[41];
+    Q[33] = s->T[47];
+    Q[41] = s->T[53];
+    Q[50] = s->T[59];
+    Q[60] = s->T[65];
+    Q[71] = s->T[71];
+    Q[0] += quarter * s->Qc[0];
+    Q[1] += quarter * s->Qc[1];
+    Q[3] += quarter * s->Qc[2];
+    Q[2] += quarter * s->Qc[4];
+    Q[4] += quarter * s->Qc[5];
+    Q[5] += quarter * s->Qc[8];
+    Q[9] += quarter * s->Qc[9];
+    Q[13] += quarter * s->Qc[10];
+    Q[18] += quarter * s->Qc[11];
+    Q[14] += quarter * s->Qc[13];
+    Q[19] += quarter * s->Qc[14];
+    Q[20] += quarter * s->Qc[17];
+    Q[27] = *dt * s->Qc[18];
+    Q[35] = *dt * s->Qc[19];
+    Q[44] = *dt * s->Qc[20];
+    Q[54] = *dt * s->Qc[21];
+    Q[65] = *dt * s->Qc[22];
+    Q[77] = *dt * s->Qc[23];
+    Q[90] = *dt * s->Qc[24];
+    Q[104] = *dt * s->Qc[25];
+    Q[119] = *dt * s->Qc[26];
+    Q[135] = *dt * s->Qc[27];
+}
+
+/* P = Phi P Phi' + Q: va_joseph_predict.  P as it was stands in s->X. */
+static void predict(scratch *s, bs_lanes *P)
+{
+    static const unsigned short start[7] = { 0, 12, 24, 36, 48, 60, 72 };
+    static const unsigned short at[72] = { 0, 16, 32, 48, 64, 80, 96, 112, 128, 144, 160, 176, 0,
+                                           16, 32, 48, 64, 80, 96, 112, 128, 144, 160, 176, 0, 16,
+                                           32, 48, 64, 80, 96, 112, 128, 144, 160, 176, 0, 16, 32,
+                                           48, 64, 80, 96, 112, 128, 144, 160, 176, 0, 16, 32, 48,
+                                           64, 80, 96, 112, 128, 144, 160, 176, 0, 16, 32, 48, 64,
+                                           80, 96, 112, 128, 144, 160, 176 };
+    static const unsigned short across[72] = { 0, 6, 12, 18, 24, 30, 36, 42, 48, 54, 60, 66, 0, 6,
+                                               12, 18, 24, 30, 36, 42, 48, 54, 60, 66, 0, 6, 12, 18,
+                                               24, 30, 36, 42, 48, 54, 60, 66, 0, 6, 12, 18, 24, 30,
+                                               36, 42, 48, 54, 60, 66, 0, 6, 12, 18, 24, 30, 36, 42,
+                                               48, 54, 60, 66, 0, 6, 12, 18, 24, 30, 36, 42, 48, 54,
+                                               60, 66 };
+    const bs_lanes *next = P;
+    for (int j = 0; j < VA_N_STATES; ++j) {
+        for (int i = 0; i <= j; ++i, ++next) {
+            s->X[(i * 16) + j] = *next;
+            s->X[(j * 16) + i] = *next;
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 16; j += 8) {
+            wide_sums(&s->Phi[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &s->X[j],
+                      &s->Y[(j * 6) + i], 6);
+        }
+    }
+    for (int j = 0; j < 6; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
+        bs_lanes sum[6];
+        for (int i = 0; i <= j; i += 3) {
+            tall_sums(&s->Phi[start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
+                      &s->Y[i], &sum[i], 1);
+        }
+        for (int i = 0; i <= j; ++i) {
+            to[i] = sum[i] + Q[i];
+        }
+    }
+    for (int j = 6; j < VA_N_STATES; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
+        for (int i = 0; i < 6; ++i) {
+            to[i] = s->Y[(j * 6) + i] + Q[i];
+        }
+        for (int i = 6; i <= j; ++i) {
+            to[i] += Q[i];
+        }
+    }
+}
+
+static void propagate_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    static const unsigned short start[7] = { 0, 12, 24, 36, 48, 60, 72 };
+    static const unsigned short at[72] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5,
+                                           6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
+                                           0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5,
+                                           6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,
+                                           11 };
+    scratch *const s = runs->s;
+    bs_bits good = *rare;
+    bs_lanes x[VA_N_STATES];
+    bs_lanes in[20];
+    bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[0], 6, 1, runs->first, runs->n);
+    bs_read(&in[4], &given[1], 0, 3, runs->first, runs->n);
+    bs_read(&in[7], &given[1], 3, 3, runs->first, runs->n);
+    bs_read(&in[10], &given[1], 6, 3, runs->first, runs->n);
+    bs_read(&in[13], &given[1], 9, 3, runs->first, runs->n);
+    bs_read(&in[16], &given[1], 12, 3, runs->first, runs->n);
+    bs_read(&in[19], &given[1], 15, 1, runs->first, runs->n);
+    static const double low[20] = { (-500.0), (-500.0), (-500.0), (1e-06), (0.0), (0.0), (0.0),
+                                    (0.0), (0.0), (0.0), (0.0), (0.0), (0.0), (0.0), (0.0), (0.0),
+                                    (0.0), (0.0), (0.0), (0.0) };
+    static const double high[20] = { (500.0), (500.0), (500.0), (10.0), (0.1), (0.1), (0.1), (10.0),
+                                     (10.0), (10.0), (0.1), (0.1), (0.1), (10.0), (10.0), (10.0),
+                                     (0.1), (0.1), (0.1), (0.1) };
+    good &= bs_inside(in, low, high, 20);
+    good &= in_box(b);
+    va_F_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], s->F);
+    va_Qc_kernel(&b->carried[6], &in[4], &in[7], &in[10], &in[13], &in[16], &in[19], s->Qc);
+    discretize(s, &in[3]);
+    for (int i = 0; i < VA_N_STATES; ++i) {
+        x[i] = b->x[i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        bs_lanes sum = bs_all_of(0.0);
+        for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
+            sum += s->Phi[p] * b->x[at[p]];
+        }
+        x[i] = sum;
+    }
+    predict(s, b->P);
+    good &= judged(x, b->P);
+    bs_keep(b->x, x, good, VA_N_STATES);
+    if (!bs_everywhere(good)) {
+        bs_lanes *to = b->P;
+        for (int j = 0; j < VA_N_STATES; ++j) {
+            for (int i = 0; i <= j; ++i, ++to) {
+                *to = bs_choose(good, *to, s->X[(i * 16) + j]);
+            }
+        }
+    }
+    *rare &= ~good;
+}
+
+/* One row of a measurement: va_joseph_update.  Returns by `good` where it went its usual way; nis
+ * grows. */
+static void take_row(block *b,
+                     const bs_lanes *h,
+                     const unsigned short *states,
+                     int count,
+                     const bs_lanes *z,
+                     const bs_lanes *R,
+                     double gate,
+                     int asked,
+                     bs_lanes *nu,
+                     bs_lanes *S,
+                     bs_lanes *nis,
+                     bs_bits *good)
+{
+    bs_lanes g[VA_N_STATES];
+    bs_lanes K[VA_N_STATES];
+    bs_lanes own[VA_N_STATES]; /* A h, of the rounded A = P - K g' */
+    bs_lanes *const P = b->P;
+    bs_lanes inverse;
+    *nu = *z;
+    *S = *R;
+    for (int i = 0; i < VA_N_STATES; ++i) {
+        g[i] = bs_all_of(0.0);
+        own[i] = bs_all_of(0.0);
+    }
+    for (int p = 0; p < count; ++p) {
+        const int k = (int)states[p];
+        const bs_lanes *const column = &P[(k * (k + 1)) / 2];
+        *nu -= h[p] * b->x[k];
+        for (int i = 0; i < k; ++i) {
+            g[i] += h[p] * column[i];
+        }
+        for (int i = k; i < VA_N_STATES; ++i) {
+            g[i] += h[p] * P[((i * (i + 1)) / 2) + k];
+        }
+    }
+    for (int p = 0; p < count; ++p) {
+        *S += h[p] * g[states[p]];
+    }
+    *good &= ((*nu - *nu) <= 0.0) & ((*S - *S) <= 0.0) & (*S >= 2.2250738585072014e-308);
+    if (asked == 0) {
+        return;
+    }
+    if (gate > 0.0) {
+        *good &= (*nu * *nu) <= ((gate * gate) * *S);
+    }
+    *nis += (*nu * *nu) / *S;
+    inverse = 1.0 / *S;
+    for (int i = 0; i < VA_N_STATES; ++i) {
+        K[i] = g[i] * inverse;
+        b->x[i] += K[i] * *nu;
+    }
+    for (int p = 0; p < count; ++p) {
+        const int k = (int)states[p];
+        const bs_lanes *const column = &P[(k * (k + 1)) / 2];
+        for (int i = 0; i < k; ++i) {
+            own[i] += h[p] * (column[i] - (K[i] * g[k]));
+        }
+        for (int i = k; i < VA_N_STATES; ++i) {
+            own[i] += h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k]));
+        }
+    }
+    for (int j = 0; j < VA_N_STATES; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes gj = g[j];
+        const bs_lanes Kj = K[j];
+        for (int i = 0; i <= j; ++i) {
+            to[i] = ((to[i] - (K[i] * gj)) - (own[i] * Kj)) + (*R * (K[i] * Kj));
+        }
+    }
+}
+
+/* What all measurements share: H, z and R of m rows are ready, and good says where. */
+static void take_lanes(block *b,
+                       const chosen *runs,
+                       const bs_lanes *H,
+                       const unsigned short *start,
+                       const unsigned short *at,
+                       int m,
+                       const bs_lanes *z,
+                       const bs_lanes *R,
+                       unsigned int angles,
+                       int index,
+                       const bs_taking *taking,
+                       bs_bits *good,
+                       bs_bits *rare)
+{
+    bs_lanes nu[3];
+    bs_lanes S[3];
+    bs_lanes nis = bs_all_of(0.0);
+    bs_lanes x[VA_N_STATES];
+    scratch *const s = runs->s;
+    unsigned int asked = 0U;
+    const unsigned char *rows = &taking->rows[runs->first * taking->stride];
+    for (int k = 0; k < m; ++k) { /* as the first run of the block has them */
+        asked |= (rows[k] != 0U) ? (1U << (unsigned int)k) : 0U;
+    }
+    for (size_t l = 1U; (l < BORESIGHT_LANES) && ((runs->first + l) < runs->n); ++l) {
+        unsigned int own = 0U;
+        for (int k = 0; k < m; ++k) {
+            own |= (rows[(l * taking->stride) + (size_t)k] != 0U) ? (1U << (unsigned int)k) : 0U;
+        }
+        if (own != asked) {
+            (*good)[l] = 0;
+        }
+    }
+    for (int i = 0; i < VA_N_PACKED; ++i) {
+        s->P[i] = b->P[i];
+    }
+    for (int i = 0; i < VA_N_STATES; ++i) {
+        x[i] = b->x[i];
+    }
+    for (int i = 0; i < m; ++i) {
+        if (((angles >> (unsigned int)i) & 1U) != 0U) { /* no whole turn is to be taken */
+            bs_lanes off = z[i];
+            for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
+                off -= H[p] * x[at[p]];
+            }
+            *good &= (off >= -3.141592653589793) & (off < 3.141592653589793);
+        }
+    }
+    for (int i = 0; i < m; ++i) {
+        take_row(b, &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &z[i], &R[i],
+                 taking->gates[0], (int)((asked >> (unsigned int)i) & 1U), &nu[i], &S[i], &nis,
+                 good);
+    }
+    if (taking->gates[1] > 0.0) {
+        *good &= nis <= taking->gates[1];
+    }
+    *good &= judged(b->x, b->P);
+    if (!bs_everywhere(*good)) {
+        for (int i = 0; i < VA_N_PACKED; ++i) {
+            b->P[i] = bs_choose(*good, b->P[i], s->P[i]);
+        }
+        for (int i = 0; i < VA_N_STATES; ++i) {
+            b->x[i] = bs_choose(*good, b->x[i], x[i]);
+        }
+    }
+    if (asked != 0U) {
+        b->rejected[index] = bs_choose(*good, bs_all_of(0.0), b->rejected[index]);
+    }
+    for (int l = 0; l < BORESIGHT_LANES; ++l) {
+        if ((*good)[l] != 0) {
+            const size_t run = runs->first + (size_t)l;
+            taking->nis[run] = nis[l];
+            for (int k = 0; k < m; ++k) {
+                taking->nu[(run * (size_t)m) + (size_t)k] = nu[k][l];
+                taking->S[(run * (size_t)m) + (size_t)k] = S[k][l];
+                taking->used[(run * (size_t)m) +
+                             (size_t)k] = (unsigned char)((asked >> (unsigned int)k) & 1U);
+            }
+        }
+    }
+    *rare &= ~*good;
+}
+
+static void measure_velocity_lanes(block *b,
+                                   const chosen *runs,
+                                   const bs_given *given,
+                                   const bs_taking *taking,
+                                   bs_bits *rare)
+{
+    static const unsigned short start[4] = { 0, 8, 16, 24 };
+    static const unsigned short at[24] = { 0, 1, 2, 3, 6, 7, 8, 15, 0, 1, 2, 4, 6, 7, 8, 15, 0, 1,
+                                           2, 5, 6, 7, 8, 15 };
+    static const double least[1] = { 1e-30 };
+    static const double most[1] = { 1e+30 };
+    bs_bits good = *rare & (b->considering <= 0.0);
+    bs_lanes z[3];
+    bs_lanes R[3];
+    bs_lanes H[24];
+    bs_lanes in[13];
+    bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[1], 0, 3, runs->first, runs->n);
+    bs_read(&in[6], &given[2], 0, 3, runs->first, runs->n);
+    bs_read(&in[9], &given[2], 10, 3, runs->first, runs->n);
+    bs_read(&in[12], &given[2], 13, 1, runs->first, runs->n);
+    static const double low[13] = { (-20.0), (-20.0), (-20.0), (-100.0), (-100.0), (-100.0),
+                                    (-1000.0), (-1000.0), (-1000.0), (-500.0), (-500.0), (-500.0),
+                                    (-1.0) };
+    static const double high[13] = { (20.0), (20.0), (20.0), (100.0), (100.0), (100.0), (1000.0),
+                                     (1000.0), (1000.0), (500.0), (500.0), (500.0), (1.0) };
+    for (int i = 0; i < 2; ++i) {
+        if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
+            return; /* the scalar function says what is wrong */
+        }
+    }
+    if (*taking->iterations < 0) {
+        return;
+    }
+    bs_read(R, &given[3], 0, 3, runs->first, runs->n);
+    for (int i = 0; i < 3; ++i) {
+        good &= bs_inside(&R[i], least, most, 1);
+    }
+    good &= bs_inside(in, low, high, 13);
+    good &= in_box(b);
+    va_velocity_z_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], &in[3], &in[6],
+                         &in[9], &in[12], z);
+    va_velocity_H_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], &in[3], &in[9], H);
+    take_lanes(b, runs, H, start, at, 3, z, R, 0U, VA_MEASUREMENT_VELOCITY, taking, &good, rare);
+}
+
+static void measure_dcm_lanes(block *b,
+                              const chosen *runs,
+                              const bs_given *given,
+                              const bs_taking *taking,
+                              bs_bits *rare)
+{
+    static const unsigned short start[4] = { 0, 5, 10, 15 };
+    static const unsigned short at[15] = { 0, 12, 13, 14, 15, 1, 12, 13, 14, 15, 2, 12, 13, 14,
+                                           15 };
+    static const double least[1] = { 1e-30 };
+    static const double most[1] = { 1e+30 };
+    bs_bits good = *rare & (b->considering <= 0.0);
+    bs_lanes z[3];
+    bs_lanes R[3];
+    bs_lanes H[15];
+    bs_lanes in[8];
+    bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[1], 3, 4, runs->first, runs->n);
+    bs_read(&in[7], &given[1], 13, 1, runs->first, runs->n);
+    static const double low[8] = { (-20.0), (-20.0), (-20.0), (-1.001), (-1.001), (-1.001),
+                                   (-1.001), (-1.0) };
+    static const double high[8] = { (20.0), (20.0), (20.0), (1.001), (1.001), (1.001), (1.001),
+                                    (1.0) };
+    for (int i = 0; i < 2; ++i) {
+        if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
+            return; /* the scalar function says what is wrong */
+        }
+    }
+    if (*taking->iterations < 0) {
+        return;
+    }
+    bs_read(R, &given[2], 0, 3, runs->first, runs->n);
+    for (int i = 0; i < 3; ++i) {
+        good &= bs_inside(&R[i], least, most, 1);
+    }
+    good &= bs_inside(in, low, high, 8);
+    good &= bs_normed(&in[3], (0.998001), (1.0020009999999997), 4);
+    good &= in_box(b);
+    va_dcm_z_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0], &in[3],
+                    &in[7], z);
+    va_dcm_H_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0], H);
+    take_lanes(b, runs, H, start, at, 3, z, R, 0U, VA_MEASUREMENT_DCM, taking, &good, rare);
+}
+
+static void measure_euler_lanes(block *b,
+                                const chosen *runs,
+                                const bs_given *given,
+                                const bs_taking *taking,
+                                bs_bits *rare)
+{
+    static const unsigned short start[4] = { 0, 6, 11, 17 };
+    static const unsigned short at[17] = { 0, 1, 12, 13, 14, 15, 0, 1, 13, 14, 15, 0, 1, 2, 13, 14,
+                                           15 };
+    static const double least[1] = { 1e-30 };
+    static const double most[1] = { 1e+30 };
+    bs_bits good = *rare & (b->considering <= 0.0);
+    bs_lanes z[3];
+    bs_lanes R[3];
+    bs_lanes H[17];
+    bs_lanes in[7];
+    bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[1], 7, 3, runs->first, runs->n);
+    bs_read(&in[6], &given[1], 13, 1, runs->first, runs->n);
+    static const double low[7] = { (-20.0), (-20.0), (-20.0), (-3.141592653589793),
+                                   (-1.3962634015954636), (-3.141592653589793), (-1.0) };
+    static const double high[7] = { (20.0), (20.0), (20.0), (3.141592653589793),
+                                    (1.3962634015954636), (3.141592653589793), (1.0) };
+    for (int i = 0; i < 2; ++i) {
+        if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
+            return; /* the scalar function says what is wrong */
+        }
+    }
+    if (*taking->iterations < 0) {
+        return;
+    }
+    bs_read(R, &given[2], 0, 3, runs->first, runs->n);
+    for (int i = 0; i < 3; ++i) {
+        good &= bs_inside(&R[i], least, most, 1);
+    }
+    good &= bs_inside(in, low, high, 7);
+    good &= in_box(b);
+    va_euler_z_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
+                      &in[3], &in[6], z);
+    va_euler_H_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], &in[3], H);
+    take_lanes(b, runs, H, start, at, 3, z, R, 7U, VA_MEASUREMENT_EULER, taking, &good, rare);
+}
+
+#endif
+
 
 static __attribute__((noinline)) void strapdown_alone(block *b,
                      size_t run,
@@ -121,11 +1400,14 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
 
 static void strapdown_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            strapdown_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    strapdown_lanes(b, runs, given, &rare);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                strapdown_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -148,11 +1430,16 @@ static __attribute__((noinline)) void propagate_alone(block *b,
 
 static void propagate_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            propagate_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    propagate_lanes(b, runs, given, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                propagate_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -175,11 +1462,14 @@ static __attribute__((noinline)) void correct_alone(block *b,
 
 static void correct_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            correct_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    correct_lanes(b, runs, given, &rare);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                correct_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -219,11 +1509,16 @@ static void measure_velocity_block(block *b,
                                    const bs_given *given,
                                    const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_velocity_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    measure_velocity_lanes(b, runs, given, taking, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_velocity_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -263,11 +1558,16 @@ static void measure_dcm_block(block *b,
                               const bs_given *given,
                               const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_dcm_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    measure_dcm_lanes(b, runs, given, taking, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_dcm_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -307,11 +1607,13 @@ static void measure_quaternion_block(block *b,
                                      const bs_given *given,
                                      const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_quaternion_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_quaternion_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -352,11 +1654,16 @@ static void measure_euler_block(block *b,
                                 const bs_given *given,
                                 const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_euler_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    measure_euler_lanes(b, runs, given, taking, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_euler_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -391,7 +1698,8 @@ static void measure_block(block *b,
 size_t va_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t va_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         strapdown_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -401,7 +1709,8 @@ size_t va_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned ch
 size_t va_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t va_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         propagate_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -411,7 +1720,8 @@ size_t va_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned ch
 size_t va_lanes_correct(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t va_lanes_correct(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         correct_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -431,7 +1741,8 @@ size_t va_lanes_measure(size_t n,
                         const bs_taking *taking,
                         unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         measure_block(&b[runs.first / BORESIGHT_LANES], &runs, which, given, taking);
     }
@@ -442,7 +1753,8 @@ size_t va_lanes_measure(size_t n,
 size_t va_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *status);
 size_t va_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (size_t i = 0U; i < n; ++i) {
         status[i] = (unsigned char)BS_OK;
     }

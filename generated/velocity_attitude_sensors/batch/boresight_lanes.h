@@ -200,5 +200,123 @@ BS_INLINE bs_lanes bs_log_lanes(bs_lanes x)
     }
     return log;
 }
+
+BS_INLINE bs_lanes bs_sin_lanes(bs_lanes angle)
+{
+    bs_lanes sine;
+    bs_lanes cosine;
+    bs_sincos_lanes(angle, &sine, &cosine);
+    return sine;
+}
+
+BS_INLINE bs_lanes bs_cos_lanes(bs_lanes angle)
+{
+    bs_lanes sine;
+    bs_lanes cosine;
+    bs_sincos_lanes(angle, &sine, &cosine);
+    return cosine;
+}
+
+#define BS_LANE_BY_LANE(name) \
+    BS_INLINE bs_lanes name##_lanes(bs_lanes x) \
+    { \
+        for (int l = 0; l < BORESIGHT_LANES; ++l) { \
+            x[l] = name(x[l]); \
+        } \
+        return x; \
+    }
+BS_LANE_BY_LANE(bs_asin)
+BS_LANE_BY_LANE(bs_acos)
+BS_LANE_BY_LANE(bs_atan)
+BS_LANE_BY_LANE(bs_exp)
+BS_LANE_BY_LANE(bs_sinh)
+BS_LANE_BY_LANE(bs_cosh)
+BS_LANE_BY_LANE(bs_tanh)
+
+BS_INLINE bs_lanes bs_atan2_lanes(bs_lanes y, bs_lanes x)
+{
+    for (int l = 0; l < BORESIGHT_LANES; ++l) {
+        y[l] = bs_atan2(y[l], x[l]);
+    }
+    return y;
+}
 #endif
+
+/* ---- What a call reads, and how it is judged. */
+
+/* Numbers of a struct of a block's runs, of which the first is `first` and the last of all n - 1:
+ * lanes beyond it are as the last one. */
+BS_INLINE void bs_read(bs_lanes *to,
+                       const bs_given *from,
+                       int offset,
+                       int count,
+                       size_t first,
+                       size_t n)
+{
+    const double *run[BORESIGHT_LANES];
+    if (from->stride == 0U) {
+        for (int i = 0; i < count; ++i) {
+            to[i] = bs_all_of(from->at[offset + i]);
+        }
+    } else {
+        for (size_t l = 0U; l < BORESIGHT_LANES; ++l) {
+            run[l] = &from->at[((first + l) < n ? (first + l) : (n - 1U)) * from->stride];
+        }
+        for (int i = 0; i < count; ++i) {
+#define BS_OF_RUN(l) run[l][offset + i]
+            const bs_lanes value = BS_LANES(BS_OF_RUN);
+            to[i] = value;
+        }
+    }
+}
+
+/* Whether numbers lie in their box, both ends included, as no NaN does. */
+BS_INLINE bs_bits bs_inside(const bs_lanes *value, const double *low, const double *high, int n)
+{
+    bs_bits inside = (value[0] >= low[0]) & (value[0] <= high[0]);
+    for (int i = 1; i < n; ++i) {
+        inside &= (value[i] >= low[i]) & (value[i] <= high[i]);
+    }
+    return inside;
+}
+
+BS_INLINE bs_bits bs_normed(const bs_lanes *value, double low_squared, double high_squared, int n)
+{
+    bs_lanes sum = bs_all_of(0.0);
+    for (int i = 0; i < n; ++i) {
+        sum += value[i] * value[i];
+    }
+    return (sum >= low_squared) & (sum <= high_squared);
+}
+
+/* Whether numbers are finite for sure: their sum is. */
+BS_INLINE bs_bits bs_finite(const bs_lanes *value, int n)
+{
+    bs_lanes sum = value[0];
+    for (int i = 1; i < n; ++i) {
+        sum += value[i];
+    }
+    return (sum - sum) <= 0.0;
+}
+
+/* Which lanes of a block are of runs that still go on. */
+BS_INLINE bs_bits bs_going(const unsigned char *status, size_t first, size_t n)
+{
+    bs_bits going;
+    for (size_t l = 0U; l < BORESIGHT_LANES; ++l) {
+        const int on = ((first + l) < n) &&
+            ((status[first + l] == (unsigned char)BS_OK) ||
+             (status[first + l] == (unsigned char)BS_AT_CEILING));
+        going[l] = (on != 0) ? -1 : 0;
+    }
+    return going;
+}
+
+/* The new numbers in the lanes that are taken, the old ones in the others. */
+BS_INLINE void bs_keep(bs_lanes *value, const bs_lanes *next, bs_bits taken, int n)
+{
+    for (int i = 0; i < n; ++i) {
+        value[i] = bs_choose(taken, next[i], value[i]);
+    }
+}
 #endif

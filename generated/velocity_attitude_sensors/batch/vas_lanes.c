@@ -9,9 +9,48 @@ typedef int vas_no_lanes; /* a translation unit may not be empty */
 #else
 #include "velocity_attitude_sensors_filter.h"
 
+#include "../src/vas_math.h"
 #include "boresight_math.h"
 
 #include "boresight_lanes.h"
+
+/* The kernels of the units, with a block of runs as their number. */
+#undef BS_REAL
+#undef BS_SQRT
+#undef BS_FABS
+#undef BS_TRUTH
+#undef BS_SELECT
+#undef BS_SIGN
+#undef BS_FMIN
+#undef BS_FMAX
+#define bs_real bs_lanes
+#define BS_REAL(x) bs_all_of(x)
+#define BS_SQRT bs_root
+#define BS_FABS bs_magnitude
+#define BS_TRUTH(condition) bs_choose(condition, bs_all_of(1.0), bs_all_of(0.0))
+#define BS_SELECT(condition, value) bs_choose((condition) > 0.0, value, bs_all_of(0.0))
+#define BS_SIGN(a) bs_choose((a) < 0.0, bs_all_of(-1.0), bs_choose((a) > 0.0, bs_all_of(1.0), a))
+#define BS_FMIN(a, b) bs_choose((a) < (b), a, bs_choose((a) >= (b), b, (a) + (b)))
+#define BS_FMAX(a, b) bs_choose((a) > (b), a, bs_choose((a) <= (b), b, (a) + (b)))
+#undef BS_SINCOS
+#define BS_SINCOS bs_sincos_lanes
+#undef BS_ATAN2
+#define BS_ATAN2 bs_atan2_lanes
+#undef BS_COS
+#define BS_COS bs_cos_lanes
+#undef BS_SIN
+#define BS_SIN bs_sin_lanes
+#include "../src/vas_strapdown_kernel.h"
+#include "../src/vas_feedback_kernel.h"
+#include "../src/vas_dcm_z_kernel.h"
+#include "../src/vas_dcm_H_kernel.h"
+#include "../src/vas_euler_z_kernel.h"
+#include "../src/vas_euler_H_kernel.h"
+#include "../src/vas_velocity_z_kernel.h"
+#include "../src/vas_velocity_H_kernel.h"
+#include "../src/vas_F_kernel.h"
+#include "../src/vas_Qc_kernel.h"
+#undef bs_real
 
 /* What the filter carries from call to call, of a block of runs. */
 typedef struct {
@@ -24,11 +63,26 @@ typedef struct {
     bs_lanes considered[VAS_N_STATES];
 } block;
 
-/* What a call reads of a block, and which of it. */
+/* Scratch memory of all blocks; what is zero in it stays so. */
+typedef struct {
+    bs_lanes P[VAS_N_PACKED]; /* as it was */
+    bs_lanes F[VAS_N_F];
+    bs_lanes Qc[VAS_N_QC];
+    bs_lanes Phi[211];
+    bs_lanes B[88];
+    bs_lanes w[VAS_N_STATES];
+    bs_lanes T[VAS_N_STATES * 27]; /* (B times the noise)', rows of 27 */
+    bs_lanes Q[VAS_N_PACKED];
+    bs_lanes X[VAS_N_STATES * 48]; /* P, dense, rows of 48 */
+    bs_lanes Y[48 * 27]; /* (Phi P)', rows of 27 */
+} scratch;
+
+/* Which block of a call it is. */
 typedef struct {
     size_t first; /* run in its first lane */
     size_t n;     /* runs in all */
     unsigned char *status;
+    scratch *s;
 } chosen;
 
 size_t vas_lanes_width(void);
@@ -126,6 +180,1882 @@ static size_t refused(size_t n, const unsigned char *status)
     return count;
 }
 /* ---- one run by the scalar functions */
+/* ---- in lanes: what goes its usual way; rare says which runs there are, and then which of them
+ * are still to go */
+
+static const double carried_low[66] = { (-1.4835298641951802), (-6.283185307179586), (-500.0),
+                                        (-1000.0), (-1000.0), (-1000.0), (-1.001), (-1.001),
+                                        (-1.001), (-1.001), (-0.017453292519943295),
+                                        (-0.017453292519943295), (-0.017453292519943295), (-1.0),
+                                        (-1.0), (-1.0), (-1.001), (-1.001), (-1.001), (-1.001),
+                                        (-1.0), (-100.0), (-100.0), (-100.0), (-0.1), (-0.1),
+                                        (-0.1), (-1.0), (-1.0), (-1.0), (0.01), (0.01), (0.01),
+                                        (0.0), (0.0), (0.0), (0.0), (0.0), (0.0), (-0.1), (-0.1),
+                                        (-0.1), (-0.1), (-0.1), (-0.1), (-0.1), (-0.1), (-0.1),
+                                        (-0.1), (-0.1), (-0.1), (-0.1), (-0.1), (-0.1),
+                                        (-0.017453292519943295), (-0.017453292519943295),
+                                        (-0.017453292519943295), (-1.0), (-1.0), (-1.0), (0.0),
+                                        (0.0), (0.0), (0.0), (0.0), (0.0) };
+static const double carried_high[66] = { (1.4835298641951802), (6.283185307179586), (30000.0),
+                                         (1000.0), (1000.0), (1000.0), (1.001), (1.001), (1.001),
+                                         (1.001), (0.017453292519943295), (0.017453292519943295),
+                                         (0.017453292519943295), (1.0), (1.0), (1.0), (1.001),
+                                         (1.001), (1.001), (1.001), (1.0), (100.0), (100.0),
+                                         (100.0), (0.1), (0.1), (0.1), (1.0), (1.0), (1.0), (100.0),
+                                         (100.0), (100.0), (10.0), (10.0), (10.0), (1000.0),
+                                         (1000.0), (1000.0), (0.1), (0.1), (0.1), (0.1), (0.1),
+                                         (0.1), (0.1), (0.1), (0.1), (0.1), (0.1), (0.1), (0.1),
+                                         (0.1), (0.1), (0.017453292519943295),
+                                         (0.017453292519943295), (0.017453292519943295), (1.0),
+                                         (1.0), (1.0), (10.0), (10.0), (10.0), (10.0), (10.0),
+                                         (10.0) };
+
+static bs_bits in_box(const block *b)
+{
+    bs_bits good = bs_inside(b->carried, carried_low, carried_high, 66);
+    good &= bs_normed(&b->carried[6], (0.998001), (1.0020009999999997), 4);
+    good &= bs_normed(&b->carried[16], (0.998001), (1.0020009999999997), 4);
+    return good;
+}
+
+/* Where the diagonal of a packed matrix stands in column i. */
+static int diagonal(int i)
+{
+    return (i * (i + 3)) / 2;
+}
+
+/* Whether a step has made of x and P what raises no question: finite, no variance negative, none
+ * above its ceiling. */
+static bs_bits judged(const bs_lanes *x, const bs_lanes *P)
+{
+    static const double ceiling[VAS_N_STATES] = { (1000000.0), (1000000.0), (1000000.0),
+                                                  (10000000000.0), (10000000000.0), (10000000000.0),
+                                                  (10000.0), (10000.0), (10000.0), (1000000.0),
+                                                  (1000000.0), (1000000.0), (1000000.0),
+                                                  (1000000.0), (1000000.0), (1000000.0),
+                                                  (10000000000.0), (10000000000.0), (10000000000.0),
+                                                  (10000.0), (10000.0), (10000.0), (1000000.0),
+                                                  (1000000.0), (1000000.0), (10000.0), (10000.0),
+                                                  (10000.0), (10000.0), (10000.0), (10000.0),
+                                                  (10000.0), (10000.0), (10000.0), (10000.0),
+                                                  (10000.0), (10000.0), (10000.0), (10000.0),
+                                                  (10000.0), (10000.0), (10000.0), (10000.0),
+                                                  (1000000.0), (1000000.0), (1000000.0) };
+    bs_bits good = bs_finite(P, VAS_N_PACKED);
+    for (int i = 0; i < VAS_N_STATES; ++i) {
+        const bs_lanes variance = P[diagonal(i)];
+        good &= (variance >= 0.0) & (variance <= ceiling[i]) & ((x[i] * x[i]) <= ceiling[i]);
+    }
+    return good;
+}
+
+static void strapdown_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    bs_bits good = *rare;
+    bs_lanes next[66];
+    bs_lanes in[13];
+    bs_read(&in[0], &given[0], 6, 1, runs->first, runs->n);
+    bs_read(&in[1], &given[1], 0, 3, runs->first, runs->n);
+    bs_read(&in[4], &given[1], 3, 3, runs->first, runs->n);
+    bs_read(&in[7], &given[1], 6, 3, runs->first, runs->n);
+    bs_read(&in[10], &given[1], 9, 3, runs->first, runs->n);
+    static const double low[13] = { (1e-06), (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0),
+                                    (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0) };
+    static const double high[13] = { (10.0), (0.5), (0.5), (0.5), (100.0), (100.0), (100.0), (0.5),
+                                     (0.5), (0.5), (100.0), (100.0), (100.0) };
+    good &= bs_inside(in, low, high, 13);
+    good &= in_box(b);
+    vas_strapdown_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[10],
+                         &b->carried[13], &in[0], &in[1], &in[4], &in[7], &in[10], &b->carried[24],
+                         &b->carried[27], &b->carried[30], &b->carried[33], &b->carried[39],
+                         &b->carried[42], &b->carried[45], &b->carried[51], &b->carried[54],
+                         &b->carried[57], &b->carried[60], &b->carried[63], &next[0], &next[3],
+                         &next[6], &next[24], &next[27], &next[10], &next[13]);
+    good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 16);
+    good &= bs_inside(&next[24], &carried_low[24], &carried_high[24], 6);
+    good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
+    bs_keep(&b->carried[0], &next[0], good, 16);
+    bs_keep(&b->carried[24], &next[24], good, 6);
+    *rare &= ~good;
+}
+
+static void correct_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    bs_bits good = *rare;
+    bs_lanes next[66];
+    bs_lanes in[1];
+    static const double x_low[46] = { (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0),
+                                      (-0.017453292519943295), (-0.017453292519943295),
+                                      (-0.017453292519943295), (-1.0), (-1.0), (-1.0), (-0.5),
+                                      (-0.5), (-0.5), (-1.0), (-100.0), (-100.0), (-100.0), (-0.1),
+                                      (-0.1), (-0.1), (-1.0), (-1.0), (-1.0), (-0.1), (-0.1),
+                                      (-0.1), (-0.1), (-0.1), (-0.1), (-0.1), (-0.1), (-0.1),
+                                      (-0.1), (-0.1), (-0.1), (-0.1), (-0.1), (-0.1),
+                                      (-0.017453292519943295), (-0.017453292519943295),
+                                      (-0.017453292519943295), (-1.0), (-1.0), (-1.0) };
+    static const double x_high[46] = { (0.5), (0.5), (0.5), (100.0), (100.0), (100.0),
+                                       (0.017453292519943295), (0.017453292519943295),
+                                       (0.017453292519943295), (1.0), (1.0), (1.0), (0.5), (0.5),
+                                       (0.5), (1.0), (100.0), (100.0), (100.0), (0.1), (0.1), (0.1),
+                                       (1.0), (1.0), (1.0), (0.1), (0.1), (0.1), (0.1), (0.1),
+                                       (0.1), (0.1), (0.1), (0.1), (0.1), (0.1), (0.1), (0.1),
+                                       (0.1), (0.1), (0.017453292519943295), (0.017453292519943295),
+                                       (0.017453292519943295), (1.0), (1.0), (1.0) };
+    good &= in_box(b);
+    good &= bs_inside(b->x, x_low, x_high, VAS_N_STATES);
+    good &= bs_finite(b->x, VAS_N_STATES) & bs_finite(b->P, VAS_N_PACKED);
+    for (int i = 0; i < VAS_N_STATES; ++i) {
+        good &= b->P[diagonal(i)] >= 0.0;
+    }
+    vas_feedback_kernel(b->x, &b->carried[3], &b->carried[6], &b->carried[10], &b->carried[13],
+                        &b->carried[16], &b->carried[20], &b->carried[21], &b->carried[24],
+                        &b->carried[27], &b->carried[39], &b->carried[42], &b->carried[45],
+                        &b->carried[51], &b->carried[54], &b->carried[57], &next[3], &next[6],
+                        &next[10], &next[13], &next[16], &next[20], &next[21], &next[24], &next[27],
+                        &next[39], &next[42], &next[45], &next[51], &next[54], &next[57]);
+    good &= bs_inside(&next[3], &carried_low[3], &carried_high[3], 27);
+    good &= bs_inside(&next[39], &carried_low[39], &carried_high[39], 21);
+    good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
+    good &= bs_normed(&next[16], (0.998001), (1.0020009999999997), 4);
+    bs_keep(&b->carried[3], &next[3], good, 27);
+    bs_keep(&b->carried[39], &next[39], good, 21);
+    for (int i = 0; i < VAS_N_STATES; ++i) {
+        b->x[i] = bs_choose(good, bs_all_of(0.0), b->x[i]);
+    }
+    *rare &= ~good;
+    (void)in;
+    (void)runs;
+    (void)given;
+}
+
+#if !BORESIGHT_UD
+
+/* out = the sum of coefficients times 8 numbers each. */
+BS_INLINE void wide_sums(const bs_lanes *coefficient,
+                         const unsigned short *at,
+                         int count,
+                         const bs_lanes *x,
+                         bs_lanes *out,
+                         int stride)
+{
+    bs_lanes s0 = bs_all_of(0.0);
+    bs_lanes s1 = bs_all_of(0.0);
+    bs_lanes s2 = bs_all_of(0.0);
+    bs_lanes s3 = bs_all_of(0.0);
+    bs_lanes s4 = bs_all_of(0.0);
+    bs_lanes s5 = bs_all_of(0.0);
+    bs_lanes s6 = bs_all_of(0.0);
+    bs_lanes s7 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes a = coefficient[p];
+        const bs_lanes *const from = &x[at[p]];
+        s0 += a * from[0];
+        s1 += a * from[1];
+        s2 += a * from[2];
+        s3 += a * from[3];
+        s4 += a * from[4];
+        s5 += a * from[5];
+        s6 += a * from[6];
+        s7 += a * from[7];
+    }
+    out[0] = s0;
+    out[1 * stride] = s1;
+    out[2 * stride] = s2;
+    out[3 * stride] = s3;
+    out[4 * stride] = s4;
+    out[5 * stride] = s5;
+    out[6 * stride] = s6;
+    out[7 * stride] = s7;
+}
+
+/* out = the sum of coefficients times 3 numbers each. */
+BS_INLINE void tall_sums(const bs_lanes *coefficient,
+                         const unsigned short *at,
+                         int count,
+                         const bs_lanes *x,
+                         bs_lanes *out,
+                         int stride)
+{
+    bs_lanes s0 = bs_all_of(0.0);
+    bs_lanes s1 = bs_all_of(0.0);
+    bs_lanes s2 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes a = coefficient[p];
+        const bs_lanes *const from = &x[at[p]];
+        s0 += a * from[0];
+        s1 += a * from[1];
+        s2 += a * from[2];
+    }
+    out[0] = s0;
+    out[1 * stride] = s1;
+    out[2 * stride] = s2;
+}
+
+/* Phi and Q of the step, of the non-zeros of F and Qc: vas_discretize. */
+static void discretize(scratch *s, const bs_lanes *dt)
+{
+    static const unsigned short start[26] = { 0, 12, 24, 36, 48, 60, 72, 73, 74, 75, 76, 77, 78, 79,
+                                              80, 81, 82, 82, 82, 82, 83, 84, 85, 86, 87, 88 };
+    static const unsigned short at[88] = { 0, 27, 54, 81, 108, 135, 162, 189, 216, 243, 270, 297, 0,
+                                           27, 54, 81, 108, 135, 162, 189, 216, 243, 270, 297, 0,
+                                           27, 54, 81, 108, 135, 162, 189, 216, 243, 270, 297, 0,
+                                           27, 54, 81, 108, 135, 162, 189, 216, 243, 270, 297, 0,
+                                           27, 54, 81, 108, 135, 162, 189, 216, 243, 270, 297, 0,
+                                           27, 54, 81, 108, 135, 162, 189, 216, 243, 270, 297, 162,
+                                           189, 216, 243, 270, 297, 324, 351, 378, 405, 594, 621,
+                                           648, 594, 621, 648 };
+    const bs_lanes share = 0.75 * *dt;
+    const bs_lanes quarter = 0.25 * *dt;
+    bs_lanes A[VAS_N_F];
+    bs_lanes *const Phi = s->Phi;
+    bs_lanes *const B = s->B;
+    bs_lanes *const Q = s->Q;
+    bs_lanes *const w = s->w;
+    for (int p = 0; p < VAS_N_F; ++p) {
+        A[p] = s->F[p] * *dt;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[15]) + (A[1] * A[30]) + (A[2] * A[59]);
+        Phi[0] = (0.0 + (0.5 * twice)) + 1.0;
+        B[0] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[1] * A[31]);
+        Phi[1] = A[0] + (0.5 * twice);
+        B[1] = (0.6666666666666666 * A[0]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[16]) + (A[2] * A[60]);
+        Phi[2] = A[1] + (0.5 * twice);
+        B[2] = (0.6666666666666666 * A[1]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[17]) + (A[2] * A[61]);
+        Phi[3] = 0.0 + (0.5 * twice);
+        B[3] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[1] * A[32]) + (A[2] * A[62]);
+        Phi[4] = A[2] + (0.5 * twice);
+        B[4] = (0.6666666666666666 * A[2]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[63]);
+        Phi[5] = 0.0 + (0.5 * twice);
+        B[5] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[18]) + (A[1] * A[33]) + (A[3] * A[86]);
+        Phi[6] = A[3] + (0.5 * twice);
+        B[6] = (0.6666666666666666 * A[3]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[19]) + (A[1] * A[34]) + (A[4] * A[88]);
+        Phi[7] = A[4] + (0.5 * twice);
+        B[7] = (0.6666666666666666 * A[4]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[20]) + (A[1] * A[35]) + (A[5] * A[90]);
+        Phi[8] = A[5] + (0.5 * twice);
+        B[8] = (0.6666666666666666 * A[5]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[64]);
+        Phi[9] = 0.0 + (0.5 * twice);
+        B[9] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[65]);
+        Phi[10] = 0.0 + (0.5 * twice);
+        B[10] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[66]);
+        Phi[11] = 0.0 + (0.5 * twice);
+        B[11] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[21]) + (A[1] * A[36]);
+        Phi[12] = A[6] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[22]) + (A[1] * A[37]);
+        Phi[13] = A[7] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[23]) + (A[1] * A[38]);
+        Phi[14] = A[8] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[67]);
+        Phi[15] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[68]);
+        Phi[16] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[69]);
+        Phi[17] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[24]) + (A[1] * A[39]);
+        Phi[18] = A[9] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[25]) + (A[1] * A[40]);
+        Phi[19] = A[10] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[26]) + (A[1] * A[41]);
+        Phi[20] = A[11] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[27]) + (A[1] * A[42]);
+        Phi[21] = A[12] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[28]) + (A[1] * A[43]);
+        Phi[22] = A[13] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[29]) + (A[1] * A[44]);
+        Phi[23] = A[14] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[70]);
+        Phi[24] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[71]);
+        Phi[25] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[2] * A[72]);
+        Phi[26] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[3] * A[87]);
+        Phi[27] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[4] * A[89]);
+        Phi[28] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[5] * A[91]);
+        Phi[29] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[16] * A[30]);
+        Phi[30] = A[15] + (0.5 * twice);
+        B[12] = (0.6666666666666666 * A[15]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[0]) + (A[16] * A[31]) + (A[17] * A[45]);
+        Phi[31] = (0.0 + (0.5 * twice)) + 1.0;
+        B[13] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[1]) + (A[17] * A[46]);
+        Phi[32] = A[16] + (0.5 * twice);
+        B[14] = (0.6666666666666666 * A[16]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[47]);
+        Phi[33] = A[17] + (0.5 * twice);
+        B[15] = (0.6666666666666666 * A[17]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[2]) + (A[16] * A[32]) + (A[17] * A[48]);
+        Phi[34] = 0.0 + (0.5 * twice);
+        B[16] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[49]);
+        Phi[35] = 0.0 + (0.5 * twice);
+        B[17] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[3]) + (A[16] * A[33]) + (A[18] * A[86]);
+        Phi[36] = A[18] + (0.5 * twice);
+        B[18] = (0.6666666666666666 * A[18]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[4]) + (A[16] * A[34]) + (A[19] * A[88]);
+        Phi[37] = A[19] + (0.5 * twice);
+        B[19] = (0.6666666666666666 * A[19]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[5]) + (A[16] * A[35]) + (A[20] * A[90]);
+        Phi[38] = A[20] + (0.5 * twice);
+        B[20] = (0.6666666666666666 * A[20]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[50]);
+        Phi[39] = 0.0 + (0.5 * twice);
+        B[21] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[51]);
+        Phi[40] = 0.0 + (0.5 * twice);
+        B[22] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[52]);
+        Phi[41] = 0.0 + (0.5 * twice);
+        B[23] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[6]) + (A[16] * A[36]);
+        Phi[42] = A[21] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[7]) + (A[16] * A[37]);
+        Phi[43] = A[22] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[8]) + (A[16] * A[38]);
+        Phi[44] = A[23] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[53]);
+        Phi[45] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[54]);
+        Phi[46] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[55]);
+        Phi[47] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[9]) + (A[16] * A[39]);
+        Phi[48] = A[24] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[10]) + (A[16] * A[40]);
+        Phi[49] = A[25] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[11]) + (A[16] * A[41]);
+        Phi[50] = A[26] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[12]) + (A[16] * A[42]);
+        Phi[51] = A[27] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[13]) + (A[16] * A[43]);
+        Phi[52] = A[28] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[14]) + (A[16] * A[44]);
+        Phi[53] = A[29] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[56]);
+        Phi[54] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[57]);
+        Phi[55] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[58]);
+        Phi[56] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[18] * A[87]);
+        Phi[57] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[19] * A[89]);
+        Phi[58] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[20] * A[91]);
+        Phi[59] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[31] * A[15]) + (A[32] * A[59]);
+        Phi[60] = A[30] + (0.5 * twice);
+        B[24] = (0.6666666666666666 * A[30]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[0]);
+        Phi[61] = A[31] + (0.5 * twice);
+        B[25] = (0.6666666666666666 * A[31]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[1]) + (A[31] * A[16]) + (A[32] * A[60]);
+        Phi[62] = (0.0 + (0.5 * twice)) + 1.0;
+        B[26] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[31] * A[17]) + (A[32] * A[61]);
+        Phi[63] = 0.0 + (0.5 * twice);
+        B[27] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[2]) + (A[32] * A[62]);
+        Phi[64] = A[32] + (0.5 * twice);
+        B[28] = (0.6666666666666666 * A[32]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[32] * A[63]);
+        Phi[65] = 0.0 + (0.5 * twice);
+        B[29] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[3]) + (A[31] * A[18]) + (A[33] * A[86]);
+        Phi[66] = A[33] + (0.5 * twice);
+        B[30] = (0.6666666666666666 * A[33]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[4]) + (A[31] * A[19]) + (A[34] * A[88]);
+        Phi[67] = A[34] + (0.5 * twice);
+        B[31] = (0.6666666666666666 * A[34]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[5]) + (A[31] * A[20]) + (A[35] * A[90]);
+        Phi[68] = A[35] + (0.5 * twice);
+        B[32] = (0.6666666666666666 * A[35]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[32] * A[64]);
+        Phi[69] = 0.0 + (0.5 * twice);
+        B[33] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[32] * A[65]);
+        Phi[70] = 0.0 + (0.5 * twice);
+        B[34] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[32] * A[66]);
+        Phi[71] = 0.0 + (0.5 * twice);
+        B[35] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[6]) + (A[31] * A[21]);
+        Phi[72] = A[36] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[7]) + (A[31] * A[22]);
+        Phi[73] = A[37] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[8]) + (A[31] * A[23]);
+        Phi[74] = A[38] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[32] * A[67]);
+        Phi[75] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[32] * A[68]);
+        Phi[76] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[32] * A[69]);
+        Phi[77] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[9]) + (A[31] * A[24]);
+        Phi[78] = A[39] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[10]) + (A[31] * A[25]);
+        Phi[79] = A[40] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[11]) + (A[31] * A[26]);
+        Phi[80] = A[41] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[12]) + (A[31] * A[27]);
+        Phi[81] = A[42] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[13]) + (A[31] * A[28]);
+        Phi[82] = A[43] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[30] * A[14]) + (A[31] * A[29]);
+        Phi[83] = A[44] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[32] * A[70]);
+        Phi[84] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[32] * A[71]);
+        Phi[85] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[32] * A[72]);
+        Phi[86] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[33] * A[87]);
+        Phi[87] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[34] * A[89]);
+        Phi[88] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[35] * A[91]);
+        Phi[89] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[15]) + (A[46] * A[30]) + (A[48] * A[59]) +
+            (A[49] * A[73]);
+        Phi[90] = 0.0 + (0.5 * twice);
+        B[36] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[46] * A[31]) + (A[47] * A[45]) + (A[49] * A[74]);
+        Phi[91] = A[45] + (0.5 * twice);
+        B[37] = (0.6666666666666666 * A[45]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[16]) + (A[47] * A[46]) + (A[48] * A[60]);
+        Phi[92] = A[46] + (0.5 * twice);
+        B[38] = (0.6666666666666666 * A[46]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[17]) + (A[47] * A[47]) + (A[48] * A[61]) +
+            (A[49] * A[75]);
+        Phi[93] = (A[47] + (0.5 * twice)) + 1.0;
+        B[39] = ((0.6666666666666666 * A[47]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[46] * A[32]) + (A[47] * A[48]) + (A[48] * A[62]) +
+            (A[49] * A[76]);
+        Phi[94] = A[48] + (0.5 * twice);
+        B[40] = (0.6666666666666666 * A[48]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[49]) + (A[48] * A[63]);
+        Phi[95] = A[49] + (0.5 * twice);
+        B[41] = (0.6666666666666666 * A[49]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[18]) + (A[46] * A[33]);
+        Phi[96] = 0.0 + (0.5 * twice);
+        B[42] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[19]) + (A[46] * A[34]);
+        Phi[97] = 0.0 + (0.5 * twice);
+        B[43] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[20]) + (A[46] * A[35]);
+        Phi[98] = 0.0 + (0.5 * twice);
+        B[44] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[50]) + (A[48] * A[64]) + (A[49] * A[77]) +
+            (A[50] * A[92]);
+        Phi[99] = A[50] + (0.5 * twice);
+        B[45] = (0.6666666666666666 * A[50]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[51]) + (A[48] * A[65]) + (A[49] * A[78]) +
+            (A[51] * A[94]);
+        Phi[100] = A[51] + (0.5 * twice);
+        B[46] = (0.6666666666666666 * A[51]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[52]) + (A[48] * A[66]) + (A[49] * A[79]) +
+            (A[52] * A[96]);
+        Phi[101] = A[52] + (0.5 * twice);
+        B[47] = (0.6666666666666666 * A[52]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[21]) + (A[46] * A[36]);
+        Phi[102] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[22]) + (A[46] * A[37]);
+        Phi[103] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[23]) + (A[46] * A[38]);
+        Phi[104] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[53]) + (A[48] * A[67]) + (A[49] * A[80]);
+        Phi[105] = A[53] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[54]) + (A[48] * A[68]) + (A[49] * A[81]);
+        Phi[106] = A[54] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[55]) + (A[48] * A[69]) + (A[49] * A[82]);
+        Phi[107] = A[55] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[24]) + (A[46] * A[39]);
+        Phi[108] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[25]) + (A[46] * A[40]);
+        Phi[109] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[26]) + (A[46] * A[41]);
+        Phi[110] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[27]) + (A[46] * A[42]);
+        Phi[111] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[28]) + (A[46] * A[43]);
+        Phi[112] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[45] * A[29]) + (A[46] * A[44]);
+        Phi[113] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[56]) + (A[48] * A[70]) + (A[49] * A[83]);
+        Phi[114] = A[56] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[57]) + (A[48] * A[71]) + (A[49] * A[84]);
+        Phi[115] = A[57] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[47] * A[58]) + (A[48] * A[72]) + (A[49] * A[85]);
+        Phi[116] = A[58] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[50] * A[93]);
+        Phi[117] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[51] * A[95]);
+        Phi[118] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[52] * A[97]);
+        Phi[119] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[60] * A[30]) + (A[62] * A[59]) + (A[63] * A[73]);
+        Phi[120] = A[59] + (0.5 * twice);
+        B[48] = (0.6666666666666666 * A[59]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[0]) + (A[60] * A[31]) + (A[61] * A[45]) +
+            (A[63] * A[74]);
+        Phi[121] = 0.0 + (0.5 * twice);
+        B[49] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[1]) + (A[61] * A[46]) + (A[62] * A[60]);
+        Phi[122] = A[60] + (0.5 * twice);
+        B[50] = (0.6666666666666666 * A[60]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[61] * A[47]) + (A[62] * A[61]) + (A[63] * A[75]);
+        Phi[123] = A[61] + (0.5 * twice);
+        B[51] = (0.6666666666666666 * A[61]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[2]) + (A[60] * A[32]) + (A[61] * A[48]) +
+            (A[62] * A[62]) + (A[63] * A[76]);
+        Phi[124] = (A[62] + (0.5 * twice)) + 1.0;
+        B[52] = ((0.6666666666666666 * A[62]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[61] * A[49]) + (A[62] * A[63]);
+        Phi[125] = A[63] + (0.5 * twice);
+        B[53] = (0.6666666666666666 * A[63]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[3]) + (A[60] * A[33]);
+        Phi[126] = 0.0 + (0.5 * twice);
+        B[54] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[4]) + (A[60] * A[34]);
+        Phi[127] = 0.0 + (0.5 * twice);
+        B[55] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[5]) + (A[60] * A[35]);
+        Phi[128] = 0.0 + (0.5 * twice);
+        B[56] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[61] * A[50]) + (A[62] * A[64]) + (A[63] * A[77]) +
+            (A[64] * A[92]);
+        Phi[129] = A[64] + (0.5 * twice);
+        B[57] = (0.6666666666666666 * A[64]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[61] * A[51]) + (A[62] * A[65]) + (A[63] * A[78]) +
+            (A[65] * A[94]);
+        Phi[130] = A[65] + (0.5 * twice);
+        B[58] = (0.6666666666666666 * A[65]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[61] * A[52]) + (A[62] * A[66]) + (A[63] * A[79]) +
+            (A[66] * A[96]);
+        Phi[131] = A[66] + (0.5 * twice);
+        B[59] = (0.6666666666666666 * A[66]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[6]) + (A[60] * A[36]);
+        Phi[132] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[7]) + (A[60] * A[37]);
+        Phi[133] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[8]) + (A[60] * A[38]);
+        Phi[134] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[61] * A[53]) + (A[62] * A[67]) + (A[63] * A[80]);
+        Phi[135] = A[67] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[61] * A[54]) + (A[62] * A[68]) + (A[63] * A[81]);
+        Phi[136] = A[68] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[61] * A[55]) + (A[62] * A[69]) + (A[63] * A[82]);
+        Phi[137] = A[69] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[9]) + (A[60] * A[39]);
+        Phi[138] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[10]) + (A[60] * A[40]);
+        Phi[139] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[11]) + (A[60] * A[41]);
+        Phi[140] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[12]) + (A[60] * A[42]);
+        Phi[141] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[13]) + (A[60] * A[43]);
+        Phi[142] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[59] * A[14]) + (A[60] * A[44]);
+        Phi[143] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[61] * A[56]) + (A[62] * A[70]) + (A[63] * A[83]);
+        Phi[144] = A[70] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[61] * A[57]) + (A[62] * A[71]) + (A[63] * A[84]);
+        Phi[145] = A[71] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[61] * A[58]) + (A[62] * A[72]) + (A[63] * A[85]);
+        Phi[146] = A[72] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[64] * A[93]);
+        Phi[147] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[65] * A[95]);
+        Phi[148] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[66] * A[97]);
+        Phi[149] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[74] * A[15]) + (A[76] * A[59]);
+        Phi[150] = A[73] + (0.5 * twice);
+        B[60] = (0.6666666666666666 * A[73]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[0]) + (A[75] * A[45]);
+        Phi[151] = A[74] + (0.5 * twice);
+        B[61] = (0.6666666666666666 * A[74]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[1]) + (A[74] * A[16]) + (A[75] * A[46]) +
+            (A[76] * A[60]);
+        Phi[152] = 0.0 + (0.5 * twice);
+        B[62] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[74] * A[17]) + (A[75] * A[47]) + (A[76] * A[61]);
+        Phi[153] = A[75] + (0.5 * twice);
+        B[63] = (0.6666666666666666 * A[75]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[2]) + (A[75] * A[48]) + (A[76] * A[62]);
+        Phi[154] = A[76] + (0.5 * twice);
+        B[64] = (0.6666666666666666 * A[76]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[75] * A[49]) + (A[76] * A[63]);
+        Phi[155] = (0.0 + (0.5 * twice)) + 1.0;
+        B[65] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[3]) + (A[74] * A[18]);
+        Phi[156] = 0.0 + (0.5 * twice);
+        B[66] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[4]) + (A[74] * A[19]);
+        Phi[157] = 0.0 + (0.5 * twice);
+        B[67] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[5]) + (A[74] * A[20]);
+        Phi[158] = 0.0 + (0.5 * twice);
+        B[68] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[75] * A[50]) + (A[76] * A[64]) + (A[77] * A[92]);
+        Phi[159] = A[77] + (0.5 * twice);
+        B[69] = (0.6666666666666666 * A[77]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[75] * A[51]) + (A[76] * A[65]) + (A[78] * A[94]);
+        Phi[160] = A[78] + (0.5 * twice);
+        B[70] = (0.6666666666666666 * A[78]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[75] * A[52]) + (A[76] * A[66]) + (A[79] * A[96]);
+        Phi[161] = A[79] + (0.5 * twice);
+        B[71] = (0.6666666666666666 * A[79]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[6]) + (A[74] * A[21]);
+        Phi[162] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[7]) + (A[74] * A[22]);
+        Phi[163] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[8]) + (A[74] * A[23]);
+        Phi[164] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[75] * A[53]) + (A[76] * A[67]);
+        Phi[165] = A[80] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[75] * A[54]) + (A[76] * A[68]);
+        Phi[166] = A[81] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[75] * A[55]) + (A[76] * A[69]);
+        Phi[167] = A[82] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[9]) + (A[74] * A[24]);
+        Phi[168] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[10]) + (A[74] * A[25]);
+        Phi[169] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[11]) + (A[74] * A[26]);
+        Phi[170] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[12]) + (A[74] * A[27]);
+        Phi[171] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[13]) + (A[74] * A[28]);
+        Phi[172] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[73] * A[14]) + (A[74] * A[29]);
+        Phi[173] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[75] * A[56]) + (A[76] * A[70]);
+        Phi[174] = A[83] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[75] * A[57]) + (A[76] * A[71]);
+        Phi[175] = A[84] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[75] * A[58]) + (A[76] * A[72]);
+        Phi[176] = A[85] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[77] * A[93]);
+        Phi[177] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[78] * A[95]);
+        Phi[178] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[79] * A[97]);
+        Phi[179] = 0.0 + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[86] * A[86]);
+        Phi[180] = (A[86] + (0.5 * twice)) + 1.0;
+        B[72] = ((0.6666666666666666 * A[86]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[86] * A[87]);
+        Phi[181] = A[87] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[88] * A[88]);
+        Phi[182] = (A[88] + (0.5 * twice)) + 1.0;
+        B[73] = ((0.6666666666666666 * A[88]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[88] * A[89]);
+        Phi[183] = A[89] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[90] * A[90]);
+        Phi[184] = (A[90] + (0.5 * twice)) + 1.0;
+        B[74] = ((0.6666666666666666 * A[90]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[90] * A[91]);
+        Phi[185] = A[91] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[92] * A[92]);
+        Phi[186] = (A[92] + (0.5 * twice)) + 1.0;
+        B[75] = ((0.6666666666666666 * A[92]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[92] * A[93]);
+        Phi[187] = A[93] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[94] * A[94]);
+        Phi[188] = (A[94] + (0.5 * twice)) + 1.0;
+        B[76] = ((0.6666666666666666 * A[94]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[94] * A[95]);
+        Phi[189] = A[95] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[96] * A[96]);
+        Phi[190] = (A[96] + (0.5 * twice)) + 1.0;
+        B[77] = ((0.6666666666666666 * A[96]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[96] * A[97]);
+        Phi[191] = A[97] + (0.5 * twice);
+    }
+    Phi[192] = bs_all_of(1.0);
+    B[78] = bs_all_of(1.0);
+    Phi[193] = bs_all_of(1.0);
+    B[79] = bs_all_of(1.0);
+    Phi[194] = bs_all_of(1.0);
+    B[80] = bs_all_of(1.0);
+    Phi[195] = bs_all_of(1.0);
+    B[81] = bs_all_of(1.0);
+    Phi[196] = bs_all_of(1.0);
+    Phi[197] = bs_all_of(1.0);
+    Phi[198] = bs_all_of(1.0);
+    {
+        const bs_lanes twice = 0.0 + (A[98] * A[101]);
+        Phi[199] = (0.0 + (0.5 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[98] * A[102]);
+        Phi[200] = A[98] + (0.5 * twice);
+        B[82] = (0.6666666666666666 * A[98]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[99] * A[103]);
+        Phi[201] = (0.0 + (0.5 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[99] * A[104]);
+        Phi[202] = A[99] + (0.5 * twice);
+        B[83] = (0.6666666666666666 * A[99]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[100] * A[105]);
+        Phi[203] = (0.0 + (0.5 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[100] * A[106]);
+        Phi[204] = A[100] + (0.5 * twice);
+        B[84] = (0.6666666666666666 * A[100]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[102] * A[101]);
+        Phi[205] = A[101] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[101] * A[98]) + (A[102] * A[102]);
+        Phi[206] = (A[102] + (0.5 * twice)) + 1.0;
+        B[85] = ((0.6666666666666666 * A[102]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[104] * A[103]);
+        Phi[207] = A[103] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[103] * A[99]) + (A[104] * A[104]);
+        Phi[208] = (A[104] + (0.5 * twice)) + 1.0;
+        B[86] = ((0.6666666666666666 * A[104]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[106] * A[105]);
+        Phi[209] = A[105] + (0.5 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[105] * A[100]) + (A[106] * A[106]);
+        Phi[210] = (A[106] + (0.5 * twice)) + 1.0;
+        B[87] = ((0.6666666666666666 * A[106]) + (0.2222222222222222 * twice)) + 1.0;
+    }
+    Q[0] = s->Qc[0] * share;
+    Q[1] = s->Qc[1] * share;
+    Q[3] = s->Qc[2] * share;
+    Q[2] = s->Qc[4] * share;
+    Q[4] = s->Qc[5] * share;
+    Q[5] = s->Qc[8] * share;
+    Q[9] = s->Qc[9] * share;
+    Q[13] = s->Qc[10] * share;
+    Q[18] = s->Qc[11] * share;
+    Q[14] = s->Qc[13] * share;
+    Q[19] = s->Qc[14] * share;
+    Q[20] = s->Qc[17] * share;
+    Q[27] = s->Qc[18] * share;
+    Q[35] = s->Qc[19] * share;
+    Q[44] = s->Qc[20] * share;
+    Q[54] = s->Qc[21] * share;
+    Q[65] = s->Qc[22] * share;
+    Q[77] = s->Qc[23] * share;
+    Q[90] = s->Qc[24] * share;
+    Q[104] = s->Qc[25] * share;
+    Q[119] = s->Qc[26] * share;
+    Q[135] = s->Qc[27] * share;
+    Q[275] = s->Qc[28] * share;
+    Q[299] = s->Qc[29] * share;
+    Q[324] = s->Qc[30] * share;
+    w[0] = Q[0];
+    w[1] = Q[2];
+    w[2] = Q[5];
+    w[3] = Q[9];
+    w[4] = Q[14];
+    w[5] = Q[20];
+    w[6] = Q[27];
+    w[7] = Q[35];
+    w[8] = Q[44];
+    w[9] = Q[54];
+    w[10] = Q[65];
+    w[11] = Q[77];
+    w[12] = Q[90];
+    w[13] = Q[104];
+    w[14] = Q[119];
+    w[15] = Q[135];
+    w[22] = Q[275];
+    w[23] = Q[299];
+    w[24] = Q[324];
+    /* Noises that have a part in common, factored; rounding counts as none. */
+    {
+        const bs_bits counts = w[5] > ((2.220446049250313e-16 * Q[20]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[5];
+        {
+            const bs_lanes gain = Q[19] * inverse;
+            Q[13] = bs_choose(counts, Q[13] - (Q[18] * gain), Q[13]);
+            w[4] = bs_choose(counts, w[4] - (Q[19] * gain), w[4]);
+            B[5] = bs_choose(counts, B[5] + (B[4] * gain), B[5]);
+            B[17] = bs_choose(counts, B[17] + (B[16] * gain), B[17]);
+            B[29] = bs_choose(counts, B[29] + (B[28] * gain), B[29]);
+            B[41] = bs_choose(counts, B[41] + (B[40] * gain), B[41]);
+            B[53] = bs_choose(counts, B[53] + (B[52] * gain), B[53]);
+            B[65] = bs_choose(counts, B[65] + (B[64] * gain), B[65]);
+        }
+        {
+            const bs_lanes gain = Q[18] * inverse;
+            w[3] = bs_choose(counts, w[3] - (Q[18] * gain), w[3]);
+            B[5] = bs_choose(counts, B[5] + (B[3] * gain), B[5]);
+            B[17] = bs_choose(counts, B[17] + (B[15] * gain), B[17]);
+            B[29] = bs_choose(counts, B[29] + (B[27] * gain), B[29]);
+            B[41] = bs_choose(counts, B[41] + (B[39] * gain), B[41]);
+            B[53] = bs_choose(counts, B[53] + (B[51] * gain), B[53]);
+            B[65] = bs_choose(counts, B[65] + (B[63] * gain), B[65]);
+        }
+        w[5] = bs_choose(counts, w[5], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[4] > ((2.220446049250313e-16 * Q[14]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[4];
+        {
+            const bs_lanes gain = Q[13] * inverse;
+            w[3] = bs_choose(counts, w[3] - (Q[13] * gain), w[3]);
+            B[4] = bs_choose(counts, B[4] + (B[3] * gain), B[4]);
+            B[16] = bs_choose(counts, B[16] + (B[15] * gain), B[16]);
+            B[28] = bs_choose(counts, B[28] + (B[27] * gain), B[28]);
+            B[40] = bs_choose(counts, B[40] + (B[39] * gain), B[40]);
+            B[52] = bs_choose(counts, B[52] + (B[51] * gain), B[52]);
+            B[64] = bs_choose(counts, B[64] + (B[63] * gain), B[64]);
+        }
+        w[4] = bs_choose(counts, w[4], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[3] > ((2.220446049250313e-16 * Q[9]) + 2.2250738585072014e-308);
+        w[3] = bs_choose(counts, w[3], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[2] > ((2.220446049250313e-16 * Q[5]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[2];
+        {
+            const bs_lanes gain = Q[4] * inverse;
+            Q[1] = bs_choose(counts, Q[1] - (Q[3] * gain), Q[1]);
+            w[1] = bs_choose(counts, w[1] - (Q[4] * gain), w[1]);
+            B[2] = bs_choose(counts, B[2] + (B[1] * gain), B[2]);
+            B[14] = bs_choose(counts, B[14] + (B[13] * gain), B[14]);
+            B[26] = bs_choose(counts, B[26] + (B[25] * gain), B[26]);
+            B[38] = bs_choose(counts, B[38] + (B[37] * gain), B[38]);
+            B[50] = bs_choose(counts, B[50] + (B[49] * gain), B[50]);
+            B[62] = bs_choose(counts, B[62] + (B[61] * gain), B[62]);
+        }
+        {
+            const bs_lanes gain = Q[3] * inverse;
+            w[0] = bs_choose(counts, w[0] - (Q[3] * gain), w[0]);
+            B[2] = bs_choose(counts, B[2] + (B[0] * gain), B[2]);
+            B[14] = bs_choose(counts, B[14] + (B[12] * gain), B[14]);
+            B[26] = bs_choose(counts, B[26] + (B[24] * gain), B[26]);
+            B[38] = bs_choose(counts, B[38] + (B[36] * gain), B[38]);
+            B[50] = bs_choose(counts, B[50] + (B[48] * gain), B[50]);
+            B[62] = bs_choose(counts, B[62] + (B[60] * gain), B[62]);
+        }
+        w[2] = bs_choose(counts, w[2], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[1] > ((2.220446049250313e-16 * Q[2]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[1];
+        {
+            const bs_lanes gain = Q[1] * inverse;
+            w[0] = bs_choose(counts, w[0] - (Q[1] * gain), w[0]);
+            B[1] = bs_choose(counts, B[1] + (B[0] * gain), B[1]);
+            B[13] = bs_choose(counts, B[13] + (B[12] * gain), B[13]);
+            B[25] = bs_choose(counts, B[25] + (B[24] * gain), B[25]);
+            B[37] = bs_choose(counts, B[37] + (B[36] * gain), B[37]);
+            B[49] = bs_choose(counts, B[49] + (B[48] * gain), B[49]);
+            B[61] = bs_choose(counts, B[61] + (B[60] * gain), B[61]);
+        }
+        w[1] = bs_choose(counts, w[1], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[0] > ((2.220446049250313e-16 * Q[0]) + 2.2250738585072014e-308);
+        w[0] = bs_choose(counts, w[0], bs_all_of(0.0));
+    }
+    s->T[0] = B[0] * w[0];
+    s->T[27] = B[1] * w[1];
+    s->T[54] = B[2] * w[2];
+    s->T[81] = B[3] * w[3];
+    s->T[108] = B[4] * w[4];
+    s->T[135] = B[5] * w[5];
+    s->T[162] = B[6] * w[6];
+    s->T[189] = B[7] * w[7];
+    s->T[216] = B[8] * w[8];
+    s->T[243] = B[9] * w[9];
+    s->T[270] = B[10] * w[10];
+    s->T[297] = B[11] * w[11];
+    s->T[1] = B[12] * w[0];
+    s->T[28] = B[13] * w[1];
+    s->T[55] = B[14] * w[2];
+    s->T[82] = B[15] * w[3];
+    s->T[109] = B[16] * w[4];
+    s->T[136] = B[17] * w[5];
+    s->T[163] = B[18] * w[6];
+    s->T[190] = B[19] * w[7];
+    s->T[217] = B[20] * w[8];
+    s->T[244] = B[21] * w[9];
+    s->T[271] = B[22] * w[10];
+    s->T[298] = B[23] * w[11];
+    s->T[2] = B[24] * w[0];
+    s->T[29] = B[25] * w[1];
+    s->T[56] = B[26] * w[2];
+    s->T[83] = B[27] * w[3];
+    s->T[110] = B[28] * w[4];
+    s->T[137] = B[29] * w[5];
+    s->T[164] = B[30] * w[6];
+    s->T[191] = B[31] * w[7];
+    s->T[218] = B[32] * w[8];
+    s->T[245] = B[33] * w[9];
+    s->T[272] = B[34] * w[10];
+    s->T[299] = B[35] * w[11];
+    s->T[3] = B[36] * w[0];
+    s->T[30] = B[37] * w[1];
+    s->T[57] = B[38] * w[2];
+    s->T[84] = B[39] * w[3];
+    s->T[111] = B[40] * w[4];
+    s->T[138] = B[41] * w[5];
+    s->T[165] = B[42] * w[6];
+    s->T[192] = B[43] * w[7];
+    s->T[219] = B[44] * w[8];
+    s->T[246] = B[45] * w[9];
+    s->T[273] = B[46] * w[10];
+    s->T[300] = B[47] * w[11];
+    s->T[4] = B[48] * w[0];
+    s->T[31] = B[49] * w[1];
+    s->T[58] = B[50] * w[2];
+    s->T[85] = B[51] * w[3];
+    s->T[112] = B[52] * w[4];
+    s->T[139] = B[53] * w[5];
+    s->T[166] = B[54] * w[6];
+    s->T[193] = B[55] * w[7];
+    s->T[220] = B[56] * w[8];
+    s->T[247] = B[57] * w[9];
+    s->T[274] = B[58] * w[10];
+    s->T[301] = B[59] * w[11];
+    s->T[5] = B[60] * w[0];
+    s->T[32] = B[61] * w[1];
+    s->T[59] = B[62] * w[2];
+    s->T[86] = B[63] * w[3];
+    s->T[113] = B[64] * w[4];
+    s->T[140] = B[65] * w[5];
+    s->T[167] = B[66] * w[6];
+    s->T[194] = B[67] * w[7];
+    s->T[221] = B[68] * w[8];
+    s->T[248] = B[69] * w[9];
+    s->T[275] = B[70] * w[10];
+    s->T[302] = B[71] * w[11];
+    s->T[168] = B[72] * w[6];
+    s->T[196] = B[73] * w[7];
+    s->T[224] = B[74] * w[8];
+    s->T[252] = B[75] * w[9];
+    s->T[280] = B[76] * w[10];
+    s->T[308] = B[77] * w[11];
+    s->T[336] = B[78] * w[12];
+    s->T[364] = B[79] * w[13];
+    s->T[392] = B[80] * w[14];
+    s->T[420] = B[81] * w[15];
+    s->T[613] = B[82] * w[22];
+    s->T[641] = B[83] * w[23];
+    s->T[669] = B[84] * w[24];
+    s->T[616] = B[85] * w[22];
+    s->T[644] = B[86] * w[23];
+    s->T[672] = B[87] * w[24];
+    for (int j = 0; j < 25; ++j) {
+        bs_lanes sum[27];
+        for (int i = 0; i <= j; i += 3) {
+            tall_sums(&B[start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j], &s->T[i],
+                      &sum[i], 1);
+        }
+        for (int i = 0; i <= j; ++i) {
+            Q[((j * (j + 1)) / 2) + i] = sum[i];
+        }
+    }
+    Q[0] += quarter * s->Qc[0];
+    Q[1] += quarter * s->Qc[1];
+    Q[3] += quarter * s->Qc[2];
+    Q[2] += quarter * s->Qc[4];
+    Q[4] += quarter * s->Qc[5];
+    Q[5] += quarter * s->Qc[8];
+    Q[9] += quarter * s->Qc[9];
+    Q[13] += quarter * s->Qc[10];
+    Q[18] += quarter * s->Qc[11];
+    Q[14] += quarter * s->Qc[13];
+    Q[19] += quarter * s->Qc[14];
+    Q[20] += quarter * s->Qc[17];
+    Q[27] += quarter * s->Qc[18];
+    Q[35] += quarter * s->Qc[19];
+    Q[44] += quarter * s->Qc[20];
+    Q[54] += quarter * s->Qc[21];
+    Q[65] += quarter * s->Qc[22];
+    Q[77] += quarter * s->Qc[23];
+    Q[90] += quarter * s->Qc[24];
+    Q[104] += quarter * s->Qc[25];
+    Q[119] += quarter * s->Qc[26];
+    Q[135] += quarter * s->Qc[27];
+    Q[275] += quarter * s->Qc[28];
+    Q[299] += quarter * s->Qc[29];
+    Q[324] += quarter * s->Qc[30];
+}
+
+/* P = Phi P Phi' + Q: vas_joseph_predict.  P as it was stands in s->X. */
+static void predict(scratch *s, bs_lanes *P)
+{
+    static const unsigned short start[26] = { 0, 30, 60, 90, 120, 150, 180, 182, 184, 186, 188, 190,
+                                              192, 193, 194, 195, 196, 197, 198, 199, 201, 203, 205,
+                                              207, 209, 211 };
+    static const unsigned short at[211] = { 0, 48, 96, 144, 192, 240, 288, 336, 384, 432, 480, 528,
+                                            1200, 1248, 1296, 1344, 1392, 1440, 1488, 1536, 1584,
+                                            1632, 1680, 1728, 1776, 1824, 1872, 1920, 1968, 2016, 0,
+                                            48, 96, 144, 192, 240, 288, 336, 384, 432, 480, 528,
+                                            1200, 1248, 1296, 1344, 1392, 1440, 1488, 1536, 1584,
+                                            1632, 1680, 1728, 1776, 1824, 1872, 1920, 1968, 2016, 0,
+                                            48, 96, 144, 192, 240, 288, 336, 384, 432, 480, 528,
+                                            1200, 1248, 1296, 1344, 1392, 1440, 1488, 1536, 1584,
+                                            1632, 1680, 1728, 1776, 1824, 1872, 1920, 1968, 2016, 0,
+                                            48, 96, 144, 192, 240, 288, 336, 384, 432, 480, 528,
+                                            1200, 1248, 1296, 1344, 1392, 1440, 1488, 1536, 1584,
+                                            1632, 1680, 1728, 1776, 1824, 1872, 2064, 2112, 2160, 0,
+                                            48, 96, 144, 192, 240, 288, 336, 384, 432, 480, 528,
+                                            1200, 1248, 1296, 1344, 1392, 1440, 1488, 1536, 1584,
+                                            1632, 1680, 1728, 1776, 1824, 1872, 2064, 2112, 2160, 0,
+                                            48, 96, 144, 192, 240, 288, 336, 384, 432, 480, 528,
+                                            1200, 1248, 1296, 1344, 1392, 1440, 1488, 1536, 1584,
+                                            1632, 1680, 1728, 1776, 1824, 1872, 2064, 2112, 2160,
+                                            288, 1920, 336, 1968, 384, 2016, 432, 2064, 480, 2112,
+                                            528, 2160, 576, 624, 672, 720, 768, 816, 864, 912, 1056,
+                                            960, 1104, 1008, 1152, 912, 1056, 960, 1104, 1008,
+                                            1152 };
+    static const unsigned short across[211] = { 0, 27, 54, 81, 108, 135, 162, 189, 216, 243, 270,
+                                                297, 675, 702, 729, 756, 783, 810, 837, 864, 891,
+                                                918, 945, 972, 999, 1026, 1053, 1080, 1107, 1134, 0,
+                                                27, 54, 81, 108, 135, 162, 189, 216, 243, 270, 297,
+                                                675, 702, 729, 756, 783, 810, 837, 864, 891, 918,
+                                                945, 972, 999, 1026, 1053, 1080, 1107, 1134, 0, 27,
+                                                54, 81, 108, 135, 162, 189, 216, 243, 270, 297, 675,
+                                                702, 729, 756, 783, 810, 837, 864, 891, 918, 945,
+                                                972, 999, 1026, 1053, 1080, 1107, 1134, 0, 27, 54,
+                                                81, 108, 135, 162, 189, 216, 243, 270, 297, 675,
+                                                702, 729, 756, 783, 810, 837, 864, 891, 918, 945,
+                                                972, 999, 1026, 1053, 1161, 1188, 1215, 0, 27, 54,
+                                                81, 108, 135, 162, 189, 216, 243, 270, 297, 675,
+                                                702, 729, 756, 783, 810, 837, 864, 891, 918, 945,
+                                                972, 999, 1026, 1053, 1161, 1188, 1215, 0, 27, 54,
+                                                81, 108, 135, 162, 189, 216, 243, 270, 297, 675,
+                                                702, 729, 756, 783, 810, 837, 864, 891, 918, 945,
+                                                972, 999, 1026, 1053, 1161, 1188, 1215, 162, 1080,
+                                                189, 1107, 216, 1134, 243, 1161, 270, 1188, 297,
+                                                1215, 324, 351, 378, 405, 432, 459, 486, 513, 594,
+                                                540, 621, 567, 648, 513, 594, 540, 621, 567, 648 };
+    const bs_lanes *next = P;
+    for (int j = 0; j < VAS_N_STATES; ++j) {
+        for (int i = 0; i <= j; ++i, ++next) {
+            s->X[(i * 48) + j] = *next;
+            s->X[(j * 48) + i] = *next;
+        }
+    }
+    for (int i = 0; i < 25; ++i) {
+        for (int j = 0; j < 48; j += 8) {
+            wide_sums(&s->Phi[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &s->X[j],
+                      &s->Y[(j * 27) + i], 27);
+        }
+    }
+    for (int j = 0; j < 25; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
+        bs_lanes sum[27];
+        for (int i = 0; i <= j; i += 3) {
+            tall_sums(&s->Phi[start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
+                      &s->Y[i], &sum[i], 1);
+        }
+        for (int i = 0; i <= j; ++i) {
+            to[i] = sum[i] + Q[i];
+        }
+    }
+    for (int j = 25; j < VAS_N_STATES; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
+        for (int i = 0; i < 25; ++i) {
+            to[i] = s->Y[(j * 27) + i] + Q[i];
+        }
+        for (int i = 25; i <= j; ++i) {
+            to[i] += Q[i];
+        }
+    }
+}
+
+static void propagate_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    static const unsigned short start[26] = { 0, 30, 60, 90, 120, 150, 180, 182, 184, 186, 188, 190,
+                                              192, 193, 194, 195, 196, 197, 198, 199, 201, 203, 205,
+                                              207, 209, 211 };
+    static const unsigned short at[211] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 25, 26, 27, 28,
+                                            29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42,
+                                            0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 25, 26, 27, 28,
+                                            29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42,
+                                            0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 25, 26, 27, 28,
+                                            29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42,
+                                            0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 25, 26, 27, 28,
+                                            29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 43, 44, 45,
+                                            0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 25, 26, 27, 28,
+                                            29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 43, 44, 45,
+                                            0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 25, 26, 27, 28,
+                                            29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 43, 44, 45,
+                                            6, 40, 7, 41, 8, 42, 9, 43, 10, 44, 11, 45, 12, 13, 14,
+                                            15, 16, 17, 18, 19, 22, 20, 23, 21, 24, 19, 22, 20, 23,
+                                            21, 24 };
+    scratch *const s = runs->s;
+    bs_bits good = *rare;
+    bs_lanes x[VAS_N_STATES];
+    bs_lanes in[23];
+    bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[0], 3, 3, runs->first, runs->n);
+    bs_read(&in[6], &given[0], 6, 1, runs->first, runs->n);
+    bs_read(&in[7], &given[1], 0, 3, runs->first, runs->n);
+    bs_read(&in[10], &given[1], 3, 3, runs->first, runs->n);
+    bs_read(&in[13], &given[1], 6, 3, runs->first, runs->n);
+    bs_read(&in[16], &given[1], 9, 3, runs->first, runs->n);
+    bs_read(&in[19], &given[1], 12, 3, runs->first, runs->n);
+    bs_read(&in[22], &given[1], 15, 1, runs->first, runs->n);
+    static const double low[23] = { (-500.0), (-500.0), (-500.0), (-20.0), (-20.0), (-20.0),
+                                    (1e-06), (0.0), (0.0), (0.0), (0.0), (0.0), (0.0), (0.0), (0.0),
+                                    (0.0), (0.0), (0.0), (0.0), (0.0), (0.0), (0.0), (0.0) };
+    static const double high[23] = { (500.0), (500.0), (500.0), (20.0), (20.0), (20.0), (10.0),
+                                     (0.1), (0.1), (0.1), (10.0), (10.0), (10.0), (0.1), (0.1),
+                                     (0.1), (10.0), (10.0), (10.0), (0.1), (0.1), (0.1), (0.1) };
+    good &= bs_inside(in, low, high, 23);
+    good &= in_box(b);
+    vas_F_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], &in[3], &b->carried[30],
+                 &b->carried[33], &b->carried[39], &b->carried[42], &b->carried[45],
+                 &b->carried[51], &b->carried[60], &b->carried[63], s->F);
+    vas_Qc_kernel(&b->carried[6], &in[7], &in[10], &in[13], &in[16], &in[19], &in[22],
+                  &b->carried[36], &b->carried[39], &b->carried[42], &b->carried[45],
+                  &b->carried[51], s->Qc);
+    discretize(s, &in[6]);
+    for (int i = 0; i < VAS_N_STATES; ++i) {
+        x[i] = b->x[i];
+    }
+    for (int i = 0; i < 25; ++i) {
+        bs_lanes sum = bs_all_of(0.0);
+        for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
+            sum += s->Phi[p] * b->x[at[p]];
+        }
+        x[i] = sum;
+    }
+    predict(s, b->P);
+    good &= judged(x, b->P);
+    bs_keep(b->x, x, good, VAS_N_STATES);
+    if (!bs_everywhere(good)) {
+        bs_lanes *to = b->P;
+        for (int j = 0; j < VAS_N_STATES; ++j) {
+            for (int i = 0; i <= j; ++i, ++to) {
+                *to = bs_choose(good, *to, s->X[(i * 48) + j]);
+            }
+        }
+    }
+    *rare &= ~good;
+}
+
+/* One row of a measurement: vas_joseph_update.  Returns by `good` where it went its usual way; nis
+ * grows. */
+static void take_row(block *b,
+                     const bs_lanes *h,
+                     const unsigned short *states,
+                     int count,
+                     const bs_lanes *z,
+                     const bs_lanes *R,
+                     double gate,
+                     int asked,
+                     bs_lanes *nu,
+                     bs_lanes *S,
+                     bs_lanes *nis,
+                     bs_bits *good)
+{
+    bs_lanes g[VAS_N_STATES];
+    bs_lanes K[VAS_N_STATES];
+    bs_lanes own[VAS_N_STATES]; /* A h, of the rounded A = P - K g' */
+    bs_lanes *const P = b->P;
+    bs_lanes inverse;
+    *nu = *z;
+    *S = *R;
+    for (int i = 0; i < VAS_N_STATES; ++i) {
+        g[i] = bs_all_of(0.0);
+        own[i] = bs_all_of(0.0);
+    }
+    for (int p = 0; p < count; ++p) {
+        const int k = (int)states[p];
+        const bs_lanes *const column = &P[(k * (k + 1)) / 2];
+        *nu -= h[p] * b->x[k];
+        for (int i = 0; i < k; ++i) {
+            g[i] += h[p] * column[i];
+        }
+        for (int i = k; i < VAS_N_STATES; ++i) {
+            g[i] += h[p] * P[((i * (i + 1)) / 2) + k];
+        }
+    }
+    for (int p = 0; p < count; ++p) {
+        *S += h[p] * g[states[p]];
+    }
+    *good &= ((*nu - *nu) <= 0.0) & ((*S - *S) <= 0.0) & (*S >= 2.2250738585072014e-308);
+    if (asked == 0) {
+        return;
+    }
+    if (gate > 0.0) {
+        *good &= (*nu * *nu) <= ((gate * gate) * *S);
+    }
+    *nis += (*nu * *nu) / *S;
+    inverse = 1.0 / *S;
+    for (int i = 0; i < VAS_N_STATES; ++i) {
+        K[i] = g[i] * inverse;
+        b->x[i] += K[i] * *nu;
+    }
+    for (int p = 0; p < count; ++p) {
+        const int k = (int)states[p];
+        const bs_lanes *const column = &P[(k * (k + 1)) / 2];
+        for (int i = 0; i < k; ++i) {
+            own[i] += h[p] * (column[i] - (K[i] * g[k]));
+        }
+        for (int i = k; i < VAS_N_STATES; ++i) {
+            own[i] += h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k]));
+        }
+    }
+    for (int j = 0; j < VAS_N_STATES; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes gj = g[j];
+        const bs_lanes Kj = K[j];
+        for (int i = 0; i <= j; ++i) {
+            to[i] = ((to[i] - (K[i] * gj)) - (own[i] * Kj)) + (*R * (K[i] * Kj));
+        }
+    }
+}
+
+/* What all measurements share: H, z and R of m rows are ready, and good says where. */
+static void take_lanes(block *b,
+                       const chosen *runs,
+                       const bs_lanes *H,
+                       const unsigned short *start,
+                       const unsigned short *at,
+                       int m,
+                       const bs_lanes *z,
+                       const bs_lanes *R,
+                       unsigned int angles,
+                       int index,
+                       const bs_taking *taking,
+                       bs_bits *good,
+                       bs_bits *rare)
+{
+    bs_lanes nu[3];
+    bs_lanes S[3];
+    bs_lanes nis = bs_all_of(0.0);
+    bs_lanes x[VAS_N_STATES];
+    scratch *const s = runs->s;
+    unsigned int asked = 0U;
+    const unsigned char *rows = &taking->rows[runs->first * taking->stride];
+    for (int k = 0; k < m; ++k) { /* as the first run of the block has them */
+        asked |= (rows[k] != 0U) ? (1U << (unsigned int)k) : 0U;
+    }
+    for (size_t l = 1U; (l < BORESIGHT_LANES) && ((runs->first + l) < runs->n); ++l) {
+        unsigned int own = 0U;
+        for (int k = 0; k < m; ++k) {
+            own |= (rows[(l * taking->stride) + (size_t)k] != 0U) ? (1U << (unsigned int)k) : 0U;
+        }
+        if (own != asked) {
+            (*good)[l] = 0;
+        }
+    }
+    for (int i = 0; i < VAS_N_PACKED; ++i) {
+        s->P[i] = b->P[i];
+    }
+    for (int i = 0; i < VAS_N_STATES; ++i) {
+        x[i] = b->x[i];
+    }
+    for (int i = 0; i < m; ++i) {
+        if (((angles >> (unsigned int)i) & 1U) != 0U) { /* no whole turn is to be taken */
+            bs_lanes off = z[i];
+            for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
+                off -= H[p] * x[at[p]];
+            }
+            *good &= (off >= -3.141592653589793) & (off < 3.141592653589793);
+        }
+    }
+    for (int i = 0; i < m; ++i) {
+        take_row(b, &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &z[i], &R[i],
+                 taking->gates[0], (int)((asked >> (unsigned int)i) & 1U), &nu[i], &S[i], &nis,
+                 good);
+    }
+    if (taking->gates[1] > 0.0) {
+        *good &= nis <= taking->gates[1];
+    }
+    *good &= judged(b->x, b->P);
+    if (!bs_everywhere(*good)) {
+        for (int i = 0; i < VAS_N_PACKED; ++i) {
+            b->P[i] = bs_choose(*good, b->P[i], s->P[i]);
+        }
+        for (int i = 0; i < VAS_N_STATES; ++i) {
+            b->x[i] = bs_choose(*good, b->x[i], x[i]);
+        }
+    }
+    if (asked != 0U) {
+        b->rejected[index] = bs_choose(*good, bs_all_of(0.0), b->rejected[index]);
+    }
+    for (int l = 0; l < BORESIGHT_LANES; ++l) {
+        if ((*good)[l] != 0) {
+            const size_t run = runs->first + (size_t)l;
+            taking->nis[run] = nis[l];
+            for (int k = 0; k < m; ++k) {
+                taking->nu[(run * (size_t)m) + (size_t)k] = nu[k][l];
+                taking->S[(run * (size_t)m) + (size_t)k] = S[k][l];
+                taking->used[(run * (size_t)m) +
+                             (size_t)k] = (unsigned char)((asked >> (unsigned int)k) & 1U);
+            }
+        }
+    }
+    *rare &= ~*good;
+}
+
+static void measure_dcm_lanes(block *b,
+                              const chosen *runs,
+                              const bs_given *given,
+                              const bs_taking *taking,
+                              bs_bits *rare)
+{
+    static const unsigned short start[4] = { 0, 8, 16, 24 };
+    static const unsigned short at[24] = { 0, 12, 13, 14, 15, 19, 20, 21, 1, 12, 13, 14, 15, 19, 20,
+                                           21, 2, 12, 13, 14, 15, 19, 20, 21 };
+    static const double least[1] = { 1e-30 };
+    static const double most[1] = { 1e+30 };
+    bs_bits good = *rare & (b->considering <= 0.0);
+    bs_lanes z[3];
+    bs_lanes R[3];
+    bs_lanes H[24];
+    bs_lanes in[8];
+    bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[1], 3, 4, runs->first, runs->n);
+    bs_read(&in[7], &given[1], 13, 1, runs->first, runs->n);
+    static const double low[8] = { (-20.0), (-20.0), (-20.0), (-1.001), (-1.001), (-1.001),
+                                   (-1.001), (-1.0) };
+    static const double high[8] = { (20.0), (20.0), (20.0), (1.001), (1.001), (1.001), (1.001),
+                                    (1.0) };
+    for (int i = 0; i < 2; ++i) {
+        if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
+            return; /* the scalar function says what is wrong */
+        }
+    }
+    if (*taking->iterations < 0) {
+        return;
+    }
+    bs_read(R, &given[2], 0, 3, runs->first, runs->n);
+    for (int i = 0; i < 3; ++i) {
+        good &= bs_inside(&R[i], least, most, 1);
+    }
+    good &= bs_inside(in, low, high, 8);
+    good &= bs_normed(&in[3], (0.998001), (1.0020009999999997), 4);
+    good &= in_box(b);
+    vas_dcm_z_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
+                     &in[3], &in[7], &b->carried[24], &b->carried[27], &b->carried[39],
+                     &b->carried[45], z);
+    vas_dcm_H_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
+                     &b->carried[24], &b->carried[27], &b->carried[39], &b->carried[45], H);
+    take_lanes(b, runs, H, start, at, 3, z, R, 0U, VAS_MEASUREMENT_DCM, taking, &good, rare);
+}
+
+static void measure_euler_lanes(block *b,
+                                const chosen *runs,
+                                const bs_given *given,
+                                const bs_taking *taking,
+                                bs_bits *rare)
+{
+    static const unsigned short start[4] = { 0, 9, 16, 24 };
+    static const unsigned short at[24] = { 0, 1, 12, 13, 14, 15, 19, 20, 21, 0, 1, 13, 14, 15, 20,
+                                           21, 0, 1, 2, 13, 14, 15, 20, 21 };
+    static const double least[1] = { 1e-30 };
+    static const double most[1] = { 1e+30 };
+    bs_bits good = *rare & (b->considering <= 0.0);
+    bs_lanes z[3];
+    bs_lanes R[3];
+    bs_lanes H[24];
+    bs_lanes in[7];
+    bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[1], 7, 3, runs->first, runs->n);
+    bs_read(&in[6], &given[1], 13, 1, runs->first, runs->n);
+    static const double low[7] = { (-20.0), (-20.0), (-20.0), (-3.141592653589793),
+                                   (-1.3962634015954636), (-3.141592653589793), (-1.0) };
+    static const double high[7] = { (20.0), (20.0), (20.0), (3.141592653589793),
+                                    (1.3962634015954636), (3.141592653589793), (1.0) };
+    for (int i = 0; i < 2; ++i) {
+        if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
+            return; /* the scalar function says what is wrong */
+        }
+    }
+    if (*taking->iterations < 0) {
+        return;
+    }
+    bs_read(R, &given[2], 0, 3, runs->first, runs->n);
+    for (int i = 0; i < 3; ++i) {
+        good &= bs_inside(&R[i], least, most, 1);
+    }
+    good &= bs_inside(in, low, high, 7);
+    good &= in_box(b);
+    vas_euler_z_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
+                       &in[3], &in[6], &b->carried[24], &b->carried[27], &b->carried[39],
+                       &b->carried[45], z);
+    vas_euler_H_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
+                       &in[3], &b->carried[27], &b->carried[39], &b->carried[45], H);
+    take_lanes(b, runs, H, start, at, 3, z, R, 7U, VAS_MEASUREMENT_EULER, taking, &good, rare);
+}
+
+static void measure_velocity_lanes(block *b,
+                                   const chosen *runs,
+                                   const bs_given *given,
+                                   const bs_taking *taking,
+                                   bs_bits *rare)
+{
+    static const unsigned short start[4] = { 0, 26, 52, 78 };
+    static const unsigned short at[78] = { 0, 1, 2, 3, 6, 7, 8, 12, 13, 14, 15, 16, 17, 18, 22, 23,
+                                           24, 25, 26, 27, 31, 32, 33, 34, 35, 36, 0, 1, 2, 4, 6, 7,
+                                           8, 12, 13, 14, 15, 16, 17, 18, 22, 23, 24, 25, 26, 27,
+                                           31, 32, 33, 34, 35, 36, 0, 1, 2, 5, 6, 7, 8, 12, 13, 14,
+                                           15, 16, 17, 18, 22, 23, 24, 25, 26, 27, 31, 32, 33, 34,
+                                           35, 36 };
+    static const double least[1] = { 1e-30 };
+    static const double most[1] = { 1e+30 };
+    bs_bits good = *rare & (b->considering <= 0.0);
+    bs_lanes z[3];
+    bs_lanes R[3];
+    bs_lanes H[78];
+    bs_lanes in[10];
+    bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[1], 0, 3, runs->first, runs->n);
+    bs_read(&in[6], &given[1], 10, 3, runs->first, runs->n);
+    bs_read(&in[9], &given[1], 13, 1, runs->first, runs->n);
+    static const double low[10] = { (-20.0), (-20.0), (-20.0), (-1000.0), (-1000.0), (-1000.0),
+                                    (-500.0), (-500.0), (-500.0), (-1.0) };
+    static const double high[10] = { (20.0), (20.0), (20.0), (1000.0), (1000.0), (1000.0), (500.0),
+                                     (500.0), (500.0), (1.0) };
+    for (int i = 0; i < 2; ++i) {
+        if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
+            return; /* the scalar function says what is wrong */
+        }
+    }
+    if (*taking->iterations < 0) {
+        return;
+    }
+    bs_read(R, &given[2], 0, 3, runs->first, runs->n);
+    for (int i = 0; i < 3; ++i) {
+        good &= bs_inside(&R[i], least, most, 1);
+    }
+    good &= bs_inside(in, low, high, 10);
+    good &= in_box(b);
+    vas_velocity_z_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
+                          &b->carried[21], &in[3], &in[6], &in[9], &b->carried[27], &b->carried[39],
+                          &b->carried[45], z);
+    vas_velocity_H_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
+                          &b->carried[21], &in[6], &b->carried[27], &b->carried[39],
+                          &b->carried[45], H);
+    take_lanes(b, runs, H, start, at, 3, z, R, 0U, VAS_MEASUREMENT_VELOCITY, taking, &good, rare);
+}
+
+#endif
+
 
 static __attribute__((noinline)) void strapdown_alone(block *b,
                      size_t run,
@@ -146,11 +2076,14 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
 
 static void strapdown_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            strapdown_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    strapdown_lanes(b, runs, given, &rare);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                strapdown_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -174,11 +2107,16 @@ static __attribute__((noinline)) void propagate_alone(block *b,
 
 static void propagate_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            propagate_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    propagate_lanes(b, runs, given, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                propagate_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -201,11 +2139,14 @@ static __attribute__((noinline)) void correct_alone(block *b,
 
 static void correct_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            correct_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    correct_lanes(b, runs, given, &rare);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                correct_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -246,11 +2187,16 @@ static void measure_dcm_block(block *b,
                               const bs_given *given,
                               const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_dcm_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    measure_dcm_lanes(b, runs, given, taking, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_dcm_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -288,11 +2234,13 @@ static void measure_quaternion_block(block *b,
                                      const bs_given *given,
                                      const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_quaternion_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_quaternion_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -333,11 +2281,16 @@ static void measure_euler_block(block *b,
                                 const bs_given *given,
                                 const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_euler_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    measure_euler_lanes(b, runs, given, taking, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_euler_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -377,11 +2330,16 @@ static void measure_velocity_block(block *b,
                                    const bs_given *given,
                                    const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_velocity_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    measure_velocity_lanes(b, runs, given, taking, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_velocity_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -416,7 +2374,8 @@ static void measure_block(block *b,
 size_t vas_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t vas_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         strapdown_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -426,7 +2385,8 @@ size_t vas_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned c
 size_t vas_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t vas_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         propagate_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -436,7 +2396,8 @@ size_t vas_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned c
 size_t vas_lanes_correct(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t vas_lanes_correct(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         correct_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -456,7 +2417,8 @@ size_t vas_lanes_measure(size_t n,
                          const bs_taking *taking,
                          unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         measure_block(&b[runs.first / BORESIGHT_LANES], &runs, which, given, taking);
     }
@@ -467,7 +2429,8 @@ size_t vas_lanes_measure(size_t n,
 size_t vas_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *status);
 size_t vas_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (size_t i = 0U; i < n; ++i) {
         status[i] = (unsigned char)BS_OK;
     }

@@ -8,9 +8,44 @@ typedef int vd_no_lanes; /* a translation unit may not be empty */
 #else
 #include "velocity_dcm_filter.h"
 
+#include "../src/vd_math.h"
 #include "boresight_math.h"
 
 #include "boresight_lanes.h"
+
+/* The kernels of the units, with a block of runs as their number. */
+#undef BS_REAL
+#undef BS_SQRT
+#undef BS_FABS
+#undef BS_TRUTH
+#undef BS_SELECT
+#undef BS_SIGN
+#undef BS_FMIN
+#undef BS_FMAX
+#define bs_real bs_lanes
+#define BS_REAL(x) bs_all_of(x)
+#define BS_SQRT bs_root
+#define BS_FABS bs_magnitude
+#define BS_TRUTH(condition) bs_choose(condition, bs_all_of(1.0), bs_all_of(0.0))
+#define BS_SELECT(condition, value) bs_choose((condition) > 0.0, value, bs_all_of(0.0))
+#define BS_SIGN(a) bs_choose((a) < 0.0, bs_all_of(-1.0), bs_choose((a) > 0.0, bs_all_of(1.0), a))
+#define BS_FMIN(a, b) bs_choose((a) < (b), a, bs_choose((a) >= (b), b, (a) + (b)))
+#define BS_FMAX(a, b) bs_choose((a) > (b), a, bs_choose((a) <= (b), b, (a) + (b)))
+#undef BS_SINCOS
+#define BS_SINCOS bs_sincos_lanes
+#undef BS_COS
+#define BS_COS bs_cos_lanes
+#undef BS_SIN
+#define BS_SIN bs_sin_lanes
+#include "../src/vd_strapdown_kernel.h"
+#include "../src/vd_feedback_kernel.h"
+#include "../src/vd_velocity_z_kernel.h"
+#include "../src/vd_velocity_H_kernel.h"
+#include "../src/vd_dcm_z_kernel.h"
+#include "../src/vd_dcm_H_kernel.h"
+#include "../src/vd_F_kernel.h"
+#include "../src/vd_Qc_kernel.h"
+#undef bs_real
 
 /* What the filter carries from call to call, of a block of runs. */
 typedef struct {
@@ -23,11 +58,26 @@ typedef struct {
     bs_lanes considered[VD_N_STATES];
 } block;
 
-/* What a call reads of a block, and which of it. */
+/* Scratch memory of all blocks; what is zero in it stays so. */
+typedef struct {
+    bs_lanes P[VD_N_PACKED]; /* as it was */
+    bs_lanes F[VD_N_F];
+    bs_lanes Qc[VD_N_QC];
+    bs_lanes Phi[27];
+    bs_lanes B[27];
+    bs_lanes w[VD_N_STATES];
+    bs_lanes T[VD_N_STATES * 6]; /* (B times the noise)', rows of 6 */
+    bs_lanes Q[VD_N_PACKED];
+    bs_lanes X[VD_N_STATES * 10]; /* P, dense, rows of 10 */
+    bs_lanes Y[10 * 6]; /* (Phi P)', rows of 6 */
+} scratch;
+
+/* Which block of a call it is. */
 typedef struct {
     size_t first; /* run in its first lane */
     size_t n;     /* runs in all */
     unsigned char *status;
+    scratch *s;
 } chosen;
 
 size_t vd_lanes_width(void);
@@ -101,6 +151,784 @@ static size_t refused(size_t n, const unsigned char *status)
     return count;
 }
 /* ---- one run by the scalar functions */
+/* ---- in lanes: what goes its usual way; rare says which runs there are, and then which of them
+ * are still to go */
+
+static const double carried_low[14] = { (-6.283185307179586), (-1.4835298641951802), (-500.0),
+                                        (-1000.0), (-1000.0), (-1000.0), (-1.001), (-1.001),
+                                        (-1.001), (-1.001), (-0.5), (-0.5), (-0.5), (-1.0) };
+static const double carried_high[14] = { (6.283185307179586), (1.4835298641951802), (30000.0),
+                                         (1000.0), (1000.0), (1000.0), (1.001), (1.001), (1.001),
+                                         (1.001), (0.5), (0.5), (0.5), (1.0) };
+
+static bs_bits in_box(const block *b)
+{
+    bs_bits good = bs_inside(b->carried, carried_low, carried_high, 14);
+    good &= bs_normed(&b->carried[6], (0.998001), (1.0020009999999997), 4);
+    return good;
+}
+
+/* Where the diagonal of a packed matrix stands in column i. */
+static int diagonal(int i)
+{
+    return (i * (i + 3)) / 2;
+}
+
+/* Whether a step has made of x and P what raises no question: finite, no variance negative, none
+ * above its ceiling. */
+static bs_bits judged(const bs_lanes *x, const bs_lanes *P)
+{
+    static const double ceiling[VD_N_STATES] = { (10000000000.0), (10000000000.0), (10000000000.0),
+                                                 (1000000.0), (1000000.0), (1000000.0), (1000000.0),
+                                                 (1000000.0), (1000000.0), (1000000.0) };
+    bs_bits good = bs_finite(P, VD_N_PACKED);
+    for (int i = 0; i < VD_N_STATES; ++i) {
+        const bs_lanes variance = P[diagonal(i)];
+        good &= (variance >= 0.0) & (variance <= ceiling[i]) & ((x[i] * x[i]) <= ceiling[i]);
+    }
+    return good;
+}
+
+static void strapdown_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    bs_bits good = *rare;
+    bs_lanes next[14];
+    bs_lanes in[13];
+    bs_read(&in[0], &given[0], 3, 1, runs->first, runs->n);
+    bs_read(&in[1], &given[1], 0, 3, runs->first, runs->n);
+    bs_read(&in[4], &given[1], 3, 3, runs->first, runs->n);
+    bs_read(&in[7], &given[1], 6, 3, runs->first, runs->n);
+    bs_read(&in[10], &given[1], 9, 3, runs->first, runs->n);
+    static const double low[13] = { (1e-06), (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0),
+                                    (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0) };
+    static const double high[13] = { (10.0), (0.5), (0.5), (0.5), (100.0), (100.0), (100.0), (0.5),
+                                     (0.5), (0.5), (100.0), (100.0), (100.0) };
+    good &= bs_inside(in, low, high, 13);
+    good &= in_box(b);
+    vd_strapdown_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], &in[1], &in[4],
+                        &in[7], &in[10], &next[0], &next[3], &next[6]);
+    good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 10);
+    good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
+    bs_keep(&b->carried[0], &next[0], good, 10);
+    *rare &= ~good;
+}
+
+static void correct_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    bs_bits good = *rare;
+    bs_lanes next[14];
+    bs_lanes in[1];
+    static const double x_low[10] = { (-100.0), (-100.0), (-100.0), (-0.5), (-0.5), (-0.5), (-0.5),
+                                      (-0.5), (-0.5), (-1.0) };
+    static const double x_high[10] = { (100.0), (100.0), (100.0), (0.5), (0.5), (0.5), (0.5), (0.5),
+                                       (0.5), (1.0) };
+    good &= in_box(b);
+    good &= bs_inside(b->x, x_low, x_high, VD_N_STATES);
+    good &= bs_finite(b->x, VD_N_STATES) & bs_finite(b->P, VD_N_PACKED);
+    for (int i = 0; i < VD_N_STATES; ++i) {
+        good &= b->P[diagonal(i)] >= 0.0;
+    }
+    vd_feedback_kernel(b->x, &b->carried[3], &b->carried[6], &b->carried[10], &b->carried[13],
+                       &next[3], &next[6], &next[10], &next[13]);
+    good &= bs_inside(&next[3], &carried_low[3], &carried_high[3], 11);
+    good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
+    bs_keep(&b->carried[3], &next[3], good, 11);
+    for (int i = 0; i < VD_N_STATES; ++i) {
+        b->x[i] = bs_choose(good, bs_all_of(0.0), b->x[i]);
+    }
+    *rare &= ~good;
+    (void)in;
+    (void)runs;
+    (void)given;
+}
+
+#if !BORESIGHT_UD
+
+/* out = the sum of coefficients times 5 numbers each. */
+BS_INLINE void wide_sums(const bs_lanes *coefficient,
+                         const unsigned short *at,
+                         int count,
+                         const bs_lanes *x,
+                         bs_lanes *out,
+                         int stride)
+{
+    bs_lanes s0 = bs_all_of(0.0);
+    bs_lanes s1 = bs_all_of(0.0);
+    bs_lanes s2 = bs_all_of(0.0);
+    bs_lanes s3 = bs_all_of(0.0);
+    bs_lanes s4 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes a = coefficient[p];
+        const bs_lanes *const from = &x[at[p]];
+        s0 += a * from[0];
+        s1 += a * from[1];
+        s2 += a * from[2];
+        s3 += a * from[3];
+        s4 += a * from[4];
+    }
+    out[0] = s0;
+    out[1 * stride] = s1;
+    out[2 * stride] = s2;
+    out[3 * stride] = s3;
+    out[4 * stride] = s4;
+}
+
+/* out = the sum of coefficients times 3 numbers each. */
+BS_INLINE void tall_sums(const bs_lanes *coefficient,
+                         const unsigned short *at,
+                         int count,
+                         const bs_lanes *x,
+                         bs_lanes *out,
+                         int stride)
+{
+    bs_lanes s0 = bs_all_of(0.0);
+    bs_lanes s1 = bs_all_of(0.0);
+    bs_lanes s2 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes a = coefficient[p];
+        const bs_lanes *const from = &x[at[p]];
+        s0 += a * from[0];
+        s1 += a * from[1];
+        s2 += a * from[2];
+    }
+    out[0] = s0;
+    out[1 * stride] = s1;
+    out[2 * stride] = s2;
+}
+
+/* Phi and Q of the step, of the non-zeros of F and Qc: vd_discretize. */
+static void discretize(scratch *s, const bs_lanes *dt)
+{
+    static const unsigned short start[7] = { 0, 6, 12, 18, 21, 24, 27 };
+    static const unsigned short at[27] = { 0, 6, 12, 18, 24, 30, 0, 6, 12, 18, 24, 30, 0, 6, 12, 18,
+                                           24, 30, 18, 24, 30, 18, 24, 30, 18, 24, 30 };
+    const bs_lanes share = 0.75 * *dt;
+    const bs_lanes quarter = 0.25 * *dt;
+    bs_lanes A[VD_N_F];
+    bs_lanes *const Phi = s->Phi;
+    bs_lanes *const B = s->B;
+    bs_lanes *const Q = s->Q;
+    bs_lanes *const w = s->w;
+    for (int p = 0; p < VD_N_F; ++p) {
+        A[p] = s->F[p] * *dt;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[4]) + (A[1] * A[8]);
+        Phi[0] = (0.0 + (0.5 * twice)) + 1.0;
+        B[0] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[1] * A[9]);
+        Phi[1] = A[0] + (0.5 * twice);
+        B[1] = (0.6666666666666666 * A[0]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[5]);
+        Phi[2] = A[1] + (0.5 * twice);
+        B[2] = (0.6666666666666666 * A[1]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[6]) + (A[1] * A[10]) + (A[2] * A[14]) +
+            (A[3] * A[16]);
+        Phi[3] = 0.0 + (0.5 * twice);
+        B[3] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[1] * A[11]) + (A[3] * A[17]);
+        Phi[4] = A[2] + (0.5 * twice);
+        B[4] = (0.6666666666666666 * A[2]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[0] * A[7]) + (A[2] * A[15]);
+        Phi[5] = A[3] + (0.5 * twice);
+        B[5] = (0.6666666666666666 * A[3]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[5] * A[8]);
+        Phi[6] = A[4] + (0.5 * twice);
+        B[6] = (0.6666666666666666 * A[4]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[4] * A[0]) + (A[5] * A[9]);
+        Phi[7] = (0.0 + (0.5 * twice)) + 1.0;
+        B[7] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[4] * A[1]);
+        Phi[8] = A[5] + (0.5 * twice);
+        B[8] = (0.6666666666666666 * A[5]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[5] * A[10]) + (A[7] * A[16]);
+        Phi[9] = A[6] + (0.5 * twice);
+        B[9] = (0.6666666666666666 * A[6]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[4] * A[2]) + (A[5] * A[11]) + (A[6] * A[12]) +
+            (A[7] * A[17]);
+        Phi[10] = 0.0 + (0.5 * twice);
+        B[10] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[4] * A[3]) + (A[6] * A[13]);
+        Phi[11] = A[7] + (0.5 * twice);
+        B[11] = (0.6666666666666666 * A[7]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[9] * A[4]);
+        Phi[12] = A[8] + (0.5 * twice);
+        B[12] = (0.6666666666666666 * A[8]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[8] * A[0]);
+        Phi[13] = A[9] + (0.5 * twice);
+        B[13] = (0.6666666666666666 * A[9]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[8] * A[1]) + (A[9] * A[5]);
+        Phi[14] = (0.0 + (0.5 * twice)) + 1.0;
+        B[14] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[9] * A[6]) + (A[11] * A[14]);
+        Phi[15] = A[10] + (0.5 * twice);
+        B[15] = (0.6666666666666666 * A[10]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[8] * A[2]) + (A[10] * A[12]);
+        Phi[16] = A[11] + (0.5 * twice);
+        B[16] = (0.6666666666666666 * A[11]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[8] * A[3]) + (A[9] * A[7]) + (A[10] * A[13]) +
+            (A[11] * A[15]);
+        Phi[17] = 0.0 + (0.5 * twice);
+        B[17] = 0.0 + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[12] * A[14]) + (A[13] * A[16]);
+        Phi[18] = (0.0 + (0.5 * twice)) + 1.0;
+        B[18] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[13] * A[17]);
+        Phi[19] = A[12] + (0.5 * twice);
+        B[19] = (0.6666666666666666 * A[12]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[12] * A[15]);
+        Phi[20] = A[13] + (0.5 * twice);
+        B[20] = (0.6666666666666666 * A[13]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[15] * A[16]);
+        Phi[21] = A[14] + (0.5 * twice);
+        B[21] = (0.6666666666666666 * A[14]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[14] * A[12]) + (A[15] * A[17]);
+        Phi[22] = (0.0 + (0.5 * twice)) + 1.0;
+        B[22] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[14] * A[13]);
+        Phi[23] = A[15] + (0.5 * twice);
+        B[23] = (0.6666666666666666 * A[15]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[17] * A[14]);
+        Phi[24] = A[16] + (0.5 * twice);
+        B[24] = (0.6666666666666666 * A[16]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[16] * A[12]);
+        Phi[25] = A[17] + (0.5 * twice);
+        B[25] = (0.6666666666666666 * A[17]) + (0.2222222222222222 * twice);
+    }
+    {
+        const bs_lanes twice = 0.0 + (A[16] * A[13]) + (A[17] * A[15]);
+        Phi[26] = (0.0 + (0.5 * twice)) + 1.0;
+        B[26] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
+    }
+    Q[0] = s->Qc[0] * share;
+    Q[1] = s->Qc[1] * share;
+    Q[3] = s->Qc[2] * share;
+    Q[2] = s->Qc[4] * share;
+    Q[4] = s->Qc[5] * share;
+    Q[5] = s->Qc[8] * share;
+    Q[9] = s->Qc[9] * share;
+    Q[13] = s->Qc[10] * share;
+    Q[18] = s->Qc[11] * share;
+    Q[14] = s->Qc[13] * share;
+    Q[19] = s->Qc[14] * share;
+    Q[20] = s->Qc[17] * share;
+    w[0] = Q[0];
+    w[1] = Q[2];
+    w[2] = Q[5];
+    w[3] = Q[9];
+    w[4] = Q[14];
+    w[5] = Q[20];
+    /* Noises that have a part in common, factored; rounding counts as none. */
+    {
+        const bs_bits counts = w[5] > ((2.220446049250313e-16 * Q[20]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[5];
+        {
+            const bs_lanes gain = Q[19] * inverse;
+            Q[13] = bs_choose(counts, Q[13] - (Q[18] * gain), Q[13]);
+            w[4] = bs_choose(counts, w[4] - (Q[19] * gain), w[4]);
+            B[5] = bs_choose(counts, B[5] + (B[4] * gain), B[5]);
+            B[11] = bs_choose(counts, B[11] + (B[10] * gain), B[11]);
+            B[17] = bs_choose(counts, B[17] + (B[16] * gain), B[17]);
+            B[20] = bs_choose(counts, B[20] + (B[19] * gain), B[20]);
+            B[23] = bs_choose(counts, B[23] + (B[22] * gain), B[23]);
+            B[26] = bs_choose(counts, B[26] + (B[25] * gain), B[26]);
+        }
+        {
+            const bs_lanes gain = Q[18] * inverse;
+            w[3] = bs_choose(counts, w[3] - (Q[18] * gain), w[3]);
+            B[5] = bs_choose(counts, B[5] + (B[3] * gain), B[5]);
+            B[11] = bs_choose(counts, B[11] + (B[9] * gain), B[11]);
+            B[17] = bs_choose(counts, B[17] + (B[15] * gain), B[17]);
+            B[20] = bs_choose(counts, B[20] + (B[18] * gain), B[20]);
+            B[23] = bs_choose(counts, B[23] + (B[21] * gain), B[23]);
+            B[26] = bs_choose(counts, B[26] + (B[24] * gain), B[26]);
+        }
+        w[5] = bs_choose(counts, w[5], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[4] > ((2.220446049250313e-16 * Q[14]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[4];
+        {
+            const bs_lanes gain = Q[13] * inverse;
+            w[3] = bs_choose(counts, w[3] - (Q[13] * gain), w[3]);
+            B[4] = bs_choose(counts, B[4] + (B[3] * gain), B[4]);
+            B[10] = bs_choose(counts, B[10] + (B[9] * gain), B[10]);
+            B[16] = bs_choose(counts, B[16] + (B[15] * gain), B[16]);
+            B[19] = bs_choose(counts, B[19] + (B[18] * gain), B[19]);
+            B[22] = bs_choose(counts, B[22] + (B[21] * gain), B[22]);
+            B[25] = bs_choose(counts, B[25] + (B[24] * gain), B[25]);
+        }
+        w[4] = bs_choose(counts, w[4], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[3] > ((2.220446049250313e-16 * Q[9]) + 2.2250738585072014e-308);
+        w[3] = bs_choose(counts, w[3], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[2] > ((2.220446049250313e-16 * Q[5]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[2];
+        {
+            const bs_lanes gain = Q[4] * inverse;
+            Q[1] = bs_choose(counts, Q[1] - (Q[3] * gain), Q[1]);
+            w[1] = bs_choose(counts, w[1] - (Q[4] * gain), w[1]);
+            B[2] = bs_choose(counts, B[2] + (B[1] * gain), B[2]);
+            B[8] = bs_choose(counts, B[8] + (B[7] * gain), B[8]);
+            B[14] = bs_choose(counts, B[14] + (B[13] * gain), B[14]);
+        }
+        {
+            const bs_lanes gain = Q[3] * inverse;
+            w[0] = bs_choose(counts, w[0] - (Q[3] * gain), w[0]);
+            B[2] = bs_choose(counts, B[2] + (B[0] * gain), B[2]);
+            B[8] = bs_choose(counts, B[8] + (B[6] * gain), B[8]);
+            B[14] = bs_choose(counts, B[14] + (B[12] * gain), B[14]);
+        }
+        w[2] = bs_choose(counts, w[2], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[1] > ((2.220446049250313e-16 * Q[2]) + 2.2250738585072014e-308);
+        const bs_lanes inverse = 1.0 / w[1];
+        {
+            const bs_lanes gain = Q[1] * inverse;
+            w[0] = bs_choose(counts, w[0] - (Q[1] * gain), w[0]);
+            B[1] = bs_choose(counts, B[1] + (B[0] * gain), B[1]);
+            B[7] = bs_choose(counts, B[7] + (B[6] * gain), B[7]);
+            B[13] = bs_choose(counts, B[13] + (B[12] * gain), B[13]);
+        }
+        w[1] = bs_choose(counts, w[1], bs_all_of(0.0));
+    }
+    {
+        const bs_bits counts = w[0] > ((2.220446049250313e-16 * Q[0]) + 2.2250738585072014e-308);
+        w[0] = bs_choose(counts, w[0], bs_all_of(0.0));
+    }
+    s->T[0] = B[0] * w[0];
+    s->T[6] = B[1] * w[1];
+    s->T[12] = B[2] * w[2];
+    s->T[18] = B[3] * w[3];
+    s->T[24] = B[4] * w[4];
+    s->T[30] = B[5] * w[5];
+    s->T[1] = B[6] * w[0];
+    s->T[7] = B[7] * w[1];
+    s->T[13] = B[8] * w[2];
+    s->T[19] = B[9] * w[3];
+    s->T[25] = B[10] * w[4];
+    s->T[31] = B[11] * w[5];
+    s->T[2] = B[12] * w[0];
+    s->T[8] = B[13] * w[1];
+    s->T[14] = B[14] * w[2];
+    s->T[20] = B[15] * w[3];
+    s->T[26] = B[16] * w[4];
+    s->T[32] = B[17] * w[5];
+    s->T[21] = B[18] * w[3];
+    s->T[27] = B[19] * w[4];
+    s->T[33] = B[20] * w[5];
+    s->T[22] = B[21] * w[3];
+    s->T[28] = B[22] * w[4];
+    s->T[34] = B[23] * w[5];
+    s->T[23] = B[24] * w[3];
+    s->T[29] = B[25] * w[4];
+    s->T[35] = B[26] * w[5];
+    for (int j = 0; j < 6; ++j) {
+        bs_lanes sum[6];
+        for (int i = 0; i <= j; i += 3) {
+            tall_sums(&B[start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j], &s->T[i],
+                      &sum[i], 1);
+        }
+        for (int i = 0; i <= j; ++i) {
+            Q[((j * (j + 1)) / 2) + i] = sum[i];
+        }
+    }
+    Q[0] += quarter * s->Qc[0];
+    Q[1] += quarter * s->Qc[1];
+    Q[3] += quarter * s->Qc[2];
+    Q[2] += quarter * s->Qc[4];
+    Q[4] += quarter * s->Qc[5];
+    Q[5] += quarter * s->Qc[8];
+    Q[9] += quarter * s->Qc[9];
+    Q[13] += quarter * s->Qc[10];
+    Q[18] += quarter * s->Qc[11];
+    Q[14] += quarter * s->Qc[13];
+    Q[19] += quarter * s->Qc[14];
+    Q[20] += quarter * s->Qc[17];
+}
+
+/* P = Phi P Phi' + Q: vd_joseph_predict.  P as it was stands in s->X. */
+static void predict(scratch *s, bs_lanes *P)
+{
+    static const unsigned short start[7] = { 0, 6, 12, 18, 21, 24, 27 };
+    static const unsigned short at[27] = { 0, 10, 20, 30, 40, 50, 0, 10, 20, 30, 40, 50, 0, 10, 20,
+                                           30, 40, 50, 30, 40, 50, 30, 40, 50, 30, 40, 50 };
+    static const unsigned short across[27] = { 0, 6, 12, 18, 24, 30, 0, 6, 12, 18, 24, 30, 0, 6, 12,
+                                               18, 24, 30, 18, 24, 30, 18, 24, 30, 18, 24, 30 };
+    const bs_lanes *next = P;
+    for (int j = 0; j < VD_N_STATES; ++j) {
+        for (int i = 0; i <= j; ++i, ++next) {
+            s->X[(i * 10) + j] = *next;
+            s->X[(j * 10) + i] = *next;
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 10; j += 5) {
+            wide_sums(&s->Phi[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &s->X[j],
+                      &s->Y[(j * 6) + i], 6);
+        }
+    }
+    for (int j = 0; j < 6; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
+        bs_lanes sum[6];
+        for (int i = 0; i <= j; i += 3) {
+            tall_sums(&s->Phi[start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
+                      &s->Y[i], &sum[i], 1);
+        }
+        for (int i = 0; i <= j; ++i) {
+            to[i] = sum[i] + Q[i];
+        }
+    }
+    for (int j = 6; j < VD_N_STATES; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
+        for (int i = 0; i < 6; ++i) {
+            to[i] = s->Y[(j * 6) + i] + Q[i];
+        }
+        for (int i = 6; i <= j; ++i) {
+            to[i] += Q[i];
+        }
+    }
+}
+
+static void propagate_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+{
+    static const unsigned short start[7] = { 0, 6, 12, 18, 21, 24, 27 };
+    static const unsigned short at[27] = { 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 3,
+                                           4, 5, 3, 4, 5, 3, 4, 5 };
+    scratch *const s = runs->s;
+    bs_bits good = *rare;
+    bs_lanes x[VD_N_STATES];
+    bs_lanes in[10];
+    bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[0], 3, 1, runs->first, runs->n);
+    bs_read(&in[4], &given[1], 0, 3, runs->first, runs->n);
+    bs_read(&in[7], &given[1], 3, 3, runs->first, runs->n);
+    static const double low[10] = { (-500.0), (-500.0), (-500.0), (1e-06), (0.0), (0.0), (0.0),
+                                    (0.0), (0.0), (0.0) };
+    static const double high[10] = { (500.0), (500.0), (500.0), (10.0), (0.1), (0.1), (0.1), (10.0),
+                                     (10.0), (10.0) };
+    good &= bs_inside(in, low, high, 10);
+    good &= in_box(b);
+    vd_F_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], s->F);
+    vd_Qc_kernel(&b->carried[6], &in[4], &in[7], s->Qc);
+    discretize(s, &in[3]);
+    for (int i = 0; i < VD_N_STATES; ++i) {
+        x[i] = b->x[i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        bs_lanes sum = bs_all_of(0.0);
+        for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
+            sum += s->Phi[p] * b->x[at[p]];
+        }
+        x[i] = sum;
+    }
+    predict(s, b->P);
+    good &= judged(x, b->P);
+    bs_keep(b->x, x, good, VD_N_STATES);
+    if (!bs_everywhere(good)) {
+        bs_lanes *to = b->P;
+        for (int j = 0; j < VD_N_STATES; ++j) {
+            for (int i = 0; i <= j; ++i, ++to) {
+                *to = bs_choose(good, *to, s->X[(i * 10) + j]);
+            }
+        }
+    }
+    *rare &= ~good;
+}
+
+/* One row of a measurement: vd_joseph_update.  Returns by `good` where it went its usual way; nis
+ * grows. */
+static void take_row(block *b,
+                     const bs_lanes *h,
+                     const unsigned short *states,
+                     int count,
+                     const bs_lanes *z,
+                     const bs_lanes *R,
+                     double gate,
+                     int asked,
+                     bs_lanes *nu,
+                     bs_lanes *S,
+                     bs_lanes *nis,
+                     bs_bits *good)
+{
+    bs_lanes g[VD_N_STATES];
+    bs_lanes K[VD_N_STATES];
+    bs_lanes own[VD_N_STATES]; /* A h, of the rounded A = P - K g' */
+    bs_lanes *const P = b->P;
+    bs_lanes inverse;
+    *nu = *z;
+    *S = *R;
+    for (int i = 0; i < VD_N_STATES; ++i) {
+        g[i] = bs_all_of(0.0);
+        own[i] = bs_all_of(0.0);
+    }
+    for (int p = 0; p < count; ++p) {
+        const int k = (int)states[p];
+        const bs_lanes *const column = &P[(k * (k + 1)) / 2];
+        *nu -= h[p] * b->x[k];
+        for (int i = 0; i < k; ++i) {
+            g[i] += h[p] * column[i];
+        }
+        for (int i = k; i < VD_N_STATES; ++i) {
+            g[i] += h[p] * P[((i * (i + 1)) / 2) + k];
+        }
+    }
+    for (int p = 0; p < count; ++p) {
+        *S += h[p] * g[states[p]];
+    }
+    *good &= ((*nu - *nu) <= 0.0) & ((*S - *S) <= 0.0) & (*S >= 2.2250738585072014e-308);
+    if (asked == 0) {
+        return;
+    }
+    if (gate > 0.0) {
+        *good &= (*nu * *nu) <= ((gate * gate) * *S);
+    }
+    *nis += (*nu * *nu) / *S;
+    inverse = 1.0 / *S;
+    for (int i = 0; i < VD_N_STATES; ++i) {
+        K[i] = g[i] * inverse;
+        b->x[i] += K[i] * *nu;
+    }
+    for (int p = 0; p < count; ++p) {
+        const int k = (int)states[p];
+        const bs_lanes *const column = &P[(k * (k + 1)) / 2];
+        for (int i = 0; i < k; ++i) {
+            own[i] += h[p] * (column[i] - (K[i] * g[k]));
+        }
+        for (int i = k; i < VD_N_STATES; ++i) {
+            own[i] += h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k]));
+        }
+    }
+    for (int j = 0; j < VD_N_STATES; ++j) {
+        bs_lanes *const to = &P[(j * (j + 1)) / 2];
+        const bs_lanes gj = g[j];
+        const bs_lanes Kj = K[j];
+        for (int i = 0; i <= j; ++i) {
+            to[i] = ((to[i] - (K[i] * gj)) - (own[i] * Kj)) + (*R * (K[i] * Kj));
+        }
+    }
+}
+
+/* What all measurements share: H, z and R of m rows are ready, and good says where. */
+static void take_lanes(block *b,
+                       const chosen *runs,
+                       const bs_lanes *H,
+                       const unsigned short *start,
+                       const unsigned short *at,
+                       int m,
+                       const bs_lanes *z,
+                       const bs_lanes *R,
+                       unsigned int angles,
+                       int index,
+                       const bs_taking *taking,
+                       bs_bits *good,
+                       bs_bits *rare)
+{
+    bs_lanes nu[3];
+    bs_lanes S[3];
+    bs_lanes nis = bs_all_of(0.0);
+    bs_lanes x[VD_N_STATES];
+    scratch *const s = runs->s;
+    unsigned int asked = 0U;
+    const unsigned char *rows = &taking->rows[runs->first * taking->stride];
+    for (int k = 0; k < m; ++k) { /* as the first run of the block has them */
+        asked |= (rows[k] != 0U) ? (1U << (unsigned int)k) : 0U;
+    }
+    for (size_t l = 1U; (l < BORESIGHT_LANES) && ((runs->first + l) < runs->n); ++l) {
+        unsigned int own = 0U;
+        for (int k = 0; k < m; ++k) {
+            own |= (rows[(l * taking->stride) + (size_t)k] != 0U) ? (1U << (unsigned int)k) : 0U;
+        }
+        if (own != asked) {
+            (*good)[l] = 0;
+        }
+    }
+    for (int i = 0; i < VD_N_PACKED; ++i) {
+        s->P[i] = b->P[i];
+    }
+    for (int i = 0; i < VD_N_STATES; ++i) {
+        x[i] = b->x[i];
+    }
+    for (int i = 0; i < m; ++i) {
+        if (((angles >> (unsigned int)i) & 1U) != 0U) { /* no whole turn is to be taken */
+            bs_lanes off = z[i];
+            for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
+                off -= H[p] * x[at[p]];
+            }
+            *good &= (off >= -3.141592653589793) & (off < 3.141592653589793);
+        }
+    }
+    for (int i = 0; i < m; ++i) {
+        take_row(b, &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &z[i], &R[i],
+                 taking->gates[0], (int)((asked >> (unsigned int)i) & 1U), &nu[i], &S[i], &nis,
+                 good);
+    }
+    if (taking->gates[1] > 0.0) {
+        *good &= nis <= taking->gates[1];
+    }
+    *good &= judged(b->x, b->P);
+    if (!bs_everywhere(*good)) {
+        for (int i = 0; i < VD_N_PACKED; ++i) {
+            b->P[i] = bs_choose(*good, b->P[i], s->P[i]);
+        }
+        for (int i = 0; i < VD_N_STATES; ++i) {
+            b->x[i] = bs_choose(*good, b->x[i], x[i]);
+        }
+    }
+    if (asked != 0U) {
+        b->rejected[index] = bs_choose(*good, bs_all_of(0.0), b->rejected[index]);
+    }
+    for (int l = 0; l < BORESIGHT_LANES; ++l) {
+        if ((*good)[l] != 0) {
+            const size_t run = runs->first + (size_t)l;
+            taking->nis[run] = nis[l];
+            for (int k = 0; k < m; ++k) {
+                taking->nu[(run * (size_t)m) + (size_t)k] = nu[k][l];
+                taking->S[(run * (size_t)m) + (size_t)k] = S[k][l];
+                taking->used[(run * (size_t)m) +
+                             (size_t)k] = (unsigned char)((asked >> (unsigned int)k) & 1U);
+            }
+        }
+    }
+    *rare &= ~*good;
+}
+
+static void measure_velocity_lanes(block *b,
+                                   const chosen *runs,
+                                   const bs_given *given,
+                                   const bs_taking *taking,
+                                   bs_bits *rare)
+{
+    static const unsigned short start[4] = { 0, 2, 4, 6 };
+    static const unsigned short at[6] = { 0, 9, 1, 9, 2, 9 };
+    static const double least[1] = { 1e-30 };
+    static const double most[1] = { 1e+30 };
+    bs_bits good = *rare & (b->considering <= 0.0);
+    bs_lanes z[3];
+    bs_lanes R[3];
+    bs_lanes H[6];
+    bs_lanes in[6];
+    bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
+    bs_read(&in[3], &given[0], 7, 3, runs->first, runs->n);
+    static const double low[6] = { (-1000.0), (-1000.0), (-1000.0), (-500.0), (-500.0), (-500.0) };
+    static const double high[6] = { (1000.0), (1000.0), (1000.0), (500.0), (500.0), (500.0) };
+    for (int i = 0; i < 2; ++i) {
+        if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
+            return; /* the scalar function says what is wrong */
+        }
+    }
+    if (*taking->iterations < 0) {
+        return;
+    }
+    bs_read(R, &given[1], 0, 3, runs->first, runs->n);
+    for (int i = 0; i < 3; ++i) {
+        good &= bs_inside(&R[i], least, most, 1);
+    }
+    good &= bs_inside(in, low, high, 6);
+    good &= in_box(b);
+    vd_velocity_z_kernel(&b->carried[3], &in[0], z);
+    vd_velocity_H_kernel(&in[3], H);
+    take_lanes(b, runs, H, start, at, 3, z, R, 0U, VD_MEASUREMENT_VELOCITY, taking, &good, rare);
+}
+
+static void measure_dcm_lanes(block *b,
+                              const chosen *runs,
+                              const bs_given *given,
+                              const bs_taking *taking,
+                              bs_bits *rare)
+{
+    static const unsigned short start[4] = { 0, 5, 10, 15 };
+    static const unsigned short at[15] = { 3, 6, 7, 8, 9, 4, 6, 7, 8, 9, 5, 6, 7, 8, 9 };
+    static const double least[1] = { 1e-30 };
+    static const double most[1] = { 1e+30 };
+    bs_bits good = *rare & (b->considering <= 0.0);
+    bs_lanes z[3];
+    bs_lanes R[3];
+    bs_lanes H[15];
+    bs_lanes in[7];
+    bs_read(&in[0], &given[0], 3, 4, runs->first, runs->n);
+    bs_read(&in[4], &given[0], 10, 3, runs->first, runs->n);
+    static const double low[7] = { (-1.001), (-1.001), (-1.001), (-1.001), (-20.0), (-20.0),
+                                   (-20.0) };
+    static const double high[7] = { (1.001), (1.001), (1.001), (1.001), (20.0), (20.0), (20.0) };
+    for (int i = 0; i < 2; ++i) {
+        if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
+            return; /* the scalar function says what is wrong */
+        }
+    }
+    if (*taking->iterations < 0) {
+        return;
+    }
+    bs_read(R, &given[1], 0, 3, runs->first, runs->n);
+    for (int i = 0; i < 3; ++i) {
+        good &= bs_inside(&R[i], least, most, 1);
+    }
+    good &= bs_inside(in, low, high, 7);
+    good &= bs_normed(&in[0], (0.998001), (1.0020009999999997), 4);
+    good &= in_box(b);
+    vd_dcm_z_kernel(&b->carried[6], &b->carried[10], &in[0], z);
+    vd_dcm_H_kernel(&in[0], &in[4], H);
+    take_lanes(b, runs, H, start, at, 3, z, R, 0U, VD_MEASUREMENT_DCM, taking, &good, rare);
+}
+
+#endif
+
 
 static __attribute__((noinline)) void strapdown_alone(block *b,
                      size_t run,
@@ -121,11 +949,14 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
 
 static void strapdown_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            strapdown_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    strapdown_lanes(b, runs, given, &rare);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                strapdown_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -148,11 +979,16 @@ static __attribute__((noinline)) void propagate_alone(block *b,
 
 static void propagate_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            propagate_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    propagate_lanes(b, runs, given, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                propagate_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -175,11 +1011,14 @@ static __attribute__((noinline)) void correct_alone(block *b,
 
 static void correct_block(block *b, const chosen *runs, const bs_given *given)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            correct_alone(b, run, lane, given, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    correct_lanes(b, runs, given, &rare);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                correct_alone(b, run, lane, given, &runs->status[run]);
+            }
         }
     }
 }
@@ -217,11 +1056,16 @@ static void measure_velocity_block(block *b,
                                    const bs_given *given,
                                    const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_velocity_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    measure_velocity_lanes(b, runs, given, taking, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_velocity_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -260,11 +1104,16 @@ static void measure_dcm_block(block *b,
                               const bs_given *given,
                               const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_dcm_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+#if !BORESIGHT_UD
+    measure_dcm_lanes(b, runs, given, taking, &rare);
+#endif
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_dcm_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -302,11 +1151,13 @@ static void measure_dcm_exact_block(block *b,
                                     const bs_given *given,
                                     const bs_taking *taking)
 {
-    for (int lane = 0; (lane < BORESIGHT_LANES) && ((runs->first + (size_t)lane) < runs->n);
-         ++lane) {
-        const size_t run = runs->first + (size_t)lane;
-        if (bs_good((bs_status)runs->status[run])) {
-            measure_dcm_exact_alone(b, run, lane, given, taking, &runs->status[run]);
+    bs_bits rare = bs_going(runs->status, runs->first, runs->n);
+    if (!bs_everywhere(~rare)) {
+        for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
+            if (rare[lane] != 0) {
+                const size_t run = runs->first + (size_t)lane;
+                measure_dcm_exact_alone(b, run, lane, given, taking, &runs->status[run]);
+            }
         }
     }
 }
@@ -338,7 +1189,8 @@ static void measure_block(block *b,
 size_t vd_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t vd_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         strapdown_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -348,7 +1200,8 @@ size_t vd_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned ch
 size_t vd_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t vd_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         propagate_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -358,7 +1211,8 @@ size_t vd_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned ch
 size_t vd_lanes_correct(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t vd_lanes_correct(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         correct_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -378,7 +1232,8 @@ size_t vd_lanes_measure(size_t n,
                         const bs_taking *taking,
                         unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         measure_block(&b[runs.first / BORESIGHT_LANES], &runs, which, given, taking);
     }
@@ -389,7 +1244,8 @@ size_t vd_lanes_measure(size_t n,
 size_t vd_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *status);
 size_t vd_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *status)
 {
-    chosen runs = { 0U, n, status };
+    scratch room = {0};
+    chosen runs = { 0U, n, status, &room };
     for (size_t i = 0U; i < n; ++i) {
         status[i] = (unsigned char)BS_OK;
     }

@@ -1,0 +1,204 @@
+"""The filter over blocks of runs: every run has the bits that the scalar functions of the generated C give it alone."""
+
+import ctypes
+import hashlib
+import json
+import shutil
+
+import numpy as np
+import pytest
+
+from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.epoch import Epoch
+from boresight.runtime.library import WIDTHS, load
+from boresight.runtime.manifest import GENERATED, built_in
+from boresight.runtime.status import Status
+
+RUNS = 61  # no multiple of any width
+MODELS = [name for name in built_in() if json.loads((GENERATED / name.replace("-", "_") / "manifest.json").read_text())["filter"]]
+HOSTILE = (np.nan, np.inf, -np.inf, -0.0, 1e300, -1e300, 5e-324)
+
+
+def bits(array):
+    return np.ascontiguousarray(array, dtype=float).view(np.uint64)
+
+
+class Gates(ctypes.Structure):
+    """bs_gates."""
+
+    _fields_ = [("rows", ctypes.c_uint), ("gate", ctypes.c_double), ("joint", ctypes.c_double), ("iterations", ctypes.c_int)]
+
+
+class Alone:
+    """Runs of a filter one after another, by the functions of PREFIX_filter.h."""
+
+    def __init__(self, loop):
+        self.loop, self.library = loop, loop._library
+        loop._settle(loop._runs)
+        self.dll, self.described = loop._dll, loop.described
+        size = self.library.dll[f"{self.library.manifest['c_prefix']}_filter_size"]
+        size.restype = ctypes.c_size_t
+        memory = loop._memory
+        self.n, self.front = memory.n, loop._part["P"].stop
+        self.carried = sum(part.stop - part.start for part in (loop._part[name] for name in loop._carried))
+        self.skipped = max(0, loop._part["x"].start - self.carried)  # a place that stands for nothing
+        self.memory = np.zeros((self.n, size()))
+        whole = memory.read(slice(0, loop._size))
+        self.memory[:, : self.front - self.skipped] = whole[:, self.skipped : self.front]
+        kept = whole[:, loop._part["considered"]]
+        states = kept.shape[1] - 1
+        self.bytes = self.memory.view(np.uint8)[:, 8 * (self.front - self.skipped) :]
+        self.bytes[:, :states], self.bytes[:, states] = kept[:, 1:], kept[:, 0]
+        begin = (states + 2) // 2 * 2
+        self.counts = self.bytes[:, begin : begin + 2 * (loop._part["counts"].stop - loop._part["counts"].start)].view(np.uint16)
+        self.counts[:] = whole[:, loop._part["counts"]]
+
+    def call(self, name, described, inputs, run, *rest):
+        function = self.dll[f"{self.library.manifest['c_prefix']}_filter_{name}"]
+        structs = [np.ascontiguousarray(inputs.array(struct, run)) for struct in described["structs"]]
+        pointers = [ctypes.c_void_p(array.ctypes.data) for array in (self.memory[run], *structs, *rest)]
+        return function(*pointers)
+
+    def state(self):
+        return np.hstack([self.memory[:, : self.front - self.skipped], self.counts])
+
+
+class Drawn:
+    """Inputs of one function: those of an Epoch, as the scalar function takes them."""
+
+    def __init__(self, inputs, described, library, sample=None):
+        self.inputs, self.described, self.library, self.sample = inputs, described, library, sample
+
+    def array(self, struct, run):
+        one = np.zeros(self.library.width[struct])
+        for name, part in self.library.layout[struct].items():
+            if name in self.inputs.fields:
+                value = self.inputs[name] if self.sample is None else self.inputs[name][self.sample]
+                one[part] = value[run]
+        return one
+
+
+def drawn(library, name, rng, spoilt):
+    """(RUNS, size) of a field: well inside its box, at its ends, and where it is spoilt, beyond it or no number."""
+    field = library.field[name]
+    low, high = np.array(field["low"]), np.array(field["high"])
+    middle, half = (low + high) / 2, (high - low) / 2
+    value = middle + half * rng.uniform(-1, 1, (RUNS, len(low))) * 10.0 ** rng.uniform(-4, -0.1, (RUNS, 1))
+    if field["norm"]:
+        value = rng.standard_normal((RUNS, len(low)))
+        value[:, 0] += 3
+        value /= np.linalg.norm(value, axis=1, keepdims=True)
+    if spoilt:
+        ends = rng.random(RUNS) < 0.04
+        value[ends] = np.where(rng.random((ends.sum(), len(low))) < 0.5, low, high)
+        odd = rng.random(RUNS) < 0.02
+        value[odd, rng.integers(len(low))] = rng.choice(HOSTILE, odd.sum())
+    return value if len(low) > 1 else value[:, 0]
+
+
+def begun(library, rng, spoilt):
+    n = len(library.states)
+    box = library.field["x"]
+    size = (np.array(box["high"]) - np.array(box["low"])) * 1e-4
+    root = rng.standard_normal((RUNS, n, n + 2)) * 0.3 + np.eye(n, n + 2)
+    P = root @ np.swapaxes(root, -1, -2) * size[:, None] * size * 10.0 ** rng.uniform(-3, 0, (RUNS, 1, 1))
+    P = (P + np.swapaxes(P, -1, -2)) / 2
+    x = rng.standard_normal((RUNS, n)) * size * 0.01
+    if spoilt:
+        for run in np.flatnonzero(rng.random(RUNS) < 0.1):
+            i, j = rng.integers(n, size=2)
+            P[run, i, j] = P[run, j, i] = rng.choice([*HOSTILE, -1e-9, 1e30])
+        for run in np.flatnonzero(rng.random(RUNS) < 0.05):
+            x[run, rng.integers(n)] = rng.choice(HOSTILE)
+        P[rng.random(RUNS) < 0.03] *= 1e28  # above the ceilings
+    nav = {name: drawn(library, name, rng, spoilt) for struct in library.manifest["filter"]["carried"]
+           for name in library.layout[struct]}  # fmt: skip
+    loop = CompiledFilter(library, {}, np.broadcast_to(np.eye(n) * 1e-9, (RUNS, n, n)))
+    loop.nav, loop.P, loop.x = nav, P, x
+    return loop
+
+
+def filled(inputs, library, rng, spoilt):
+    for name in inputs.fields:
+        if name not in ("z", "R"):
+            value = np.abs(drawn(library, name, rng, spoilt)) if "noise" in name else drawn(library, name, rng, spoilt)
+            inputs[name] = value
+
+
+def apart(library, function, rng, spoilt):
+    """Names of what differs by a bit between `function` in lanes and run by run."""
+    loop = begun(library, rng, spoilt)
+    measured = function.startswith("measure_")
+    name = function.removeprefix("measure_")
+    epoch = Epoch(loop, int(function == "strapdown"), [name] if measured else [], predict=function == "propagate",
+                  feedback=function == "correct", runs=(RUNS,))  # fmt: skip
+    described = loop.described["measurements"][name] if measured else loop.described[function]
+    inputs = {"strapdown": epoch.strapdown, "propagate": epoch.predict}.get(function) or epoch.measured.get(name) or epoch.predict
+    filled(inputs, library, rng, spoilt)
+    if measured:
+        m = described["m"]
+        one = inputs
+        one["R"] = (10.0 ** rng.uniform(-8, 0, one["R"].shape)) if one["R"].shape[-1] == m else np.tile(np.eye(m).ravel(), (RUNS, 1))
+        if described["brings_z"]:
+            one["z"] = rng.standard_normal(one["z"].shape)
+        if spoilt:
+            one["R"][rng.random(RUNS) < 0.05, 0] = rng.choice([0.0, -1.0, np.nan, 1e31])
+            one.rows[:] = rng.random(one.rows.shape) < 0.8
+            one.gates[:] = rng.choice([0.0, 3.0]), rng.choice([0.0, 10.0])
+            one.iterations[:] = rng.integers(0, 3)
+    loop._settle((RUNS,))
+    memory = loop._memory
+    if spoilt:
+        loop._write("counts", rng.integers(0, 3, (RUNS, memory.blocks.shape[1])).astype(float)[:, : loop._part["counts"].stop - loop._part["counts"].start])
+        if measured:
+            loop._consider(rng.random((RUNS, len(library.states))) < 0.01)
+    alone = Alone(loop)
+    by_run = Drawn(inputs, described, library, 0 if function == "strapdown" else None)
+    said, innovations = [], []
+    for run in range(RUNS):
+        rest = []
+        if measured:
+            m, most = described["m"], max(d["m"] for d in loop.described["measurements"].values())
+            innovation = np.zeros(2 * most + 2)
+            rows = int(sum(1 << k for k in range(m) if one.rows[run, k]))
+            gates = Gates(rows, *one.gates, one.iterations[0])
+            rest = [*([np.array(one["z"][run])] if described["brings_z"] else []), np.array(one["R"][run])]
+            rest += [np.frombuffer(gates, dtype=np.uint8), innovation]
+        said.append(alone.call(function, described, by_run, run, *rest))
+        if measured:
+            used = innovation[-1:].view(np.uint32)[0]
+            innovations.append([*innovation[:m], *innovation[most : most + m], innovation[2 * most], *[used >> k & 1 for k in range(m)]])
+    epoch()
+    found = []
+    if not np.array_equal(said, epoch.status):
+        found.append("status")
+    whole = memory.read(slice(0, loop._part["counts"].stop))[:, alone.skipped :]
+    if not np.array_equal(bits(whole), bits(alone.state())):
+        found.append("state")
+    if measured:
+        ours = np.hstack([one.nu, one.S, one.nis[:, None], one.used])
+        if not np.array_equal(bits(ours), bits(innovations)):
+            found.append("innovation")
+    return found, np.array(said)
+
+
+def functions(library):
+    described = library.manifest["filter"]
+    return [*(name for name in ("strapdown", "propagate", "correct") if described[name]),
+            *(f"measure_{name}" for name in described["measurements"])]  # fmt: skip
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("model", MODELS)
+def test_every_run_has_the_bits_that_it_has_alone(model, width):
+    library = load(model, lanes=width)
+    for function in functions(library):
+        rng = np.random.default_rng([3, len(function), width])
+        said = []
+        for spoilt in (False, False, *3 * (True,)):
+            found, status = apart(library, function, rng, spoilt)
+            assert not found, (function, spoilt)
+            said.append(status)
+        good = np.concatenate(said)
+        assert np.isin(said[0], [Status.OK, Status.AT_CEILING, Status.OUT_OF_RANGE]).all()
+        assert (good == Status.OK).mean() > 0.2, function
