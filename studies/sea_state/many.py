@@ -167,7 +167,9 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
         before.predict[name] = given[name]
     attitude, velocity = (update.measured[name] for name in ("dcm", "velocity"))
     velocity["lever_b"] = lever
-    velocity["R"], attitude["R"] = at_sea.matching_variances(s).reshape(2, 3)
+    # Of `moving`: the gyros' noise comes with the rate into the velocity of the lever arm, two thirds about an axis.
+    swung = given["gyro_noise"][0] ** 2 * 2.5 / (SPAN * dt) * lever @ lever * 2 / 3
+    velocity["R"], attitude["R"] = at_sea.matching_variances(s).reshape(2, 3) + np.array([[swung], [0.0]])
 
     # Samples stand from the newest to the oldest, so that each has the one before it behind it.
     ideal = np.concatenate([true.dtheta, true.dv], axis=-1)[::-1]
