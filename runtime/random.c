@@ -13,7 +13,7 @@ __extension__ typedef unsigned __int128 product;
 void boresight_words(uint64_t seed, const uint64_t *run, size_t runs, uint64_t stream, uint64_t first, size_t count,
                      uint64_t *out, ptrdiff_t run_stride, ptrdiff_t stride);
 void boresight_normals(uint64_t seed, const uint64_t *run, size_t runs, uint64_t stream, uint64_t first, size_t count,
-                       double *out, ptrdiff_t run_stride, ptrdiff_t stride);
+                       double *out, ptrdiff_t run_stride, ptrdiff_t stride, const double *scale, const double *offset);
 
 /* Block number `counter` of a run: its first has the counter 1, as NumPy counts before it draws. */
 static inline void philox(uint64_t seed, uint64_t run, uint64_t stream, uint64_t counter, uint64_t word[4])
@@ -77,7 +77,7 @@ static void transform(const uint64_t word[4 * BLOCKS], double normal[4 * BLOCKS]
 }
 
 void boresight_normals(uint64_t seed, const uint64_t *run, size_t runs, uint64_t stream, uint64_t first, size_t count,
-                       double *out, ptrdiff_t run_stride, ptrdiff_t stride)
+                       double *out, ptrdiff_t run_stride, ptrdiff_t stride, const double *scale, const double *offset)
 {
     for (size_t r = 0U; r < runs; ++r) {
         uint64_t begin = first % 4U; /* the first of a block that is wanted */
@@ -91,7 +91,7 @@ void boresight_normals(uint64_t seed, const uint64_t *run, size_t runs, uint64_t
             }
             transform(word, normal);
             for (size_t k = (size_t)begin; k < end; ++k, ++i) {
-                out[((ptrdiff_t)r * run_stride) + ((ptrdiff_t)i * stride)] = normal[k];
+                out[((ptrdiff_t)r * run_stride) + ((ptrdiff_t)i * stride)] = (normal[k] * scale[i]) + offset[i];
             }
         }
     }

@@ -46,6 +46,8 @@ def normals(
     stream: int = 0,
     out: Array | None = None,
     lanes: int | None = None,
+    scale: Any = 1.0,
+    offset: Any = 0.0,
 ) -> Array:
     """(len(runs), count) standard normal numbers, of each run from its number `first` on.
 
@@ -53,12 +55,14 @@ def normals(
     runs: the numbers of the runs, (n,) whole, of the same range.
     out: where they go, (n, count) float64 of any strides; by default a new array.
     lanes: how many are computed at a time, which changes no bit; by default as many as the processor has room for.
+    scale, offset: (count,) for each number what it is multiplied by, and what is added then; by default nothing.
     """
-    return drawn("normals", seed, runs, count, first, stream, out, np.float64, lanes or compiler.lanes())
+    lanes = lanes or compiler.lanes()
+    return drawn("normals", seed, runs, count, first, stream, out, np.float64, lanes, (scale, offset))
 
 
 def drawn(name: str, seed: int, runs: Any, count: int, first: int, stream: int, out: Array | None, kind: type,
-          lanes: int) -> Array:  # fmt: skip
+          lanes: int, linear: tuple[Any, ...] = ()) -> Array:  # fmt: skip
     for what, value in (("seed", seed), ("first", first), ("stream", stream), ("count", count)):
         if not (isinstance(value, int | np.integer) and 0 <= value < 2**64):
             raise BoresightError(f"{what} is {value!r}; give a whole number from 0 to 2^64 - 1")
@@ -71,10 +75,13 @@ def drawn(name: str, seed: int, runs: Any, count: int, first: int, stream: int, 
         out = np.empty(shape, kind)
     if out.shape != shape or out.dtype != kind or not out.flags.writeable or any(s % 8 for s in out.strides):
         raise BoresightError(f"out is {out.dtype} of shape {out.shape}; it must be float64 of shape {shape}")
+    each = [np.ascontiguousarray(np.broadcast_to(part, shape[1:]), dtype=float) for part in linear]
     function = getattr(library(lanes), f"boresight_{name}")
     function.restype = None
     integer, pointer, size, step = ctypes.c_uint64, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_ssize_t
-    function.argtypes = [integer, pointer, size, integer, integer, size, pointer, step, step]
+    function.argtypes = [integer, pointer, size, integer, integer, size, pointer, step, step,
+                         *len(each) * (pointer,)]  # fmt: skip
+    numbered = int(seed), numbers.ctypes.data, len(numbers), int(stream), int(first), int(count)
     strides = (stride // 8 for stride in out.strides)
-    function(int(seed), numbers.ctypes.data, len(numbers), int(stream), int(first), int(count), out.ctypes.data, *strides)
+    function(*numbered, out.ctypes.data, *strides, *(part.ctypes.data for part in each))
     return out

@@ -28,7 +28,7 @@ from boresight.studies.consistency import nees
 from boresight.studies.sea_state import flight as at_sea
 
 MODEL = "velocity-attitude"
-SEAS, TOGETHER = 32, 128
+SEAS, TOGETHER = 32, 256
 NODES = 6  # of the polynomial by which the master's pose depends on the delay
 SLAVE, MASTER, DELAY = 0, 1, 2  # streams of random numbers of a run
 SPAN = 4  # samples of a rate at an update, the mean over them
@@ -182,9 +182,8 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     nis, lost = np.zeros(n), np.zeros(n, bool)
     for k in range(updates):
         samples[:, -1] = samples[:, 0]
-        random.normals(seed, runs, 6 * per_update, first=6 * per_update * k, stream=SLAVE, out=newest, lanes=width)
-        newest *= scale
-        newest += ideal[(updates - 1 - k) * per_update : (updates - k) * per_update].reshape(-1)
+        exact = ideal[(updates - 1 - k) * per_update : (updates - k) * per_update].reshape(-1)
+        random.normals(seed, runs, 6 * per_update, 6 * per_update * k, SLAVE, newest, width, scale, exact)
         if k == 0:
             samples[:, -1] = samples[:, -2]
         biases = loop.nav["gyro_bias"], loop.nav["accel_bias"]

@@ -14,8 +14,8 @@ import pytest
 from conftest import ROOT
 
 from boresight import BoresightError
+from boresight.runtime import random, store, summary
 from boresight.runtime import runs as r
-from boresight.runtime import store, summary
 from boresight.runtime.library import load
 
 MODEL = "euler-matching"
@@ -101,6 +101,13 @@ def test_a_run_that_is_lost_is_counted_and_spoils_no_mean():
     all_lost = r.many(experiment(lost=list(range(40))), runs=40)
     assert all_lost.lost == 40 and all_lost.columns["a"]["mean"] is None and all_lost.percentiles["a"]["50"][0] is None
     json.dumps(all_lost.document(), allow_nan=False)
+
+
+def test_normals_may_come_scaled_and_moved():
+    plain = random.normals(3, range(5), 17, first=2)
+    scale, offset = np.arange(17) + 0.1, np.arange(17) * 3.0
+    moved = random.normals(3, range(5), 17, first=2, scale=scale, offset=offset)
+    np.testing.assert_array_equal(moved, plain * scale + offset)
 
 
 # ---- stopping where enough is known
@@ -270,7 +277,7 @@ def test_final_states_of_another_shape_are_refused():
 MEMORY = """
 import resource, numpy as np
 from boresight.runtime import runs as r
-from boresight.runtime import store, summary
+from boresight.runtime import random, store, summary
 
 def fly(library, settings, seed, runs):
     return np.random.Generator(np.random.Philox(key=[seed, runs.start])).standard_normal((len(runs), 35))
