@@ -10,7 +10,7 @@ Axes of arrays: time first, then runs, then components; every number of a run ma
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -47,7 +47,7 @@ class Harmonics:
         """Value, rate and acceleration at these times, for little more than one of them."""
         rate = 1j * self.omega[..., None, :] * self.amplitude
         acceleration = 1j * self.omega[..., None, :] * rate
-        together = Harmonics(self.omega, np.concatenate([self.amplitude, rate, acceleration], axis=-2)).at(time)
+        together = replace(self, amplitude=np.concatenate([self.amplitude, rate, acceleration], axis=-2)).at(time)
         value, first, second = np.split(together, 3, axis=-1)
         return value, first, second
 

@@ -10,6 +10,7 @@ each run is the delay, the biases and all noise.  An interval of the runner is o
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -20,7 +21,7 @@ from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.epoch import Epoch
 from boresight.runtime.library import Library, load
 from boresight.runtime.runs import Experiment
-from boresight.runtime.simulation import sensors
+from boresight.runtime.simulation import hull, sensors
 from boresight.runtime.status import Status
 from boresight.runtime.transfer import Message
 from boresight.runtime.units import DEG, HOUR, MIL, MILLI_G
@@ -84,6 +85,20 @@ class Shared:
     P: Array  # (16, 16) with which a filter begins
 
 
+class Summed(hull.Harmonics):
+    """Wave after wave: a product of matrices has other last bits with another number of threads."""
+
+    def at(self, time: Any) -> Array:
+        time = np.asarray(time, float)
+        if time.ndim == 1:
+            time = time.reshape(-1, *[1] * (self.amplitude.ndim - 2))
+        total: Array = np.zeros(1)
+        for k in range(self.omega.shape[-1]):
+            angle, part = time * self.omega[..., k], self.amplitude[..., k]
+            total = total + (np.cos(angle)[..., None] * part.real - np.sin(angle)[..., None] * part.imag)
+        return total
+
+
 @lru_cache(maxsize=SEAS)
 def shared(sea: Sea, seed: int, number: int) -> Shared:
     """The truth of a sea by its number; of a motion that is not random there is one."""
@@ -93,7 +108,9 @@ def shared(sea: Sea, seed: int, number: int) -> Shared:
     delays = 1e-3 * (sum(s.delay_ms) + (s.delay_ms[1] - s.delay_ms[0]) * turn) / 2
     stream = sensors.generator(seed, number)  # whose key is a hash, and no [seed, run]
     drawn = at_sea.Drawn(delays, np.zeros((1, 3)), np.zeros((1, 3)), np.eye(3)[None, None], (stream,))
-    true = at_sea.truth(model, at_sea.motion_of(sea.motion, s, drawn.streams), s, drawn)
+    motion = at_sea.motion_of(sea.motion, s, drawn.streams)
+    motion = replace(motion, freedoms=Summed(motion.freedoms.omega, motion.freedoms.amplitude))
+    true = at_sea.truth(model, motion, s, drawn)
     per_update = s.navigation_hz // s.update_hz
     ends = true.slave.nav(slice(None, None, per_update))
     one = (slice(None), 0, 0)

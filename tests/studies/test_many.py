@@ -1,10 +1,14 @@
 """Transfer alignments at sea by the thousand: the flights, and the command that flies them."""
 
 import json
+import os
+import subprocess
+import sys
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from conftest import ROOT
 
 from boresight import BoresightError, cli
 from boresight.runtime import runs as r
@@ -65,6 +69,21 @@ def test_the_final_states_are_the_same_in_lanes_of_every_width():
         found.append(sea.fly(load(sea.MODEL, lanes=lanes), kind, 1, range(21)))
     for other in found[1:]:
         np.testing.assert_array_equal(other, found[0])
+
+
+def test_the_truth_is_the_same_with_any_number_of_threads():
+    """NumPy's product of matrices is not, and a worker of Dask has one thread."""
+    code = (
+        "import hashlib; from boresight.studies.sea_state import many as sea; "
+        "true = sea.shared(sea.Sea('sea', 4), 1, 1); "
+        "print(hashlib.sha256(b''.join(part.tobytes() for part in vars(true).values())).hexdigest())"
+    )
+    found = set()
+    for threads in ("1", "2"):
+        env = {**os.environ, "PYTHONPATH": str(ROOT), "OPENBLAS_NUM_THREADS": threads}
+        done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True)
+        found.add(done.stdout)
+    assert len(found) == 1
 
 
 @pytest.mark.parametrize("motion", ["slope", "sea"])
