@@ -18,7 +18,7 @@ from boresight.runtime.manifest import cache_folder
 FLAGS = ("-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror")
 # gcc 12 makes sums and differences side by side into one fused instruction, whatever -ffp-contract says
 NOT_FUSED = "-fno-tree-slp-vectorize"
-LANES = ("-fno-math-errno", "-Wno-psabi")  # of C over blocks of runs, which no function of another file is given
+LANES = ("-O3", "-fno-math-errno", "-Wno-psabi")  # of C over blocks of runs, which no function of another file is given
 PRECISIONS: dict[str, tuple[str, ...]] = {"float": ("-DBORESIGHT_FLOAT",), "double": ()}
 
 
@@ -82,13 +82,14 @@ def shared_library(
     """Path of the library in the cache, compiled for this processor if it is not there, and the hash that it carries.
 
     contents: a text that differs if any source or header differs, such as their hashes.  sources: see
-    `compile_sources`; a set of flags of their own needs a name of its own.  include: folder of the headers.
+    `compile_sources`.  include: folder of the headers.
     flags: of all sources, beside FLAGS.
     """
     command = compiler()
     native, macros = processor(*command)
     key = hashlib.sha256()
-    for part in (name, contents, *FLAGS, *native, *flags, *command, version(*command), macros):
+    own = (str(flag) for each in sources.values() for flag in each)
+    for part in (name, contents, *FLAGS, *native, *flags, *own, *command, version(*command), macros):
         key.update(part.encode() + b"\0")
     digest = key.hexdigest()
     target = cache_folder() / f"{name}-{digest[:32]}.so"

@@ -76,7 +76,9 @@ def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: d
     view["x"] = {"low": ", ".join(number(lo) for lo, _ in x), "high": ", ".join(number(hi) for _, hi in x)}
     view["measurements"] = {}
     for u in f["measurements"]:
-        if not (u["nonlinear"] or u["correlated"] or u["h"]):
+        H = next(unit for unit in made if unit.name == f"{u['name']}_H").results[0].nonzeros
+        full = len({row for row, _ in H}) == u["m"]  # every row measures something
+        if full and not (u["nonlinear"] or u["correlated"] or u["h"]):
             taken = given(u)
             view["measurements"][u["name"]] = {
                 **taken, "z": kernel(f"{u['name']}_z", taken, ["z"]) if u["z"] else None,
@@ -173,7 +175,8 @@ def discretized(model: Model, made: list[Unit]) -> dict[str, Any] | None:
         "B_at": rows(B, m, lambda k: k * down),
         "T": [(k * down + i, b[i, k], k) for i, k in B],
         "noise": [(p, at) for _, p, at in upper],
-        "moving": [(p, at) for stays, p, at in upper if not stays],
+        "moving": [(p, f"S[{j * down + i}]" if j < m else f"Q[{j * (j + 1) // 2 + i}]")
+                   for p, (i, j) in enumerate(Qc) if i <= j and i < m],
         "staying": [(p, at) for stays, p, at in upper if stays],
         "beyond": [(j * (j + 1) // 2 + i, j * down + i) for i, j in B if j >= m],
         "noisy": [(k, k * (k + 3) // 2) for k in sorted(noisy)],

@@ -70,7 +70,8 @@ typedef struct {
     bs_lanes B[98];
     bs_lanes w[AHR_N_STATES];
     bs_lanes T[AHR_N_STATES * 9]; /* (B times the noise)', rows of 9 */
-    bs_lanes Q[AHR_N_PACKED];
+    bs_lanes S[81]; /* Q of the states that move, rows of 9 */
+    bs_lanes Q[AHR_N_PACKED]; /* of the others */
     bs_lanes X[AHR_N_STATES * 16]; /* P, dense, rows of 16 */
     bs_lanes Y[16 * 9]; /* (Phi P)', rows of 9 */
 } scratch;
@@ -1159,13 +1160,9 @@ static void discretize(scratch *s, const bs_lanes *dt)
     s->T[125] = B[96] * w[13];
     s->T[134] = B[97] * w[14];
     for (int j = 0; j < 9; ++j) {
-        bs_lanes sum[9];
         for (int i = 0; i <= j; i += 3) {
             tall_sums(&B[start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j], &s->T[i],
-                      &sum[i], 1);
-        }
-        for (int i = 0; i <= j; ++i) {
-            Q[((j * (j + 1)) / 2) + i] = sum[i];
+                      &s->S[(j * 9) + i], 1);
         }
     }
     Q[78] = s->T[108];
@@ -1213,18 +1210,18 @@ static void discretize(scratch *s, const bs_lanes *dt)
     Q[86] = s->T[116];
     Q[99] = s->T[125];
     Q[113] = s->T[134];
-    Q[9] += quarter * s->Qc[0];
-    Q[13] += quarter * s->Qc[1];
-    Q[18] += quarter * s->Qc[2];
-    Q[14] += quarter * s->Qc[4];
-    Q[19] += quarter * s->Qc[5];
-    Q[20] += quarter * s->Qc[8];
-    Q[27] += quarter * s->Qc[9];
-    Q[34] += quarter * s->Qc[10];
-    Q[42] += quarter * s->Qc[11];
-    Q[35] += quarter * s->Qc[13];
-    Q[43] += quarter * s->Qc[14];
-    Q[44] += quarter * s->Qc[17];
+    s->S[30] += quarter * s->Qc[0];
+    s->S[39] += quarter * s->Qc[1];
+    s->S[48] += quarter * s->Qc[2];
+    s->S[40] += quarter * s->Qc[4];
+    s->S[49] += quarter * s->Qc[5];
+    s->S[50] += quarter * s->Qc[8];
+    s->S[60] += quarter * s->Qc[9];
+    s->S[69] += quarter * s->Qc[10];
+    s->S[78] += quarter * s->Qc[11];
+    s->S[70] += quarter * s->Qc[13];
+    s->S[79] += quarter * s->Qc[14];
+    s->S[80] += quarter * s->Qc[17];
     Q[54] = *dt * s->Qc[18];
     Q[65] = *dt * s->Qc[19];
     Q[77] = *dt * s->Qc[20];
@@ -1272,14 +1269,13 @@ static void predict(scratch *s, bs_lanes *P)
     }
     for (int j = 0; j < 9; ++j) {
         bs_lanes *const to = &P[(j * (j + 1)) / 2];
-        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
         bs_lanes sum[9];
         for (int i = 0; i <= j; i += 3) {
             tall_sums(&s->Phi[start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
                       &s->Y[i], &sum[i], 1);
         }
         for (int i = 0; i <= j; ++i) {
-            to[i] = sum[i] + Q[i];
+            to[i] = sum[i] + s->S[(j * 9) + i];
         }
     }
     for (int j = 9; j < AHR_N_STATES; ++j) {
@@ -1366,22 +1362,19 @@ static void take_row(block *b,
     bs_lanes K[AHR_N_STATES];
     bs_lanes own[AHR_N_STATES]; /* A h, of the rounded A = P - K g' */
     bs_lanes *const P = b->P;
+    const bs_lanes zero = bs_all_of(0.0);
     bs_lanes inverse;
     *nu = *z;
     *S = *R;
-    for (int i = 0; i < AHR_N_STATES; ++i) {
-        g[i] = bs_all_of(0.0);
-        own[i] = bs_all_of(0.0);
-    }
     for (int p = 0; p < count; ++p) {
         const int k = (int)states[p];
         const bs_lanes *const column = &P[(k * (k + 1)) / 2];
         *nu -= h[p] * b->x[k];
         for (int i = 0; i < k; ++i) {
-            g[i] += h[p] * column[i];
+            g[i] = ((p > 0) ? g[i] : zero) + (h[p] * column[i]);
         }
         for (int i = k; i < AHR_N_STATES; ++i) {
-            g[i] += h[p] * P[((i * (i + 1)) / 2) + k];
+            g[i] = ((p > 0) ? g[i] : zero) + (h[p] * P[((i * (i + 1)) / 2) + k]);
         }
     }
     for (int p = 0; p < count; ++p) {
@@ -1404,10 +1397,11 @@ static void take_row(block *b,
         const int k = (int)states[p];
         const bs_lanes *const column = &P[(k * (k + 1)) / 2];
         for (int i = 0; i < k; ++i) {
-            own[i] += h[p] * (column[i] - (K[i] * g[k]));
+            own[i] = ((p > 0) ? own[i] : zero) + (h[p] * (column[i] - (K[i] * g[k])));
         }
         for (int i = k; i < AHR_N_STATES; ++i) {
-            own[i] += h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k]));
+            own[i] = ((p > 0) ? own[i] : zero) +
+                (h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k])));
         }
     }
     for (int j = 0; j < AHR_N_STATES; ++j) {

@@ -67,7 +67,8 @@ typedef struct {
     bs_lanes B[9];
     bs_lanes w[EM_N_STATES];
     bs_lanes T[EM_N_STATES * 3]; /* (B times the noise)', rows of 3 */
-    bs_lanes Q[EM_N_PACKED];
+    bs_lanes S[9]; /* Q of the states that move, rows of 3 */
+    bs_lanes Q[EM_N_PACKED]; /* of the others */
     bs_lanes X[EM_N_STATES * 6]; /* P, dense, rows of 6 */
     bs_lanes Y[6 * 3]; /* (Phi P)', rows of 3 */
 } scratch;
@@ -403,21 +404,17 @@ static void discretize(scratch *s, const bs_lanes *dt)
     s->T[5] = B[7] * w[1];
     s->T[8] = B[8] * w[2];
     for (int j = 0; j < 3; ++j) {
-        bs_lanes sum[3];
         for (int i = 0; i <= j; i += 3) {
             tall_sums(&B[start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j], &s->T[i],
-                      &sum[i], 1);
-        }
-        for (int i = 0; i <= j; ++i) {
-            Q[((j * (j + 1)) / 2) + i] = sum[i];
+                      &s->S[(j * 3) + i], 1);
         }
     }
-    Q[0] += quarter * s->Qc[0];
-    Q[1] += quarter * s->Qc[1];
-    Q[3] += quarter * s->Qc[2];
-    Q[2] += quarter * s->Qc[4];
-    Q[4] += quarter * s->Qc[5];
-    Q[5] += quarter * s->Qc[8];
+    s->S[0] += quarter * s->Qc[0];
+    s->S[3] += quarter * s->Qc[1];
+    s->S[6] += quarter * s->Qc[2];
+    s->S[4] += quarter * s->Qc[4];
+    s->S[7] += quarter * s->Qc[5];
+    s->S[8] += quarter * s->Qc[8];
 }
 
 /* P = Phi P Phi' + Q: em_joseph_predict.  P as it was stands in s->X. */
@@ -441,14 +438,13 @@ static void predict(scratch *s, bs_lanes *P)
     }
     for (int j = 0; j < 3; ++j) {
         bs_lanes *const to = &P[(j * (j + 1)) / 2];
-        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
         bs_lanes sum[3];
         for (int i = 0; i <= j; i += 3) {
             tall_sums(&s->Phi[start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
                       &s->Y[i], &sum[i], 1);
         }
         for (int i = 0; i <= j; ++i) {
-            to[i] = sum[i] + Q[i];
+            to[i] = sum[i] + s->S[(j * 3) + i];
         }
     }
     for (int j = 3; j < EM_N_STATES; ++j) {
@@ -524,22 +520,19 @@ static void take_row(block *b,
     bs_lanes K[EM_N_STATES];
     bs_lanes own[EM_N_STATES]; /* A h, of the rounded A = P - K g' */
     bs_lanes *const P = b->P;
+    const bs_lanes zero = bs_all_of(0.0);
     bs_lanes inverse;
     *nu = *z;
     *S = *R;
-    for (int i = 0; i < EM_N_STATES; ++i) {
-        g[i] = bs_all_of(0.0);
-        own[i] = bs_all_of(0.0);
-    }
     for (int p = 0; p < count; ++p) {
         const int k = (int)states[p];
         const bs_lanes *const column = &P[(k * (k + 1)) / 2];
         *nu -= h[p] * b->x[k];
         for (int i = 0; i < k; ++i) {
-            g[i] += h[p] * column[i];
+            g[i] = ((p > 0) ? g[i] : zero) + (h[p] * column[i]);
         }
         for (int i = k; i < EM_N_STATES; ++i) {
-            g[i] += h[p] * P[((i * (i + 1)) / 2) + k];
+            g[i] = ((p > 0) ? g[i] : zero) + (h[p] * P[((i * (i + 1)) / 2) + k]);
         }
     }
     for (int p = 0; p < count; ++p) {
@@ -562,10 +555,11 @@ static void take_row(block *b,
         const int k = (int)states[p];
         const bs_lanes *const column = &P[(k * (k + 1)) / 2];
         for (int i = 0; i < k; ++i) {
-            own[i] += h[p] * (column[i] - (K[i] * g[k]));
+            own[i] = ((p > 0) ? own[i] : zero) + (h[p] * (column[i] - (K[i] * g[k])));
         }
         for (int i = k; i < EM_N_STATES; ++i) {
-            own[i] += h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k]));
+            own[i] = ((p > 0) ? own[i] : zero) +
+                (h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k])));
         }
     }
     for (int j = 0; j < EM_N_STATES; ++j) {

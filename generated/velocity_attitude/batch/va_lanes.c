@@ -71,7 +71,8 @@ typedef struct {
     bs_lanes B[72];
     bs_lanes w[VA_N_STATES];
     bs_lanes T[VA_N_STATES * 6]; /* (B times the noise)', rows of 6 */
-    bs_lanes Q[VA_N_PACKED];
+    bs_lanes S[36]; /* Q of the states that move, rows of 6 */
+    bs_lanes Q[VA_N_PACKED]; /* of the others */
     bs_lanes X[VA_N_STATES * 16]; /* P, dense, rows of 16 */
     bs_lanes Y[16 * 6]; /* (Phi P)', rows of 6 */
 } scratch;
@@ -911,13 +912,9 @@ static void discretize(scratch *s, const bs_lanes *dt)
     s->T[65] = B[70] * w[10];
     s->T[71] = B[71] * w[11];
     for (int j = 0; j < 6; ++j) {
-        bs_lanes sum[6];
         for (int i = 0; i <= j; i += 3) {
             tall_sums(&B[start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j], &s->T[i],
-                      &sum[i], 1);
-        }
-        for (int i = 0; i <= j; ++i) {
-            Q[((j * (j + 1)) / 2) + i] = sum[i];
+                      &s->S[(j * 6) + i], 1);
         }
     }
     Q[21] = s->T[36];
@@ -956,18 +953,18 @@ static void discretize(scratch *s, const bs_lanes *dt)
     Q[50] = s->T[59];
     Q[60] = s->T[65];
     Q[71] = s->T[71];
-    Q[0] += quarter * s->Qc[0];
-    Q[1] += quarter * s->Qc[1];
-    Q[3] += quarter * s->Qc[2];
-    Q[2] += quarter * s->Qc[4];
-    Q[4] += quarter * s->Qc[5];
-    Q[5] += quarter * s->Qc[8];
-    Q[9] += quarter * s->Qc[9];
-    Q[13] += quarter * s->Qc[10];
-    Q[18] += quarter * s->Qc[11];
-    Q[14] += quarter * s->Qc[13];
-    Q[19] += quarter * s->Qc[14];
-    Q[20] += quarter * s->Qc[17];
+    s->S[0] += quarter * s->Qc[0];
+    s->S[6] += quarter * s->Qc[1];
+    s->S[12] += quarter * s->Qc[2];
+    s->S[7] += quarter * s->Qc[4];
+    s->S[13] += quarter * s->Qc[5];
+    s->S[14] += quarter * s->Qc[8];
+    s->S[21] += quarter * s->Qc[9];
+    s->S[27] += quarter * s->Qc[10];
+    s->S[33] += quarter * s->Qc[11];
+    s->S[28] += quarter * s->Qc[13];
+    s->S[34] += quarter * s->Qc[14];
+    s->S[35] += quarter * s->Qc[17];
     Q[27] = *dt * s->Qc[18];
     Q[35] = *dt * s->Qc[19];
     Q[44] = *dt * s->Qc[20];
@@ -1011,14 +1008,13 @@ static void predict(scratch *s, bs_lanes *P)
     }
     for (int j = 0; j < 6; ++j) {
         bs_lanes *const to = &P[(j * (j + 1)) / 2];
-        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
         bs_lanes sum[6];
         for (int i = 0; i <= j; i += 3) {
             tall_sums(&s->Phi[start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
                       &s->Y[i], &sum[i], 1);
         }
         for (int i = 0; i <= j; ++i) {
-            to[i] = sum[i] + Q[i];
+            to[i] = sum[i] + s->S[(j * 6) + i];
         }
     }
     for (int j = 6; j < VA_N_STATES; ++j) {
@@ -1107,22 +1103,19 @@ static void take_row(block *b,
     bs_lanes K[VA_N_STATES];
     bs_lanes own[VA_N_STATES]; /* A h, of the rounded A = P - K g' */
     bs_lanes *const P = b->P;
+    const bs_lanes zero = bs_all_of(0.0);
     bs_lanes inverse;
     *nu = *z;
     *S = *R;
-    for (int i = 0; i < VA_N_STATES; ++i) {
-        g[i] = bs_all_of(0.0);
-        own[i] = bs_all_of(0.0);
-    }
     for (int p = 0; p < count; ++p) {
         const int k = (int)states[p];
         const bs_lanes *const column = &P[(k * (k + 1)) / 2];
         *nu -= h[p] * b->x[k];
         for (int i = 0; i < k; ++i) {
-            g[i] += h[p] * column[i];
+            g[i] = ((p > 0) ? g[i] : zero) + (h[p] * column[i]);
         }
         for (int i = k; i < VA_N_STATES; ++i) {
-            g[i] += h[p] * P[((i * (i + 1)) / 2) + k];
+            g[i] = ((p > 0) ? g[i] : zero) + (h[p] * P[((i * (i + 1)) / 2) + k]);
         }
     }
     for (int p = 0; p < count; ++p) {
@@ -1145,10 +1138,11 @@ static void take_row(block *b,
         const int k = (int)states[p];
         const bs_lanes *const column = &P[(k * (k + 1)) / 2];
         for (int i = 0; i < k; ++i) {
-            own[i] += h[p] * (column[i] - (K[i] * g[k]));
+            own[i] = ((p > 0) ? own[i] : zero) + (h[p] * (column[i] - (K[i] * g[k])));
         }
         for (int i = k; i < VA_N_STATES; ++i) {
-            own[i] += h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k]));
+            own[i] = ((p > 0) ? own[i] : zero) +
+                (h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k])));
         }
     }
     for (int j = 0; j < VA_N_STATES; ++j) {

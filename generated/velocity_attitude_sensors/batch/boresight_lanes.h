@@ -289,14 +289,26 @@ BS_INLINE bs_bits bs_normed(const bs_lanes *value, double low_squared, double hi
     return (sum >= low_squared) & (sum <= high_squared);
 }
 
-/* Whether numbers are finite for sure: their sum is. */
+/* Whether numbers are finite for sure: their sum is, made in four parts that do not wait for each
+ * other. */
 BS_INLINE bs_bits bs_finite(const bs_lanes *value, int n)
 {
-    bs_lanes sum = value[0];
-    for (int i = 1; i < n; ++i) {
-        sum += value[i];
+    bs_lanes a = bs_all_of(0.0);
+    bs_lanes b = a;
+    bs_lanes c = a;
+    bs_lanes d = a;
+    int i = 0;
+    for (; i < (n - 3); i += 4) {
+        a += value[i];
+        b += value[i + 1];
+        c += value[i + 2];
+        d += value[i + 3];
     }
-    return (sum - sum) <= 0.0;
+    for (; i < n; ++i) {
+        a += value[i];
+    }
+    a = (a + b) + (c + d);
+    return (a - a) <= 0.0;
 }
 
 /* Which lanes of a block are of runs that still go on. */

@@ -72,7 +72,8 @@ typedef struct {
     bs_lanes B[88];
     bs_lanes w[VAS_N_STATES];
     bs_lanes T[VAS_N_STATES * 27]; /* (B times the noise)', rows of 27 */
-    bs_lanes Q[VAS_N_PACKED];
+    bs_lanes S[675]; /* Q of the states that move, rows of 27 */
+    bs_lanes Q[VAS_N_PACKED]; /* of the others */
     bs_lanes X[VAS_N_STATES * 48]; /* P, dense, rows of 48 */
     bs_lanes Y[48 * 27]; /* (Phi P)', rows of 27 */
 } scratch;
@@ -1561,40 +1562,36 @@ static void discretize(scratch *s, const bs_lanes *dt)
     s->T[644] = B[86] * w[23];
     s->T[672] = B[87] * w[24];
     for (int j = 0; j < 25; ++j) {
-        bs_lanes sum[27];
         for (int i = 0; i <= j; i += 3) {
             tall_sums(&B[start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j], &s->T[i],
-                      &sum[i], 1);
-        }
-        for (int i = 0; i <= j; ++i) {
-            Q[((j * (j + 1)) / 2) + i] = sum[i];
+                      &s->S[(j * 27) + i], 1);
         }
     }
-    Q[0] += quarter * s->Qc[0];
-    Q[1] += quarter * s->Qc[1];
-    Q[3] += quarter * s->Qc[2];
-    Q[2] += quarter * s->Qc[4];
-    Q[4] += quarter * s->Qc[5];
-    Q[5] += quarter * s->Qc[8];
-    Q[9] += quarter * s->Qc[9];
-    Q[13] += quarter * s->Qc[10];
-    Q[18] += quarter * s->Qc[11];
-    Q[14] += quarter * s->Qc[13];
-    Q[19] += quarter * s->Qc[14];
-    Q[20] += quarter * s->Qc[17];
-    Q[27] += quarter * s->Qc[18];
-    Q[35] += quarter * s->Qc[19];
-    Q[44] += quarter * s->Qc[20];
-    Q[54] += quarter * s->Qc[21];
-    Q[65] += quarter * s->Qc[22];
-    Q[77] += quarter * s->Qc[23];
-    Q[90] += quarter * s->Qc[24];
-    Q[104] += quarter * s->Qc[25];
-    Q[119] += quarter * s->Qc[26];
-    Q[135] += quarter * s->Qc[27];
-    Q[275] += quarter * s->Qc[28];
-    Q[299] += quarter * s->Qc[29];
-    Q[324] += quarter * s->Qc[30];
+    s->S[0] += quarter * s->Qc[0];
+    s->S[27] += quarter * s->Qc[1];
+    s->S[54] += quarter * s->Qc[2];
+    s->S[28] += quarter * s->Qc[4];
+    s->S[55] += quarter * s->Qc[5];
+    s->S[56] += quarter * s->Qc[8];
+    s->S[84] += quarter * s->Qc[9];
+    s->S[111] += quarter * s->Qc[10];
+    s->S[138] += quarter * s->Qc[11];
+    s->S[112] += quarter * s->Qc[13];
+    s->S[139] += quarter * s->Qc[14];
+    s->S[140] += quarter * s->Qc[17];
+    s->S[168] += quarter * s->Qc[18];
+    s->S[196] += quarter * s->Qc[19];
+    s->S[224] += quarter * s->Qc[20];
+    s->S[252] += quarter * s->Qc[21];
+    s->S[280] += quarter * s->Qc[22];
+    s->S[308] += quarter * s->Qc[23];
+    s->S[336] += quarter * s->Qc[24];
+    s->S[364] += quarter * s->Qc[25];
+    s->S[392] += quarter * s->Qc[26];
+    s->S[420] += quarter * s->Qc[27];
+    s->S[616] += quarter * s->Qc[28];
+    s->S[644] += quarter * s->Qc[29];
+    s->S[672] += quarter * s->Qc[30];
 }
 
 /* P = Phi P Phi' + Q: vas_joseph_predict.  P as it was stands in s->X. */
@@ -1661,14 +1658,13 @@ static void predict(scratch *s, bs_lanes *P)
     }
     for (int j = 0; j < 25; ++j) {
         bs_lanes *const to = &P[(j * (j + 1)) / 2];
-        const bs_lanes *const Q = &s->Q[(j * (j + 1)) / 2];
         bs_lanes sum[27];
         for (int i = 0; i <= j; i += 3) {
             tall_sums(&s->Phi[start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
                       &s->Y[i], &sum[i], 1);
         }
         for (int i = 0; i <= j; ++i) {
-            to[i] = sum[i] + Q[i];
+            to[i] = sum[i] + s->S[(j * 27) + i];
         }
     }
     for (int j = 25; j < VAS_N_STATES; ++j) {
@@ -1774,22 +1770,19 @@ static void take_row(block *b,
     bs_lanes K[VAS_N_STATES];
     bs_lanes own[VAS_N_STATES]; /* A h, of the rounded A = P - K g' */
     bs_lanes *const P = b->P;
+    const bs_lanes zero = bs_all_of(0.0);
     bs_lanes inverse;
     *nu = *z;
     *S = *R;
-    for (int i = 0; i < VAS_N_STATES; ++i) {
-        g[i] = bs_all_of(0.0);
-        own[i] = bs_all_of(0.0);
-    }
     for (int p = 0; p < count; ++p) {
         const int k = (int)states[p];
         const bs_lanes *const column = &P[(k * (k + 1)) / 2];
         *nu -= h[p] * b->x[k];
         for (int i = 0; i < k; ++i) {
-            g[i] += h[p] * column[i];
+            g[i] = ((p > 0) ? g[i] : zero) + (h[p] * column[i]);
         }
         for (int i = k; i < VAS_N_STATES; ++i) {
-            g[i] += h[p] * P[((i * (i + 1)) / 2) + k];
+            g[i] = ((p > 0) ? g[i] : zero) + (h[p] * P[((i * (i + 1)) / 2) + k]);
         }
     }
     for (int p = 0; p < count; ++p) {
@@ -1812,10 +1805,11 @@ static void take_row(block *b,
         const int k = (int)states[p];
         const bs_lanes *const column = &P[(k * (k + 1)) / 2];
         for (int i = 0; i < k; ++i) {
-            own[i] += h[p] * (column[i] - (K[i] * g[k]));
+            own[i] = ((p > 0) ? own[i] : zero) + (h[p] * (column[i] - (K[i] * g[k])));
         }
         for (int i = k; i < VAS_N_STATES; ++i) {
-            own[i] += h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k]));
+            own[i] = ((p > 0) ? own[i] : zero) +
+                (h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k])));
         }
     }
     for (int j = 0; j < VAS_N_STATES; ++j) {

@@ -1,0 +1,178 @@
+"""What a run costs in a block of runs, beside a loop of the scalar functions: python -m benchmarks.lanes
+
+The azimuth hold of 15 states, by processor time inside C; all widths and the loop take turns in every round, and each
+has the least of its rounds.  Normal numbers are counted by each.
+"""
+
+import ctypes
+import hashlib
+import sys
+
+import numpy as np
+
+from benchmarks import interleaved
+from boresight.runtime import compiler, random
+from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.compiler import open_library, shared_library
+from boresight.runtime.epoch import Epoch
+from boresight.runtime.library import load
+
+MODEL = "azimuth-hold"
+SIZES = (16, 256)
+ROUNDS = 30
+HARNESS = r"""
+#define _POSIX_C_SOURCE 199309L
+#include <time.h>
+
+#include "azimuth_hold_filter.h"
+
+typedef struct { const double *at; size_t stride; size_t step; } bs_given;
+typedef size_t (*step)(size_t, void *, const bs_given *, unsigned char *);
+typedef size_t (*measure)(size_t, void *, int, const bs_given *, const void *, unsigned char *);
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+double in_lanes(int which, int often, size_t n, void *block, const void *function, const bs_given *given, const void *taking, unsigned char *status);
+double in_a_loop(int which, int often, size_t n, ah_filter *filter, const bs_given *given, unsigned char *status);
+
+double in_lanes(int which, int often, size_t n, void *block, const void *function, const bs_given *given, const void *taking, unsigned char *status)
+{
+    const double begin = now();
+    for (int i = 0; i < often; ++i) {
+        if (which == 2) {
+            (void)((measure)function)(n, block, AH_MEASUREMENT_ZUPT, given, taking, status);
+        } else {
+            (void)((step)function)(n, block, given, status);
+        }
+    }
+    return (now() - begin) / often;
+}
+
+double in_a_loop(int which, int often, size_t n, ah_filter *filter, const bs_given *given, unsigned char *status)
+{
+    const double begin = now();
+    for (int k = 0; k < often; ++k) {
+        for (size_t i = 0; i < n; ++i) {
+            const double *const one = given[0].at != NULL ? &given[0].at[i * given[0].stride] : NULL;
+            const double *const other = given[1].at != NULL ? &given[1].at[i * given[1].stride] : NULL;
+            ah_innovation innovation;
+            bs_status said = BS_OK;
+            switch (which) {
+            case 0:
+                said = ah_filter_strapdown(&filter[i], (const ah_imu *)one, (const ah_increments *)other);
+                break;
+            case 1:
+                said = ah_filter_propagate(&filter[i], (const ah_imu *)one, (const ah_noise *)other);
+                break;
+            case 2:
+                said = ah_filter_measure_zupt(&filter[i], one, NULL, &innovation);
+                break;
+            default:
+                said = ah_filter_correct(&filter[i]);
+                break;
+            }
+            status[i] = (unsigned char)said;
+        }
+    }
+    return (now() - begin) / often;
+}
+"""
+CALLS = (("strapdown", "strapdown"), ("propagate", "propagate"), ("update of 3 rows", "measure"), ("correct", "correct"))
+
+
+def harness(out):
+    """The library of the text above with the scalar functions, as `load` compiles them."""
+    library = load(MODEL)
+    source = out / "harness.c"
+    source.write_text(HARNESS)
+    sources = {path: () for path in sorted((library.folder / "src").glob("*.c"))}
+    digest = hashlib.sha256(HARNESS.encode()).hexdigest() + library.manifest["hash"]
+    made = open_library(*shared_library("bench-lanes", digest, {source: (), **sources}, library.folder / "include"))
+    for function in (made.in_lanes, made.in_a_loop):
+        function.restype = ctypes.c_double
+    return made
+
+
+def flown(width, n):
+    """A filter at rest in n runs, and an Epoch of all its steps."""
+    rng = np.random.default_rng(1)
+    sigma = np.array([1e-6, 1e-6, 5, 0.1, 0.1, 0.1, 0.01, 0.01, 0.02, *3 * (1e-5,), *3 * (0.01,)])
+    q = np.array([1, 0.001, -0.002, 0.005]) + rng.normal(0, 1e-3, (n, 4))
+    nav = {"position": np.array([0.5, 0.75, 100.0]), "v_n": rng.normal(0, 0.01, (n, 3)),
+           "q_b2n_wxyz": q / np.linalg.norm(q, axis=-1, keepdims=True), "gyro_bias": np.zeros(3),
+           "accel_bias": np.zeros(3)}  # fmt: skip
+    loop = CompiledFilter(load(MODEL, lanes=width), nav, np.broadcast_to(np.diag(sigma**2), (n, 15, 15)))
+    loop._library.widest = width
+    epoch = Epoch(loop, 1, ["zupt"], runs=(n,))
+    epoch.strapdown["dt"], epoch.predict["dt"] = 0.01, 0.01
+    epoch.strapdown["dtheta_ib_b"] = rng.normal(0, 1e-5, (1, n, 3))
+    epoch.strapdown["dv_b"] = np.array([0, 0, 0.098]) + rng.normal(0, 1e-4, (1, n, 3))
+    epoch.strapdown["dtheta_before"], epoch.strapdown["dv_before"] = 1e-5, np.array([0, 0, 0.098])
+    epoch.predict["f_b"] = np.array([0, 0, 9.8])
+    for name, value in {"gyro_noise": 1e-4, "accel_noise": 5e-3, "gyro_bias_noise": 1e-7, "accel_bias_noise": 1e-5}.items():
+        epoch.predict[name] = value
+    epoch.measured["zupt"]["R"] = 1e-4
+    return loop, epoch
+
+
+def measured(widths, n, made):
+    """{(call, width or "loop"): ns a run}."""
+    flights = {width: flown(width, n) for width in widths}
+    tasks, names = {}, {}
+    filters = None
+    for width, (loop, epoch) in flights.items():
+        loop._settle((n,))
+        if filters is None:
+            size = loop._library.dll.ah_filter_size
+            size.restype = ctypes.c_size_t
+            filters = np.zeros((n, size()))
+            filters[:, :151] = loop._memory.read(slice(0, 151))
+        status = np.zeros(n, np.uint8)
+        given = (epoch.strapdown.given, epoch.predict.given, epoch.measured["zupt"].given, (type(epoch.predict.given[0]) * 2)())
+        for which, (call, function) in enumerate(CALLS):
+            often = max(1, 4096 // n)
+            rest = (ctypes.byref(epoch.measured["zupt"].taking), ctypes.c_void_p(status.ctypes.data))
+            pointer = ctypes.cast(getattr(loop._dll, f"ah_lanes_{function}"), ctypes.c_void_p)
+            state = ctypes.c_void_p(loop._memory.address)
+            names[call, width] = lambda w=which, o=often, s=state, p=pointer, g=given[which], r=rest: made.in_lanes(
+                w, o, ctypes.c_size_t(n), s, p, g, *r
+            )
+            if width == widths[0]:
+                names[call, "loop"] = lambda w=which, o=often, g=given[which], s=status: made.in_a_loop(
+                    w, o, ctypes.c_size_t(n), ctypes.c_void_p(filters.ctypes.data), g, ctypes.c_void_p(s.ctypes.data)
+                )
+        tasks[width] = (status, epoch)
+    best = dict.fromkeys(names, np.inf)
+    for _ in range(ROUNDS):
+        for name, task in names.items():
+            best[name] = min(best[name], task() / n * 1e9)
+    assert all(not status.any() for status, _ in tasks.values())
+    return best
+
+
+def main():
+    from tempfile import TemporaryDirectory
+    from pathlib import Path
+
+    most = compiler.lanes()
+    widths = [w for w in (1, 2, 4, 8) if w <= most]
+    with TemporaryDirectory() as folder:
+        made = harness(Path(folder))
+    for n in SIZES:
+        best = measured(widths, n, made)
+        print(f"{n} runs, ns a run".ljust(24) + f"{'loop':>8}" + "".join(f"{f'W = {w}':>8}" for w in widths) + f"{'loop / best':>14}")
+        for call, _ in CALLS:
+            row = [best[call, w] for w in ("loop", *widths)]
+            print(call.ljust(24) + "".join(f"{value:8.0f}" for value in row) + f"{row[0] / min(row[1:]):14.1f}")
+    runs, out = np.arange(256), np.empty((256, 600))
+    best = interleaved({w: (lambda w=w: random.normals(1, runs, 600, out=out, lanes=w)) for w in widths})
+    print("normal numbers, ns each".ljust(32) + "".join(f"{best[w] / out.size * 1e9:8.1f}" for w in widths))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
