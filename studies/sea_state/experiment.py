@@ -127,10 +127,12 @@ def run(scenario: at_sea.Scenario, progress: Progress = silent, model: Any = Non
         "motions": {},
         "history": history,
     }
+    slope = None
     for kind in scenario.motions:
         progress(f"{at_sea.MOTIONS[kind]}: {2 * len(at_sea.GRADES) * runs} runs of {scenario.seconds} s")
         begun = perf_counter()
         flight = at_sea.fly(model, kind, scenario, runs=runs, seed=seed)
+        slope = flight if kind == "slope" else slope
         one = {"says": at_sea.MOTIONS[kind], **table_of(flight, scenario)}
         motion = at_sea.motion_of(kind, scenario, at_sea.draw(scenario, seed, runs).streams)
         one["predicted_mil"] = (delay.predicted_heading(motion, flight.delay) / MIL).mean(-1).tolist()
@@ -144,7 +146,7 @@ def run(scenario: at_sea.Scenario, progress: Progress = silent, model: Any = Non
     result["ways"] = result["bench"] = None
     if scenario.bench_runs:
         progress("two ways to handle a delay")
-        result["ways"] = delay.ways(model, scenario, runs=runs, seed=seed)
+        result["ways"] = delay.ways(model, scenario, runs=runs, seed=seed, flown=slope)
         progress(f"bench: {scenario.bench_runs} runs of {scenario.seconds} s, 400 Hz")
         result["bench"], history["bench"] = bench.experiment(model, scenario, runs=scenario.bench_runs, seed=seed)
     return result

@@ -202,6 +202,11 @@ class Belief:
     master_heading: bool = True
 
 
+def only(name: str) -> Belief:
+    """One of the paper's two filters alone: the axis of filters has a length of 1."""
+    return Belief(compensated=np.full((1, 1, 1), name == "with"))
+
+
 def begin(model: Any, message: Message, scenario: Scenario, belief: Belief) -> tuple[dict[str, Array], Array]:
     """nav and P (..., n, n) from the master's first message; the scenario says what motion and delay do to it."""
     sigmas, estimates = told(scenario, belief)
