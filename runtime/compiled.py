@@ -89,6 +89,9 @@ class Held(MutableMapping[str, Array]):
         self._names.remove(name)
         self._loop._forget([name])
 
+    def __contains__(self, name: object) -> bool:
+        return name in self._names
+
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)
 
@@ -202,9 +205,10 @@ class CompiledFilter(Filter):
 
     def _forget(self, names: Any) -> None:
         """What these are stands in the C alone."""
-        for name in names:
-            self._held.pop(name, None)
-            self._lent.discard(name)
+        if self._held:
+            for name in names:
+                if self._held.pop(name, None) is not None:
+                    self._lent.discard(name)
 
     def _seen(self, name: str) -> Array:
         """x, P or a field of nav."""
@@ -231,6 +235,7 @@ class CompiledFilter(Filter):
                     self._lend(name)
             width, self._dll = self._library.lanes(int(np.prod(runs, dtype=int)))
             self._memory, self._runs = Memory(int(np.prod(runs, dtype=int)), self._size, width), runs
+            self._functions: dict[str, Any] = {}
             for name in self._carried:
                 if name not in self._held:  # it stands in no function that is called
                     self._write(name, inside(self._library.field[name]))
@@ -326,7 +331,8 @@ class CompiledFilter(Filter):
         shapes += [self._held[n].shape[: -self._axes(n) or None] for n in (*self._carried, "x", "P") if n in self._held]
         if measured is not None:
             shapes += [each.shape[:-1] for each in (measured[0], measured[4]) if each is not None]
-        runs = np.broadcast_shapes(*shapes)
+        distinct = {*shapes} - {()}
+        runs = distinct.pop() if len(distinct) == 1 else np.broadcast_shapes(*shapes)
 
         memory = self._settle(runs)
         for name in own:  # for this call alone
@@ -379,12 +385,16 @@ class CompiledFilter(Filter):
         return 2 if name == "P" else 1 if name == "x" or self._library.field[name]["size"] > 1 else 0
 
     def _called(self, name: str) -> Any:
+        """The C function of a call, for the width that is flown."""
+        if name in self._functions:
+            return self._functions[name]
         function = getattr(self._dll, f"{self._library.manifest['c_prefix']}_lanes_{name}")
         function.restype = ctypes.c_size_t
         pointers = 4 if name == "measure" else 3
         function.argtypes = [ctypes.c_size_t, *pointers * [ctypes.c_void_p]]
         if name == "measure":
             function.argtypes = [ctypes.c_size_t, ctypes.c_void_p, ctypes.c_int, *3 * [ctypes.c_void_p]]
+        self._functions[name] = function
         return function
 
     def _changed(self, name: str) -> slice:

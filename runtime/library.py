@@ -228,7 +228,8 @@ class Library:
 
     def lanes(self, runs: int) -> tuple[int, ctypes.CDLL]:
         """How many of so many runs are computed at a time, and the library that does: compiled when it is needed."""
-        width = min(self.widest, next((w for w in WIDTHS if w >= runs), WIDTHS[-1]))
+        # a block of one run is as dear as one of two: compilers make nothing of vectors of one number
+        width = min(self.widest, next((w for w in WIDTHS[1:] if w >= runs), WIDTHS[-1]))
         if width not in self._lanes:
             assert self.folder is not None
             self._lanes[width] = open_library(*build_lanes(self.folder, self.manifest, width))

@@ -108,6 +108,23 @@ static void put(bs_lanes *to, const double *from, int n, int lane)
     }
 }
 
+/* Zeros that the steps to come leave as they are. */
+static void prepare(scratch *s)
+{
+    for (int i = 0; i < (EM_N_STATES * 3); ++i) {
+        s->T[i] = bs_all_of(0.0);
+    }
+    for (int i = 0; i < EM_N_PACKED; ++i) {
+        s->Q[i] = bs_all_of(0.0);
+    }
+    for (int i = 0; i < (EM_N_STATES * 6); ++i) {
+        s->X[i] = bs_all_of(0.0);
+    }
+    for (int i = 0; i < (6 * 3); ++i) {
+        s->Y[i] = bs_all_of(0.0);
+    }
+}
+
 /* One run as the scalar functions know it. */
 static void out_of(const block *b, int lane, em_filter *filter)
 {
@@ -908,7 +925,7 @@ static void measure_block(block *b,
 size_t em_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t em_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    scratch room = {0};
+    scratch room;
     chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         strapdown_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
@@ -919,8 +936,9 @@ size_t em_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned ch
 size_t em_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t em_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    scratch room = {0};
+    scratch room;
     chosen runs = { 0U, n, status, &room };
+    prepare(&room);
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         propagate_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
     }
@@ -930,7 +948,7 @@ size_t em_lanes_propagate(size_t n, block *b, const bs_given *given, unsigned ch
 size_t em_lanes_correct(size_t n, block *b, const bs_given *given, unsigned char *status);
 size_t em_lanes_correct(size_t n, block *b, const bs_given *given, unsigned char *status)
 {
-    scratch room = {0};
+    scratch room;
     chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         correct_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
@@ -951,7 +969,7 @@ size_t em_lanes_measure(size_t n,
                         const bs_taking *taking,
                         unsigned char *status)
 {
-    scratch room = {0};
+    scratch room;
     chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         measure_block(&b[runs.first / BORESIGHT_LANES], &runs, which, given, taking);
@@ -963,10 +981,13 @@ size_t em_lanes_measure(size_t n,
 size_t em_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *status);
 size_t em_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *status)
 {
-    scratch room = {0};
+    scratch room;
     chosen runs = { 0U, n, status, &room };
     for (size_t i = 0U; i < n; ++i) {
         status[i] = (unsigned char)BS_OK;
+    }
+    if (epoch->propagate != NULL) {
+        prepare(&room);
     }
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         block *const one = &b[runs.first / BORESIGHT_LANES];
