@@ -6,18 +6,19 @@ import os
 import shutil
 import zipfile
 from collections.abc import Iterator
-from concurrent.futures import Executor
+from concurrent.futures import CancelledError, Executor
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from boresight import BoresightError, need
-from boresight.runtime.library import load
 from boresight.runtime.manifest import cache_folder, read_manifest
 
 need("cluster")
 
-from distributed import Client, WorkerPlugin  # noqa: E402
+from distributed import Client, KilledWorker, WorkerPlugin  # noqa: E402
+from distributed.client import FutureCancelledError  # noqa: E402
+from distributed.comm import CommClosedError  # noqa: E402
 
 CONNECT_S = 10
 RETRIES = 10  # of a piece whose worker is gone
@@ -41,7 +42,7 @@ def unpacked(digest: str) -> Path:
 
 
 class Model(WorkerPlugin):  # type: ignore[misc]
-    """Each worker, one that comes later too, unpacks the model and builds it before it flies."""
+    """Each worker, one that comes later too, unpacks the model; its first piece builds it, and is not waited for."""
 
     def __init__(self, digest: str, contents: bytes):
         self.name, self.digest, self.contents = f"boresight-{digest}", digest, contents
@@ -58,7 +59,6 @@ class Model(WorkerPlugin):  # type: ignore[misc]
                 if not (folder / "manifest.json").exists():
                     raise
                 shutil.rmtree(aside)
-        load(folder)
 
 
 @contextmanager
@@ -74,5 +74,11 @@ def connected(address: str, folder: Path) -> Iterator[tuple[Executor, str, int]]
         threads = sum(client.nthreads().values())
         if not threads:
             raise BoresightError(f"the cluster at {address!r} has no worker; start one with 'dask worker {address}'")
-        with client.get_executor(pure=False, retries=RETRIES) as executor:
-            yield executor, digest, 4 * threads
+        try:
+            with client.get_executor(pure=False, retries=RETRIES) as executor:
+                yield executor, digest, 4 * threads
+        except (KilledWorker, CancelledError, FutureCancelledError, CommClosedError) as error:
+            raise BoresightError(
+                f"the cluster at {address!r} is gone, or its workers are killed ({type(error).__name__}); the same "
+                "command goes on"
+            ) from None

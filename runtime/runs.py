@@ -3,8 +3,8 @@
     found = many(EXPERIMENT, runs=1_000_000, seed=1, jobs=2, directory="out")
 
 What comes out depends on the experiment and its seed alone: not on the chunks, the processes, or on how often the work
-was stopped; nor on the machines, where the experiment's own arithmetic does not.  A run draws its numbers by [seed, run]; sums are taken in a tree over the run numbers;
-whether enough is known is asked after fixed counts of runs.
+was stopped; nor on the machines, where the experiment's own arithmetic does not.  A run draws its numbers by [seed,
+run]; sums are taken in a tree over the run numbers; whether enough is known is asked after fixed counts of runs.
 """
 
 import hashlib

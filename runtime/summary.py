@@ -129,7 +129,7 @@ class Known:
         self.values: dict[str, list[Array]] = {name: [] for name in watched}
         self.runs = 0
         self.needed = 0
-        self.text = ""
+        self.text = experiment.name
 
     def read(self, count: int) -> None:
         """Take the runs up to `count` in; blocks that were whole are not read again."""

@@ -75,3 +75,10 @@ def test_what_cannot_be_drawn_is_named():
         random.normals(1, [0], 3, out=np.zeros(3))
     with pytest.raises(BoresightError, match="out is float32"):
         random.normals(1, [0], 3, out=np.zeros((1, 3), np.float32))
+
+
+def test_normals_may_come_scaled_and_moved():
+    plain = random.normals(3, range(5), 17, first=2)
+    scale, offset = np.arange(17) + 0.1, np.arange(17) * 3.0
+    moved = random.normals(3, range(5), 17, first=2, scale=scale, offset=offset)
+    np.testing.assert_array_equal(moved, plain * scale + offset)

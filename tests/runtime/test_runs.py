@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import multiprocessing
 import os
 import signal
 import subprocess
@@ -14,8 +15,8 @@ import pytest
 from conftest import ROOT
 
 from boresight import BoresightError
-from boresight.runtime import random, store, summary
 from boresight.runtime import runs as r
+from boresight.runtime import store, summary
 from boresight.runtime.library import load
 
 MODEL = "euler-matching"
@@ -101,13 +102,6 @@ def test_a_run_that_is_lost_is_counted_and_spoils_no_mean():
     all_lost = r.many(experiment(lost=list(range(40))), runs=40)
     assert all_lost.lost == 40 and all_lost.columns["a"]["mean"] is None and all_lost.percentiles["a"]["50"][0] is None
     json.dumps(all_lost.document(), allow_nan=False)
-
-
-def test_normals_may_come_scaled_and_moved():
-    plain = random.normals(3, range(5), 17, first=2)
-    scale, offset = np.arange(17) + 0.1, np.arange(17) * 3.0
-    moved = random.normals(3, range(5), 17, first=2, scale=scale, offset=offset)
-    np.testing.assert_array_equal(moved, plain * scale + offset)
 
 
 # ---- stopping where enough is known
@@ -215,6 +209,18 @@ def test_processes_do_not_outlive_their_parent(tmp_path):
         time.sleep(0.05)
 
 
+def test_a_process_that_is_killed_ends_it_in_one_line_and_the_next_call_goes_on(plainly, tmp_path):
+    def kill(done, total, text):
+        if done > 500:
+            os.kill(multiprocessing.active_children()[0].pid, signal.SIGKILL)
+
+    kind = experiment(slow_s=1e-3)
+    with pytest.raises(BoresightError, match=r"a process was killed, .* the same command goes on") as ended:
+        r.many(kind, runs=3000, seed=5, chunk=16, jobs=2, directory=tmp_path, progress=kill)
+    assert "\n" not in str(ended.value) and list((tmp_path / "runs").iterdir())
+    assert r.many(kind, runs=3000, seed=5, chunk=512, directory=tmp_path).digest == plainly.digest
+
+
 @pytest.mark.parametrize(
     ("change", "says"),
     [
@@ -277,7 +283,7 @@ def test_final_states_of_another_shape_are_refused():
 MEMORY = """
 import resource, numpy as np
 from boresight.runtime import runs as r
-from boresight.runtime import random, store, summary
+from boresight.runtime import store, summary
 
 def fly(library, settings, seed, runs):
     return np.random.Generator(np.random.Philox(key=[seed, runs.start])).standard_normal((len(runs), 35))
