@@ -66,7 +66,7 @@ static void product(const bs_real *A,
             const bs_real *const a = &A[i * ROW];
             const bs_real *const x = &X[j];
             bs_real *const out = &to[(i * stride) + j];
-            const int end = (triangular && ((j + 3) < inner)) ? (j + 3) : inner;
+            int end = inner;
             bs_real s00 = BS_REAL(0.0);
             bs_real s01 = BS_REAL(0.0);
             bs_real s02 = BS_REAL(0.0);
@@ -76,6 +76,9 @@ static void product(const bs_real *A,
             bs_real s20 = BS_REAL(0.0);
             bs_real s21 = BS_REAL(0.0);
             bs_real s22 = BS_REAL(0.0);
+            if (triangular && ((j + 3) < inner)) {
+                end = j + 3;
+            }
             for (int k = 0; k < end; ++k) {
                 const bs_real a0 = a[k];
                 const bs_real a1 = a[ROW + k];
@@ -191,7 +194,7 @@ static bool factorize(bs_real *UD, const bs_real *variance, int n)
 }
 
 /* The diagonal of a packed matrix. */
-static void diagonal(const bs_real *packed, bs_real *value)
+static void variances(const bs_real *packed, bs_real *value)
 {
     for (int j = 0; j < N; ++j) {
         value[j] = packed[column(j) + j];
@@ -264,7 +267,7 @@ void em_discretize(const bs_real F[EM_N_F],
     for (int p = 0; p < 6; ++p) {
         Q[place[p]] = Qc[from[p]] * share;
     }
-    diagonal(Q, w);
+    variances(Q, w);
     for (int p = 0; p < 3; ++p) {
         const int k = (int)coupled[p];
         bs_real *const u = &Q[column(k)];
@@ -322,7 +325,7 @@ void em_predict_state(const bs_real Phi[EM_N_PHI], bs_real x[EM_N_STATES])
 }
 
 /* The factors of a dense covariance, into work. */
-static bs_status judge(const bs_real *dense, bs_real *work)
+static bs_status judge_dense(const bs_real *dense, bs_real *work)
 {
     bs_real variance[N];
     bool positive = true;
@@ -340,7 +343,7 @@ static bs_status judge(const bs_real *dense, bs_real *work)
             work[column(j) + i] = dense[(i * N) + j];
         }
     }
-    diagonal(work, variance);
+    variances(work, variance);
     positive = factorize(work, variance, N) && positive;
     if (!positive) {
         return BS_NOT_POSITIVE;
@@ -352,7 +355,7 @@ bs_status em_ud_init(const bs_real dense[EM_N_STATES * EM_N_STATES],
                      bs_real UD[EM_N_PACKED],
                      bs_real work[EM_N_WORK])
 {
-    const bs_status status = judge(dense, work);
+    const bs_status status = judge_dense(dense, work);
     if (status == BS_OK) {
         for (int i = 0; i < EM_N_PACKED; ++i) {
             UD[i] = work[i];
@@ -365,7 +368,7 @@ bs_status em_joseph_init(const bs_real dense[EM_N_STATES * EM_N_STATES],
                          bs_real P[EM_N_PACKED],
                          bs_real work[EM_N_WORK])
 {
-    const bs_status status = judge(dense, work); /* judged by its factors, kept as it is */
+    const bs_status status = judge_dense(dense, work); /* judged by its factors, kept as it is */
     if (status == BS_OK) {
         for (int j = 0; j < N; ++j) {
             for (int i = 0; i <= j; ++i) {
@@ -417,10 +420,12 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
     bs_real *const X = work;
     bs_real *const V = &work[REGION];
     bs_real weight[M + N]; /* of the columns of V */
-    for (int i = 0; (i < EM_N_PACKED) && (next != Q); ++i) {
-        next[i] = Q[i];
+    if (next != Q) {
+        for (int i = 0; i < EM_N_PACKED; ++i) {
+            next[i] = Q[i];
+        }
     }
-    diagonal(next, weight);
+    variances(next, weight);
     /* The columns of the states that stay: what they take from all others in rows that move, once
      * and for all of them. */
     for (int j = N - 1; j >= M; --j) {

@@ -66,7 +66,7 @@ static void product(const bs_real *A,
             const bs_real *const a = &A[i * ROW];
             const bs_real *const x = &X[j];
             bs_real *const out = &to[(i * stride) + j];
-            const int end = (triangular && ((j + 5) < inner)) ? (j + 5) : inner;
+            int end = inner;
             bs_real s00 = BS_REAL(0.0);
             bs_real s01 = BS_REAL(0.0);
             bs_real s02 = BS_REAL(0.0);
@@ -82,6 +82,9 @@ static void product(const bs_real *A,
             bs_real s22 = BS_REAL(0.0);
             bs_real s23 = BS_REAL(0.0);
             bs_real s24 = BS_REAL(0.0);
+            if (triangular && ((j + 5) < inner)) {
+                end = j + 5;
+            }
             for (int k = 0; k < end; ++k) {
                 const bs_real a0 = a[k];
                 const bs_real a1 = a[ROW + k];
@@ -211,7 +214,7 @@ static bool factorize(bs_real *UD, const bs_real *variance, int n)
 }
 
 /* The diagonal of a packed matrix. */
-static void diagonal(const bs_real *packed, bs_real *value)
+static void variances(const bs_real *packed, bs_real *value)
 {
     for (int j = 0; j < N; ++j) {
         value[j] = packed[column(j) + j];
@@ -285,7 +288,7 @@ void vd_discretize(const bs_real F[VD_N_F],
     for (int p = 0; p < 12; ++p) {
         Q[place[p]] = Qc[from[p]] * share;
     }
-    diagonal(Q, w);
+    variances(Q, w);
     for (int p = 0; p < 6; ++p) {
         const int k = (int)coupled[p];
         bs_real *const u = &Q[column(k)];
@@ -343,7 +346,7 @@ void vd_predict_state(const bs_real Phi[VD_N_PHI], bs_real x[VD_N_STATES])
 }
 
 /* The factors of a dense covariance, into work. */
-static bs_status judge(const bs_real *dense, bs_real *work)
+static bs_status judge_dense(const bs_real *dense, bs_real *work)
 {
     bs_real variance[N];
     bool positive = true;
@@ -361,7 +364,7 @@ static bs_status judge(const bs_real *dense, bs_real *work)
             work[column(j) + i] = dense[(i * N) + j];
         }
     }
-    diagonal(work, variance);
+    variances(work, variance);
     positive = factorize(work, variance, N) && positive;
     if (!positive) {
         return BS_NOT_POSITIVE;
@@ -373,7 +376,7 @@ bs_status vd_ud_init(const bs_real dense[VD_N_STATES * VD_N_STATES],
                      bs_real UD[VD_N_PACKED],
                      bs_real work[VD_N_WORK])
 {
-    const bs_status status = judge(dense, work);
+    const bs_status status = judge_dense(dense, work);
     if (status == BS_OK) {
         for (int i = 0; i < VD_N_PACKED; ++i) {
             UD[i] = work[i];
@@ -386,7 +389,7 @@ bs_status vd_joseph_init(const bs_real dense[VD_N_STATES * VD_N_STATES],
                          bs_real P[VD_N_PACKED],
                          bs_real work[VD_N_WORK])
 {
-    const bs_status status = judge(dense, work); /* judged by its factors, kept as it is */
+    const bs_status status = judge_dense(dense, work); /* judged by its factors, kept as it is */
     if (status == BS_OK) {
         for (int j = 0; j < N; ++j) {
             for (int i = 0; i <= j; ++i) {
@@ -438,10 +441,12 @@ void vd_ud_predict(const bs_real UD[VD_N_PACKED],
     bs_real *const X = work;
     bs_real *const V = &work[REGION];
     bs_real weight[M + N]; /* of the columns of V */
-    for (int i = 0; (i < VD_N_PACKED) && (next != Q); ++i) {
-        next[i] = Q[i];
+    if (next != Q) {
+        for (int i = 0; i < VD_N_PACKED; ++i) {
+            next[i] = Q[i];
+        }
     }
-    diagonal(next, weight);
+    variances(next, weight);
     /* The columns of the states that stay: what they take from all others in rows that move, once
      * and for all of them. */
     for (int j = N - 1; j >= M; --j) {
