@@ -170,6 +170,7 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
             "written": [r.name for r in unit.results],
             "call": f"{view['c_name']}({arguments})", "run": run(name, out),
             "checks": checked(caller, given(name), fields(name), any(a.name == "x" for a in unit.args)),
+            "reads_x": any(a.name == "x" for a in unit.args),
         }  # fmt: skip
 
     measurements = []
@@ -322,6 +323,7 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
                     "name": a.name, "size": a.size, "functions": readers, "low": beyond(a)[0], "high": beyond(a)[1],
                     "ends": [", ".join(map(number, end)) for end in (a.low, a.high)],
                     "carried": own,  # from such an end a strapdown moves beyond it
+                    "leaves": a.norm is not None,  # the ends of a component may not be those of the norm
                 }
             )  # fmt: skip
         rows = np.hstack(points[start : start + len(s.fields)])

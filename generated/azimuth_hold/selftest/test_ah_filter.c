@@ -567,13 +567,15 @@ static int spoil(const char *what,
     return failures;
 }
 
-/* At either end of its box a number is taken, with x or with -x, or else the answer leaves its own
- * box, as it does from a five-hundredth inside.  What the function made of it is put back. */
+/* At either end of its box a number is taken; or, if it may leave one, with the other errors or
+ * their opposites, or else it does from just inside too.  What the function made of it is put
+ * back. */
 static int accepts(const char *what,
                    bs_status (*function)(void),
                    bs_real *value,
                    bs_real low,
-                   bs_real high)
+                   bs_real high,
+                   bool may_leave)
 {
     const bs_real good = *value;
     int failures = 0;
@@ -585,16 +587,16 @@ static int accepts(const char *what,
         *value = at;
         status = function();
         flown = before;
-        if (status == BS_OUT_OF_RANGE) {
+        if (may_leave && (status == BS_OUT_OF_RANGE)) {
             *value = at;
             for (int i = 0; i < N; ++i) {
-                flown.x[i] = -flown.x[i];
+                flown.x[i] = (&flown.x[i] == value) ? flown.x[i] : -flown.x[i];
             }
             status = function();
             flown = before;
         }
-        if (status == BS_OUT_OF_RANGE) {
-            *value = at * (outward ? BS_REAL(0.998) : BS_REAL(1.002));
+        if (may_leave && (status == BS_OUT_OF_RANGE)) {
+            *value = at * (outward ? BS_REAL(0.9985) : BS_REAL(1.0015));
             failures += expect(what, !bs_good(function()));
             flown = before;
         } else {
@@ -605,6 +607,22 @@ static int accepts(const char *what,
     }
     *value = good;
     return failures;
+}
+
+/* Whether an error is taken that is as large as `at`, from one of three places that it leads away
+ * from. */
+static bool corrects(int i, double at)
+{
+    static const double before_it[3] = { 0.0, 0.5, 0.95 };
+    bool good = false;
+    for (int k = 0; (k < 3) && !good; ++k) {
+        (void)begin();
+        flown.x[i] = (bs_real)(-before_it[k] * at);
+        (void)correct();
+        flown.x[i] = (bs_real)at;
+        good = (correct() == BS_OK);
+    }
+    return good;
 }
 
 /* The checksum of a snapshot by its definition: the rest of its bits, each byte's least first, by
@@ -634,12 +652,12 @@ static int limits(void)
                                         BS_REAL(-500.0) };
         static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802),
                                          BS_REAL(30000.0) };
-        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i]);
+        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
         static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i], false);
     }
     for (int i = 0; i < 4; ++i) {
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
@@ -647,9 +665,9 @@ static int limits(void)
             given_nav.q_b2n_wxyz[j] = BS_REAL(0.0);
         }
         failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i],
-                            BS_REAL(-0.999), BS_REAL(0.999));
+                            BS_REAL(-0.999), BS_REAL(0.999), false);
         failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i],
-                            BS_REAL(-1.001), BS_REAL(1.001));
+                            BS_REAL(-1.001), BS_REAL(1.001), false);
 #endif
     }
     for (int end = 0; end < 2; ++end) {
@@ -667,28 +685,35 @@ static int limits(void)
         static const bs_real high[3] = { BS_REAL(0.017453292519943295),
                                          BS_REAL(0.017453292519943295),
                                          BS_REAL(0.017453292519943295) };
-        failures += accepts("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
+        failures += accepts("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i],
+                            false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
         static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-        failures += accepts("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
+        failures += accepts("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i],
+                            false);
     }
-    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0));
+    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0),
+                        false);
     rows = 0U;
-    failures += accepts("measure_zupt: gate", measure_zupt, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    failures += accepts("measure_zupt: gate", measure_zupt, &gate, BS_REAL(0.0), BS_REAL(1e+30),
+                        false);
     for (int i = 0; i < 3; ++i) {
-        failures += accepts("measure_zupt: R", measure_zupt, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+        failures += accepts("measure_zupt: R", measure_zupt, &R[i], BS_REAL(1e-30), BS_REAL(1e+30),
+                            false);
     }
     failures += accepts("measure_azimuth: gate", measure_azimuth, &gate, BS_REAL(0.0),
-                        BS_REAL(1e+30));
+                        BS_REAL(1e+30), false);
     for (int i = 0; i < 1; ++i) {
         failures += accepts("measure_azimuth: R", measure_azimuth, &R[i], BS_REAL(1e-30),
-                            BS_REAL(1e+30));
+                            BS_REAL(1e+30), false);
     }
-    failures += accepts("measure_zaru: gate", measure_zaru, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    failures += accepts("measure_zaru: gate", measure_zaru, &gate, BS_REAL(0.0), BS_REAL(1e+30),
+                        false);
     for (int i = 0; i < 3; ++i) {
-        failures += accepts("measure_zaru: R", measure_zaru, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+        failures += accepts("measure_zaru: R", measure_zaru, &R[i], BS_REAL(1e-30), BS_REAL(1e+30),
+                            false);
     }
     rows = BS_ALL_ROWS;
     return failures + begin();
@@ -1061,6 +1086,21 @@ static int kept(void)
                                           100.0, 100.0, 0.5, 0.5, 0.5, 0.017453292519943295,
                                           0.017453292519943295, 0.017453292519943295, 1.0, 1.0,
                                           1.0 };
+        static const double low[N] = { -0.008731009583101634, -0.008731009583101634, -1000.5,
+                                       -100.05, -100.05, -100.05, -0.50025, -0.50025, -0.50025,
+                                       -0.01746201916620327, -0.01746201916620327,
+                                       -0.01746201916620327, -1.0005, -1.0005, -1.0005 };
+        static const double high[N] = { 0.008731009583101634, 0.008731009583101634, 1000.5, 100.05,
+                                        100.05, 100.05, 0.50025, 0.50025, 0.50025,
+                                        0.01746201916620327, 0.01746201916620327,
+                                        0.01746201916620327, 1.0005, 1.0005, 1.0005 };
+        failures += begin();
+        failures += spoil("correct: x", correct, &flown.x[i], low[i], high[i]);
+        for (int end = 0; end < 2; ++end) {
+            const double at = (end == 0) ? x_low[i] : x_high[i];
+            failures += expect("correct: x at its end", corrects(i, at) ||
+                               !corrects(i, 0.998 * at));
+        }
         for (int end = 0; end < 2; ++end) {
             failures += begin();
             flown.x[i] = (bs_real)(0.999 * ((end == 0) ? x_low[i] : x_high[i]));
@@ -1087,33 +1127,33 @@ static int guards(void)
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
             failures += accepts("init: position", init, &given_nav.position[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
                               high[i]);
             failures += accepts("set_nav: position", set_nav, &given_nav.position[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
                               high[i]);
             failures += accepts("propagate: position", propagate, &flown.nav.position[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
                               high[i]);
             failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
                               high[i]);
             failures += accepts("correct: position", correct, &flown.nav.position[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("measure_zupt: position", measure_zupt, &flown.nav.position[i],
                               low[i], high[i]);
             failures += accepts("measure_zupt: position", measure_zupt, &flown.nav.position[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_azimuth: position", measure_azimuth, &flown.nav.position[i],
                               low[i], high[i]);
             failures += accepts("measure_azimuth: position", measure_azimuth,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
+                                &flown.nav.position[i], end[0][i], end[1][i], false);
             failures += spoil("measure_zaru: position", measure_zaru, &flown.nav.position[i],
                               low[i], high[i]);
             failures += accepts("measure_zaru: position", measure_zaru, &flown.nav.position[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1123,27 +1163,29 @@ static int guards(void)
                                            { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
-            failures += accepts("init: v_n", init, &given_nav.v_n[i], end[0][i], end[1][i]);
+            failures += accepts("init: v_n", init, &given_nav.v_n[i], end[0][i], end[1][i], false);
             failures += spoil("set_nav: v_n", set_nav, &given_nav.v_n[i], low[i], high[i]);
-            failures += accepts("set_nav: v_n", set_nav, &given_nav.v_n[i], end[0][i], end[1][i]);
+            failures += accepts("set_nav: v_n", set_nav, &given_nav.v_n[i], end[0][i], end[1][i],
+                                false);
             failures += spoil("propagate: v_n", propagate, &flown.nav.v_n[i], low[i], high[i]);
             failures += accepts("propagate: v_n", propagate, &flown.nav.v_n[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("strapdown: v_n", strapdown, &flown.nav.v_n[i], low[i], high[i]);
             failures += spoil("correct: v_n", correct, &flown.nav.v_n[i], low[i], high[i]);
-            failures += accepts("correct: v_n", correct, &flown.nav.v_n[i], end[0][i], end[1][i]);
+            failures += accepts("correct: v_n", correct, &flown.nav.v_n[i], end[0][i], end[1][i],
+                                true);
             failures += spoil("measure_zupt: v_n", measure_zupt, &flown.nav.v_n[i], low[i],
                               high[i]);
             failures += accepts("measure_zupt: v_n", measure_zupt, &flown.nav.v_n[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("measure_azimuth: v_n", measure_azimuth, &flown.nav.v_n[i], low[i],
                               high[i]);
             failures += accepts("measure_azimuth: v_n", measure_azimuth, &flown.nav.v_n[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_zaru: v_n", measure_zaru, &flown.nav.v_n[i], low[i],
                               high[i]);
             failures += accepts("measure_zaru: v_n", measure_zaru, &flown.nav.v_n[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
         }
     }
     {
@@ -1156,33 +1198,33 @@ static int guards(void)
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
             failures += accepts("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += accepts("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += accepts("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], true);
             failures += spoil("strapdown: q_b2n_wxyz", strapdown, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += spoil("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += accepts("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("measure_zupt: q_b2n_wxyz", measure_zupt, &flown.nav.q_b2n_wxyz[i],
                               low[i], high[i]);
             failures += accepts("measure_zupt: q_b2n_wxyz", measure_zupt, &flown.nav.q_b2n_wxyz[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_azimuth: q_b2n_wxyz", measure_azimuth,
                               &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
             failures += accepts("measure_azimuth: q_b2n_wxyz", measure_azimuth,
-                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i]);
+                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i], true);
             failures += spoil("measure_zaru: q_b2n_wxyz", measure_zaru, &flown.nav.q_b2n_wxyz[i],
                               low[i], high[i]);
             failures += accepts("measure_zaru: q_b2n_wxyz", measure_zaru, &flown.nav.q_b2n_wxyz[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], true);
         }
     }
     {
@@ -1199,33 +1241,33 @@ static int guards(void)
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
             failures += accepts("init: gyro_bias", init, &given_nav.gyro_bias[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("set_nav: gyro_bias", set_nav, &given_nav.gyro_bias[i], low[i],
                               high[i]);
             failures += accepts("set_nav: gyro_bias", set_nav, &given_nav.gyro_bias[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("propagate: gyro_bias", propagate, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
             failures += accepts("propagate: gyro_bias", propagate, &flown.nav.gyro_bias[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: gyro_bias", strapdown, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
             failures += spoil("correct: gyro_bias", correct, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
             failures += accepts("correct: gyro_bias", correct, &flown.nav.gyro_bias[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("measure_zupt: gyro_bias", measure_zupt, &flown.nav.gyro_bias[i],
                               low[i], high[i]);
             failures += accepts("measure_zupt: gyro_bias", measure_zupt, &flown.nav.gyro_bias[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_azimuth: gyro_bias", measure_azimuth,
                               &flown.nav.gyro_bias[i], low[i], high[i]);
             failures += accepts("measure_azimuth: gyro_bias", measure_azimuth,
-                                &flown.nav.gyro_bias[i], end[0][i], end[1][i]);
+                                &flown.nav.gyro_bias[i], end[0][i], end[1][i], false);
             failures += spoil("measure_zaru: gyro_bias", measure_zaru, &flown.nav.gyro_bias[i],
                               low[i], high[i]);
             failures += accepts("measure_zaru: gyro_bias", measure_zaru, &flown.nav.gyro_bias[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1236,33 +1278,33 @@ static int guards(void)
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
             failures += accepts("init: accel_bias", init, &given_nav.accel_bias[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("set_nav: accel_bias", set_nav, &given_nav.accel_bias[i], low[i],
                               high[i]);
             failures += accepts("set_nav: accel_bias", set_nav, &given_nav.accel_bias[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("propagate: accel_bias", propagate, &flown.nav.accel_bias[i], low[i],
                               high[i]);
             failures += accepts("propagate: accel_bias", propagate, &flown.nav.accel_bias[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: accel_bias", strapdown, &flown.nav.accel_bias[i], low[i],
                               high[i]);
             failures += spoil("correct: accel_bias", correct, &flown.nav.accel_bias[i], low[i],
                               high[i]);
             failures += accepts("correct: accel_bias", correct, &flown.nav.accel_bias[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("measure_zupt: accel_bias", measure_zupt, &flown.nav.accel_bias[i],
                               low[i], high[i]);
             failures += accepts("measure_zupt: accel_bias", measure_zupt, &flown.nav.accel_bias[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_azimuth: accel_bias", measure_azimuth,
                               &flown.nav.accel_bias[i], low[i], high[i]);
             failures += accepts("measure_azimuth: accel_bias", measure_azimuth,
-                                &flown.nav.accel_bias[i], end[0][i], end[1][i]);
+                                &flown.nav.accel_bias[i], end[0][i], end[1][i], false);
             failures += spoil("measure_zaru: accel_bias", measure_zaru, &flown.nav.accel_bias[i],
                               low[i], high[i]);
             failures += accepts("measure_zaru: accel_bias", measure_zaru, &flown.nav.accel_bias[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1273,7 +1315,7 @@ static int guards(void)
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
             failures += accepts("propagate: f_b", propagate, &given_imu.f_b[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
         }
     }
     {
@@ -1285,7 +1327,7 @@ static int guards(void)
             failures += spoil("measure_zaru: omega_ib_b", measure_zaru, &given_imu.omega_ib_b[i],
                               low[i], high[i]);
             failures += accepts("measure_zaru: omega_ib_b", measure_zaru, &given_imu.omega_ib_b[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1294,9 +1336,11 @@ static int guards(void)
         static const bs_real end[2][1] = { { BS_REAL(1e-06) }, { BS_REAL(10.0) } };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
-            failures += accepts("propagate: dt", propagate, &given_imu.dt, end[0][i], end[1][i]);
+            failures += accepts("propagate: dt", propagate, &given_imu.dt, end[0][i], end[1][i],
+                                false);
             failures += spoil("strapdown: dt", strapdown, &given_imu.dt, low[i], high[i]);
-            failures += accepts("strapdown: dt", strapdown, &given_imu.dt, end[0][i], end[1][i]);
+            failures += accepts("strapdown: dt", strapdown, &given_imu.dt, end[0][i], end[1][i],
+                                true);
         }
     }
     {
@@ -1308,7 +1352,7 @@ static int guards(void)
             failures += spoil("strapdown: dtheta_ib_b", strapdown, &given_increments.dtheta_ib_b[i],
                               low[i], high[i]);
             failures += accepts("strapdown: dtheta_ib_b", strapdown,
-                                &given_increments.dtheta_ib_b[i], end[0][i], end[1][i]);
+                                &given_increments.dtheta_ib_b[i], end[0][i], end[1][i], true);
         }
     }
     {
@@ -1320,7 +1364,7 @@ static int guards(void)
             failures += spoil("strapdown: dv_b", strapdown, &given_increments.dv_b[i], low[i],
                               high[i]);
             failures += accepts("strapdown: dv_b", strapdown, &given_increments.dv_b[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
         }
     }
     {
@@ -1332,7 +1376,7 @@ static int guards(void)
             failures += spoil("strapdown: dtheta_before", strapdown,
                               &given_increments.dtheta_before[i], low[i], high[i]);
             failures += accepts("strapdown: dtheta_before", strapdown,
-                                &given_increments.dtheta_before[i], end[0][i], end[1][i]);
+                                &given_increments.dtheta_before[i], end[0][i], end[1][i], true);
         }
     }
     {
@@ -1344,7 +1388,7 @@ static int guards(void)
             failures += spoil("strapdown: dv_before", strapdown, &given_increments.dv_before[i],
                               low[i], high[i]);
             failures += accepts("strapdown: dv_before", strapdown, &given_increments.dv_before[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], true);
         }
     }
     {
@@ -1356,7 +1400,7 @@ static int guards(void)
             failures += spoil("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i],
                               low[i], high[i]);
             failures += accepts("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1368,7 +1412,7 @@ static int guards(void)
             failures += spoil("propagate: accel_noise", propagate, &given_noise.accel_noise[i],
                               low[i], high[i]);
             failures += accepts("propagate: accel_noise", propagate, &given_noise.accel_noise[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1380,7 +1424,7 @@ static int guards(void)
             failures += spoil("propagate: gyro_bias_noise", propagate,
                               &given_noise.gyro_bias_noise[i], low[i], high[i]);
             failures += accepts("propagate: gyro_bias_noise", propagate,
-                                &given_noise.gyro_bias_noise[i], end[0][i], end[1][i]);
+                                &given_noise.gyro_bias_noise[i], end[0][i], end[1][i], false);
         }
     }
     {
@@ -1392,7 +1436,7 @@ static int guards(void)
             failures += spoil("propagate: accel_bias_noise", propagate,
                               &given_noise.accel_bias_noise[i], low[i], high[i]);
             failures += accepts("propagate: accel_bias_noise", propagate,
-                                &given_noise.accel_bias_noise[i], end[0][i], end[1][i]);
+                                &given_noise.accel_bias_noise[i], end[0][i], end[1][i], false);
         }
     }
     {
@@ -1406,7 +1450,7 @@ static int guards(void)
             failures += spoil("measure_azimuth: q_ref_wxyz", measure_azimuth,
                               &given_reference.q_ref_wxyz[i], low[i], high[i]);
             failures += accepts("measure_azimuth: q_ref_wxyz", measure_azimuth,
-                                &given_reference.q_ref_wxyz[i], end[0][i], end[1][i]);
+                                &given_reference.q_ref_wxyz[i], end[0][i], end[1][i], true);
         }
     }
     failures += spoil("measure_zupt: gate", measure_zupt, &gate, -1e-30, 1e+30 * 1.0005);

@@ -676,13 +676,15 @@ static int spoil(const char *what,
     return failures;
 }
 
-/* At either end of its box a number is taken, with x or with -x, or else the answer leaves its own
- * box, as it does from a five-hundredth inside.  What the function made of it is put back. */
+/* At either end of its box a number is taken; or, if it may leave one, with the other errors or
+ * their opposites, or else it does from just inside too.  What the function made of it is put
+ * back. */
 static int accepts(const char *what,
                    bs_status (*function)(void),
                    bs_real *value,
                    bs_real low,
-                   bs_real high)
+                   bs_real high,
+                   bool may_leave)
 {
     const bs_real good = *value;
     int failures = 0;
@@ -694,16 +696,16 @@ static int accepts(const char *what,
         *value = at;
         status = function();
         flown = before;
-        if (status == BS_OUT_OF_RANGE) {
+        if (may_leave && (status == BS_OUT_OF_RANGE)) {
             *value = at;
             for (int i = 0; i < N; ++i) {
-                flown.x[i] = -flown.x[i];
+                flown.x[i] = (&flown.x[i] == value) ? flown.x[i] : -flown.x[i];
             }
             status = function();
             flown = before;
         }
-        if (status == BS_OUT_OF_RANGE) {
-            *value = at * (outward ? BS_REAL(0.998) : BS_REAL(1.002));
+        if (may_leave && (status == BS_OUT_OF_RANGE)) {
+            *value = at * (outward ? BS_REAL(0.9985) : BS_REAL(1.0015));
             failures += expect(what, !bs_good(function()));
             flown = before;
         } else {
@@ -714,6 +716,22 @@ static int accepts(const char *what,
     }
     *value = good;
     return failures;
+}
+
+/* Whether an error is taken that is as large as `at`, from one of three places that it leads away
+ * from. */
+static bool corrects(int i, double at)
+{
+    static const double before_it[3] = { 0.0, 0.5, 0.95 };
+    bool good = false;
+    for (int k = 0; (k < 3) && !good; ++k) {
+        (void)begin();
+        flown.x[i] = (bs_real)(-before_it[k] * at);
+        (void)correct();
+        flown.x[i] = (bs_real)at;
+        good = (correct() == BS_OK);
+    }
+    return good;
 }
 
 /* The checksum of a snapshot by its definition: the rest of its bits, each byte's least first, by
@@ -744,9 +762,9 @@ static int limits(void)
             given_nav.q_b2n_wxyz[j] = BS_REAL(0.0);
         }
         failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i],
-                            BS_REAL(-0.999), BS_REAL(0.999));
+                            BS_REAL(-0.999), BS_REAL(0.999), false);
         failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i],
-                            BS_REAL(-1.001), BS_REAL(1.001));
+                            BS_REAL(-1.001), BS_REAL(1.001), false);
 #endif
     }
     for (int end = 0; end < 2; ++end) {
@@ -760,20 +778,22 @@ static int limits(void)
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
         static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
-        failures += accepts("init: mu", init, &given_nav.mu[i], low[i], high[i]);
+        failures += accepts("init: mu", init, &given_nav.mu[i], low[i], high[i], false);
     }
-    failures += accepts("propagate: dt", propagate, &given_step.dt, BS_REAL(1e-06), BS_REAL(10.0));
+    failures += accepts("propagate: dt", propagate, &given_step.dt, BS_REAL(1e-06), BS_REAL(10.0),
+                        false);
     rows = 0U;
-    failures += accepts("measure_euler: gate", measure_euler, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    failures += accepts("measure_euler: gate", measure_euler, &gate, BS_REAL(0.0), BS_REAL(1e+30),
+                        false);
     for (int i = 0; i < 3; ++i) {
         failures += accepts("measure_euler: R", measure_euler, &R[i], BS_REAL(1e-30),
-                            BS_REAL(1e+30));
+                            BS_REAL(1e+30), false);
     }
     failures += accepts("measure_euler_exact: gate", measure_euler_exact, &gate, BS_REAL(0.0),
-                        BS_REAL(1e+30));
+                        BS_REAL(1e+30), false);
     for (int i = 0; i < 3; ++i) {
         failures += accepts("measure_euler_exact: R", measure_euler_exact, &R[i], BS_REAL(1e-30),
-                            BS_REAL(1e+30));
+                            BS_REAL(1e+30), false);
     }
     rows = BS_ALL_ROWS;
     for (int i = 0; i < (2 * N); ++i) { /* the first iteration may lead x out of its box: then the
@@ -1046,6 +1066,15 @@ static int kept(void)
     for (int i = 0; i < N; ++i) {
         static const double x_low[N] = { -0.5, -0.5, -0.5, -0.5, -0.5, -0.5 };
         static const double x_high[N] = { 0.5, 0.5, 0.5, 0.5, 0.5, 0.5 };
+        static const double low[N] = { -0.50025, -0.50025, -0.50025, -0.50025, -0.50025, -0.50025 };
+        static const double high[N] = { 0.50025, 0.50025, 0.50025, 0.50025, 0.50025, 0.50025 };
+        failures += begin();
+        failures += spoil("correct: x", correct, &flown.x[i], low[i], high[i]);
+        for (int end = 0; end < 2; ++end) {
+            const double at = (end == 0) ? x_low[i] : x_high[i];
+            failures += expect("correct: x at its end", corrects(i, at) ||
+                               !corrects(i, 0.998 * at));
+        }
         for (int end = 0; end < 2; ++end) {
             failures += begin();
             flown.x[i] = (bs_real)(0.999 * ((end == 0) ? x_low[i] : x_high[i]));
@@ -1072,29 +1101,29 @@ static int guards(void)
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
             failures += accepts("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += accepts("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += accepts("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], true);
             failures += spoil("strapdown: q_b2n_wxyz", strapdown, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += spoil("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += accepts("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("measure_euler: q_b2n_wxyz", measure_euler, &flown.nav.q_b2n_wxyz[i],
                               low[i], high[i]);
             failures += accepts("measure_euler: q_b2n_wxyz", measure_euler,
-                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i]);
+                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i], true);
             failures += spoil("measure_euler_exact: q_b2n_wxyz", measure_euler_exact,
                               &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
             failures += accepts("measure_euler_exact: q_b2n_wxyz", measure_euler_exact,
-                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i]);
+                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i], true);
         }
     }
     {
@@ -1104,22 +1133,25 @@ static int guards(void)
                                            { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: mu", init, &given_nav.mu[i], low[i], high[i]);
-            failures += accepts("init: mu", init, &given_nav.mu[i], end[0][i], end[1][i]);
+            failures += accepts("init: mu", init, &given_nav.mu[i], end[0][i], end[1][i], false);
             failures += spoil("set_nav: mu", set_nav, &given_nav.mu[i], low[i], high[i]);
-            failures += accepts("set_nav: mu", set_nav, &given_nav.mu[i], end[0][i], end[1][i]);
+            failures += accepts("set_nav: mu", set_nav, &given_nav.mu[i], end[0][i], end[1][i],
+                                false);
             failures += spoil("propagate: mu", propagate, &flown.nav.mu[i], low[i], high[i]);
-            failures += accepts("propagate: mu", propagate, &flown.nav.mu[i], end[0][i], end[1][i]);
+            failures += accepts("propagate: mu", propagate, &flown.nav.mu[i], end[0][i], end[1][i],
+                                false);
             failures += spoil("strapdown: mu", strapdown, &flown.nav.mu[i], low[i], high[i]);
             failures += spoil("correct: mu", correct, &flown.nav.mu[i], low[i], high[i]);
-            failures += accepts("correct: mu", correct, &flown.nav.mu[i], end[0][i], end[1][i]);
+            failures += accepts("correct: mu", correct, &flown.nav.mu[i], end[0][i], end[1][i],
+                                true);
             failures += spoil("measure_euler: mu", measure_euler, &flown.nav.mu[i], low[i],
                               high[i]);
             failures += accepts("measure_euler: mu", measure_euler, &flown.nav.mu[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("measure_euler_exact: mu", measure_euler_exact, &flown.nav.mu[i],
                               low[i], high[i]);
             failures += accepts("measure_euler_exact: mu", measure_euler_exact, &flown.nav.mu[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1131,7 +1163,7 @@ static int guards(void)
             failures += spoil("strapdown: dtheta_ib_b", strapdown, &given_step.dtheta_ib_b[i],
                               low[i], high[i]);
             failures += accepts("strapdown: dtheta_ib_b", strapdown, &given_step.dtheta_ib_b[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], true);
         }
     }
     {
@@ -1143,11 +1175,11 @@ static int guards(void)
             failures += spoil("propagate: omega_in_n", propagate, &given_step.omega_in_n[i], low[i],
                               high[i]);
             failures += accepts("propagate: omega_in_n", propagate, &given_step.omega_in_n[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: omega_in_n", strapdown, &given_step.omega_in_n[i], low[i],
                               high[i]);
             failures += accepts("strapdown: omega_in_n", strapdown, &given_step.omega_in_n[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], true);
         }
     }
     {
@@ -1156,9 +1188,11 @@ static int guards(void)
         static const bs_real end[2][1] = { { BS_REAL(1e-06) }, { BS_REAL(10.0) } };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("propagate: dt", propagate, &given_step.dt, low[i], high[i]);
-            failures += accepts("propagate: dt", propagate, &given_step.dt, end[0][i], end[1][i]);
+            failures += accepts("propagate: dt", propagate, &given_step.dt, end[0][i], end[1][i],
+                                false);
             failures += spoil("strapdown: dt", strapdown, &given_step.dt, low[i], high[i]);
-            failures += accepts("strapdown: dt", strapdown, &given_step.dt, end[0][i], end[1][i]);
+            failures += accepts("strapdown: dt", strapdown, &given_step.dt, end[0][i], end[1][i],
+                                true);
         }
     }
     {
@@ -1170,7 +1204,7 @@ static int guards(void)
             failures += spoil("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i],
                               low[i], high[i]);
             failures += accepts("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1187,11 +1221,11 @@ static int guards(void)
             failures += spoil("measure_euler: euler_b", measure_euler, &given_angles.euler_b[i],
                               low[i], high[i]);
             failures += accepts("measure_euler: euler_b", measure_euler, &given_angles.euler_b[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_euler_exact: euler_b", measure_euler_exact,
                               &given_angles.euler_b[i], low[i], high[i]);
             failures += accepts("measure_euler_exact: euler_b", measure_euler_exact,
-                                &given_angles.euler_b[i], end[0][i], end[1][i]);
+                                &given_angles.euler_b[i], end[0][i], end[1][i], false);
         }
     }
     {
@@ -1208,11 +1242,11 @@ static int guards(void)
             failures += spoil("measure_euler: euler_m", measure_euler, &given_angles.euler_m[i],
                               low[i], high[i]);
             failures += accepts("measure_euler: euler_m", measure_euler, &given_angles.euler_m[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_euler_exact: euler_m", measure_euler_exact,
                               &given_angles.euler_m[i], low[i], high[i]);
             failures += accepts("measure_euler_exact: euler_m", measure_euler_exact,
-                                &given_angles.euler_m[i], end[0][i], end[1][i]);
+                                &given_angles.euler_m[i], end[0][i], end[1][i], false);
         }
     }
     failures += spoil("measure_euler: gate", measure_euler, &gate, -1e-30, 1e+30 * 1.0005);

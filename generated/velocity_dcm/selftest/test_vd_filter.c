@@ -709,13 +709,15 @@ static int spoil(const char *what,
     return failures;
 }
 
-/* At either end of its box a number is taken, with x or with -x, or else the answer leaves its own
- * box, as it does from a five-hundredth inside.  What the function made of it is put back. */
+/* At either end of its box a number is taken; or, if it may leave one, with the other errors or
+ * their opposites, or else it does from just inside too.  What the function made of it is put
+ * back. */
 static int accepts(const char *what,
                    bs_status (*function)(void),
                    bs_real *value,
                    bs_real low,
-                   bs_real high)
+                   bs_real high,
+                   bool may_leave)
 {
     const bs_real good = *value;
     int failures = 0;
@@ -727,16 +729,16 @@ static int accepts(const char *what,
         *value = at;
         status = function();
         flown = before;
-        if (status == BS_OUT_OF_RANGE) {
+        if (may_leave && (status == BS_OUT_OF_RANGE)) {
             *value = at;
             for (int i = 0; i < N; ++i) {
-                flown.x[i] = -flown.x[i];
+                flown.x[i] = (&flown.x[i] == value) ? flown.x[i] : -flown.x[i];
             }
             status = function();
             flown = before;
         }
-        if (status == BS_OUT_OF_RANGE) {
-            *value = at * (outward ? BS_REAL(0.998) : BS_REAL(1.002));
+        if (may_leave && (status == BS_OUT_OF_RANGE)) {
+            *value = at * (outward ? BS_REAL(0.9985) : BS_REAL(1.0015));
             failures += expect(what, !bs_good(function()));
             flown = before;
         } else {
@@ -747,6 +749,22 @@ static int accepts(const char *what,
     }
     *value = good;
     return failures;
+}
+
+/* Whether an error is taken that is as large as `at`, from one of three places that it leads away
+ * from. */
+static bool corrects(int i, double at)
+{
+    static const double before_it[3] = { 0.0, 0.5, 0.95 };
+    bool good = false;
+    for (int k = 0; (k < 3) && !good; ++k) {
+        (void)begin();
+        flown.x[i] = (bs_real)(-before_it[k] * at);
+        (void)correct();
+        flown.x[i] = (bs_real)at;
+        good = (correct() == BS_OK);
+    }
+    return good;
 }
 
 /* The checksum of a snapshot by its definition: the rest of its bits, each byte's least first, by
@@ -776,12 +794,12 @@ static int limits(void)
                                         BS_REAL(-500.0) };
         static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802),
                                          BS_REAL(30000.0) };
-        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i]);
+        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
         static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i], false);
     }
     for (int i = 0; i < 4; ++i) {
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
@@ -789,9 +807,9 @@ static int limits(void)
             given_nav.q_b2n_wxyz[j] = BS_REAL(0.0);
         }
         failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i],
-                            BS_REAL(-0.999), BS_REAL(0.999));
+                            BS_REAL(-0.999), BS_REAL(0.999), false);
         failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i],
-                            BS_REAL(-1.001), BS_REAL(1.001));
+                            BS_REAL(-1.001), BS_REAL(1.001), false);
 #endif
     }
     for (int end = 0; end < 2; ++end) {
@@ -805,30 +823,33 @@ static int limits(void)
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
         static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
-        failures += accepts("init: mu", init, &given_nav.mu[i], low[i], high[i]);
+        failures += accepts("init: mu", init, &given_nav.mu[i], low[i], high[i], false);
     }
     for (int i = 0; i < 1; ++i) {
         static const bs_real low[1] = { BS_REAL(-1.0) };
         static const bs_real high[1] = { BS_REAL(1.0) };
-        failures += accepts("init: tau", init, &given_nav.tau, low[i], high[i]);
+        failures += accepts("init: tau", init, &given_nav.tau, low[i], high[i], false);
     }
-    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0));
+    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0),
+                        false);
     rows = 0U;
     failures += accepts("measure_velocity: gate", measure_velocity, &gate, BS_REAL(0.0),
-                        BS_REAL(1e+30));
+                        BS_REAL(1e+30), false);
     for (int i = 0; i < 3; ++i) {
         failures += accepts("measure_velocity: R", measure_velocity, &R[i], BS_REAL(1e-30),
-                            BS_REAL(1e+30));
+                            BS_REAL(1e+30), false);
     }
-    failures += accepts("measure_dcm: gate", measure_dcm, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    failures += accepts("measure_dcm: gate", measure_dcm, &gate, BS_REAL(0.0), BS_REAL(1e+30),
+                        false);
     for (int i = 0; i < 3; ++i) {
-        failures += accepts("measure_dcm: R", measure_dcm, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+        failures += accepts("measure_dcm: R", measure_dcm, &R[i], BS_REAL(1e-30), BS_REAL(1e+30),
+                            false);
     }
     failures += accepts("measure_dcm_exact: gate", measure_dcm_exact, &gate, BS_REAL(0.0),
-                        BS_REAL(1e+30));
+                        BS_REAL(1e+30), false);
     for (int i = 0; i < 3; ++i) {
         failures += accepts("measure_dcm_exact: R", measure_dcm_exact, &R[i], BS_REAL(1e-30),
-                            BS_REAL(1e+30));
+                            BS_REAL(1e+30), false);
     }
     rows = BS_ALL_ROWS;
     for (int i = 0; i < (2 * N); ++i) { /* the first iteration may lead x out of its box: then the
@@ -1206,6 +1227,17 @@ static int kept(void)
         static const double x_low[N] = { -100.0, -100.0, -100.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
                                          -1.0 };
         static const double x_high[N] = { 100.0, 100.0, 100.0, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 1.0 };
+        static const double low[N] = { -100.05, -100.05, -100.05, -0.50025, -0.50025, -0.50025,
+                                       -0.50025, -0.50025, -0.50025, -1.0005 };
+        static const double high[N] = { 100.05, 100.05, 100.05, 0.50025, 0.50025, 0.50025, 0.50025,
+                                        0.50025, 0.50025, 1.0005 };
+        failures += begin();
+        failures += spoil("correct: x", correct, &flown.x[i], low[i], high[i]);
+        for (int end = 0; end < 2; ++end) {
+            const double at = (end == 0) ? x_low[i] : x_high[i];
+            failures += expect("correct: x at its end", corrects(i, at) ||
+                               !corrects(i, 0.998 * at));
+        }
         for (int end = 0; end < 2; ++end) {
             failures += begin();
             flown.x[i] = (bs_real)(0.999 * ((end == 0) ? x_low[i] : x_high[i]));
@@ -1232,33 +1264,33 @@ static int guards(void)
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
             failures += accepts("init: position", init, &given_nav.position[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
                               high[i]);
             failures += accepts("set_nav: position", set_nav, &given_nav.position[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
                               high[i]);
             failures += accepts("propagate: position", propagate, &flown.nav.position[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
                               high[i]);
             failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
                               high[i]);
             failures += accepts("correct: position", correct, &flown.nav.position[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("measure_velocity: position", measure_velocity,
                               &flown.nav.position[i], low[i], high[i]);
             failures += accepts("measure_velocity: position", measure_velocity,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
+                                &flown.nav.position[i], end[0][i], end[1][i], false);
             failures += spoil("measure_dcm: position", measure_dcm, &flown.nav.position[i], low[i],
                               high[i]);
             failures += accepts("measure_dcm: position", measure_dcm, &flown.nav.position[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_dcm_exact: position", measure_dcm_exact,
                               &flown.nav.position[i], low[i], high[i]);
             failures += accepts("measure_dcm_exact: position", measure_dcm_exact,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
+                                &flown.nav.position[i], end[0][i], end[1][i], false);
         }
     }
     {
@@ -1268,26 +1300,28 @@ static int guards(void)
                                            { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
-            failures += accepts("init: v_n", init, &given_nav.v_n[i], end[0][i], end[1][i]);
+            failures += accepts("init: v_n", init, &given_nav.v_n[i], end[0][i], end[1][i], false);
             failures += spoil("set_nav: v_n", set_nav, &given_nav.v_n[i], low[i], high[i]);
-            failures += accepts("set_nav: v_n", set_nav, &given_nav.v_n[i], end[0][i], end[1][i]);
+            failures += accepts("set_nav: v_n", set_nav, &given_nav.v_n[i], end[0][i], end[1][i],
+                                false);
             failures += spoil("propagate: v_n", propagate, &flown.nav.v_n[i], low[i], high[i]);
             failures += accepts("propagate: v_n", propagate, &flown.nav.v_n[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("strapdown: v_n", strapdown, &flown.nav.v_n[i], low[i], high[i]);
             failures += spoil("correct: v_n", correct, &flown.nav.v_n[i], low[i], high[i]);
-            failures += accepts("correct: v_n", correct, &flown.nav.v_n[i], end[0][i], end[1][i]);
+            failures += accepts("correct: v_n", correct, &flown.nav.v_n[i], end[0][i], end[1][i],
+                                true);
             failures += spoil("measure_velocity: v_n", measure_velocity, &flown.nav.v_n[i], low[i],
                               high[i]);
             failures += accepts("measure_velocity: v_n", measure_velocity, &flown.nav.v_n[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_dcm: v_n", measure_dcm, &flown.nav.v_n[i], low[i], high[i]);
             failures += accepts("measure_dcm: v_n", measure_dcm, &flown.nav.v_n[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("measure_dcm_exact: v_n", measure_dcm_exact, &flown.nav.v_n[i],
                               low[i], high[i]);
             failures += accepts("measure_dcm_exact: v_n", measure_dcm_exact, &flown.nav.v_n[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1300,33 +1334,33 @@ static int guards(void)
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
             failures += accepts("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += accepts("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += accepts("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], true);
             failures += spoil("strapdown: q_b2n_wxyz", strapdown, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += spoil("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += accepts("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
             failures += spoil("measure_velocity: q_b2n_wxyz", measure_velocity,
                               &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
             failures += accepts("measure_velocity: q_b2n_wxyz", measure_velocity,
-                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i]);
+                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: q_b2n_wxyz", measure_dcm, &flown.nav.q_b2n_wxyz[i],
                               low[i], high[i]);
             failures += accepts("measure_dcm: q_b2n_wxyz", measure_dcm, &flown.nav.q_b2n_wxyz[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm_exact: q_b2n_wxyz", measure_dcm_exact,
                               &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
             failures += accepts("measure_dcm_exact: q_b2n_wxyz", measure_dcm_exact,
-                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i]);
+                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i], true);
         }
     }
     {
@@ -1336,25 +1370,28 @@ static int guards(void)
                                            { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: mu", init, &given_nav.mu[i], low[i], high[i]);
-            failures += accepts("init: mu", init, &given_nav.mu[i], end[0][i], end[1][i]);
+            failures += accepts("init: mu", init, &given_nav.mu[i], end[0][i], end[1][i], false);
             failures += spoil("set_nav: mu", set_nav, &given_nav.mu[i], low[i], high[i]);
-            failures += accepts("set_nav: mu", set_nav, &given_nav.mu[i], end[0][i], end[1][i]);
+            failures += accepts("set_nav: mu", set_nav, &given_nav.mu[i], end[0][i], end[1][i],
+                                false);
             failures += spoil("propagate: mu", propagate, &flown.nav.mu[i], low[i], high[i]);
-            failures += accepts("propagate: mu", propagate, &flown.nav.mu[i], end[0][i], end[1][i]);
+            failures += accepts("propagate: mu", propagate, &flown.nav.mu[i], end[0][i], end[1][i],
+                                false);
             failures += spoil("strapdown: mu", strapdown, &flown.nav.mu[i], low[i], high[i]);
             failures += spoil("correct: mu", correct, &flown.nav.mu[i], low[i], high[i]);
-            failures += accepts("correct: mu", correct, &flown.nav.mu[i], end[0][i], end[1][i]);
+            failures += accepts("correct: mu", correct, &flown.nav.mu[i], end[0][i], end[1][i],
+                                true);
             failures += spoil("measure_velocity: mu", measure_velocity, &flown.nav.mu[i], low[i],
                               high[i]);
             failures += accepts("measure_velocity: mu", measure_velocity, &flown.nav.mu[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_dcm: mu", measure_dcm, &flown.nav.mu[i], low[i], high[i]);
             failures += accepts("measure_dcm: mu", measure_dcm, &flown.nav.mu[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("measure_dcm_exact: mu", measure_dcm_exact, &flown.nav.mu[i], low[i],
                               high[i]);
             failures += accepts("measure_dcm_exact: mu", measure_dcm_exact, &flown.nav.mu[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1363,25 +1400,28 @@ static int guards(void)
         static const bs_real end[2][1] = { { BS_REAL(-1.0) }, { BS_REAL(1.0) } };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("init: tau", init, &given_nav.tau, low[i], high[i]);
-            failures += accepts("init: tau", init, &given_nav.tau, end[0][i], end[1][i]);
+            failures += accepts("init: tau", init, &given_nav.tau, end[0][i], end[1][i], false);
             failures += spoil("set_nav: tau", set_nav, &given_nav.tau, low[i], high[i]);
-            failures += accepts("set_nav: tau", set_nav, &given_nav.tau, end[0][i], end[1][i]);
+            failures += accepts("set_nav: tau", set_nav, &given_nav.tau, end[0][i], end[1][i],
+                                false);
             failures += spoil("propagate: tau", propagate, &flown.nav.tau, low[i], high[i]);
-            failures += accepts("propagate: tau", propagate, &flown.nav.tau, end[0][i], end[1][i]);
+            failures += accepts("propagate: tau", propagate, &flown.nav.tau, end[0][i], end[1][i],
+                                false);
             failures += spoil("strapdown: tau", strapdown, &flown.nav.tau, low[i], high[i]);
             failures += spoil("correct: tau", correct, &flown.nav.tau, low[i], high[i]);
-            failures += accepts("correct: tau", correct, &flown.nav.tau, end[0][i], end[1][i]);
+            failures += accepts("correct: tau", correct, &flown.nav.tau, end[0][i], end[1][i],
+                                true);
             failures += spoil("measure_velocity: tau", measure_velocity, &flown.nav.tau, low[i],
                               high[i]);
             failures += accepts("measure_velocity: tau", measure_velocity, &flown.nav.tau,
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_dcm: tau", measure_dcm, &flown.nav.tau, low[i], high[i]);
             failures += accepts("measure_dcm: tau", measure_dcm, &flown.nav.tau, end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
             failures += spoil("measure_dcm_exact: tau", measure_dcm_exact, &flown.nav.tau, low[i],
                               high[i]);
             failures += accepts("measure_dcm_exact: tau", measure_dcm_exact, &flown.nav.tau,
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1392,7 +1432,7 @@ static int guards(void)
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
             failures += accepts("propagate: f_b", propagate, &given_imu.f_b[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], false);
         }
     }
     {
@@ -1401,9 +1441,11 @@ static int guards(void)
         static const bs_real end[2][1] = { { BS_REAL(1e-06) }, { BS_REAL(10.0) } };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
-            failures += accepts("propagate: dt", propagate, &given_imu.dt, end[0][i], end[1][i]);
+            failures += accepts("propagate: dt", propagate, &given_imu.dt, end[0][i], end[1][i],
+                                false);
             failures += spoil("strapdown: dt", strapdown, &given_imu.dt, low[i], high[i]);
-            failures += accepts("strapdown: dt", strapdown, &given_imu.dt, end[0][i], end[1][i]);
+            failures += accepts("strapdown: dt", strapdown, &given_imu.dt, end[0][i], end[1][i],
+                                true);
         }
     }
     {
@@ -1415,7 +1457,7 @@ static int guards(void)
             failures += spoil("strapdown: dtheta_ib_b", strapdown, &given_increments.dtheta_ib_b[i],
                               low[i], high[i]);
             failures += accepts("strapdown: dtheta_ib_b", strapdown,
-                                &given_increments.dtheta_ib_b[i], end[0][i], end[1][i]);
+                                &given_increments.dtheta_ib_b[i], end[0][i], end[1][i], true);
         }
     }
     {
@@ -1427,7 +1469,7 @@ static int guards(void)
             failures += spoil("strapdown: dv_b", strapdown, &given_increments.dv_b[i], low[i],
                               high[i]);
             failures += accepts("strapdown: dv_b", strapdown, &given_increments.dv_b[i], end[0][i],
-                                end[1][i]);
+                                end[1][i], true);
         }
     }
     {
@@ -1439,7 +1481,7 @@ static int guards(void)
             failures += spoil("strapdown: dtheta_before", strapdown,
                               &given_increments.dtheta_before[i], low[i], high[i]);
             failures += accepts("strapdown: dtheta_before", strapdown,
-                                &given_increments.dtheta_before[i], end[0][i], end[1][i]);
+                                &given_increments.dtheta_before[i], end[0][i], end[1][i], true);
         }
     }
     {
@@ -1451,7 +1493,7 @@ static int guards(void)
             failures += spoil("strapdown: dv_before", strapdown, &given_increments.dv_before[i],
                               low[i], high[i]);
             failures += accepts("strapdown: dv_before", strapdown, &given_increments.dv_before[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], true);
         }
     }
     {
@@ -1463,7 +1505,7 @@ static int guards(void)
             failures += spoil("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i],
                               low[i], high[i]);
             failures += accepts("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1475,7 +1517,7 @@ static int guards(void)
             failures += spoil("propagate: accel_noise", propagate, &given_noise.accel_noise[i],
                               low[i], high[i]);
             failures += accepts("propagate: accel_noise", propagate, &given_noise.accel_noise[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1487,7 +1529,7 @@ static int guards(void)
             failures += spoil("measure_velocity: v_m_n", measure_velocity, &given_master.v_m_n[i],
                               low[i], high[i]);
             failures += accepts("measure_velocity: v_m_n", measure_velocity, &given_master.v_m_n[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1501,11 +1543,11 @@ static int guards(void)
             failures += spoil("measure_dcm: q_m2n_wxyz", measure_dcm, &given_master.q_m2n_wxyz[i],
                               low[i], high[i]);
             failures += accepts("measure_dcm: q_m2n_wxyz", measure_dcm, &given_master.q_m2n_wxyz[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm_exact: q_m2n_wxyz", measure_dcm_exact,
                               &given_master.q_m2n_wxyz[i], low[i], high[i]);
             failures += accepts("measure_dcm_exact: q_m2n_wxyz", measure_dcm_exact,
-                                &given_master.q_m2n_wxyz[i], end[0][i], end[1][i]);
+                                &given_master.q_m2n_wxyz[i], end[0][i], end[1][i], true);
         }
     }
     {
@@ -1517,7 +1559,7 @@ static int guards(void)
             failures += spoil("measure_velocity: a_n", measure_velocity, &given_master.a_n[i],
                               low[i], high[i]);
             failures += accepts("measure_velocity: a_n", measure_velocity, &given_master.a_n[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
         }
     }
     {
@@ -1529,11 +1571,11 @@ static int guards(void)
             failures += spoil("measure_dcm: omega_nm_n", measure_dcm, &given_master.omega_nm_n[i],
                               low[i], high[i]);
             failures += accepts("measure_dcm: omega_nm_n", measure_dcm, &given_master.omega_nm_n[i],
-                                end[0][i], end[1][i]);
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_dcm_exact: omega_nm_n", measure_dcm_exact,
                               &given_master.omega_nm_n[i], low[i], high[i]);
             failures += accepts("measure_dcm_exact: omega_nm_n", measure_dcm_exact,
-                                &given_master.omega_nm_n[i], end[0][i], end[1][i]);
+                                &given_master.omega_nm_n[i], end[0][i], end[1][i], false);
         }
     }
     failures += spoil("measure_velocity: gate", measure_velocity, &gate, -1e-30, 1e+30 * 1.0005);
