@@ -18,7 +18,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "f1676b6f26740e4b75f814dc52c37e8ac7a7054f815c2460434a017666dfeb7e"
+#define AHR_MODEL_HASH "5b46821f2567e364818fc68d944605e914591a28c6ce4d4b2d5db4443efb4c84"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

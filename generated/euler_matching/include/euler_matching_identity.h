@@ -18,7 +18,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "b3bbf7e88d386037b25a716d414cfcf9f63fa519c61685cad924301d8ece1233"
+#define EM_MODEL_HASH "ba1177d823cd0c31a01c33ce259b0e1511322ccf101c8ce8ba20aeff056ba1ae"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

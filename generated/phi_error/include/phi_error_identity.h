@@ -18,7 +18,7 @@
 #endif
 
 #define PHI_MODEL "phi-error"
-#define PHI_MODEL_HASH "2c02f311b859db2edaa872297f10dfecbd88511676bb96034b7916e12baab8ac"
+#define PHI_MODEL_HASH "a60467171c2be47170bd2944b60da96119503abb46cef92b08fabb7c5548c737"
 #define PHI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PHI_VERSION_MAJOR 0
 #define PHI_VERSION_MINOR 1

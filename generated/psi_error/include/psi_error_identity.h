@@ -18,7 +18,7 @@
 #endif
 
 #define PSI_MODEL "psi-error"
-#define PSI_MODEL_HASH "b89c6885ac89cf9c76fd1742339026a8e20a97080e43b0768322125a8c9555a2"
+#define PSI_MODEL_HASH "155e33dedc84d47fa4d6e67f96e6fa8c04b3c293d8f60483df29a6577653eb5f"
 #define PSI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PSI_VERSION_MAJOR 0
 #define PSI_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define DET_MODEL "stationary-detector"
-#define DET_MODEL_HASH "db2235f0d9f1594d5a9f40d0ce31049cf0b5b79eb839fb48a1123fb4584519d8"
+#define DET_MODEL_HASH "1089297b50e2689c6a9a68f5e8be5d6d2d1e79a75a450cdbdafe138d981e422e"
 #define DET_VERSION "0.1.0" /* of the Boresight that printed it */
 #define DET_VERSION_MAJOR 0
 #define DET_VERSION_MINOR 1

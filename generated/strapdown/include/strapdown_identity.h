@@ -18,7 +18,7 @@
 #endif
 
 #define SD_MODEL "strapdown"
-#define SD_MODEL_HASH "4f4a274b85e0073e83ab22ced620fce12d82f4d668e8382a533545b0a8fdcba7"
+#define SD_MODEL_HASH "a7ae95b05124cca852c4a5dad343eb8400bec4335b4fb482446eee90a4b71a5d"
 #define SD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define SD_VERSION_MAJOR 0
 #define SD_VERSION_MINOR 1

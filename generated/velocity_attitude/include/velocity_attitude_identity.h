@@ -18,7 +18,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "381ff7d47cb912364c23045a4a46cd64086f422fd5d4e80ccdc7e1bacc2dd116"
+#define VA_MODEL_HASH "dcd3b61eab856f02ce8312afec806249cdd7e89092a34dca13a712e94feb870b"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

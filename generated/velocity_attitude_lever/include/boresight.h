@@ -138,8 +138,8 @@ static inline bs_status bs_check_finite(const bs_real *value, int n)
 
 /* Whether this file's arithmetic is as it is written.
  * returns BS_OK, or BS_CONTRACTED: a product and a sum are rounded once
- * (compile with -ffp-contract=off), sums are reordered, constants are cut to single precision, or
- * the guards against NaN are optimised away.
+ * (compile with -ffp-contract=off), sums are reordered, constants are cut to single precision, a
+ * quotient is a product by a reciprocal, or the guards against NaN are optimised away.
  * It computes with a NaN, and so raises the flag of the invalid operation. */
 static inline bs_status bs_probe(void)
 {
@@ -147,6 +147,7 @@ static inline bs_status bs_probe(void)
     volatile const bs_real step = (sizeof(bs_real) == sizeof(float)) ? (bs_real)FLT_EPSILON
         : (bs_real)DBL_EPSILON;
     volatile const bs_real one = BS_REAL(1.0);
+    volatile const bs_real three = BS_REAL(3.0);
     volatile const bs_real ten = BS_REAL(10.0);
     volatile const bs_real none = (bs_real)NAN;
     const bs_real e = step;
@@ -155,12 +156,19 @@ static inline bs_status bs_probe(void)
     const bs_real quarter = e * BS_REAL(0.25);
     const bs_real unit = one;
     const bs_real nan = none;
+    const bs_real by = three;
     const bs_real product = (a * a) + b;           /* 0, or e * e where it is contracted */
     const bs_real sum = (unit + quarter) - unit;   /* 0, or e / 4 where it is reordered */
     const bs_real tenth = (ten * BS_REAL(0.1)) - unit; /* 0, or 1e-8 where the constant is a
                                                         * float */
-    if ((product > BS_REAL(0.0)) || (sum > BS_REAL(0.0)) || (tenth > BS_REAL(0.0)) ||
-        (tenth < BS_REAL(0.0)) || (bs_check_finite(&nan, 1) != BS_NOT_FINITE)) {
+    /* each 0, or half a step */
+    const bs_real fifth = ((BS_REAL(5.0) * unit) / by) - BS_REAL(1.6666666666666667);
+    const bs_real seventh = ((BS_REAL(7.0) * unit) / by) - BS_REAL(2.3333333333333335);
+    const bs_real last = (ten / by) - BS_REAL(3.3333333333333335);
+    const bs_real thirds = BS_FABS(fifth) + BS_FABS(seventh) + BS_FABS(last);
+    if ((product > BS_REAL(0.0)) || (thirds > BS_REAL(0.0)) || (sum > BS_REAL(0.0)) ||
+        (tenth > BS_REAL(0.0)) || (tenth < BS_REAL(0.0)) ||
+        (bs_check_finite(&nan, 1) != BS_NOT_FINITE)) {
         return BS_CONTRACTED;
     }
     return BS_OK;

@@ -18,7 +18,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "496268cd7501257de2584ed86a257bb7b5786aaef813bd1182f675ffcc2267d2"
+#define VAS_MODEL_HASH "797b9e1a62a1e9ea9130984e878cb43bc6c07443cc133e6492efb6039619f646"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
