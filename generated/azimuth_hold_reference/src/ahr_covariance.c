@@ -10,6 +10,7 @@
 #define ROW AHR_ROW    /* numbers of a row in scratch memory: whole blocks of 4 */
 #define DOWN 9  /* M in whole blocks of 3 */
 #define WIDTH (M + ROW)
+#define WIDE 16
 #define REGION 256 /* numbers of the first part of the scratch memory */
 
 /* How far rounding may carry a covariance from symmetric and positive, and a pivot below which
@@ -396,6 +397,232 @@ bs_status ahr_joseph_init(const bs_real dense[AHR_N_STATES * AHR_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
+                        const bs_real Phi[AHR_N_PHI],
+                        const bs_real Q[AHR_N_PACKED],
+                        bs_real next[AHR_N_PACKED],
+                        bs_real work[AHR_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], P[55], P[66], P[78],
+          P[91], P[105], P[120] },
+        { P[1], P[2], P[4], P[7], P[11], P[16], P[22], P[29], P[37], P[46], P[56], P[67], P[79],
+          P[92], P[106], P[121] },
+        { P[3], P[4], P[5], P[8], P[12], P[17], P[23], P[30], P[38], P[47], P[57], P[68], P[80],
+          P[93], P[107], P[122] },
+        { P[6], P[7], P[8], P[9], P[13], P[18], P[24], P[31], P[39], P[48], P[58], P[69], P[81],
+          P[94], P[108], P[123] },
+        { P[10], P[11], P[12], P[13], P[14], P[19], P[25], P[32], P[40], P[49], P[59], P[70], P[82],
+          P[95], P[109], P[124] },
+        { P[15], P[16], P[17], P[18], P[19], P[20], P[26], P[33], P[41], P[50], P[60], P[71], P[83],
+          P[96], P[110], P[125] },
+        { P[21], P[22], P[23], P[24], P[25], P[26], P[27], P[34], P[42], P[51], P[61], P[72], P[84],
+          P[97], P[111], P[126] },
+        { P[28], P[29], P[30], P[31], P[32], P[33], P[34], P[35], P[43], P[52], P[62], P[73], P[85],
+          P[98], P[112], P[127] },
+        { P[36], P[37], P[38], P[39], P[40], P[41], P[42], P[43], P[44], P[53], P[63], P[74], P[86],
+          P[99], P[113], P[128] },
+        { P[45], P[46], P[47], P[48], P[49], P[50], P[51], P[52], P[53], P[54], P[64], P[75], P[87],
+          P[100], P[114], P[129] },
+        { P[55], P[56], P[57], P[58], P[59], P[60], P[61], P[62], P[63], P[64], P[65], P[76], P[88],
+          P[101], P[115], P[130] },
+        { P[66], P[67], P[68], P[69], P[70], P[71], P[72], P[73], P[74], P[75], P[76], P[77], P[89],
+          P[102], P[116], P[131] },
+        { P[78], P[79], P[80], P[81], P[82], P[83], P[84], P[85], P[86], P[87], P[88], P[89], P[90],
+          P[103], P[117], P[132] },
+        { P[91], P[92], P[93], P[94], P[95], P[96], P[97], P[98], P[99], P[100], P[101], P[102],
+          P[103], P[104], P[118], P[133] },
+        { P[105], P[106], P[107], P[108], P[109], P[110], P[111], P[112], P[113], P[114], P[115],
+          P[116], P[117], P[118], P[119], P[134] },
+        { P[120], P[121], P[122], P[123], P[124], P[125], P[126], P[127], P[128], P[129], P[130],
+          P[131], P[132], P[133], P[134], P[135] }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + Phi[0] * X[0][j] + Phi[1] * X[1][j] + Phi[2] * X[2][j] + Phi[3] *
+            X[3][j] + Phi[4] * X[4][j] + Phi[5] * X[5][j] + Phi[7] * X[7][j] + Phi[8] * X[8][j] +
+            Phi[12] * X[12][j] + Phi[13] * X[13][j] + Phi[14] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + Phi[17] * X[1][j] + Phi[18] * X[2][j] + Phi[19] * X[3][j] +
+            Phi[20] * X[4][j] + Phi[21] * X[5][j] + Phi[22] * X[6][j] + Phi[24] * X[8][j] +
+            Phi[28] * X[12][j] + Phi[29] * X[13][j] + Phi[30] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + Phi[33] * X[1][j] + Phi[34] * X[2][j] + Phi[35] * X[3][j] +
+            Phi[36] * X[4][j] + Phi[37] * X[5][j] + Phi[38] * X[6][j] + Phi[39] * X[7][j] +
+            Phi[44] * X[12][j] + Phi[45] * X[13][j] + Phi[46] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][3] = BS_REAL(0.0) + Phi[49] * X[1][j] + Phi[50] * X[2][j] + Phi[51] * X[3][j] +
+            Phi[52] * X[4][j] + Phi[53] * X[5][j] + Phi[54] * X[6][j] + Phi[55] * X[7][j] +
+            Phi[56] * X[8][j] + Phi[57] * X[9][j] + Phi[58] * X[10][j] + Phi[59] * X[11][j] +
+            Phi[60] * X[12][j] + Phi[61] * X[13][j] + Phi[62] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][4] = BS_REAL(0.0) + Phi[65] * X[1][j] + Phi[66] * X[2][j] + Phi[67] * X[3][j] +
+            Phi[68] * X[4][j] + Phi[69] * X[5][j] + Phi[70] * X[6][j] + Phi[71] * X[7][j] +
+            Phi[72] * X[8][j] + Phi[73] * X[9][j] + Phi[74] * X[10][j] + Phi[75] * X[11][j] +
+            Phi[76] * X[12][j] + Phi[77] * X[13][j] + Phi[78] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][5] = BS_REAL(0.0) + Phi[81] * X[1][j] + Phi[82] * X[2][j] + Phi[83] * X[3][j] +
+            Phi[84] * X[4][j] + Phi[85] * X[5][j] + Phi[86] * X[6][j] + Phi[87] * X[7][j] +
+            Phi[88] * X[8][j] + Phi[89] * X[9][j] + Phi[90] * X[10][j] + Phi[91] * X[11][j] +
+            Phi[92] * X[12][j] + Phi[93] * X[13][j] + Phi[94] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][6] = BS_REAL(0.0) + Phi[97] * X[1][j] + Phi[98] * X[2][j] + Phi[99] * X[3][j] +
+            Phi[100] * X[4][j] + Phi[101] * X[5][j] + Phi[102] * X[6][j] + Phi[103] * X[7][j] +
+            Phi[104] * X[8][j] + Phi[105] * X[9][j] + Phi[106] * X[10][j] + Phi[107] * X[11][j] +
+            Phi[108] * X[12][j] + Phi[109] * X[13][j] + Phi[110] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][7] = BS_REAL(0.0) + Phi[113] * X[1][j] + Phi[114] * X[2][j] + Phi[115] * X[3][j] +
+            Phi[116] * X[4][j] + Phi[117] * X[5][j] + Phi[118] * X[6][j] + Phi[119] * X[7][j] +
+            Phi[120] * X[8][j] + Phi[121] * X[9][j] + Phi[122] * X[10][j] + Phi[123] * X[11][j] +
+            Phi[124] * X[12][j] + Phi[125] * X[13][j] + Phi[126] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][8] = BS_REAL(0.0) + Phi[129] * X[1][j] + Phi[130] * X[2][j] + Phi[131] * X[3][j] +
+            Phi[132] * X[4][j] + Phi[133] * X[5][j] + Phi[134] * X[6][j] + Phi[135] * X[7][j] +
+            Phi[136] * X[8][j] + Phi[137] * X[9][j] + Phi[138] * X[10][j] + Phi[139] * X[11][j] +
+            Phi[140] * X[12][j] + Phi[141] * X[13][j] + Phi[142] * X[14][j];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[0] * Y[0][i] + Phi[1] * Y[1][i] + Phi[2] * Y[2][i] + Phi[3] *
+                  Y[3][i] + Phi[4] * Y[4][i] + Phi[5] * Y[5][i] + Phi[7] * Y[7][i] + Phi[8] *
+                  Y[8][i] + Phi[12] * Y[12][i] + Phi[13] * Y[13][i] + Phi[14] * Y[14][i]) +
+            Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[17] * Y[1][i] + Phi[18] * Y[2][i] + Phi[19] * Y[3][i] +
+                  Phi[20] * Y[4][i] + Phi[21] * Y[5][i] + Phi[22] * Y[6][i] + Phi[24] * Y[8][i] +
+                  Phi[28] * Y[12][i] + Phi[29] * Y[13][i] + Phi[30] * Y[14][i]) + Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[33] * Y[1][i] + Phi[34] * Y[2][i] + Phi[35] * Y[3][i] +
+                  Phi[36] * Y[4][i] + Phi[37] * Y[5][i] + Phi[38] * Y[6][i] + Phi[39] * Y[7][i] +
+                  Phi[44] * Y[12][i] + Phi[45] * Y[13][i] + Phi[46] * Y[14][i]) + Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[49] * Y[1][i] + Phi[50] * Y[2][i] + Phi[51] * Y[3][i] +
+                  Phi[52] * Y[4][i] + Phi[53] * Y[5][i] + Phi[54] * Y[6][i] + Phi[55] * Y[7][i] +
+                  Phi[56] * Y[8][i] + Phi[57] * Y[9][i] + Phi[58] * Y[10][i] + Phi[59] * Y[11][i] +
+                  Phi[60] * Y[12][i] + Phi[61] * Y[13][i] + Phi[62] * Y[14][i]) + Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[65] * Y[1][i] + Phi[66] * Y[2][i] + Phi[67] * Y[3][i] +
+                  Phi[68] * Y[4][i] + Phi[69] * Y[5][i] + Phi[70] * Y[6][i] + Phi[71] * Y[7][i] +
+                  Phi[72] * Y[8][i] + Phi[73] * Y[9][i] + Phi[74] * Y[10][i] + Phi[75] * Y[11][i] +
+                  Phi[76] * Y[12][i] + Phi[77] * Y[13][i] + Phi[78] * Y[14][i]) + Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[81] * Y[1][i] + Phi[82] * Y[2][i] + Phi[83] * Y[3][i] +
+                  Phi[84] * Y[4][i] + Phi[85] * Y[5][i] + Phi[86] * Y[6][i] + Phi[87] * Y[7][i] +
+                  Phi[88] * Y[8][i] + Phi[89] * Y[9][i] + Phi[90] * Y[10][i] + Phi[91] * Y[11][i] +
+                  Phi[92] * Y[12][i] + Phi[93] * Y[13][i] + Phi[94] * Y[14][i]) + Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[97] * Y[1][i] + Phi[98] * Y[2][i] + Phi[99] * Y[3][i] +
+                  Phi[100] * Y[4][i] + Phi[101] * Y[5][i] + Phi[102] * Y[6][i] + Phi[103] *
+                  Y[7][i] + Phi[104] * Y[8][i] + Phi[105] * Y[9][i] + Phi[106] * Y[10][i] +
+                  Phi[107] * Y[11][i] + Phi[108] * Y[12][i] + Phi[109] * Y[13][i] + Phi[110] *
+                  Y[14][i]) + Q[21 + i];
+    }
+    for (int i = 0; i < 7; ++i) {
+        next[21 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[113] * Y[1][i] + Phi[114] * Y[2][i] + Phi[115] * Y[3][i] +
+                  Phi[116] * Y[4][i] + Phi[117] * Y[5][i] + Phi[118] * Y[6][i] + Phi[119] *
+                  Y[7][i] + Phi[120] * Y[8][i] + Phi[121] * Y[9][i] + Phi[122] * Y[10][i] +
+                  Phi[123] * Y[11][i] + Phi[124] * Y[12][i] + Phi[125] * Y[13][i] + Phi[126] *
+                  Y[14][i]) + Q[28 + i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        next[28 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[129] * Y[1][i] + Phi[130] * Y[2][i] + Phi[131] * Y[3][i] +
+                  Phi[132] * Y[4][i] + Phi[133] * Y[5][i] + Phi[134] * Y[6][i] + Phi[135] *
+                  Y[7][i] + Phi[136] * Y[8][i] + Phi[137] * Y[9][i] + Phi[138] * Y[10][i] +
+                  Phi[139] * Y[11][i] + Phi[140] * Y[12][i] + Phi[141] * Y[13][i] + Phi[142] *
+                  Y[14][i]) + Q[36 + i];
+    }
+    for (int i = 0; i < 9; ++i) {
+        next[36 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    for (int i = 0; i < 10; ++i) {
+        next[45 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[10][i] + Q[55 + i];
+    }
+    for (int i = 0; i < 11; ++i) {
+        next[55 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[11][i] + Q[66 + i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        next[66 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[12][i] + Q[78 + i];
+    }
+    for (int i = 0; i < 13; ++i) {
+        next[78 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[13][i] + Q[91 + i];
+    }
+    for (int i = 0; i < 14; ++i) {
+        next[91 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[14][i] + Q[105 + i];
+    }
+    for (int i = 0; i < 15; ++i) {
+        next[105 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[15][i] + Q[120 + i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        next[120 + i] = sum[i];
+    }
+}
+#else
 void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
                         const bs_real Phi[AHR_N_PHI],
                         const bs_real Q[AHR_N_PACKED],
@@ -427,6 +654,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
         }
     }
 }
+#endif
 
 void ahr_ud_predict(const bs_real UD[AHR_N_PACKED],
                     const bs_real Phi[AHR_N_PHI],

@@ -10,6 +10,7 @@
 #define ROW EM_ROW    /* numbers of a row in scratch memory: whole blocks of 3 */
 #define DOWN 3  /* M in whole blocks of 3 */
 #define WIDTH (M + ROW)
+#define WIDE 8
 #define REGION 36 /* numbers of the first part of the scratch memory */
 
 /* How far rounding may carry a covariance from symmetric and positive, and a pivot below which
@@ -376,6 +377,77 @@ bs_status em_joseph_init(const bs_real dense[EM_N_STATES * EM_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void em_joseph_predict(const bs_real P[EM_N_PACKED],
+                       const bs_real Phi[EM_N_PHI],
+                       const bs_real Q[EM_N_PACKED],
+                       bs_real next[EM_N_PACKED],
+                       bs_real work[EM_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[1], P[2], P[4], P[7], P[11], P[16], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[3], P[4], P[5], P[8], P[12], P[17], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[6], P[7], P[8], P[9], P[13], P[18], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[10], P[11], P[12], P[13], P[14], P[19], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[15], P[16], P[17], P[18], P[19], P[20], BS_REAL(0.0), BS_REAL(0.0) }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + Phi[0] * X[0][j] + Phi[1] * X[1][j] + Phi[2] * X[2][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + Phi[6] * X[0][j] + Phi[7] * X[1][j] + Phi[8] * X[2][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + Phi[12] * X[0][j] + Phi[13] * X[1][j] + Phi[14] * X[2][j];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[0] * Y[0][i] + Phi[1] * Y[1][i] + Phi[2] * Y[2][i]) + Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[6] * Y[0][i] + Phi[7] * Y[1][i] + Phi[8] * Y[2][i]) + Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[12] * Y[0][i] + Phi[13] * Y[1][i] + Phi[14] * Y[2][i]) +
+            Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = Y[3][i] + Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[4][i] + Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        sum[i] = Y[5][i] + Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+}
+#else
 void em_joseph_predict(const bs_real P[EM_N_PACKED],
                        const bs_real Phi[EM_N_PHI],
                        const bs_real Q[EM_N_PACKED],
@@ -407,6 +479,7 @@ void em_joseph_predict(const bs_real P[EM_N_PACKED],
         }
     }
 }
+#endif
 
 void em_ud_predict(const bs_real UD[EM_N_PACKED],
                    const bs_real Phi[EM_N_PHI],

@@ -18,7 +18,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "e1c5b92a985e226d91b12ea45687d3b2fff600792b6684b18b6d935576ce62f9"
+#define VA_MODEL_HASH "2aeabb1868314bdf1ebdcc543a355b4d71842866983b9bc9683ee2c42b6b85d0"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

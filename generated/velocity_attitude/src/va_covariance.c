@@ -10,6 +10,7 @@
 #define ROW VA_ROW    /* numbers of a row in scratch memory: whole blocks of 4 */
 #define DOWN 6  /* M in whole blocks of 3 */
 #define WIDTH (M + ROW)
+#define WIDE 16
 #define REGION 256 /* numbers of the first part of the scratch memory */
 
 /* How far rounding may carry a covariance from symmetric and positive, and a pivot below which
@@ -394,6 +395,206 @@ bs_status va_joseph_init(const bs_real dense[VA_N_STATES * VA_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void va_joseph_predict(const bs_real P[VA_N_PACKED],
+                       const bs_real Phi[VA_N_PHI],
+                       const bs_real Q[VA_N_PACKED],
+                       bs_real next[VA_N_PACKED],
+                       bs_real work[VA_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], P[55], P[66], P[78],
+          P[91], P[105], P[120] },
+        { P[1], P[2], P[4], P[7], P[11], P[16], P[22], P[29], P[37], P[46], P[56], P[67], P[79],
+          P[92], P[106], P[121] },
+        { P[3], P[4], P[5], P[8], P[12], P[17], P[23], P[30], P[38], P[47], P[57], P[68], P[80],
+          P[93], P[107], P[122] },
+        { P[6], P[7], P[8], P[9], P[13], P[18], P[24], P[31], P[39], P[48], P[58], P[69], P[81],
+          P[94], P[108], P[123] },
+        { P[10], P[11], P[12], P[13], P[14], P[19], P[25], P[32], P[40], P[49], P[59], P[70], P[82],
+          P[95], P[109], P[124] },
+        { P[15], P[16], P[17], P[18], P[19], P[20], P[26], P[33], P[41], P[50], P[60], P[71], P[83],
+          P[96], P[110], P[125] },
+        { P[21], P[22], P[23], P[24], P[25], P[26], P[27], P[34], P[42], P[51], P[61], P[72], P[84],
+          P[97], P[111], P[126] },
+        { P[28], P[29], P[30], P[31], P[32], P[33], P[34], P[35], P[43], P[52], P[62], P[73], P[85],
+          P[98], P[112], P[127] },
+        { P[36], P[37], P[38], P[39], P[40], P[41], P[42], P[43], P[44], P[53], P[63], P[74], P[86],
+          P[99], P[113], P[128] },
+        { P[45], P[46], P[47], P[48], P[49], P[50], P[51], P[52], P[53], P[54], P[64], P[75], P[87],
+          P[100], P[114], P[129] },
+        { P[55], P[56], P[57], P[58], P[59], P[60], P[61], P[62], P[63], P[64], P[65], P[76], P[88],
+          P[101], P[115], P[130] },
+        { P[66], P[67], P[68], P[69], P[70], P[71], P[72], P[73], P[74], P[75], P[76], P[77], P[89],
+          P[102], P[116], P[131] },
+        { P[78], P[79], P[80], P[81], P[82], P[83], P[84], P[85], P[86], P[87], P[88], P[89], P[90],
+          P[103], P[117], P[132] },
+        { P[91], P[92], P[93], P[94], P[95], P[96], P[97], P[98], P[99], P[100], P[101], P[102],
+          P[103], P[104], P[118], P[133] },
+        { P[105], P[106], P[107], P[108], P[109], P[110], P[111], P[112], P[113], P[114], P[115],
+          P[116], P[117], P[118], P[119], P[134] },
+        { P[120], P[121], P[122], P[123], P[124], P[125], P[126], P[127], P[128], P[129], P[130],
+          P[131], P[132], P[133], P[134], P[135] }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + Phi[0] * X[0][j] + Phi[1] * X[1][j] + Phi[2] * X[2][j] + Phi[3] *
+            X[3][j] + Phi[4] * X[4][j] + Phi[5] * X[5][j] + Phi[6] * X[6][j] + Phi[7] * X[7][j] +
+            Phi[8] * X[8][j] + Phi[9] * X[9][j] + Phi[10] * X[10][j] + Phi[11] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + Phi[16] * X[0][j] + Phi[17] * X[1][j] + Phi[18] * X[2][j] +
+            Phi[19] * X[3][j] + Phi[20] * X[4][j] + Phi[21] * X[5][j] + Phi[22] * X[6][j] +
+            Phi[23] * X[7][j] + Phi[24] * X[8][j] + Phi[25] * X[9][j] + Phi[26] * X[10][j] +
+            Phi[27] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + Phi[32] * X[0][j] + Phi[33] * X[1][j] + Phi[34] * X[2][j] +
+            Phi[35] * X[3][j] + Phi[36] * X[4][j] + Phi[37] * X[5][j] + Phi[38] * X[6][j] +
+            Phi[39] * X[7][j] + Phi[40] * X[8][j] + Phi[41] * X[9][j] + Phi[42] * X[10][j] +
+            Phi[43] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][3] = BS_REAL(0.0) + Phi[48] * X[0][j] + Phi[49] * X[1][j] + Phi[50] * X[2][j] +
+            Phi[51] * X[3][j] + Phi[52] * X[4][j] + Phi[53] * X[5][j] + Phi[54] * X[6][j] +
+            Phi[55] * X[7][j] + Phi[56] * X[8][j] + Phi[57] * X[9][j] + Phi[58] * X[10][j] +
+            Phi[59] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][4] = BS_REAL(0.0) + Phi[64] * X[0][j] + Phi[65] * X[1][j] + Phi[66] * X[2][j] +
+            Phi[67] * X[3][j] + Phi[68] * X[4][j] + Phi[69] * X[5][j] + Phi[70] * X[6][j] +
+            Phi[71] * X[7][j] + Phi[72] * X[8][j] + Phi[73] * X[9][j] + Phi[74] * X[10][j] +
+            Phi[75] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][5] = BS_REAL(0.0) + Phi[80] * X[0][j] + Phi[81] * X[1][j] + Phi[82] * X[2][j] +
+            Phi[83] * X[3][j] + Phi[84] * X[4][j] + Phi[85] * X[5][j] + Phi[86] * X[6][j] +
+            Phi[87] * X[7][j] + Phi[88] * X[8][j] + Phi[89] * X[9][j] + Phi[90] * X[10][j] +
+            Phi[91] * X[11][j];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[0] * Y[0][i] + Phi[1] * Y[1][i] + Phi[2] * Y[2][i] + Phi[3] *
+                  Y[3][i] + Phi[4] * Y[4][i] + Phi[5] * Y[5][i] + Phi[6] * Y[6][i] + Phi[7] *
+                  Y[7][i] + Phi[8] * Y[8][i] + Phi[9] * Y[9][i] + Phi[10] * Y[10][i] + Phi[11] *
+                  Y[11][i]) + Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[16] * Y[0][i] + Phi[17] * Y[1][i] + Phi[18] * Y[2][i] +
+                  Phi[19] * Y[3][i] + Phi[20] * Y[4][i] + Phi[21] * Y[5][i] + Phi[22] * Y[6][i] +
+                  Phi[23] * Y[7][i] + Phi[24] * Y[8][i] + Phi[25] * Y[9][i] + Phi[26] * Y[10][i] +
+                  Phi[27] * Y[11][i]) + Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[32] * Y[0][i] + Phi[33] * Y[1][i] + Phi[34] * Y[2][i] +
+                  Phi[35] * Y[3][i] + Phi[36] * Y[4][i] + Phi[37] * Y[5][i] + Phi[38] * Y[6][i] +
+                  Phi[39] * Y[7][i] + Phi[40] * Y[8][i] + Phi[41] * Y[9][i] + Phi[42] * Y[10][i] +
+                  Phi[43] * Y[11][i]) + Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[48] * Y[0][i] + Phi[49] * Y[1][i] + Phi[50] * Y[2][i] +
+                  Phi[51] * Y[3][i] + Phi[52] * Y[4][i] + Phi[53] * Y[5][i] + Phi[54] * Y[6][i] +
+                  Phi[55] * Y[7][i] + Phi[56] * Y[8][i] + Phi[57] * Y[9][i] + Phi[58] * Y[10][i] +
+                  Phi[59] * Y[11][i]) + Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[64] * Y[0][i] + Phi[65] * Y[1][i] + Phi[66] * Y[2][i] +
+                  Phi[67] * Y[3][i] + Phi[68] * Y[4][i] + Phi[69] * Y[5][i] + Phi[70] * Y[6][i] +
+                  Phi[71] * Y[7][i] + Phi[72] * Y[8][i] + Phi[73] * Y[9][i] + Phi[74] * Y[10][i] +
+                  Phi[75] * Y[11][i]) + Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[80] * Y[0][i] + Phi[81] * Y[1][i] + Phi[82] * Y[2][i] +
+                  Phi[83] * Y[3][i] + Phi[84] * Y[4][i] + Phi[85] * Y[5][i] + Phi[86] * Y[6][i] +
+                  Phi[87] * Y[7][i] + Phi[88] * Y[8][i] + Phi[89] * Y[9][i] + Phi[90] * Y[10][i] +
+                  Phi[91] * Y[11][i]) + Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[6][i] + Q[21 + i];
+    }
+    for (int i = 0; i < 7; ++i) {
+        next[21 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[7][i] + Q[28 + i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        next[28 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[8][i] + Q[36 + i];
+    }
+    for (int i = 0; i < 9; ++i) {
+        next[36 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    for (int i = 0; i < 10; ++i) {
+        next[45 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[10][i] + Q[55 + i];
+    }
+    for (int i = 0; i < 11; ++i) {
+        next[55 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[11][i] + Q[66 + i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        next[66 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[12][i] + Q[78 + i];
+    }
+    for (int i = 0; i < 13; ++i) {
+        next[78 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[13][i] + Q[91 + i];
+    }
+    for (int i = 0; i < 14; ++i) {
+        next[91 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[14][i] + Q[105 + i];
+    }
+    for (int i = 0; i < 15; ++i) {
+        next[105 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[15][i] + Q[120 + i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        next[120 + i] = sum[i];
+    }
+}
+#else
 void va_joseph_predict(const bs_real P[VA_N_PACKED],
                        const bs_real Phi[VA_N_PHI],
                        const bs_real Q[VA_N_PACKED],
@@ -425,6 +626,7 @@ void va_joseph_predict(const bs_real P[VA_N_PACKED],
         }
     }
 }
+#endif
 
 void va_ud_predict(const bs_real UD[VA_N_PACKED],
                    const bs_real Phi[VA_N_PHI],

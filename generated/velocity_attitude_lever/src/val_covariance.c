@@ -10,6 +10,7 @@
 #define ROW VAL_ROW    /* numbers of a row in scratch memory: whole blocks of 5 */
 #define DOWN 6  /* M in whole blocks of 3 */
 #define WIDTH (M + ROW)
+#define WIDE 20
 #define REGION 380 /* numbers of the first part of the scratch memory */
 
 /* How far rounding may carry a covariance from symmetric and positive, and a pivot below which
@@ -404,6 +405,230 @@ bs_status val_joseph_init(const bs_real dense[VAL_N_STATES * VAL_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void val_joseph_predict(const bs_real P[VAL_N_PACKED],
+                        const bs_real Phi[VAL_N_PHI],
+                        const bs_real Q[VAL_N_PACKED],
+                        bs_real next[VAL_N_PACKED],
+                        bs_real work[VAL_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], P[55], P[66], P[78],
+          P[91], P[105], P[120], P[136], P[153], P[171], BS_REAL(0.0) },
+        { P[1], P[2], P[4], P[7], P[11], P[16], P[22], P[29], P[37], P[46], P[56], P[67], P[79],
+          P[92], P[106], P[121], P[137], P[154], P[172], BS_REAL(0.0) },
+        { P[3], P[4], P[5], P[8], P[12], P[17], P[23], P[30], P[38], P[47], P[57], P[68], P[80],
+          P[93], P[107], P[122], P[138], P[155], P[173], BS_REAL(0.0) },
+        { P[6], P[7], P[8], P[9], P[13], P[18], P[24], P[31], P[39], P[48], P[58], P[69], P[81],
+          P[94], P[108], P[123], P[139], P[156], P[174], BS_REAL(0.0) },
+        { P[10], P[11], P[12], P[13], P[14], P[19], P[25], P[32], P[40], P[49], P[59], P[70], P[82],
+          P[95], P[109], P[124], P[140], P[157], P[175], BS_REAL(0.0) },
+        { P[15], P[16], P[17], P[18], P[19], P[20], P[26], P[33], P[41], P[50], P[60], P[71], P[83],
+          P[96], P[110], P[125], P[141], P[158], P[176], BS_REAL(0.0) },
+        { P[21], P[22], P[23], P[24], P[25], P[26], P[27], P[34], P[42], P[51], P[61], P[72], P[84],
+          P[97], P[111], P[126], P[142], P[159], P[177], BS_REAL(0.0) },
+        { P[28], P[29], P[30], P[31], P[32], P[33], P[34], P[35], P[43], P[52], P[62], P[73], P[85],
+          P[98], P[112], P[127], P[143], P[160], P[178], BS_REAL(0.0) },
+        { P[36], P[37], P[38], P[39], P[40], P[41], P[42], P[43], P[44], P[53], P[63], P[74], P[86],
+          P[99], P[113], P[128], P[144], P[161], P[179], BS_REAL(0.0) },
+        { P[45], P[46], P[47], P[48], P[49], P[50], P[51], P[52], P[53], P[54], P[64], P[75], P[87],
+          P[100], P[114], P[129], P[145], P[162], P[180], BS_REAL(0.0) },
+        { P[55], P[56], P[57], P[58], P[59], P[60], P[61], P[62], P[63], P[64], P[65], P[76], P[88],
+          P[101], P[115], P[130], P[146], P[163], P[181], BS_REAL(0.0) },
+        { P[66], P[67], P[68], P[69], P[70], P[71], P[72], P[73], P[74], P[75], P[76], P[77], P[89],
+          P[102], P[116], P[131], P[147], P[164], P[182], BS_REAL(0.0) },
+        { P[78], P[79], P[80], P[81], P[82], P[83], P[84], P[85], P[86], P[87], P[88], P[89], P[90],
+          P[103], P[117], P[132], P[148], P[165], P[183], BS_REAL(0.0) },
+        { P[91], P[92], P[93], P[94], P[95], P[96], P[97], P[98], P[99], P[100], P[101], P[102],
+          P[103], P[104], P[118], P[133], P[149], P[166], P[184], BS_REAL(0.0) },
+        { P[105], P[106], P[107], P[108], P[109], P[110], P[111], P[112], P[113], P[114], P[115],
+          P[116], P[117], P[118], P[119], P[134], P[150], P[167], P[185], BS_REAL(0.0) },
+        { P[120], P[121], P[122], P[123], P[124], P[125], P[126], P[127], P[128], P[129], P[130],
+          P[131], P[132], P[133], P[134], P[135], P[151], P[168], P[186], BS_REAL(0.0) },
+        { P[136], P[137], P[138], P[139], P[140], P[141], P[142], P[143], P[144], P[145], P[146],
+          P[147], P[148], P[149], P[150], P[151], P[152], P[169], P[187], BS_REAL(0.0) },
+        { P[153], P[154], P[155], P[156], P[157], P[158], P[159], P[160], P[161], P[162], P[163],
+          P[164], P[165], P[166], P[167], P[168], P[169], P[170], P[188], BS_REAL(0.0) },
+        { P[171], P[172], P[173], P[174], P[175], P[176], P[177], P[178], P[179], P[180], P[181],
+          P[182], P[183], P[184], P[185], P[186], P[187], P[188], P[189], BS_REAL(0.0) }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + Phi[0] * X[0][j] + Phi[1] * X[1][j] + Phi[2] * X[2][j] + Phi[3] *
+            X[3][j] + Phi[4] * X[4][j] + Phi[5] * X[5][j] + Phi[6] * X[6][j] + Phi[7] * X[7][j] +
+            Phi[8] * X[8][j] + Phi[9] * X[9][j] + Phi[10] * X[10][j] + Phi[11] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + Phi[20] * X[0][j] + Phi[21] * X[1][j] + Phi[22] * X[2][j] +
+            Phi[23] * X[3][j] + Phi[24] * X[4][j] + Phi[25] * X[5][j] + Phi[26] * X[6][j] +
+            Phi[27] * X[7][j] + Phi[28] * X[8][j] + Phi[29] * X[9][j] + Phi[30] * X[10][j] +
+            Phi[31] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + Phi[40] * X[0][j] + Phi[41] * X[1][j] + Phi[42] * X[2][j] +
+            Phi[43] * X[3][j] + Phi[44] * X[4][j] + Phi[45] * X[5][j] + Phi[46] * X[6][j] +
+            Phi[47] * X[7][j] + Phi[48] * X[8][j] + Phi[49] * X[9][j] + Phi[50] * X[10][j] +
+            Phi[51] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][3] = BS_REAL(0.0) + Phi[60] * X[0][j] + Phi[61] * X[1][j] + Phi[62] * X[2][j] +
+            Phi[63] * X[3][j] + Phi[64] * X[4][j] + Phi[65] * X[5][j] + Phi[66] * X[6][j] +
+            Phi[67] * X[7][j] + Phi[68] * X[8][j] + Phi[69] * X[9][j] + Phi[70] * X[10][j] +
+            Phi[71] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][4] = BS_REAL(0.0) + Phi[80] * X[0][j] + Phi[81] * X[1][j] + Phi[82] * X[2][j] +
+            Phi[83] * X[3][j] + Phi[84] * X[4][j] + Phi[85] * X[5][j] + Phi[86] * X[6][j] +
+            Phi[87] * X[7][j] + Phi[88] * X[8][j] + Phi[89] * X[9][j] + Phi[90] * X[10][j] +
+            Phi[91] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][5] = BS_REAL(0.0) + Phi[100] * X[0][j] + Phi[101] * X[1][j] + Phi[102] * X[2][j] +
+            Phi[103] * X[3][j] + Phi[104] * X[4][j] + Phi[105] * X[5][j] + Phi[106] * X[6][j] +
+            Phi[107] * X[7][j] + Phi[108] * X[8][j] + Phi[109] * X[9][j] + Phi[110] * X[10][j] +
+            Phi[111] * X[11][j];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[0] * Y[0][i] + Phi[1] * Y[1][i] + Phi[2] * Y[2][i] + Phi[3] *
+                  Y[3][i] + Phi[4] * Y[4][i] + Phi[5] * Y[5][i] + Phi[6] * Y[6][i] + Phi[7] *
+                  Y[7][i] + Phi[8] * Y[8][i] + Phi[9] * Y[9][i] + Phi[10] * Y[10][i] + Phi[11] *
+                  Y[11][i]) + Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[20] * Y[0][i] + Phi[21] * Y[1][i] + Phi[22] * Y[2][i] +
+                  Phi[23] * Y[3][i] + Phi[24] * Y[4][i] + Phi[25] * Y[5][i] + Phi[26] * Y[6][i] +
+                  Phi[27] * Y[7][i] + Phi[28] * Y[8][i] + Phi[29] * Y[9][i] + Phi[30] * Y[10][i] +
+                  Phi[31] * Y[11][i]) + Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[40] * Y[0][i] + Phi[41] * Y[1][i] + Phi[42] * Y[2][i] +
+                  Phi[43] * Y[3][i] + Phi[44] * Y[4][i] + Phi[45] * Y[5][i] + Phi[46] * Y[6][i] +
+                  Phi[47] * Y[7][i] + Phi[48] * Y[8][i] + Phi[49] * Y[9][i] + Phi[50] * Y[10][i] +
+                  Phi[51] * Y[11][i]) + Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[60] * Y[0][i] + Phi[61] * Y[1][i] + Phi[62] * Y[2][i] +
+                  Phi[63] * Y[3][i] + Phi[64] * Y[4][i] + Phi[65] * Y[5][i] + Phi[66] * Y[6][i] +
+                  Phi[67] * Y[7][i] + Phi[68] * Y[8][i] + Phi[69] * Y[9][i] + Phi[70] * Y[10][i] +
+                  Phi[71] * Y[11][i]) + Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[80] * Y[0][i] + Phi[81] * Y[1][i] + Phi[82] * Y[2][i] +
+                  Phi[83] * Y[3][i] + Phi[84] * Y[4][i] + Phi[85] * Y[5][i] + Phi[86] * Y[6][i] +
+                  Phi[87] * Y[7][i] + Phi[88] * Y[8][i] + Phi[89] * Y[9][i] + Phi[90] * Y[10][i] +
+                  Phi[91] * Y[11][i]) + Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[100] * Y[0][i] + Phi[101] * Y[1][i] + Phi[102] * Y[2][i] +
+                  Phi[103] * Y[3][i] + Phi[104] * Y[4][i] + Phi[105] * Y[5][i] + Phi[106] *
+                  Y[6][i] + Phi[107] * Y[7][i] + Phi[108] * Y[8][i] + Phi[109] * Y[9][i] +
+                  Phi[110] * Y[10][i] + Phi[111] * Y[11][i]) + Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[6][i] + Q[21 + i];
+    }
+    for (int i = 0; i < 7; ++i) {
+        next[21 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[7][i] + Q[28 + i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        next[28 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[8][i] + Q[36 + i];
+    }
+    for (int i = 0; i < 9; ++i) {
+        next[36 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    for (int i = 0; i < 10; ++i) {
+        next[45 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[10][i] + Q[55 + i];
+    }
+    for (int i = 0; i < 11; ++i) {
+        next[55 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[11][i] + Q[66 + i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        next[66 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[12][i] + Q[78 + i];
+    }
+    for (int i = 0; i < 13; ++i) {
+        next[78 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[13][i] + Q[91 + i];
+    }
+    for (int i = 0; i < 14; ++i) {
+        next[91 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[14][i] + Q[105 + i];
+    }
+    for (int i = 0; i < 15; ++i) {
+        next[105 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[15][i] + Q[120 + i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        next[120 + i] = sum[i];
+    }
+    for (int i = 0; i < 20; ++i) {
+        sum[i] = Y[16][i] + Q[136 + i];
+    }
+    for (int i = 0; i < 17; ++i) {
+        next[136 + i] = sum[i];
+    }
+    for (int i = 0; i < 20; ++i) {
+        sum[i] = Y[17][i] + Q[153 + i];
+    }
+    for (int i = 0; i < 18; ++i) {
+        next[153 + i] = sum[i];
+    }
+    for (int i = 0; i < 19; ++i) {
+        sum[i] = Y[18][i] + Q[171 + i];
+    }
+    for (int i = 0; i < 19; ++i) {
+        next[171 + i] = sum[i];
+    }
+}
+#else
 void val_joseph_predict(const bs_real P[VAL_N_PACKED],
                         const bs_real Phi[VAL_N_PHI],
                         const bs_real Q[VAL_N_PACKED],
@@ -436,6 +661,7 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
         }
     }
 }
+#endif
 
 void val_ud_predict(const bs_real UD[VAL_N_PACKED],
                     const bs_real Phi[VAL_N_PHI],

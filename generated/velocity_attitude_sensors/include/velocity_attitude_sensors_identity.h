@@ -18,7 +18,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "4e6b86861a4c0cf50de46bca07e3c3ba1e0d218180192de7327bf20429e98473"
+#define VAS_MODEL_HASH "083fcdfacfdcf63a605b94ed4bdaccc964c8fb626c8af12855f4e5be3135a5a7"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -10,6 +10,7 @@
 #define ROW VD_ROW    /* numbers of a row in scratch memory: whole blocks of 5 */
 #define DOWN 6  /* M in whole blocks of 3 */
 #define WIDTH (M + ROW)
+#define WIDE 12
 #define REGION 100 /* numbers of the first part of the scratch memory */
 
 /* How far rounding may carry a covariance from symmetric and positive, and a pivot below which
@@ -397,6 +398,132 @@ bs_status vd_joseph_init(const bs_real dense[VD_N_STATES * VD_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void vd_joseph_predict(const bs_real P[VD_N_PACKED],
+                       const bs_real Phi[VD_N_PHI],
+                       const bs_real Q[VD_N_PACKED],
+                       bs_real next[VD_N_PACKED],
+                       bs_real work[VD_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[1], P[2], P[4], P[7], P[11], P[16], P[22], P[29], P[37], P[46], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[3], P[4], P[5], P[8], P[12], P[17], P[23], P[30], P[38], P[47], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[6], P[7], P[8], P[9], P[13], P[18], P[24], P[31], P[39], P[48], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[10], P[11], P[12], P[13], P[14], P[19], P[25], P[32], P[40], P[49], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[15], P[16], P[17], P[18], P[19], P[20], P[26], P[33], P[41], P[50], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[21], P[22], P[23], P[24], P[25], P[26], P[27], P[34], P[42], P[51], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[28], P[29], P[30], P[31], P[32], P[33], P[34], P[35], P[43], P[52], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[36], P[37], P[38], P[39], P[40], P[41], P[42], P[43], P[44], P[53], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[45], P[46], P[47], P[48], P[49], P[50], P[51], P[52], P[53], P[54], BS_REAL(0.0),
+          BS_REAL(0.0) }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + Phi[0] * X[0][j] + Phi[1] * X[1][j] + Phi[2] * X[2][j] + Phi[3] *
+            X[3][j] + Phi[4] * X[4][j] + Phi[5] * X[5][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + Phi[10] * X[0][j] + Phi[11] * X[1][j] + Phi[12] * X[2][j] +
+            Phi[13] * X[3][j] + Phi[14] * X[4][j] + Phi[15] * X[5][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + Phi[20] * X[0][j] + Phi[21] * X[1][j] + Phi[22] * X[2][j] +
+            Phi[23] * X[3][j] + Phi[24] * X[4][j] + Phi[25] * X[5][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][3] = BS_REAL(0.0) + Phi[33] * X[3][j] + Phi[34] * X[4][j] + Phi[35] * X[5][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][4] = BS_REAL(0.0) + Phi[43] * X[3][j] + Phi[44] * X[4][j] + Phi[45] * X[5][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][5] = BS_REAL(0.0) + Phi[53] * X[3][j] + Phi[54] * X[4][j] + Phi[55] * X[5][j];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[0] * Y[0][i] + Phi[1] * Y[1][i] + Phi[2] * Y[2][i] + Phi[3] *
+                  Y[3][i] + Phi[4] * Y[4][i] + Phi[5] * Y[5][i]) + Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[10] * Y[0][i] + Phi[11] * Y[1][i] + Phi[12] * Y[2][i] +
+                  Phi[13] * Y[3][i] + Phi[14] * Y[4][i] + Phi[15] * Y[5][i]) + Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[20] * Y[0][i] + Phi[21] * Y[1][i] + Phi[22] * Y[2][i] +
+                  Phi[23] * Y[3][i] + Phi[24] * Y[4][i] + Phi[25] * Y[5][i]) + Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[33] * Y[3][i] + Phi[34] * Y[4][i] + Phi[35] * Y[5][i]) +
+            Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[43] * Y[3][i] + Phi[44] * Y[4][i] + Phi[45] * Y[5][i]) +
+            Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[53] * Y[3][i] + Phi[54] * Y[4][i] + Phi[55] * Y[5][i]) +
+            Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[6][i] + Q[21 + i];
+    }
+    for (int i = 0; i < 7; ++i) {
+        next[21 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[7][i] + Q[28 + i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        next[28 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[8][i] + Q[36 + i];
+    }
+    for (int i = 0; i < 9; ++i) {
+        next[36 + i] = sum[i];
+    }
+    for (int i = 0; i < 10; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    for (int i = 0; i < 10; ++i) {
+        next[45 + i] = sum[i];
+    }
+}
+#else
 void vd_joseph_predict(const bs_real P[VD_N_PACKED],
                        const bs_real Phi[VD_N_PHI],
                        const bs_real Q[VD_N_PACKED],
@@ -428,6 +555,7 @@ void vd_joseph_predict(const bs_real P[VD_N_PACKED],
         }
     }
 }
+#endif
 
 void vd_ud_predict(const bs_real UD[VD_N_PACKED],
                    const bs_real Phi[VD_N_PHI],
