@@ -105,6 +105,14 @@ def whole(count: int) -> int:
     return -(-count // LANES) * LANES
 
 
+def spans(n: int, j: int) -> list[tuple[int, int]]:
+    """Of column j of a packed matrix, where loops over it begin and end: whole blocks, beyond its end where numbers
+    follow, else what is left of it apart."""
+    fits = j * (j + 1) // 2 + whole(j + 1) <= n * (n + 1) // 2
+    full = whole(j + 1) if fits else (j + 1) // LANES * LANES
+    return [span for span in ((0, full), (full, j + 1)) if span[0] < span[1]]
+
+
 def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     """Sizes and index tables of the covariance functions."""
     n = model.n
@@ -128,10 +136,10 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     Phi_rows = [[(k, i * row + k) for k in range(n) if (i, k) in Phi] for i in range(m)] if Phi else None
     return {
         "Phi_rows": Phi_rows,
+        "lanes": LANES,
         "wide": whole(n),
         "packed_at": lambda i, j: max(i, j) * (max(i, j) + 1) // 2 + min(i, j),
-        # how many numbers from column j of a packed matrix on are read: whole blocks, where it is long enough
-        "reads": lambda j: whole(j + 1) if j * (j + 1) // 2 + whole(j + 1) <= n * (n + 1) // 2 else j + 1,
+        "spans": lambda j: spans(n, j),
         "packed": n * (n + 1) // 2,
         "block": block,
         "row": row,

@@ -18,7 +18,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "b223fd28b3d55a94f9bba85ab3126afc7ed32e17be168d3a7037e0c659b616ea"
+#define VAL_MODEL_HASH "6452c745ce543947abda8a1fa06bc9968668ce78f00731cdc979f06f98704755"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

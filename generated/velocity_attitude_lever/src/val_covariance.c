@@ -10,7 +10,6 @@
 #define ROW VAL_ROW    /* numbers of a row in scratch memory: whole blocks of 5 */
 #define DOWN 6  /* M in whole blocks of 3 */
 #define WIDTH (M + ROW)
-#define WIDE 20
 #define REGION 380 /* numbers of the first part of the scratch memory */
 
 /* How far rounding may carry a covariance from symmetric and positive, and a pivot below which
@@ -51,6 +50,38 @@ static void clear(bs_real *value, int n)
         value[i] = BS_REAL(0.0);
     }
 }
+
+#ifdef BORESIGHT_ROWS
+/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
+ * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
+ * a finite number. */
+#define WIDE 20 /* N in whole blocks */
+static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
+                                                      * instruction */
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
+ * blocks. */
+static const unsigned short whole[N][WIDE] = {
+    { 0, 1, 3, 6, 10, 15, 21, 28, 36, 45, 55, 66, 78, 91, 105, 120, 136, 153, 171, 0 },
+    { 1, 2, 4, 7, 11, 16, 22, 29, 37, 46, 56, 67, 79, 92, 106, 121, 137, 154, 172, 0 },
+    { 3, 4, 5, 8, 12, 17, 23, 30, 38, 47, 57, 68, 80, 93, 107, 122, 138, 155, 173, 0 },
+    { 6, 7, 8, 9, 13, 18, 24, 31, 39, 48, 58, 69, 81, 94, 108, 123, 139, 156, 174, 0 },
+    { 10, 11, 12, 13, 14, 19, 25, 32, 40, 49, 59, 70, 82, 95, 109, 124, 140, 157, 175, 0 },
+    { 15, 16, 17, 18, 19, 20, 26, 33, 41, 50, 60, 71, 83, 96, 110, 125, 141, 158, 176, 0 },
+    { 21, 22, 23, 24, 25, 26, 27, 34, 42, 51, 61, 72, 84, 97, 111, 126, 142, 159, 177, 0 },
+    { 28, 29, 30, 31, 32, 33, 34, 35, 43, 52, 62, 73, 85, 98, 112, 127, 143, 160, 178, 0 },
+    { 36, 37, 38, 39, 40, 41, 42, 43, 44, 53, 63, 74, 86, 99, 113, 128, 144, 161, 179, 0 },
+    { 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 64, 75, 87, 100, 114, 129, 145, 162, 180, 0 },
+    { 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 76, 88, 101, 115, 130, 146, 163, 181, 0 },
+    { 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 89, 102, 116, 131, 147, 164, 182, 0 },
+    { 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 103, 117, 132, 148, 165, 183, 0 },
+    { 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 118, 133, 149, 166, 184, 0 },
+    { 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 134, 150, 167, 185, 0 },
+    { 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131, 132, 133, 134, 135, 151, 168, 186, 0 },
+    { 136, 137, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151, 152, 169, 187, 0 },
+    { 153, 154, 155, 156, 157, 158, 159, 160, 161, 162, 163, 164, 165, 166, 167, 168, 169, 170, 188, 0 },
+    { 171, 172, 173, 174, 175, 176, 177, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 188, 189, 0 }
+};
+#endif
 
 /* The rows of A X that move, row i of them from to[i * stride] on.  Of X the first `inner` rows
  * count, or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3
@@ -621,7 +652,10 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
     for (int i = 0; i < 18; ++i) {
         next[153 + i] = sum[i];
     }
-    for (int i = 0; i < 19; ++i) {
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[18][i] + Q[171 + i];
+    }
+    for (int i = 16; i < 19; ++i) {
         sum[i] = Y[18][i] + Q[171 + i];
     }
     for (int i = 0; i < 19; ++i) {
@@ -831,10 +865,35 @@ void val_ud_predict(const bs_real UD[VAL_N_PACKED],
 
 bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs_row *row)
 {
-    bs_real g[N]; /* P h */
-    bs_real K[N];
     bs_real nu = row->z;
     bs_real S = row->R;
+#ifdef BORESIGHT_ROWS
+    bs_real g[WIDE]; /* P h */
+    bs_real K[WIDE];
+    bs_real lines[N][WIDE]; /* of P, where h is not zero */
+    bs_real sums[N + 1][WIDE]; /* with one more of them each */
+    for (int p = 0; p < row->count; ++p) {
+        const unsigned short *const at = whole[row->at[p]];
+        nu -= row->h[p] * x[row->at[p]];
+        for (int i = 0; i < WIDE; ++i) {
+            lines[p][i] = P[at[i]];
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        sums[0][i] = zeros[i];
+    }
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        for (int i = 0; i < WIDE; ++i) {
+            sums[p + 1][i] = sums[p][i] + (h * lines[p][i]);
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        g[i] = sums[row->count][i];
+    }
+#else
+    bs_real g[N]; /* P h */
+    bs_real K[N];
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -847,7 +906,8 @@ bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs
             g[i] += h * P[column(i) + k];
         }
     }
-    for (int p = 0; p < row->count; ++p) {
+#endif
+for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
     row->nu = nu;
@@ -861,6 +921,144 @@ bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs
     }
     if (row->used != 0) {
         const bs_real inverse = BS_REAL(1.0) / S;
+#ifdef BORESIGHT_ROWS
+        const bs_real R = row->R;
+        bs_real b[WIDE]; /* as below */
+        bs_real next[WIDE];
+        for (int i = 0; i < WIDE; ++i) {
+            K[i] = g[i] * inverse;
+        }
+        for (int i = 0; i < N; ++i) {
+            x[i] += K[i] * nu;
+        }
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            for (int i = 0; i < WIDE; ++i) {
+                sums[p + 1][i] = sums[p][i] + (h * (lines[p][i] - (K[i] * of_g)));
+            }
+        }
+        for (int i = 0; i < WIDE; ++i) {
+            b[i] = sums[row->count][i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = ((P[0 + i] - (K[i] * g[0])) - (b[i] * K[0])) + (R * (K[i] * K[0]));
+        }
+        for (int i = 0; i < 1; ++i) {
+            P[0 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = ((P[1 + i] - (K[i] * g[1])) - (b[i] * K[1])) + (R * (K[i] * K[1]));
+        }
+        for (int i = 0; i < 2; ++i) {
+            P[1 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = ((P[3 + i] - (K[i] * g[2])) - (b[i] * K[2])) + (R * (K[i] * K[2]));
+        }
+        for (int i = 0; i < 3; ++i) {
+            P[3 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = ((P[6 + i] - (K[i] * g[3])) - (b[i] * K[3])) + (R * (K[i] * K[3]));
+        }
+        for (int i = 0; i < 4; ++i) {
+            P[6 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = ((P[10 + i] - (K[i] * g[4])) - (b[i] * K[4])) + (R * (K[i] * K[4]));
+        }
+        for (int i = 0; i < 5; ++i) {
+            P[10 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = ((P[15 + i] - (K[i] * g[5])) - (b[i] * K[5])) + (R * (K[i] * K[5]));
+        }
+        for (int i = 0; i < 6; ++i) {
+            P[15 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = ((P[21 + i] - (K[i] * g[6])) - (b[i] * K[6])) + (R * (K[i] * K[6]));
+        }
+        for (int i = 0; i < 7; ++i) {
+            P[21 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = ((P[28 + i] - (K[i] * g[7])) - (b[i] * K[7])) + (R * (K[i] * K[7]));
+        }
+        for (int i = 0; i < 8; ++i) {
+            P[28 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = ((P[36 + i] - (K[i] * g[8])) - (b[i] * K[8])) + (R * (K[i] * K[8]));
+        }
+        for (int i = 0; i < 9; ++i) {
+            P[36 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = ((P[45 + i] - (K[i] * g[9])) - (b[i] * K[9])) + (R * (K[i] * K[9]));
+        }
+        for (int i = 0; i < 10; ++i) {
+            P[45 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = ((P[55 + i] - (K[i] * g[10])) - (b[i] * K[10])) + (R * (K[i] * K[10]));
+        }
+        for (int i = 0; i < 11; ++i) {
+            P[55 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = ((P[66 + i] - (K[i] * g[11])) - (b[i] * K[11])) + (R * (K[i] * K[11]));
+        }
+        for (int i = 0; i < 12; ++i) {
+            P[66 + i] = next[i];
+        }
+        for (int i = 0; i < 16; ++i) {
+            next[i] = ((P[78 + i] - (K[i] * g[12])) - (b[i] * K[12])) + (R * (K[i] * K[12]));
+        }
+        for (int i = 0; i < 13; ++i) {
+            P[78 + i] = next[i];
+        }
+        for (int i = 0; i < 16; ++i) {
+            next[i] = ((P[91 + i] - (K[i] * g[13])) - (b[i] * K[13])) + (R * (K[i] * K[13]));
+        }
+        for (int i = 0; i < 14; ++i) {
+            P[91 + i] = next[i];
+        }
+        for (int i = 0; i < 16; ++i) {
+            next[i] = ((P[105 + i] - (K[i] * g[14])) - (b[i] * K[14])) + (R * (K[i] * K[14]));
+        }
+        for (int i = 0; i < 15; ++i) {
+            P[105 + i] = next[i];
+        }
+        for (int i = 0; i < 16; ++i) {
+            next[i] = ((P[120 + i] - (K[i] * g[15])) - (b[i] * K[15])) + (R * (K[i] * K[15]));
+        }
+        for (int i = 0; i < 16; ++i) {
+            P[120 + i] = next[i];
+        }
+        for (int i = 0; i < 20; ++i) {
+            next[i] = ((P[136 + i] - (K[i] * g[16])) - (b[i] * K[16])) + (R * (K[i] * K[16]));
+        }
+        for (int i = 0; i < 17; ++i) {
+            P[136 + i] = next[i];
+        }
+        for (int i = 0; i < 20; ++i) {
+            next[i] = ((P[153 + i] - (K[i] * g[17])) - (b[i] * K[17])) + (R * (K[i] * K[17]));
+        }
+        for (int i = 0; i < 18; ++i) {
+            P[153 + i] = next[i];
+        }
+        for (int i = 0; i < 16; ++i) {
+            next[i] = ((P[171 + i] - (K[i] * g[18])) - (b[i] * K[18])) + (R * (K[i] * K[18]));
+        }
+        for (int i = 16; i < 19; ++i) {
+            next[i] = ((P[171 + i] - (K[i] * g[18])) - (b[i] * K[18])) + (R * (K[i] * K[18]));
+        }
+        for (int i = 0; i < 19; ++i) {
+            P[171 + i] = next[i];
+        }
+#else
         bs_real b[N]; /* A h, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
@@ -880,7 +1078,8 @@ bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs
                 p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
             }
         }
-        for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+#endif
+for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }
     }

@@ -18,7 +18,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "083fcdfacfdcf63a605b94ed4bdaccc964c8fb626c8af12855f4e5be3135a5a7"
+#define VAS_MODEL_HASH "d4cda790adaa7630fcfc2b2a29fad785919931aca4ff021d3c97fc1a5537bbf0"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

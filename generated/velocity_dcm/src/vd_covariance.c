@@ -10,7 +10,6 @@
 #define ROW VD_ROW    /* numbers of a row in scratch memory: whole blocks of 5 */
 #define DOWN 6  /* M in whole blocks of 3 */
 #define WIDTH (M + ROW)
-#define WIDE 12
 #define REGION 100 /* numbers of the first part of the scratch memory */
 
 /* How far rounding may carry a covariance from symmetric and positive, and a pivot below which
@@ -51,6 +50,29 @@ static void clear(bs_real *value, int n)
         value[i] = BS_REAL(0.0);
     }
 }
+
+#ifdef BORESIGHT_ROWS
+/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
+ * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
+ * a finite number. */
+#define WIDE 12 /* N in whole blocks */
+static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
+                                                      * instruction */
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
+ * blocks. */
+static const unsigned short whole[N][WIDE] = {
+    { 0, 1, 3, 6, 10, 15, 21, 28, 36, 45, 0, 0 },
+    { 1, 2, 4, 7, 11, 16, 22, 29, 37, 46, 0, 0 },
+    { 3, 4, 5, 8, 12, 17, 23, 30, 38, 47, 0, 0 },
+    { 6, 7, 8, 9, 13, 18, 24, 31, 39, 48, 0, 0 },
+    { 10, 11, 12, 13, 14, 19, 25, 32, 40, 49, 0, 0 },
+    { 15, 16, 17, 18, 19, 20, 26, 33, 41, 50, 0, 0 },
+    { 21, 22, 23, 24, 25, 26, 27, 34, 42, 51, 0, 0 },
+    { 28, 29, 30, 31, 32, 33, 34, 35, 43, 52, 0, 0 },
+    { 36, 37, 38, 39, 40, 41, 42, 43, 44, 53, 0, 0 },
+    { 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 0, 0 }
+};
+#endif
 
 /* The rows of A X that move, row i of them from to[i * stride] on.  Of X the first `inner` rows
  * count, or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3
@@ -516,7 +538,10 @@ void vd_joseph_predict(const bs_real P[VD_N_PACKED],
     for (int i = 0; i < 9; ++i) {
         next[36 + i] = sum[i];
     }
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    for (int i = 8; i < 10; ++i) {
         sum[i] = Y[9][i] + Q[45 + i];
     }
     for (int i = 0; i < 10; ++i) {
@@ -725,10 +750,35 @@ void vd_ud_predict(const bs_real UD[VD_N_PACKED],
 
 bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_row *row)
 {
-    bs_real g[N]; /* P h */
-    bs_real K[N];
     bs_real nu = row->z;
     bs_real S = row->R;
+#ifdef BORESIGHT_ROWS
+    bs_real g[WIDE]; /* P h */
+    bs_real K[WIDE];
+    bs_real lines[N][WIDE]; /* of P, where h is not zero */
+    bs_real sums[N + 1][WIDE]; /* with one more of them each */
+    for (int p = 0; p < row->count; ++p) {
+        const unsigned short *const at = whole[row->at[p]];
+        nu -= row->h[p] * x[row->at[p]];
+        for (int i = 0; i < WIDE; ++i) {
+            lines[p][i] = P[at[i]];
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        sums[0][i] = zeros[i];
+    }
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        for (int i = 0; i < WIDE; ++i) {
+            sums[p + 1][i] = sums[p][i] + (h * lines[p][i]);
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        g[i] = sums[row->count][i];
+    }
+#else
+    bs_real g[N]; /* P h */
+    bs_real K[N];
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -741,7 +791,8 @@ bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_ro
             g[i] += h * P[column(i) + k];
         }
     }
-    for (int p = 0; p < row->count; ++p) {
+#endif
+for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
     row->nu = nu;
@@ -755,6 +806,90 @@ bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_ro
     }
     if (row->used != 0) {
         const bs_real inverse = BS_REAL(1.0) / S;
+#ifdef BORESIGHT_ROWS
+        const bs_real R = row->R;
+        bs_real b[WIDE]; /* as below */
+        bs_real next[WIDE];
+        for (int i = 0; i < WIDE; ++i) {
+            K[i] = g[i] * inverse;
+        }
+        for (int i = 0; i < N; ++i) {
+            x[i] += K[i] * nu;
+        }
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            for (int i = 0; i < WIDE; ++i) {
+                sums[p + 1][i] = sums[p][i] + (h * (lines[p][i] - (K[i] * of_g)));
+            }
+        }
+        for (int i = 0; i < WIDE; ++i) {
+            b[i] = sums[row->count][i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = ((P[0 + i] - (K[i] * g[0])) - (b[i] * K[0])) + (R * (K[i] * K[0]));
+        }
+        for (int i = 0; i < 1; ++i) {
+            P[0 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = ((P[1 + i] - (K[i] * g[1])) - (b[i] * K[1])) + (R * (K[i] * K[1]));
+        }
+        for (int i = 0; i < 2; ++i) {
+            P[1 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = ((P[3 + i] - (K[i] * g[2])) - (b[i] * K[2])) + (R * (K[i] * K[2]));
+        }
+        for (int i = 0; i < 3; ++i) {
+            P[3 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = ((P[6 + i] - (K[i] * g[3])) - (b[i] * K[3])) + (R * (K[i] * K[3]));
+        }
+        for (int i = 0; i < 4; ++i) {
+            P[6 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = ((P[10 + i] - (K[i] * g[4])) - (b[i] * K[4])) + (R * (K[i] * K[4]));
+        }
+        for (int i = 0; i < 5; ++i) {
+            P[10 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = ((P[15 + i] - (K[i] * g[5])) - (b[i] * K[5])) + (R * (K[i] * K[5]));
+        }
+        for (int i = 0; i < 6; ++i) {
+            P[15 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = ((P[21 + i] - (K[i] * g[6])) - (b[i] * K[6])) + (R * (K[i] * K[6]));
+        }
+        for (int i = 0; i < 7; ++i) {
+            P[21 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = ((P[28 + i] - (K[i] * g[7])) - (b[i] * K[7])) + (R * (K[i] * K[7]));
+        }
+        for (int i = 0; i < 8; ++i) {
+            P[28 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = ((P[36 + i] - (K[i] * g[8])) - (b[i] * K[8])) + (R * (K[i] * K[8]));
+        }
+        for (int i = 0; i < 9; ++i) {
+            P[36 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = ((P[45 + i] - (K[i] * g[9])) - (b[i] * K[9])) + (R * (K[i] * K[9]));
+        }
+        for (int i = 8; i < 10; ++i) {
+            next[i] = ((P[45 + i] - (K[i] * g[9])) - (b[i] * K[9])) + (R * (K[i] * K[9]));
+        }
+        for (int i = 0; i < 10; ++i) {
+            P[45 + i] = next[i];
+        }
+#else
         bs_real b[N]; /* A h, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
@@ -774,7 +909,8 @@ bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_ro
                 p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
             }
         }
-        for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+#endif
+for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }
     }
