@@ -15,7 +15,7 @@ from pathlib import Path
 from boresight import BoresightError
 from boresight.runtime.manifest import cache_folder
 
-FLAGS = ("-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror")
+FLAGS = ("-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-DBORESIGHT_ROWS", "-Wall", "-Wextra", "-Werror")
 PRECISIONS: dict[str, tuple[str, ...]] = {"float": ("-DBORESIGHT_FLOAT",), "double": ()}
 
 

@@ -18,7 +18,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "24d39306a3ffe7f9c5bf1395477b07846b315f1a6efdbdac8f2f2bb8f0c5fe26"
+#define AH_MODEL_HASH "7f0422767089f70ffaf1ec378854ba93677550b21d4051bf985a97c9d99f3ade"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

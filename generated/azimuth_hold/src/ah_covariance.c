@@ -51,6 +51,34 @@ static void clear(bs_real *value, int n)
     }
 }
 
+#ifdef BORESIGHT_ROWS
+/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
+ * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
+ * a finite number. */
+#define WIDE 16 /* N in whole blocks */
+static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
+                                                      * instruction */
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
+ * blocks. */
+static const unsigned short whole[N][WIDE] = {
+    { 0, 1, 3, 6, 10, 15, 21, 28, 36, 45, 55, 66, 78, 91, 105, 0 },
+    { 1, 2, 4, 7, 11, 16, 22, 29, 37, 46, 56, 67, 79, 92, 106, 0 },
+    { 3, 4, 5, 8, 12, 17, 23, 30, 38, 47, 57, 68, 80, 93, 107, 0 },
+    { 6, 7, 8, 9, 13, 18, 24, 31, 39, 48, 58, 69, 81, 94, 108, 0 },
+    { 10, 11, 12, 13, 14, 19, 25, 32, 40, 49, 59, 70, 82, 95, 109, 0 },
+    { 15, 16, 17, 18, 19, 20, 26, 33, 41, 50, 60, 71, 83, 96, 110, 0 },
+    { 21, 22, 23, 24, 25, 26, 27, 34, 42, 51, 61, 72, 84, 97, 111, 0 },
+    { 28, 29, 30, 31, 32, 33, 34, 35, 43, 52, 62, 73, 85, 98, 112, 0 },
+    { 36, 37, 38, 39, 40, 41, 42, 43, 44, 53, 63, 74, 86, 99, 113, 0 },
+    { 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 64, 75, 87, 100, 114, 0 },
+    { 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 76, 88, 101, 115, 0 },
+    { 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 89, 102, 116, 0 },
+    { 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 103, 117, 0 },
+    { 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 118, 0 },
+    { 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 0 }
+};
+#endif
+
 /* The rows of A X that move, row i of them from to[i * stride] on.  Of X the first `inner` rows
  * count, or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3
  * x 5 sums stay in registers. */
@@ -409,6 +437,227 @@ bs_status ah_joseph_init(const bs_real dense[AH_N_STATES * AH_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void ah_joseph_predict(const bs_real P[AH_N_PACKED],
+                       const bs_real Phi[AH_N_PHI],
+                       const bs_real Q[AH_N_PACKED],
+                       bs_real next[AH_N_PACKED],
+                       bs_real work[AH_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], P[55], P[66], P[78],
+          P[91], P[105], BS_REAL(0.0) },
+        { P[1], P[2], P[4], P[7], P[11], P[16], P[22], P[29], P[37], P[46], P[56], P[67], P[79],
+          P[92], P[106], BS_REAL(0.0) },
+        { P[3], P[4], P[5], P[8], P[12], P[17], P[23], P[30], P[38], P[47], P[57], P[68], P[80],
+          P[93], P[107], BS_REAL(0.0) },
+        { P[6], P[7], P[8], P[9], P[13], P[18], P[24], P[31], P[39], P[48], P[58], P[69], P[81],
+          P[94], P[108], BS_REAL(0.0) },
+        { P[10], P[11], P[12], P[13], P[14], P[19], P[25], P[32], P[40], P[49], P[59], P[70], P[82],
+          P[95], P[109], BS_REAL(0.0) },
+        { P[15], P[16], P[17], P[18], P[19], P[20], P[26], P[33], P[41], P[50], P[60], P[71], P[83],
+          P[96], P[110], BS_REAL(0.0) },
+        { P[21], P[22], P[23], P[24], P[25], P[26], P[27], P[34], P[42], P[51], P[61], P[72], P[84],
+          P[97], P[111], BS_REAL(0.0) },
+        { P[28], P[29], P[30], P[31], P[32], P[33], P[34], P[35], P[43], P[52], P[62], P[73], P[85],
+          P[98], P[112], BS_REAL(0.0) },
+        { P[36], P[37], P[38], P[39], P[40], P[41], P[42], P[43], P[44], P[53], P[63], P[74], P[86],
+          P[99], P[113], BS_REAL(0.0) },
+        { P[45], P[46], P[47], P[48], P[49], P[50], P[51], P[52], P[53], P[54], P[64], P[75], P[87],
+          P[100], P[114], BS_REAL(0.0) },
+        { P[55], P[56], P[57], P[58], P[59], P[60], P[61], P[62], P[63], P[64], P[65], P[76], P[88],
+          P[101], P[115], BS_REAL(0.0) },
+        { P[66], P[67], P[68], P[69], P[70], P[71], P[72], P[73], P[74], P[75], P[76], P[77], P[89],
+          P[102], P[116], BS_REAL(0.0) },
+        { P[78], P[79], P[80], P[81], P[82], P[83], P[84], P[85], P[86], P[87], P[88], P[89], P[90],
+          P[103], P[117], BS_REAL(0.0) },
+        { P[91], P[92], P[93], P[94], P[95], P[96], P[97], P[98], P[99], P[100], P[101], P[102],
+          P[103], P[104], P[118], BS_REAL(0.0) },
+        { P[105], P[106], P[107], P[108], P[109], P[110], P[111], P[112], P[113], P[114], P[115],
+          P[116], P[117], P[118], P[119], BS_REAL(0.0) }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + Phi[0] * X[0][j] + Phi[1] * X[1][j] + Phi[2] * X[2][j] + Phi[3] *
+            X[3][j] + Phi[4] * X[4][j] + Phi[5] * X[5][j] + Phi[7] * X[7][j] + Phi[8] * X[8][j] +
+            Phi[12] * X[12][j] + Phi[13] * X[13][j] + Phi[14] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + Phi[16] * X[1][j] + Phi[17] * X[2][j] + Phi[18] * X[3][j] +
+            Phi[19] * X[4][j] + Phi[20] * X[5][j] + Phi[21] * X[6][j] + Phi[23] * X[8][j] +
+            Phi[27] * X[12][j] + Phi[28] * X[13][j] + Phi[29] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + Phi[31] * X[1][j] + Phi[32] * X[2][j] + Phi[33] * X[3][j] +
+            Phi[34] * X[4][j] + Phi[35] * X[5][j] + Phi[36] * X[6][j] + Phi[37] * X[7][j] +
+            Phi[42] * X[12][j] + Phi[43] * X[13][j] + Phi[44] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][3] = BS_REAL(0.0) + Phi[46] * X[1][j] + Phi[47] * X[2][j] + Phi[48] * X[3][j] +
+            Phi[49] * X[4][j] + Phi[50] * X[5][j] + Phi[51] * X[6][j] + Phi[52] * X[7][j] +
+            Phi[53] * X[8][j] + Phi[54] * X[9][j] + Phi[55] * X[10][j] + Phi[56] * X[11][j] +
+            Phi[57] * X[12][j] + Phi[58] * X[13][j] + Phi[59] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][4] = BS_REAL(0.0) + Phi[61] * X[1][j] + Phi[62] * X[2][j] + Phi[63] * X[3][j] +
+            Phi[64] * X[4][j] + Phi[65] * X[5][j] + Phi[66] * X[6][j] + Phi[67] * X[7][j] +
+            Phi[68] * X[8][j] + Phi[69] * X[9][j] + Phi[70] * X[10][j] + Phi[71] * X[11][j] +
+            Phi[72] * X[12][j] + Phi[73] * X[13][j] + Phi[74] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][5] = BS_REAL(0.0) + Phi[76] * X[1][j] + Phi[77] * X[2][j] + Phi[78] * X[3][j] +
+            Phi[79] * X[4][j] + Phi[80] * X[5][j] + Phi[81] * X[6][j] + Phi[82] * X[7][j] +
+            Phi[83] * X[8][j] + Phi[84] * X[9][j] + Phi[85] * X[10][j] + Phi[86] * X[11][j] +
+            Phi[87] * X[12][j] + Phi[88] * X[13][j] + Phi[89] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][6] = BS_REAL(0.0) + Phi[91] * X[1][j] + Phi[92] * X[2][j] + Phi[93] * X[3][j] +
+            Phi[94] * X[4][j] + Phi[95] * X[5][j] + Phi[96] * X[6][j] + Phi[97] * X[7][j] +
+            Phi[98] * X[8][j] + Phi[99] * X[9][j] + Phi[100] * X[10][j] + Phi[101] * X[11][j] +
+            Phi[102] * X[12][j] + Phi[103] * X[13][j] + Phi[104] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][7] = BS_REAL(0.0) + Phi[106] * X[1][j] + Phi[107] * X[2][j] + Phi[108] * X[3][j] +
+            Phi[109] * X[4][j] + Phi[110] * X[5][j] + Phi[111] * X[6][j] + Phi[112] * X[7][j] +
+            Phi[113] * X[8][j] + Phi[114] * X[9][j] + Phi[115] * X[10][j] + Phi[116] * X[11][j] +
+            Phi[117] * X[12][j] + Phi[118] * X[13][j] + Phi[119] * X[14][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][8] = BS_REAL(0.0) + Phi[121] * X[1][j] + Phi[122] * X[2][j] + Phi[123] * X[3][j] +
+            Phi[124] * X[4][j] + Phi[125] * X[5][j] + Phi[126] * X[6][j] + Phi[127] * X[7][j] +
+            Phi[128] * X[8][j] + Phi[129] * X[9][j] + Phi[130] * X[10][j] + Phi[131] * X[11][j] +
+            Phi[132] * X[12][j] + Phi[133] * X[13][j] + Phi[134] * X[14][j];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[0] * Y[0][i] + Phi[1] * Y[1][i] + Phi[2] * Y[2][i] + Phi[3] *
+                  Y[3][i] + Phi[4] * Y[4][i] + Phi[5] * Y[5][i] + Phi[7] * Y[7][i] + Phi[8] *
+                  Y[8][i] + Phi[12] * Y[12][i] + Phi[13] * Y[13][i] + Phi[14] * Y[14][i]) +
+            Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[16] * Y[1][i] + Phi[17] * Y[2][i] + Phi[18] * Y[3][i] +
+                  Phi[19] * Y[4][i] + Phi[20] * Y[5][i] + Phi[21] * Y[6][i] + Phi[23] * Y[8][i] +
+                  Phi[27] * Y[12][i] + Phi[28] * Y[13][i] + Phi[29] * Y[14][i]) + Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[31] * Y[1][i] + Phi[32] * Y[2][i] + Phi[33] * Y[3][i] +
+                  Phi[34] * Y[4][i] + Phi[35] * Y[5][i] + Phi[36] * Y[6][i] + Phi[37] * Y[7][i] +
+                  Phi[42] * Y[12][i] + Phi[43] * Y[13][i] + Phi[44] * Y[14][i]) + Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[46] * Y[1][i] + Phi[47] * Y[2][i] + Phi[48] * Y[3][i] +
+                  Phi[49] * Y[4][i] + Phi[50] * Y[5][i] + Phi[51] * Y[6][i] + Phi[52] * Y[7][i] +
+                  Phi[53] * Y[8][i] + Phi[54] * Y[9][i] + Phi[55] * Y[10][i] + Phi[56] * Y[11][i] +
+                  Phi[57] * Y[12][i] + Phi[58] * Y[13][i] + Phi[59] * Y[14][i]) + Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[61] * Y[1][i] + Phi[62] * Y[2][i] + Phi[63] * Y[3][i] +
+                  Phi[64] * Y[4][i] + Phi[65] * Y[5][i] + Phi[66] * Y[6][i] + Phi[67] * Y[7][i] +
+                  Phi[68] * Y[8][i] + Phi[69] * Y[9][i] + Phi[70] * Y[10][i] + Phi[71] * Y[11][i] +
+                  Phi[72] * Y[12][i] + Phi[73] * Y[13][i] + Phi[74] * Y[14][i]) + Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[76] * Y[1][i] + Phi[77] * Y[2][i] + Phi[78] * Y[3][i] +
+                  Phi[79] * Y[4][i] + Phi[80] * Y[5][i] + Phi[81] * Y[6][i] + Phi[82] * Y[7][i] +
+                  Phi[83] * Y[8][i] + Phi[84] * Y[9][i] + Phi[85] * Y[10][i] + Phi[86] * Y[11][i] +
+                  Phi[87] * Y[12][i] + Phi[88] * Y[13][i] + Phi[89] * Y[14][i]) + Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[91] * Y[1][i] + Phi[92] * Y[2][i] + Phi[93] * Y[3][i] +
+                  Phi[94] * Y[4][i] + Phi[95] * Y[5][i] + Phi[96] * Y[6][i] + Phi[97] * Y[7][i] +
+                  Phi[98] * Y[8][i] + Phi[99] * Y[9][i] + Phi[100] * Y[10][i] + Phi[101] *
+                  Y[11][i] + Phi[102] * Y[12][i] + Phi[103] * Y[13][i] + Phi[104] * Y[14][i]) +
+            Q[21 + i];
+    }
+    for (int i = 0; i < 7; ++i) {
+        next[21 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[106] * Y[1][i] + Phi[107] * Y[2][i] + Phi[108] * Y[3][i] +
+                  Phi[109] * Y[4][i] + Phi[110] * Y[5][i] + Phi[111] * Y[6][i] + Phi[112] *
+                  Y[7][i] + Phi[113] * Y[8][i] + Phi[114] * Y[9][i] + Phi[115] * Y[10][i] +
+                  Phi[116] * Y[11][i] + Phi[117] * Y[12][i] + Phi[118] * Y[13][i] + Phi[119] *
+                  Y[14][i]) + Q[28 + i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        next[28 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[121] * Y[1][i] + Phi[122] * Y[2][i] + Phi[123] * Y[3][i] +
+                  Phi[124] * Y[4][i] + Phi[125] * Y[5][i] + Phi[126] * Y[6][i] + Phi[127] *
+                  Y[7][i] + Phi[128] * Y[8][i] + Phi[129] * Y[9][i] + Phi[130] * Y[10][i] +
+                  Phi[131] * Y[11][i] + Phi[132] * Y[12][i] + Phi[133] * Y[13][i] + Phi[134] *
+                  Y[14][i]) + Q[36 + i];
+    }
+    for (int i = 0; i < 9; ++i) {
+        next[36 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    for (int i = 0; i < 10; ++i) {
+        next[45 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[10][i] + Q[55 + i];
+    }
+    for (int i = 0; i < 11; ++i) {
+        next[55 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[11][i] + Q[66 + i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        next[66 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[12][i] + Q[78 + i];
+    }
+    for (int i = 0; i < 13; ++i) {
+        next[78 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[13][i] + Q[91 + i];
+    }
+    for (int i = 0; i < 14; ++i) {
+        next[91 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[14][i] + Q[105 + i];
+    }
+    for (int i = 12; i < 15; ++i) {
+        sum[i] = Y[14][i] + Q[105 + i];
+    }
+    for (int i = 0; i < 15; ++i) {
+        next[105 + i] = sum[i];
+    }
+}
+#else
 void ah_joseph_predict(const bs_real P[AH_N_PACKED],
                        const bs_real Phi[AH_N_PHI],
                        const bs_real Q[AH_N_PACKED],
@@ -440,6 +689,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
         }
     }
 }
+#endif
 
 void ah_ud_predict(const bs_real UD[AH_N_PACKED],
                    const bs_real Phi[AH_N_PHI],
@@ -611,10 +861,35 @@ void ah_ud_predict(const bs_real UD[AH_N_PACKED],
 
 bs_status ah_joseph_update(bs_real P[AH_N_PACKED], bs_real x[AH_N_STATES], bs_row *row)
 {
-    bs_real g[N]; /* P h */
-    bs_real K[N];
     bs_real nu = row->z;
     bs_real S = row->R;
+#ifdef BORESIGHT_ROWS
+    bs_real g[WIDE]; /* P h */
+    bs_real K[WIDE];
+    bs_real lines[N][WIDE]; /* of P, where h is not zero */
+    bs_real sums[N + 1][WIDE]; /* with one more of them each */
+    for (int p = 0; p < row->count; ++p) {
+        const unsigned short *const at = whole[row->at[p]];
+        nu -= row->h[p] * x[row->at[p]];
+        for (int i = 0; i < WIDE; ++i) {
+            lines[p][i] = P[at[i]];
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        sums[0][i] = zeros[i];
+    }
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        for (int i = 0; i < WIDE; ++i) {
+            sums[p + 1][i] = sums[p][i] + (h * lines[p][i]);
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        g[i] = sums[row->count][i];
+    }
+#else
+    bs_real g[N]; /* P h */
+    bs_real K[N];
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -627,7 +902,8 @@ bs_status ah_joseph_update(bs_real P[AH_N_PACKED], bs_real x[AH_N_STATES], bs_ro
             g[i] += h * P[column(i) + k];
         }
     }
-    for (int p = 0; p < row->count; ++p) {
+#endif
+for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
     row->nu = nu;
@@ -641,7 +917,121 @@ bs_status ah_joseph_update(bs_real P[AH_N_PACKED], bs_real x[AH_N_STATES], bs_ro
     }
     if (row->used != 0) {
         const bs_real inverse = BS_REAL(1.0) / S;
-        bs_real b[N]; /* A h, of the rounded A = P - K g' */
+#ifdef BORESIGHT_ROWS
+        const bs_real R = row->R;
+        bs_real b[WIDE]; /* as below */
+        bs_real next[WIDE];
+        for (int i = 0; i < WIDE; ++i) {
+            K[i] = g[i] * inverse;
+        }
+        for (int i = 0; i < N; ++i) {
+            x[i] += K[i] * nu;
+        }
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            for (int i = 0; i < WIDE; ++i) {
+                sums[p + 1][i] = sums[p][i] + (h * (lines[p][i] - (K[i] * of_g)));
+            }
+        }
+        for (int i = 0; i < WIDE; ++i) {
+            b[i] = sums[row->count][i] - (R * K[i]);
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
+        }
+        for (int i = 0; i < 1; ++i) {
+            P[0 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
+        }
+        for (int i = 0; i < 2; ++i) {
+            P[1 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
+        }
+        for (int i = 0; i < 3; ++i) {
+            P[3 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
+        }
+        for (int i = 0; i < 4; ++i) {
+            P[6 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
+        }
+        for (int i = 0; i < 5; ++i) {
+            P[10 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
+        }
+        for (int i = 0; i < 6; ++i) {
+            P[15 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
+        }
+        for (int i = 0; i < 7; ++i) {
+            P[21 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
+        }
+        for (int i = 0; i < 8; ++i) {
+            P[28 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
+        }
+        for (int i = 0; i < 9; ++i) {
+            P[36 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
+        }
+        for (int i = 0; i < 10; ++i) {
+            P[45 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
+        }
+        for (int i = 0; i < 11; ++i) {
+            P[55 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[66 + i] - (K[i] * g[11])) - (b[i] * K[11]);
+        }
+        for (int i = 0; i < 12; ++i) {
+            P[66 + i] = next[i];
+        }
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
+        }
+        for (int i = 0; i < 13; ++i) {
+            P[78 + i] = next[i];
+        }
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[91 + i] - (K[i] * g[13])) - (b[i] * K[13]);
+        }
+        for (int i = 0; i < 14; ++i) {
+            P[91 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
+        }
+        for (int i = 12; i < 15; ++i) {
+            next[i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
+        }
+        for (int i = 0; i < 15; ++i) {
+            P[105 + i] = next[i];
+        }
+#else
+        bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
             x[i] += K[i] * nu;
@@ -651,16 +1041,18 @@ bs_status ah_joseph_update(bs_real P[AH_N_PACKED], bs_real x[AH_N_STATES], bs_ro
                 const bs_real of_P = (i < k) ? P[column(k) + i] : P[column(i) + k];
                 b[i] += row->h[p] * (of_P - (K[i] * g[k]));
             }
+            b[i] -= row->R * K[i];
         }
         /* (I - K h') P (I - K h')' + K R K' as two products, A - b K': multiplied out at once it
          * would lose as much as (I - K h') P does where a good measurement meets a coarse start. */
         for (int j = 0; j < N; ++j) {
             bs_real *const p = &P[column(j)];
             for (int i = 0; i <= j; ++i) {
-                p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
+                p[i] = (p[i] - (K[i] * g[j])) - (b[i] * K[j]);
             }
         }
-        for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+#endif
+for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }
     }

@@ -18,7 +18,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "5b46821f2567e364818fc68d944605e914591a28c6ce4d4b2d5db4443efb4c84"
+#define AHR_MODEL_HASH "c11c981f7a4ba30a388bb65118853c0725faa07e82670efe854e01b6dcd8cea2"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

@@ -51,6 +51,25 @@ static void clear(bs_real *value, int n)
     }
 }
 
+#ifdef BORESIGHT_ROWS
+/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
+ * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
+ * a finite number. */
+#define WIDE 8 /* N in whole blocks */
+static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
+                                                      * instruction */
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
+ * blocks. */
+static const unsigned short whole[N][WIDE] = {
+    { 0, 1, 3, 6, 10, 15, 0, 0 },
+    { 1, 2, 4, 7, 11, 16, 0, 0 },
+    { 3, 4, 5, 8, 12, 17, 0, 0 },
+    { 6, 7, 8, 9, 13, 18, 0, 0 },
+    { 10, 11, 12, 13, 14, 19, 0, 0 },
+    { 15, 16, 17, 18, 19, 20, 0, 0 }
+};
+#endif
+
 /* The rows of A X that move, row i of them from to[i * stride] on.  Of X the first `inner` rows
  * count, or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3
  * x 3 sums stay in registers. */
@@ -379,6 +398,80 @@ bs_status em_joseph_init(const bs_real dense[EM_N_STATES * EM_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void em_joseph_predict(const bs_real P[EM_N_PACKED],
+                       const bs_real Phi[EM_N_PHI],
+                       const bs_real Q[EM_N_PACKED],
+                       bs_real next[EM_N_PACKED],
+                       bs_real work[EM_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[1], P[2], P[4], P[7], P[11], P[16], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[3], P[4], P[5], P[8], P[12], P[17], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[6], P[7], P[8], P[9], P[13], P[18], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[10], P[11], P[12], P[13], P[14], P[19], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[15], P[16], P[17], P[18], P[19], P[20], BS_REAL(0.0), BS_REAL(0.0) }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + Phi[0] * X[0][j] + Phi[1] * X[1][j] + Phi[2] * X[2][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + Phi[6] * X[0][j] + Phi[7] * X[1][j] + Phi[8] * X[2][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + Phi[12] * X[0][j] + Phi[13] * X[1][j] + Phi[14] * X[2][j];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[0] * Y[0][i] + Phi[1] * Y[1][i] + Phi[2] * Y[2][i]) + Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[6] * Y[0][i] + Phi[7] * Y[1][i] + Phi[8] * Y[2][i]) + Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[12] * Y[0][i] + Phi[13] * Y[1][i] + Phi[14] * Y[2][i]) +
+            Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = Y[3][i] + Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[4][i] + Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = Y[5][i] + Q[15 + i];
+    }
+    for (int i = 4; i < 6; ++i) {
+        sum[i] = Y[5][i] + Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+}
+#else
 void em_joseph_predict(const bs_real P[EM_N_PACKED],
                        const bs_real Phi[EM_N_PHI],
                        const bs_real Q[EM_N_PACKED],
@@ -410,6 +503,7 @@ void em_joseph_predict(const bs_real P[EM_N_PACKED],
         }
     }
 }
+#endif
 
 void em_ud_predict(const bs_real UD[EM_N_PACKED],
                    const bs_real Phi[EM_N_PHI],
@@ -581,10 +675,35 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
 
 bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_row *row)
 {
-    bs_real g[N]; /* P h */
-    bs_real K[N];
     bs_real nu = row->z;
     bs_real S = row->R;
+#ifdef BORESIGHT_ROWS
+    bs_real g[WIDE]; /* P h */
+    bs_real K[WIDE];
+    bs_real lines[N][WIDE]; /* of P, where h is not zero */
+    bs_real sums[N + 1][WIDE]; /* with one more of them each */
+    for (int p = 0; p < row->count; ++p) {
+        const unsigned short *const at = whole[row->at[p]];
+        nu -= row->h[p] * x[row->at[p]];
+        for (int i = 0; i < WIDE; ++i) {
+            lines[p][i] = P[at[i]];
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        sums[0][i] = zeros[i];
+    }
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        for (int i = 0; i < WIDE; ++i) {
+            sums[p + 1][i] = sums[p][i] + (h * lines[p][i]);
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        g[i] = sums[row->count][i];
+    }
+#else
+    bs_real g[N]; /* P h */
+    bs_real K[N];
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -597,7 +716,8 @@ bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_ro
             g[i] += h * P[column(i) + k];
         }
     }
-    for (int p = 0; p < row->count; ++p) {
+#endif
+for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
     row->nu = nu;
@@ -611,7 +731,67 @@ bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_ro
     }
     if (row->used != 0) {
         const bs_real inverse = BS_REAL(1.0) / S;
-        bs_real b[N]; /* A h, of the rounded A = P - K g' */
+#ifdef BORESIGHT_ROWS
+        const bs_real R = row->R;
+        bs_real b[WIDE]; /* as below */
+        bs_real next[WIDE];
+        for (int i = 0; i < WIDE; ++i) {
+            K[i] = g[i] * inverse;
+        }
+        for (int i = 0; i < N; ++i) {
+            x[i] += K[i] * nu;
+        }
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            for (int i = 0; i < WIDE; ++i) {
+                sums[p + 1][i] = sums[p][i] + (h * (lines[p][i] - (K[i] * of_g)));
+            }
+        }
+        for (int i = 0; i < WIDE; ++i) {
+            b[i] = sums[row->count][i] - (R * K[i]);
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
+        }
+        for (int i = 0; i < 1; ++i) {
+            P[0 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
+        }
+        for (int i = 0; i < 2; ++i) {
+            P[1 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
+        }
+        for (int i = 0; i < 3; ++i) {
+            P[3 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
+        }
+        for (int i = 0; i < 4; ++i) {
+            P[6 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
+        }
+        for (int i = 0; i < 5; ++i) {
+            P[10 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
+        }
+        for (int i = 4; i < 6; ++i) {
+            next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
+        }
+        for (int i = 0; i < 6; ++i) {
+            P[15 + i] = next[i];
+        }
+#else
+        bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
             x[i] += K[i] * nu;
@@ -621,16 +801,18 @@ bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_ro
                 const bs_real of_P = (i < k) ? P[column(k) + i] : P[column(i) + k];
                 b[i] += row->h[p] * (of_P - (K[i] * g[k]));
             }
+            b[i] -= row->R * K[i];
         }
         /* (I - K h') P (I - K h')' + K R K' as two products, A - b K': multiplied out at once it
          * would lose as much as (I - K h') P does where a good measurement meets a coarse start. */
         for (int j = 0; j < N; ++j) {
             bs_real *const p = &P[column(j)];
             for (int i = 0; i <= j; ++i) {
-                p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
+                p[i] = (p[i] - (K[i] * g[j])) - (b[i] * K[j]);
             }
         }
-        for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+#endif
+for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }
     }

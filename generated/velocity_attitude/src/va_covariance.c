@@ -51,6 +51,35 @@ static void clear(bs_real *value, int n)
     }
 }
 
+#ifdef BORESIGHT_ROWS
+/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
+ * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
+ * a finite number. */
+#define WIDE 16 /* N in whole blocks */
+static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
+                                                      * instruction */
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
+ * blocks. */
+static const unsigned short whole[N][WIDE] = {
+    { 0, 1, 3, 6, 10, 15, 21, 28, 36, 45, 55, 66, 78, 91, 105, 120 },
+    { 1, 2, 4, 7, 11, 16, 22, 29, 37, 46, 56, 67, 79, 92, 106, 121 },
+    { 3, 4, 5, 8, 12, 17, 23, 30, 38, 47, 57, 68, 80, 93, 107, 122 },
+    { 6, 7, 8, 9, 13, 18, 24, 31, 39, 48, 58, 69, 81, 94, 108, 123 },
+    { 10, 11, 12, 13, 14, 19, 25, 32, 40, 49, 59, 70, 82, 95, 109, 124 },
+    { 15, 16, 17, 18, 19, 20, 26, 33, 41, 50, 60, 71, 83, 96, 110, 125 },
+    { 21, 22, 23, 24, 25, 26, 27, 34, 42, 51, 61, 72, 84, 97, 111, 126 },
+    { 28, 29, 30, 31, 32, 33, 34, 35, 43, 52, 62, 73, 85, 98, 112, 127 },
+    { 36, 37, 38, 39, 40, 41, 42, 43, 44, 53, 63, 74, 86, 99, 113, 128 },
+    { 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 64, 75, 87, 100, 114, 129 },
+    { 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 76, 88, 101, 115, 130 },
+    { 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 89, 102, 116, 131 },
+    { 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 103, 117, 132 },
+    { 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 118, 133 },
+    { 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 134 },
+    { 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131, 132, 133, 134, 135 }
+};
+#endif
+
 /* The rows of A X that move, row i of them from to[i * stride] on.  Of X the first `inner` rows
  * count, or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3
  * x 4 sums stay in registers. */
@@ -397,6 +426,206 @@ bs_status va_joseph_init(const bs_real dense[VA_N_STATES * VA_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void va_joseph_predict(const bs_real P[VA_N_PACKED],
+                       const bs_real Phi[VA_N_PHI],
+                       const bs_real Q[VA_N_PACKED],
+                       bs_real next[VA_N_PACKED],
+                       bs_real work[VA_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], P[55], P[66], P[78],
+          P[91], P[105], P[120] },
+        { P[1], P[2], P[4], P[7], P[11], P[16], P[22], P[29], P[37], P[46], P[56], P[67], P[79],
+          P[92], P[106], P[121] },
+        { P[3], P[4], P[5], P[8], P[12], P[17], P[23], P[30], P[38], P[47], P[57], P[68], P[80],
+          P[93], P[107], P[122] },
+        { P[6], P[7], P[8], P[9], P[13], P[18], P[24], P[31], P[39], P[48], P[58], P[69], P[81],
+          P[94], P[108], P[123] },
+        { P[10], P[11], P[12], P[13], P[14], P[19], P[25], P[32], P[40], P[49], P[59], P[70], P[82],
+          P[95], P[109], P[124] },
+        { P[15], P[16], P[17], P[18], P[19], P[20], P[26], P[33], P[41], P[50], P[60], P[71], P[83],
+          P[96], P[110], P[125] },
+        { P[21], P[22], P[23], P[24], P[25], P[26], P[27], P[34], P[42], P[51], P[61], P[72], P[84],
+          P[97], P[111], P[126] },
+        { P[28], P[29], P[30], P[31], P[32], P[33], P[34], P[35], P[43], P[52], P[62], P[73], P[85],
+          P[98], P[112], P[127] },
+        { P[36], P[37], P[38], P[39], P[40], P[41], P[42], P[43], P[44], P[53], P[63], P[74], P[86],
+          P[99], P[113], P[128] },
+        { P[45], P[46], P[47], P[48], P[49], P[50], P[51], P[52], P[53], P[54], P[64], P[75], P[87],
+          P[100], P[114], P[129] },
+        { P[55], P[56], P[57], P[58], P[59], P[60], P[61], P[62], P[63], P[64], P[65], P[76], P[88],
+          P[101], P[115], P[130] },
+        { P[66], P[67], P[68], P[69], P[70], P[71], P[72], P[73], P[74], P[75], P[76], P[77], P[89],
+          P[102], P[116], P[131] },
+        { P[78], P[79], P[80], P[81], P[82], P[83], P[84], P[85], P[86], P[87], P[88], P[89], P[90],
+          P[103], P[117], P[132] },
+        { P[91], P[92], P[93], P[94], P[95], P[96], P[97], P[98], P[99], P[100], P[101], P[102],
+          P[103], P[104], P[118], P[133] },
+        { P[105], P[106], P[107], P[108], P[109], P[110], P[111], P[112], P[113], P[114], P[115],
+          P[116], P[117], P[118], P[119], P[134] },
+        { P[120], P[121], P[122], P[123], P[124], P[125], P[126], P[127], P[128], P[129], P[130],
+          P[131], P[132], P[133], P[134], P[135] }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + Phi[0] * X[0][j] + Phi[1] * X[1][j] + Phi[2] * X[2][j] + Phi[3] *
+            X[3][j] + Phi[4] * X[4][j] + Phi[5] * X[5][j] + Phi[6] * X[6][j] + Phi[7] * X[7][j] +
+            Phi[8] * X[8][j] + Phi[9] * X[9][j] + Phi[10] * X[10][j] + Phi[11] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + Phi[16] * X[0][j] + Phi[17] * X[1][j] + Phi[18] * X[2][j] +
+            Phi[19] * X[3][j] + Phi[20] * X[4][j] + Phi[21] * X[5][j] + Phi[22] * X[6][j] +
+            Phi[23] * X[7][j] + Phi[24] * X[8][j] + Phi[25] * X[9][j] + Phi[26] * X[10][j] +
+            Phi[27] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + Phi[32] * X[0][j] + Phi[33] * X[1][j] + Phi[34] * X[2][j] +
+            Phi[35] * X[3][j] + Phi[36] * X[4][j] + Phi[37] * X[5][j] + Phi[38] * X[6][j] +
+            Phi[39] * X[7][j] + Phi[40] * X[8][j] + Phi[41] * X[9][j] + Phi[42] * X[10][j] +
+            Phi[43] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][3] = BS_REAL(0.0) + Phi[48] * X[0][j] + Phi[49] * X[1][j] + Phi[50] * X[2][j] +
+            Phi[51] * X[3][j] + Phi[52] * X[4][j] + Phi[53] * X[5][j] + Phi[54] * X[6][j] +
+            Phi[55] * X[7][j] + Phi[56] * X[8][j] + Phi[57] * X[9][j] + Phi[58] * X[10][j] +
+            Phi[59] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][4] = BS_REAL(0.0) + Phi[64] * X[0][j] + Phi[65] * X[1][j] + Phi[66] * X[2][j] +
+            Phi[67] * X[3][j] + Phi[68] * X[4][j] + Phi[69] * X[5][j] + Phi[70] * X[6][j] +
+            Phi[71] * X[7][j] + Phi[72] * X[8][j] + Phi[73] * X[9][j] + Phi[74] * X[10][j] +
+            Phi[75] * X[11][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][5] = BS_REAL(0.0) + Phi[80] * X[0][j] + Phi[81] * X[1][j] + Phi[82] * X[2][j] +
+            Phi[83] * X[3][j] + Phi[84] * X[4][j] + Phi[85] * X[5][j] + Phi[86] * X[6][j] +
+            Phi[87] * X[7][j] + Phi[88] * X[8][j] + Phi[89] * X[9][j] + Phi[90] * X[10][j] +
+            Phi[91] * X[11][j];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[0] * Y[0][i] + Phi[1] * Y[1][i] + Phi[2] * Y[2][i] + Phi[3] *
+                  Y[3][i] + Phi[4] * Y[4][i] + Phi[5] * Y[5][i] + Phi[6] * Y[6][i] + Phi[7] *
+                  Y[7][i] + Phi[8] * Y[8][i] + Phi[9] * Y[9][i] + Phi[10] * Y[10][i] + Phi[11] *
+                  Y[11][i]) + Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[16] * Y[0][i] + Phi[17] * Y[1][i] + Phi[18] * Y[2][i] +
+                  Phi[19] * Y[3][i] + Phi[20] * Y[4][i] + Phi[21] * Y[5][i] + Phi[22] * Y[6][i] +
+                  Phi[23] * Y[7][i] + Phi[24] * Y[8][i] + Phi[25] * Y[9][i] + Phi[26] * Y[10][i] +
+                  Phi[27] * Y[11][i]) + Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[32] * Y[0][i] + Phi[33] * Y[1][i] + Phi[34] * Y[2][i] +
+                  Phi[35] * Y[3][i] + Phi[36] * Y[4][i] + Phi[37] * Y[5][i] + Phi[38] * Y[6][i] +
+                  Phi[39] * Y[7][i] + Phi[40] * Y[8][i] + Phi[41] * Y[9][i] + Phi[42] * Y[10][i] +
+                  Phi[43] * Y[11][i]) + Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[48] * Y[0][i] + Phi[49] * Y[1][i] + Phi[50] * Y[2][i] +
+                  Phi[51] * Y[3][i] + Phi[52] * Y[4][i] + Phi[53] * Y[5][i] + Phi[54] * Y[6][i] +
+                  Phi[55] * Y[7][i] + Phi[56] * Y[8][i] + Phi[57] * Y[9][i] + Phi[58] * Y[10][i] +
+                  Phi[59] * Y[11][i]) + Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[64] * Y[0][i] + Phi[65] * Y[1][i] + Phi[66] * Y[2][i] +
+                  Phi[67] * Y[3][i] + Phi[68] * Y[4][i] + Phi[69] * Y[5][i] + Phi[70] * Y[6][i] +
+                  Phi[71] * Y[7][i] + Phi[72] * Y[8][i] + Phi[73] * Y[9][i] + Phi[74] * Y[10][i] +
+                  Phi[75] * Y[11][i]) + Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[80] * Y[0][i] + Phi[81] * Y[1][i] + Phi[82] * Y[2][i] +
+                  Phi[83] * Y[3][i] + Phi[84] * Y[4][i] + Phi[85] * Y[5][i] + Phi[86] * Y[6][i] +
+                  Phi[87] * Y[7][i] + Phi[88] * Y[8][i] + Phi[89] * Y[9][i] + Phi[90] * Y[10][i] +
+                  Phi[91] * Y[11][i]) + Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[6][i] + Q[21 + i];
+    }
+    for (int i = 0; i < 7; ++i) {
+        next[21 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[7][i] + Q[28 + i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        next[28 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[8][i] + Q[36 + i];
+    }
+    for (int i = 0; i < 9; ++i) {
+        next[36 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    for (int i = 0; i < 10; ++i) {
+        next[45 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[10][i] + Q[55 + i];
+    }
+    for (int i = 0; i < 11; ++i) {
+        next[55 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[11][i] + Q[66 + i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        next[66 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[12][i] + Q[78 + i];
+    }
+    for (int i = 0; i < 13; ++i) {
+        next[78 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[13][i] + Q[91 + i];
+    }
+    for (int i = 0; i < 14; ++i) {
+        next[91 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[14][i] + Q[105 + i];
+    }
+    for (int i = 0; i < 15; ++i) {
+        next[105 + i] = sum[i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[15][i] + Q[120 + i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        next[120 + i] = sum[i];
+    }
+}
+#else
 void va_joseph_predict(const bs_real P[VA_N_PACKED],
                        const bs_real Phi[VA_N_PHI],
                        const bs_real Q[VA_N_PACKED],
@@ -428,6 +657,7 @@ void va_joseph_predict(const bs_real P[VA_N_PACKED],
         }
     }
 }
+#endif
 
 void va_ud_predict(const bs_real UD[VA_N_PACKED],
                    const bs_real Phi[VA_N_PHI],
@@ -599,10 +829,35 @@ void va_ud_predict(const bs_real UD[VA_N_PACKED],
 
 bs_status va_joseph_update(bs_real P[VA_N_PACKED], bs_real x[VA_N_STATES], bs_row *row)
 {
-    bs_real g[N]; /* P h */
-    bs_real K[N];
     bs_real nu = row->z;
     bs_real S = row->R;
+#ifdef BORESIGHT_ROWS
+    bs_real g[WIDE]; /* P h */
+    bs_real K[WIDE];
+    bs_real lines[N][WIDE]; /* of P, where h is not zero */
+    bs_real sums[N + 1][WIDE]; /* with one more of them each */
+    for (int p = 0; p < row->count; ++p) {
+        const unsigned short *const at = whole[row->at[p]];
+        nu -= row->h[p] * x[row->at[p]];
+        for (int i = 0; i < WIDE; ++i) {
+            lines[p][i] = P[at[i]];
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        sums[0][i] = zeros[i];
+    }
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        for (int i = 0; i < WIDE; ++i) {
+            sums[p + 1][i] = sums[p][i] + (h * lines[p][i]);
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        g[i] = sums[row->count][i];
+    }
+#else
+    bs_real g[N]; /* P h */
+    bs_real K[N];
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -615,7 +870,8 @@ bs_status va_joseph_update(bs_real P[VA_N_PACKED], bs_real x[VA_N_STATES], bs_ro
             g[i] += h * P[column(i) + k];
         }
     }
-    for (int p = 0; p < row->count; ++p) {
+#endif
+for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
     row->nu = nu;
@@ -629,7 +885,124 @@ bs_status va_joseph_update(bs_real P[VA_N_PACKED], bs_real x[VA_N_STATES], bs_ro
     }
     if (row->used != 0) {
         const bs_real inverse = BS_REAL(1.0) / S;
-        bs_real b[N]; /* A h, of the rounded A = P - K g' */
+#ifdef BORESIGHT_ROWS
+        const bs_real R = row->R;
+        bs_real b[WIDE]; /* as below */
+        bs_real next[WIDE];
+        for (int i = 0; i < WIDE; ++i) {
+            K[i] = g[i] * inverse;
+        }
+        for (int i = 0; i < N; ++i) {
+            x[i] += K[i] * nu;
+        }
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            for (int i = 0; i < WIDE; ++i) {
+                sums[p + 1][i] = sums[p][i] + (h * (lines[p][i] - (K[i] * of_g)));
+            }
+        }
+        for (int i = 0; i < WIDE; ++i) {
+            b[i] = sums[row->count][i] - (R * K[i]);
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
+        }
+        for (int i = 0; i < 1; ++i) {
+            P[0 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
+        }
+        for (int i = 0; i < 2; ++i) {
+            P[1 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
+        }
+        for (int i = 0; i < 3; ++i) {
+            P[3 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
+        }
+        for (int i = 0; i < 4; ++i) {
+            P[6 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
+        }
+        for (int i = 0; i < 5; ++i) {
+            P[10 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
+        }
+        for (int i = 0; i < 6; ++i) {
+            P[15 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
+        }
+        for (int i = 0; i < 7; ++i) {
+            P[21 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
+        }
+        for (int i = 0; i < 8; ++i) {
+            P[28 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
+        }
+        for (int i = 0; i < 9; ++i) {
+            P[36 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
+        }
+        for (int i = 0; i < 10; ++i) {
+            P[45 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
+        }
+        for (int i = 0; i < 11; ++i) {
+            P[55 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[66 + i] - (K[i] * g[11])) - (b[i] * K[11]);
+        }
+        for (int i = 0; i < 12; ++i) {
+            P[66 + i] = next[i];
+        }
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
+        }
+        for (int i = 0; i < 13; ++i) {
+            P[78 + i] = next[i];
+        }
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[91 + i] - (K[i] * g[13])) - (b[i] * K[13]);
+        }
+        for (int i = 0; i < 14; ++i) {
+            P[91 + i] = next[i];
+        }
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
+        }
+        for (int i = 0; i < 15; ++i) {
+            P[105 + i] = next[i];
+        }
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[120 + i] - (K[i] * g[15])) - (b[i] * K[15]);
+        }
+        for (int i = 0; i < 16; ++i) {
+            P[120 + i] = next[i];
+        }
+#else
+        bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
             x[i] += K[i] * nu;
@@ -639,16 +1012,18 @@ bs_status va_joseph_update(bs_real P[VA_N_PACKED], bs_real x[VA_N_STATES], bs_ro
                 const bs_real of_P = (i < k) ? P[column(k) + i] : P[column(i) + k];
                 b[i] += row->h[p] * (of_P - (K[i] * g[k]));
             }
+            b[i] -= row->R * K[i];
         }
         /* (I - K h') P (I - K h')' + K R K' as two products, A - b K': multiplied out at once it
          * would lose as much as (I - K h') P does where a good measurement meets a coarse start. */
         for (int j = 0; j < N; ++j) {
             bs_real *const p = &P[column(j)];
             for (int i = 0; i <= j; ++i) {
-                p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
+                p[i] = (p[i] - (K[i] * g[j])) - (b[i] * K[j]);
             }
         }
-        for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+#endif
+for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }
     }

@@ -18,7 +18,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "94536950f0f03ef9545bb409370a1aac36a6475abe4bc398736481759fbd8aec"
+#define VAL_MODEL_HASH "80dbabde495abd10151b897ec208a263cc87b48ebe5da13e929a3da81eb0daac"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

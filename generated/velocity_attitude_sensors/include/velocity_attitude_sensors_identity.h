@@ -18,7 +18,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "797b9e1a62a1e9ea9130984e878cb43bc6c07443cc133e6492efb6039619f646"
+#define VAS_MODEL_HASH "13168823b9f663d94cd01bbe11cbe7972ed748e02fd74541936f04a8eef9426a"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

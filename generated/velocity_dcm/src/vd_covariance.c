@@ -51,6 +51,29 @@ static void clear(bs_real *value, int n)
     }
 }
 
+#ifdef BORESIGHT_ROWS
+/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
+ * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
+ * a finite number. */
+#define WIDE 12 /* N in whole blocks */
+static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
+                                                      * instruction */
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
+ * blocks. */
+static const unsigned short whole[N][WIDE] = {
+    { 0, 1, 3, 6, 10, 15, 21, 28, 36, 45, 0, 0 },
+    { 1, 2, 4, 7, 11, 16, 22, 29, 37, 46, 0, 0 },
+    { 3, 4, 5, 8, 12, 17, 23, 30, 38, 47, 0, 0 },
+    { 6, 7, 8, 9, 13, 18, 24, 31, 39, 48, 0, 0 },
+    { 10, 11, 12, 13, 14, 19, 25, 32, 40, 49, 0, 0 },
+    { 15, 16, 17, 18, 19, 20, 26, 33, 41, 50, 0, 0 },
+    { 21, 22, 23, 24, 25, 26, 27, 34, 42, 51, 0, 0 },
+    { 28, 29, 30, 31, 32, 33, 34, 35, 43, 52, 0, 0 },
+    { 36, 37, 38, 39, 40, 41, 42, 43, 44, 53, 0, 0 },
+    { 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 0, 0 }
+};
+#endif
+
 /* The rows of A X that move, row i of them from to[i * stride] on.  Of X the first `inner` rows
  * count, or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3
  * x 5 sums stay in registers. */
@@ -400,6 +423,135 @@ bs_status vd_joseph_init(const bs_real dense[VD_N_STATES * VD_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void vd_joseph_predict(const bs_real P[VD_N_PACKED],
+                       const bs_real Phi[VD_N_PHI],
+                       const bs_real Q[VD_N_PACKED],
+                       bs_real next[VD_N_PACKED],
+                       bs_real work[VD_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[1], P[2], P[4], P[7], P[11], P[16], P[22], P[29], P[37], P[46], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[3], P[4], P[5], P[8], P[12], P[17], P[23], P[30], P[38], P[47], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[6], P[7], P[8], P[9], P[13], P[18], P[24], P[31], P[39], P[48], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[10], P[11], P[12], P[13], P[14], P[19], P[25], P[32], P[40], P[49], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[15], P[16], P[17], P[18], P[19], P[20], P[26], P[33], P[41], P[50], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[21], P[22], P[23], P[24], P[25], P[26], P[27], P[34], P[42], P[51], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[28], P[29], P[30], P[31], P[32], P[33], P[34], P[35], P[43], P[52], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[36], P[37], P[38], P[39], P[40], P[41], P[42], P[43], P[44], P[53], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[45], P[46], P[47], P[48], P[49], P[50], P[51], P[52], P[53], P[54], BS_REAL(0.0),
+          BS_REAL(0.0) }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + Phi[0] * X[0][j] + Phi[1] * X[1][j] + Phi[2] * X[2][j] + Phi[3] *
+            X[3][j] + Phi[4] * X[4][j] + Phi[5] * X[5][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + Phi[10] * X[0][j] + Phi[11] * X[1][j] + Phi[12] * X[2][j] +
+            Phi[13] * X[3][j] + Phi[14] * X[4][j] + Phi[15] * X[5][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + Phi[20] * X[0][j] + Phi[21] * X[1][j] + Phi[22] * X[2][j] +
+            Phi[23] * X[3][j] + Phi[24] * X[4][j] + Phi[25] * X[5][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][3] = BS_REAL(0.0) + Phi[33] * X[3][j] + Phi[34] * X[4][j] + Phi[35] * X[5][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][4] = BS_REAL(0.0) + Phi[43] * X[3][j] + Phi[44] * X[4][j] + Phi[45] * X[5][j];
+    }
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][5] = BS_REAL(0.0) + Phi[53] * X[3][j] + Phi[54] * X[4][j] + Phi[55] * X[5][j];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[0] * Y[0][i] + Phi[1] * Y[1][i] + Phi[2] * Y[2][i] + Phi[3] *
+                  Y[3][i] + Phi[4] * Y[4][i] + Phi[5] * Y[5][i]) + Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[10] * Y[0][i] + Phi[11] * Y[1][i] + Phi[12] * Y[2][i] +
+                  Phi[13] * Y[3][i] + Phi[14] * Y[4][i] + Phi[15] * Y[5][i]) + Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[20] * Y[0][i] + Phi[21] * Y[1][i] + Phi[22] * Y[2][i] +
+                  Phi[23] * Y[3][i] + Phi[24] * Y[4][i] + Phi[25] * Y[5][i]) + Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[33] * Y[3][i] + Phi[34] * Y[4][i] + Phi[35] * Y[5][i]) +
+            Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[43] * Y[3][i] + Phi[44] * Y[4][i] + Phi[45] * Y[5][i]) +
+            Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + Phi[53] * Y[3][i] + Phi[54] * Y[4][i] + Phi[55] * Y[5][i]) +
+            Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[6][i] + Q[21 + i];
+    }
+    for (int i = 0; i < 7; ++i) {
+        next[21 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[7][i] + Q[28 + i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        next[28 + i] = sum[i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[8][i] + Q[36 + i];
+    }
+    for (int i = 0; i < 9; ++i) {
+        next[36 + i] = sum[i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    for (int i = 8; i < 10; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    for (int i = 0; i < 10; ++i) {
+        next[45 + i] = sum[i];
+    }
+}
+#else
 void vd_joseph_predict(const bs_real P[VD_N_PACKED],
                        const bs_real Phi[VD_N_PHI],
                        const bs_real Q[VD_N_PACKED],
@@ -431,6 +583,7 @@ void vd_joseph_predict(const bs_real P[VD_N_PACKED],
         }
     }
 }
+#endif
 
 void vd_ud_predict(const bs_real UD[VD_N_PACKED],
                    const bs_real Phi[VD_N_PHI],
@@ -602,10 +755,35 @@ void vd_ud_predict(const bs_real UD[VD_N_PACKED],
 
 bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_row *row)
 {
-    bs_real g[N]; /* P h */
-    bs_real K[N];
     bs_real nu = row->z;
     bs_real S = row->R;
+#ifdef BORESIGHT_ROWS
+    bs_real g[WIDE]; /* P h */
+    bs_real K[WIDE];
+    bs_real lines[N][WIDE]; /* of P, where h is not zero */
+    bs_real sums[N + 1][WIDE]; /* with one more of them each */
+    for (int p = 0; p < row->count; ++p) {
+        const unsigned short *const at = whole[row->at[p]];
+        nu -= row->h[p] * x[row->at[p]];
+        for (int i = 0; i < WIDE; ++i) {
+            lines[p][i] = P[at[i]];
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        sums[0][i] = zeros[i];
+    }
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        for (int i = 0; i < WIDE; ++i) {
+            sums[p + 1][i] = sums[p][i] + (h * lines[p][i]);
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        g[i] = sums[row->count][i];
+    }
+#else
+    bs_real g[N]; /* P h */
+    bs_real K[N];
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -618,7 +796,8 @@ bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_ro
             g[i] += h * P[column(i) + k];
         }
     }
-    for (int p = 0; p < row->count; ++p) {
+#endif
+for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
     row->nu = nu;
@@ -632,7 +811,91 @@ bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_ro
     }
     if (row->used != 0) {
         const bs_real inverse = BS_REAL(1.0) / S;
-        bs_real b[N]; /* A h, of the rounded A = P - K g' */
+#ifdef BORESIGHT_ROWS
+        const bs_real R = row->R;
+        bs_real b[WIDE]; /* as below */
+        bs_real next[WIDE];
+        for (int i = 0; i < WIDE; ++i) {
+            K[i] = g[i] * inverse;
+        }
+        for (int i = 0; i < N; ++i) {
+            x[i] += K[i] * nu;
+        }
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            for (int i = 0; i < WIDE; ++i) {
+                sums[p + 1][i] = sums[p][i] + (h * (lines[p][i] - (K[i] * of_g)));
+            }
+        }
+        for (int i = 0; i < WIDE; ++i) {
+            b[i] = sums[row->count][i] - (R * K[i]);
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
+        }
+        for (int i = 0; i < 1; ++i) {
+            P[0 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
+        }
+        for (int i = 0; i < 2; ++i) {
+            P[1 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
+        }
+        for (int i = 0; i < 3; ++i) {
+            P[3 + i] = next[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
+        }
+        for (int i = 0; i < 4; ++i) {
+            P[6 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
+        }
+        for (int i = 0; i < 5; ++i) {
+            P[10 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
+        }
+        for (int i = 0; i < 6; ++i) {
+            P[15 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
+        }
+        for (int i = 0; i < 7; ++i) {
+            P[21 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
+        }
+        for (int i = 0; i < 8; ++i) {
+            P[28 + i] = next[i];
+        }
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
+        }
+        for (int i = 0; i < 9; ++i) {
+            P[36 + i] = next[i];
+        }
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
+        }
+        for (int i = 8; i < 10; ++i) {
+            next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
+        }
+        for (int i = 0; i < 10; ++i) {
+            P[45 + i] = next[i];
+        }
+#else
+        bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
             x[i] += K[i] * nu;
@@ -642,16 +905,18 @@ bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_ro
                 const bs_real of_P = (i < k) ? P[column(k) + i] : P[column(i) + k];
                 b[i] += row->h[p] * (of_P - (K[i] * g[k]));
             }
+            b[i] -= row->R * K[i];
         }
         /* (I - K h') P (I - K h')' + K R K' as two products, A - b K': multiplied out at once it
          * would lose as much as (I - K h') P does where a good measurement meets a coarse start. */
         for (int j = 0; j < N; ++j) {
             bs_real *const p = &P[column(j)];
             for (int i = 0; i <= j; ++i) {
-                p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
+                p[i] = (p[i] - (K[i] * g[j])) - (b[i] * K[j]);
             }
         }
-        for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+#endif
+for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }
     }
