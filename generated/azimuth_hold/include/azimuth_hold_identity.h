@@ -18,7 +18,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "c06961b00ebbe027d23c4d73650526a2ebdd9a0816f8f1c666c9b1bfa039a989"
+#define AH_MODEL_HASH "f3c568b057d47039759e73f8024049ce204db2ced14e89f56acee815baadc9bc"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "cd67ec3fd821f123a101ad135cf9ac4f93bc93a64a8dc50b75aea18062202a95"
+#define AHR_MODEL_HASH "d363db28793fcbbce494297ebdcf9d9e718dcf7f02e5a1d4f997f7a5e398d75c"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "383981a3459e7fec6acb21194b7709d4e899e7257e02bd4df2f13f2fcb8b909d"
+#define EM_MODEL_HASH "af69812ce0b80a2aac1f906658c112f919e198db842eebdfe380f4938cca1ef0"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "4eadcec8b0602f0f701b8db969c88818b32ca24241c718a72ff5cd8e4c1a1789"
+#define VA_MODEL_HASH "55200f2562c8873bb024d661216eba17f4123113b3595beef292f5c1865797fa"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "6452c745ce543947abda8a1fa06bc9968668ce78f00731cdc979f06f98704755"
+#define VAL_MODEL_HASH "9d158beb675aec0443f57a2fc9c0b6c39cb7a6d001f5ed3ecee14a1af4ca148b"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

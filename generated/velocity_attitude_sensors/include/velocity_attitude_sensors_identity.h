@@ -18,7 +18,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "d4cda790adaa7630fcfc2b2a29fad785919931aca4ff021d3c97fc1a5537bbf0"
+#define VAS_MODEL_HASH "02dfb856361ec9d0899d1f29ecc64ede2e707d8984b5133f9141a3ab4f9af7fd"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "ba6679660bdf173ee021140b415b2af0b3dcedbe044cac4faf4c18f2fe4b9d14"
+#define VD_MODEL_HASH "22d81259d2a86fb7ee4de0f64657cff43d34c4f76eca80c335a50581477a1533"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
