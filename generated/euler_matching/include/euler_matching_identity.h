@@ -18,7 +18,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "af69812ce0b80a2aac1f906658c112f919e198db842eebdfe380f4938cca1ef0"
+#define EM_MODEL_HASH "7bb239a6d37a3cbe3082262aab34aa72238c55065c12a6eec8dc953892a8d270"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

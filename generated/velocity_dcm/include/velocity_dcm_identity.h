@@ -18,7 +18,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "22d81259d2a86fb7ee4de0f64657cff43d34c4f76eca80c335a50581477a1533"
+#define VD_MODEL_HASH "a67128a397603c4a02eacdebbf7628fd7cad310e7b3ec8c487e45f5235a41b2e"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
