@@ -100,6 +100,12 @@ def powers(n: int, F: Places, order: int) -> set[tuple[int, int]]:
     return found
 
 
+def met(m: int, B: set[tuple[int, int]], first: list[int], begin: int) -> list[list[int]]:
+    """Of each row of B U that moves, where it may have non-zeros in the columns that meet noise."""
+    n = len(first)
+    return [[k for k in range(begin, n) if any((i, l) in B for l in range(first[k], k + 1))] for i in range(m)]
+
+
 def whole(count: int) -> int:
     """Numbers of the blocks of four that hold so many."""
     return -(-count // LANES) * LANES
@@ -132,12 +138,19 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     upper = sorted((i >= m, p, j * (j + 1) // 2 + i) for p, (i, j) in enumerate(sorted(Qc)) if i <= j)
     first = reach(n, Qc)
     rows = max(len(m.rows) for m in model.measurements)
+    begin = min([m, *(i for i, _ in Qc)])  # columns of B before this one meet no noise
     Phi = powers(n, F, model.order) if F else set(nonzeros(made, "Phi")) if not model.loops else set()
     Phi_rows = [[(k, i * row + k) for k in range(n) if (i, k) in Phi] for i in range(m)] if Phi else None
     return {
         "Phi_rows": Phi_rows,
         "lanes": LANES,
         "wide": whole(n),
+        "deep": whole(m),
+        "up": whole,
+        "discretize_rows": bool(F) and model.order < 3,
+        "F_at": sorted(F),
+        "A_rows": [[k for k in range(m) if (i, k) in F] for i in range(m)],
+        "B_rows": met(m, Phi, first, begin),
         "packed_at": lambda i, j: max(i, j) * (max(i, j) + 1) // 2 + min(i, j),
         "spans": lambda j: spans(n, j),
         "packed": n * (n + 1) // 2,
@@ -171,7 +184,7 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "Qc_place": ", ".join(str(at) for _, _, at in upper),
         "coupled": coupled(first),
         "reach": [first[k] for k in coupled(first)],
-        "begin": min([m, *(i for i, _ in Qc)]),  # columns of B before this one meet no noise
+        "begin": begin,
         "staying_pairs": staying_pairs(m, first),
         "fraction": lambda a, b: repr(a / b),
     }

@@ -121,7 +121,7 @@ def test_rows_have_the_bits_of_the_loops(source, cc, level, precision, folder, t
     assert differing(loops, rows) == 0
 
 
-TERM = r"\w+\[\d+\](?:\[\d+\])? \*\s+{}\[\d+\]\[\w\]"
+TERM = r"\(\w+\[\d+\](?:\[\d+\])? \*\s+{}\[\d+\]\[\w\]\)"
 
 
 @pytest.mark.parametrize("vector", ["X", "Y"])

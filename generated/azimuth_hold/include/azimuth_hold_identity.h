@@ -18,7 +18,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "7f0422767089f70ffaf1ec378854ba93677550b21d4051bf985a97c9d99f3ade"
+#define AH_MODEL_HASH "45f869df8bfe34e8deadb8d8ce54bb62621ae23b450d42005e59194ac091ffe2"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "9c7e2c133aa4da0ba19a0d17b6282f1dacfaf6cb5ec7a9776e9c6bcb1ae1929d"
+#define VA_MODEL_HASH "13b98e2951eb6e9a6a96e278da4b36135d49f5c49019cbcd1bb60eff847b7b2b"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

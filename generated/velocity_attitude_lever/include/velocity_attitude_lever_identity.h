@@ -18,7 +18,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "80dbabde495abd10151b897ec208a263cc87b48ebe5da13e929a3da81eb0daac"
+#define VAL_MODEL_HASH "bede9ac4c0d5b29b30d3899ce58c4fe7baddf24031a902fe0aeb3f598f328741"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

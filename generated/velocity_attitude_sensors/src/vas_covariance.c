@@ -55,7 +55,16 @@ static void clear(bs_real *value, int n)
 /* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
  * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
  * a finite number. */
+#if defined(__clang__)
+#define ROLLED _Pragma("clang loop unroll(disable)") /* or rows do not fit into the instruction
+                                                      * cache */
+#elif defined(__GNUC__)
+#define ROLLED _Pragma("GCC unroll 1")
+#else
+#define ROLLED
+#endif
 #define WIDE 48 /* N in whole blocks */
+#define DEEP 28 /* M in whole blocks */
 static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
                                                       * instruction */
 /* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
@@ -311,6 +320,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
                     bs_real Q[VAS_N_PACKED],
                     bs_real work[VAS_N_WORK])
 {
+#ifndef BORESIGHT_ROWS
     static const unsigned short F_place[VAS_N_F] = { 1, 2, 4, 6, 7, 8, 25, 26, 27, 31, 32, 33, 34,
                                                      35, 36, 50, 52, 53, 56, 57, 58, 75, 76, 77, 81,
                                                      82, 83, 84, 85, 86, 100, 101, 104, 106, 107,
@@ -323,6 +333,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
                                                      391, 408, 442, 459, 493, 510, 544, 561, 595,
                                                      972, 1023, 1074, 1119, 1122, 1170, 1173, 1221,
                                                      1224 };
+#endif
     /* of Qc the upper triangle: which of its numbers, and their place in Q; first those whose row
      * moves */
     static const unsigned short from[25] = { 0, 1, 2, 4, 5, 8, 9, 10, 11, 13, 14, 17, 18, 19, 20,
@@ -333,11 +344,375 @@ void vas_discretize(const bs_real F[VAS_N_F],
      * these */
     static const unsigned short coupled[6] = { 5, 4, 3, 2, 1, 0 };
     static const unsigned short reach[6] = { 3, 3, 3, 0, 0, 0 };
+    bs_real w[N];
+    const bs_real share = BS_REAL(0.75) * dt;
+#ifdef BORESIGHT_ROWS
+    bs_real A[M][WIDE];
+    bs_real B[WIDE][DEEP]; /* transposed, as T is */
+    bs_real T[WIDE][DEEP];
+    bs_real sum[WIDE];
+    (void)work;
+    for (int i = 0; i < M; ++i) {
+        for (int j = 0; j < WIDE; ++j) {
+            A[i][j] = zeros[j];
+        }
+    }
+    A[0][1] = F[0] * dt;
+    A[0][2] = F[1] * dt;
+    A[0][4] = F[2] * dt;
+    A[0][6] = F[3] * dt;
+    A[0][7] = F[4] * dt;
+    A[0][8] = F[5] * dt;
+    A[0][25] = F[6] * dt;
+    A[0][26] = F[7] * dt;
+    A[0][27] = F[8] * dt;
+    A[0][31] = F[9] * dt;
+    A[0][32] = F[10] * dt;
+    A[0][33] = F[11] * dt;
+    A[0][34] = F[12] * dt;
+    A[0][35] = F[13] * dt;
+    A[0][36] = F[14] * dt;
+    A[1][0] = F[15] * dt;
+    A[1][2] = F[16] * dt;
+    A[1][3] = F[17] * dt;
+    A[1][6] = F[18] * dt;
+    A[1][7] = F[19] * dt;
+    A[1][8] = F[20] * dt;
+    A[1][25] = F[21] * dt;
+    A[1][26] = F[22] * dt;
+    A[1][27] = F[23] * dt;
+    A[1][31] = F[24] * dt;
+    A[1][32] = F[25] * dt;
+    A[1][33] = F[26] * dt;
+    A[1][34] = F[27] * dt;
+    A[1][35] = F[28] * dt;
+    A[1][36] = F[29] * dt;
+    A[2][0] = F[30] * dt;
+    A[2][1] = F[31] * dt;
+    A[2][4] = F[32] * dt;
+    A[2][6] = F[33] * dt;
+    A[2][7] = F[34] * dt;
+    A[2][8] = F[35] * dt;
+    A[2][25] = F[36] * dt;
+    A[2][26] = F[37] * dt;
+    A[2][27] = F[38] * dt;
+    A[2][31] = F[39] * dt;
+    A[2][32] = F[40] * dt;
+    A[2][33] = F[41] * dt;
+    A[2][34] = F[42] * dt;
+    A[2][35] = F[43] * dt;
+    A[2][36] = F[44] * dt;
+    A[3][1] = F[45] * dt;
+    A[3][2] = F[46] * dt;
+    A[3][3] = F[47] * dt;
+    A[3][4] = F[48] * dt;
+    A[3][5] = F[49] * dt;
+    A[3][9] = F[50] * dt;
+    A[3][10] = F[51] * dt;
+    A[3][11] = F[52] * dt;
+    A[3][28] = F[53] * dt;
+    A[3][29] = F[54] * dt;
+    A[3][30] = F[55] * dt;
+    A[3][37] = F[56] * dt;
+    A[3][38] = F[57] * dt;
+    A[3][39] = F[58] * dt;
+    A[4][0] = F[59] * dt;
+    A[4][2] = F[60] * dt;
+    A[4][3] = F[61] * dt;
+    A[4][4] = F[62] * dt;
+    A[4][5] = F[63] * dt;
+    A[4][9] = F[64] * dt;
+    A[4][10] = F[65] * dt;
+    A[4][11] = F[66] * dt;
+    A[4][28] = F[67] * dt;
+    A[4][29] = F[68] * dt;
+    A[4][30] = F[69] * dt;
+    A[4][37] = F[70] * dt;
+    A[4][38] = F[71] * dt;
+    A[4][39] = F[72] * dt;
+    A[5][0] = F[73] * dt;
+    A[5][1] = F[74] * dt;
+    A[5][3] = F[75] * dt;
+    A[5][4] = F[76] * dt;
+    A[5][9] = F[77] * dt;
+    A[5][10] = F[78] * dt;
+    A[5][11] = F[79] * dt;
+    A[5][28] = F[80] * dt;
+    A[5][29] = F[81] * dt;
+    A[5][30] = F[82] * dt;
+    A[5][37] = F[83] * dt;
+    A[5][38] = F[84] * dt;
+    A[5][39] = F[85] * dt;
+    A[6][6] = F[86] * dt;
+    A[6][40] = F[87] * dt;
+    A[7][7] = F[88] * dt;
+    A[7][41] = F[89] * dt;
+    A[8][8] = F[90] * dt;
+    A[8][42] = F[91] * dt;
+    A[9][9] = F[92] * dt;
+    A[9][43] = F[93] * dt;
+    A[10][10] = F[94] * dt;
+    A[10][44] = F[95] * dt;
+    A[11][11] = F[96] * dt;
+    A[11][45] = F[97] * dt;
+    A[19][22] = F[98] * dt;
+    A[20][23] = F[99] * dt;
+    A[21][24] = F[100] * dt;
+    A[22][19] = F[101] * dt;
+    A[22][22] = F[102] * dt;
+    A[23][20] = F[103] * dt;
+    A[23][23] = F[104] * dt;
+    A[24][21] = F[105] * dt;
+    A[24][24] = F[106] * dt;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < DEEP; ++i) {
+            B[j][i] = BS_REAL(0.0);
+        }
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]) +
+            (A[0][4] * A[4][j]) + (A[0][6] * A[6][j]) + (A[0][7] * A[7][j]) + (A[0][8] * A[8][j]);
+        sum[j] = A[0][j] + (BS_REAL(0.5) * twice);
+        B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[0 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[1][0] * A[0][j]) + (A[1][2] * A[2][j]) +
+            (A[1][3] * A[3][j]) + (A[1][6] * A[6][j]) + (A[1][7] * A[7][j]) + (A[1][8] * A[8][j]);
+        sum[j] = A[1][j] + (BS_REAL(0.5) * twice);
+        B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[1 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[2][0] * A[0][j]) + (A[2][1] * A[1][j]) +
+            (A[2][4] * A[4][j]) + (A[2][6] * A[6][j]) + (A[2][7] * A[7][j]) + (A[2][8] * A[8][j]);
+        sum[j] = A[2][j] + (BS_REAL(0.5) * twice);
+        B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[2 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[3][1] * A[1][j]) + (A[3][2] * A[2][j]) +
+            (A[3][3] * A[3][j]) + (A[3][4] * A[4][j]) + (A[3][5] * A[5][j]) + (A[3][9] * A[9][j]) +
+            (A[3][10] * A[10][j]) + (A[3][11] * A[11][j]);
+        sum[j] = A[3][j] + (BS_REAL(0.5) * twice);
+        B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[3 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[4][0] * A[0][j]) + (A[4][2] * A[2][j]) +
+            (A[4][3] * A[3][j]) + (A[4][4] * A[4][j]) + (A[4][5] * A[5][j]) + (A[4][9] * A[9][j]) +
+            (A[4][10] * A[10][j]) + (A[4][11] * A[11][j]);
+        sum[j] = A[4][j] + (BS_REAL(0.5) * twice);
+        B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[4 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[5][0] * A[0][j]) + (A[5][1] * A[1][j]) +
+            (A[5][3] * A[3][j]) + (A[5][4] * A[4][j]) + (A[5][9] * A[9][j]) +
+            (A[5][10] * A[10][j]) + (A[5][11] * A[11][j]);
+        sum[j] = A[5][j] + (BS_REAL(0.5) * twice);
+        B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[5 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[6][6] * A[6][j]);
+        sum[j] = A[6][j] + (BS_REAL(0.5) * twice);
+        B[j][6] = (BS_REAL(0.6666666666666666) * A[6][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[6 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[7][7] * A[7][j]);
+        sum[j] = A[7][j] + (BS_REAL(0.5) * twice);
+        B[j][7] = (BS_REAL(0.6666666666666666) * A[7][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[7 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[8][8] * A[8][j]);
+        sum[j] = A[8][j] + (BS_REAL(0.5) * twice);
+        B[j][8] = (BS_REAL(0.6666666666666666) * A[8][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[8 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[9][9] * A[9][j]);
+        sum[j] = A[9][j] + (BS_REAL(0.5) * twice);
+        B[j][9] = (BS_REAL(0.6666666666666666) * A[9][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[9 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[10][10] * A[10][j]);
+        sum[j] = A[10][j] + (BS_REAL(0.5) * twice);
+        B[j][10] = (BS_REAL(0.6666666666666666) * A[10][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[10 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[11][11] * A[11][j]);
+        sum[j] = A[11][j] + (BS_REAL(0.5) * twice);
+        B[j][11] = (BS_REAL(0.6666666666666666) * A[11][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[11 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0);
+        sum[j] = A[12][j] + (BS_REAL(0.5) * twice);
+        B[j][12] = (BS_REAL(0.6666666666666666) * A[12][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[12 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0);
+        sum[j] = A[13][j] + (BS_REAL(0.5) * twice);
+        B[j][13] = (BS_REAL(0.6666666666666666) * A[13][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[13 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0);
+        sum[j] = A[14][j] + (BS_REAL(0.5) * twice);
+        B[j][14] = (BS_REAL(0.6666666666666666) * A[14][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[14 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0);
+        sum[j] = A[15][j] + (BS_REAL(0.5) * twice);
+        B[j][15] = (BS_REAL(0.6666666666666666) * A[15][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[15 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0);
+        sum[j] = A[16][j] + (BS_REAL(0.5) * twice);
+        B[j][16] = (BS_REAL(0.6666666666666666) * A[16][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[16 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0);
+        sum[j] = A[17][j] + (BS_REAL(0.5) * twice);
+        B[j][17] = (BS_REAL(0.6666666666666666) * A[17][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[17 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0);
+        sum[j] = A[18][j] + (BS_REAL(0.5) * twice);
+        B[j][18] = (BS_REAL(0.6666666666666666) * A[18][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[18 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[19][22] * A[22][j]);
+        sum[j] = A[19][j] + (BS_REAL(0.5) * twice);
+        B[j][19] = (BS_REAL(0.6666666666666666) * A[19][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[19 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[20][23] * A[23][j]);
+        sum[j] = A[20][j] + (BS_REAL(0.5) * twice);
+        B[j][20] = (BS_REAL(0.6666666666666666) * A[20][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[20 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[21][24] * A[24][j]);
+        sum[j] = A[21][j] + (BS_REAL(0.5) * twice);
+        B[j][21] = (BS_REAL(0.6666666666666666) * A[21][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[21 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[22][19] * A[19][j]) + (A[22][22] * A[22][j]);
+        sum[j] = A[22][j] + (BS_REAL(0.5) * twice);
+        B[j][22] = (BS_REAL(0.6666666666666666) * A[22][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[22 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[23][20] * A[20][j]) + (A[23][23] * A[23][j]);
+        sum[j] = A[23][j] + (BS_REAL(0.5) * twice);
+        B[j][23] = (BS_REAL(0.6666666666666666) * A[23][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[23 * ROW + j] = sum[j];
+    }
+    ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[24][21] * A[21][j]) + (A[24][24] * A[24][j]);
+        sum[j] = A[24][j] + (BS_REAL(0.5) * twice);
+        B[j][24] = (BS_REAL(0.6666666666666666) * A[24][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[24 * ROW + j] = sum[j];
+    }
+    for (int i = 0; i < M; ++i) {
+        clear(&Phi[(i * ROW) + N], ROW - N);
+        Phi[i * (ROW + 1)] += BS_REAL(1.0);
+        B[i][i] += BS_REAL(1.0);
+    }
+    clear(&Phi[M * ROW], (DOWN - M) * ROW);
+#else
     bs_real *const B = work;
     bs_real *const T = &work[REGION];
     bs_real *const square = &T[DOWN * ROW];
-    bs_real w[N];
-    const bs_real share = BS_REAL(0.75) * dt;
     clear(Phi, VAS_N_PHI);
     for (int p = 0; p < VAS_N_F; ++p) {
         Phi[F_place[p]] = F[p] * dt; /* A */
@@ -353,6 +728,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
         B[i * (ROW + 1)] += BS_REAL(1.0);
     }
+#endif
     /* Q = S S' / 4 + 3/4 B S S' B', B = I + 2/3 A + 2/9 A^2.  Of 3/4 S S' = U W U', U stands in Q
      * until it is used, and B becomes B U column after column. */
     clear(Q, VAS_N_PACKED);
@@ -372,15 +748,262 @@ void vas_discretize(const bs_real F[VAS_N_F],
                 }
                 w[l] -= u[l] * gain;
                 u[l] = gain;
+#ifdef BORESIGHT_ROWS
+                for (int i = 0; i < DEEP; ++i) {
+                    B[k][i] += B[l][i] * gain;
+                }
+#else
                 for (int i = 0; i < M; ++i) {
                     B[(i * ROW) + k] += B[(i * ROW) + l] * gain;
                 }
+#endif
             }
         } else { /* rounding: the others have it all */
             clear(&u[reach[p]], k - (int)reach[p]);
             w[k] = BS_REAL(0.0);
         }
     }
+#ifdef BORESIGHT_ROWS
+    for (int k = 0; k < N; ++k) { /* columns before meet no noise */
+        for (int i = 0; i < DEEP; ++i) {
+            T[k][i] = B[k][i] * w[k];
+        }
+    }
+    for (int j = M; j < N; ++j) { /* B has rows of a unit matrix here */
+        for (int i = 0; i < M; ++i) {
+            Q[column(j) + i] = T[j][i];
+        }
+    }
+    ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][0]) + (T[1][i] * B[1][0]) + (T[2][i] * B[2][0]) +
+            (T[3][i] * B[3][0]) + (T[4][i] * B[4][0]) + (T[5][i] * B[5][0]) + (T[6][i] * B[6][0]) +
+            (T[7][i] * B[7][0]) + (T[8][i] * B[8][0]) + (T[9][i] * B[9][0]) +
+            (T[10][i] * B[10][0]) + (T[11][i] * B[11][0]) + (T[25][i] * B[25][0]) +
+            (T[26][i] * B[26][0]) + (T[27][i] * B[27][0]) + (T[28][i] * B[28][0]) +
+            (T[29][i] * B[29][0]) + (T[30][i] * B[30][0]) + (T[31][i] * B[31][0]) +
+            (T[32][i] * B[32][0]) + (T[33][i] * B[33][0]) + (T[34][i] * B[34][0]) +
+            (T[35][i] * B[35][0]) + (T[36][i] * B[36][0]) + (T[37][i] * B[37][0]) +
+            (T[38][i] * B[38][0]) + (T[39][i] * B[39][0]) + (T[40][i] * B[40][0]) +
+            (T[41][i] * B[41][0]) + (T[42][i] * B[42][0]);
+    }
+    for (int i = 0; i < 1; ++i) {
+        Q[0 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][1]) + (T[1][i] * B[1][1]) + (T[2][i] * B[2][1]) +
+            (T[3][i] * B[3][1]) + (T[4][i] * B[4][1]) + (T[5][i] * B[5][1]) + (T[6][i] * B[6][1]) +
+            (T[7][i] * B[7][1]) + (T[8][i] * B[8][1]) + (T[9][i] * B[9][1]) +
+            (T[10][i] * B[10][1]) + (T[11][i] * B[11][1]) + (T[25][i] * B[25][1]) +
+            (T[26][i] * B[26][1]) + (T[27][i] * B[27][1]) + (T[28][i] * B[28][1]) +
+            (T[29][i] * B[29][1]) + (T[30][i] * B[30][1]) + (T[31][i] * B[31][1]) +
+            (T[32][i] * B[32][1]) + (T[33][i] * B[33][1]) + (T[34][i] * B[34][1]) +
+            (T[35][i] * B[35][1]) + (T[36][i] * B[36][1]) + (T[37][i] * B[37][1]) +
+            (T[38][i] * B[38][1]) + (T[39][i] * B[39][1]) + (T[40][i] * B[40][1]) +
+            (T[41][i] * B[41][1]) + (T[42][i] * B[42][1]);
+    }
+    for (int i = 0; i < 2; ++i) {
+        Q[1 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][2]) + (T[1][i] * B[1][2]) + (T[2][i] * B[2][2]) +
+            (T[3][i] * B[3][2]) + (T[4][i] * B[4][2]) + (T[5][i] * B[5][2]) + (T[6][i] * B[6][2]) +
+            (T[7][i] * B[7][2]) + (T[8][i] * B[8][2]) + (T[9][i] * B[9][2]) +
+            (T[10][i] * B[10][2]) + (T[11][i] * B[11][2]) + (T[25][i] * B[25][2]) +
+            (T[26][i] * B[26][2]) + (T[27][i] * B[27][2]) + (T[28][i] * B[28][2]) +
+            (T[29][i] * B[29][2]) + (T[30][i] * B[30][2]) + (T[31][i] * B[31][2]) +
+            (T[32][i] * B[32][2]) + (T[33][i] * B[33][2]) + (T[34][i] * B[34][2]) +
+            (T[35][i] * B[35][2]) + (T[36][i] * B[36][2]) + (T[37][i] * B[37][2]) +
+            (T[38][i] * B[38][2]) + (T[39][i] * B[39][2]) + (T[40][i] * B[40][2]) +
+            (T[41][i] * B[41][2]) + (T[42][i] * B[42][2]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        Q[3 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][3]) + (T[1][i] * B[1][3]) + (T[2][i] * B[2][3]) +
+            (T[3][i] * B[3][3]) + (T[4][i] * B[4][3]) + (T[5][i] * B[5][3]) + (T[6][i] * B[6][3]) +
+            (T[7][i] * B[7][3]) + (T[8][i] * B[8][3]) + (T[9][i] * B[9][3]) +
+            (T[10][i] * B[10][3]) + (T[11][i] * B[11][3]) + (T[25][i] * B[25][3]) +
+            (T[26][i] * B[26][3]) + (T[27][i] * B[27][3]) + (T[28][i] * B[28][3]) +
+            (T[29][i] * B[29][3]) + (T[30][i] * B[30][3]) + (T[31][i] * B[31][3]) +
+            (T[32][i] * B[32][3]) + (T[33][i] * B[33][3]) + (T[34][i] * B[34][3]) +
+            (T[35][i] * B[35][3]) + (T[36][i] * B[36][3]) + (T[37][i] * B[37][3]) +
+            (T[38][i] * B[38][3]) + (T[39][i] * B[39][3]) + (T[43][i] * B[43][3]) +
+            (T[44][i] * B[44][3]) + (T[45][i] * B[45][3]);
+    }
+    for (int i = 0; i < 4; ++i) {
+        Q[6 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][4]) + (T[1][i] * B[1][4]) + (T[2][i] * B[2][4]) +
+            (T[3][i] * B[3][4]) + (T[4][i] * B[4][4]) + (T[5][i] * B[5][4]) + (T[6][i] * B[6][4]) +
+            (T[7][i] * B[7][4]) + (T[8][i] * B[8][4]) + (T[9][i] * B[9][4]) +
+            (T[10][i] * B[10][4]) + (T[11][i] * B[11][4]) + (T[25][i] * B[25][4]) +
+            (T[26][i] * B[26][4]) + (T[27][i] * B[27][4]) + (T[28][i] * B[28][4]) +
+            (T[29][i] * B[29][4]) + (T[30][i] * B[30][4]) + (T[31][i] * B[31][4]) +
+            (T[32][i] * B[32][4]) + (T[33][i] * B[33][4]) + (T[34][i] * B[34][4]) +
+            (T[35][i] * B[35][4]) + (T[36][i] * B[36][4]) + (T[37][i] * B[37][4]) +
+            (T[38][i] * B[38][4]) + (T[39][i] * B[39][4]) + (T[43][i] * B[43][4]) +
+            (T[44][i] * B[44][4]) + (T[45][i] * B[45][4]);
+    }
+    for (int i = 0; i < 5; ++i) {
+        Q[10 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][5]) + (T[1][i] * B[1][5]) + (T[2][i] * B[2][5]) +
+            (T[3][i] * B[3][5]) + (T[4][i] * B[4][5]) + (T[5][i] * B[5][5]) + (T[6][i] * B[6][5]) +
+            (T[7][i] * B[7][5]) + (T[8][i] * B[8][5]) + (T[9][i] * B[9][5]) +
+            (T[10][i] * B[10][5]) + (T[11][i] * B[11][5]) + (T[25][i] * B[25][5]) +
+            (T[26][i] * B[26][5]) + (T[27][i] * B[27][5]) + (T[28][i] * B[28][5]) +
+            (T[29][i] * B[29][5]) + (T[30][i] * B[30][5]) + (T[31][i] * B[31][5]) +
+            (T[32][i] * B[32][5]) + (T[33][i] * B[33][5]) + (T[34][i] * B[34][5]) +
+            (T[35][i] * B[35][5]) + (T[36][i] * B[36][5]) + (T[37][i] * B[37][5]) +
+            (T[38][i] * B[38][5]) + (T[39][i] * B[39][5]) + (T[43][i] * B[43][5]) +
+            (T[44][i] * B[44][5]) + (T[45][i] * B[45][5]);
+    }
+    for (int i = 0; i < 6; ++i) {
+        Q[15 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[6][i] * B[6][6]) + (T[40][i] * B[40][6]);
+    }
+    for (int i = 0; i < 7; ++i) {
+        Q[21 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[7][i] * B[7][7]) + (T[41][i] * B[41][7]);
+    }
+    for (int i = 0; i < 8; ++i) {
+        Q[28 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[8][i] * B[8][8]) + (T[42][i] * B[42][8]);
+    }
+    for (int i = 0; i < 9; ++i) {
+        Q[36 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[9][i] * B[9][9]) + (T[43][i] * B[43][9]);
+    }
+    for (int i = 0; i < 10; ++i) {
+        Q[45 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[10][i] * B[10][10]) + (T[44][i] * B[44][10]);
+    }
+    for (int i = 0; i < 11; ++i) {
+        Q[55 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[11][i] * B[11][11]) + (T[45][i] * B[45][11]);
+    }
+    for (int i = 0; i < 12; ++i) {
+        Q[66 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[12][i] * B[12][12]);
+    }
+    for (int i = 0; i < 13; ++i) {
+        Q[78 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[13][i] * B[13][13]);
+    }
+    for (int i = 0; i < 14; ++i) {
+        Q[91 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[14][i] * B[14][14]);
+    }
+    for (int i = 0; i < 15; ++i) {
+        Q[105 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[15][i] * B[15][15]);
+    }
+    for (int i = 0; i < 16; ++i) {
+        Q[120 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 20; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[16][i] * B[16][16]);
+    }
+    for (int i = 0; i < 17; ++i) {
+        Q[136 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 20; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[17][i] * B[17][17]);
+    }
+    for (int i = 0; i < 18; ++i) {
+        Q[153 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 20; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[18][i] * B[18][18]);
+    }
+    for (int i = 0; i < 19; ++i) {
+        Q[171 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 20; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[19][i] * B[19][19]) + (T[22][i] * B[22][19]);
+    }
+    for (int i = 0; i < 20; ++i) {
+        Q[190 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 24; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[20][i] * B[20][20]) + (T[23][i] * B[23][20]);
+    }
+    for (int i = 0; i < 21; ++i) {
+        Q[210 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 24; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[21][i] * B[21][21]) + (T[24][i] * B[24][21]);
+    }
+    for (int i = 0; i < 22; ++i) {
+        Q[231 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 24; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[19][i] * B[19][22]) + (T[22][i] * B[22][22]);
+    }
+    for (int i = 0; i < 23; ++i) {
+        Q[253 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 24; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[20][i] * B[20][23]) + (T[23][i] * B[23][23]);
+    }
+    for (int i = 0; i < 24; ++i) {
+        Q[276 + i] = sum[i];
+    }
+    ROLLED
+    for (int i = 0; i < 28; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[21][i] * B[21][24]) + (T[24][i] * B[24][24]);
+    }
+    for (int i = 0; i < 25; ++i) {
+        Q[300 + i] = sum[i];
+    }
+#else
     for (int i = 0; i < DOWN; ++i) {
         for (int k = 0; k < N; ++k) {
             T[(i * ROW) + k] = B[(i * ROW) + k] * w[k];
@@ -397,6 +1020,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
             Q[column(j) + i] = square[(j * DOWN) + i];
         }
     }
+#endif
     for (int p = 0; p < 25; ++p) {
         Q[place[p]] += (BS_REAL(0.25) * dt) * Qc[from[p]];
     }
@@ -718,444 +1342,542 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
             Y[j][i] = X[j][i];
         }
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][0] = BS_REAL(0.0) + Phi[0] * X[0][j] + Phi[1] * X[1][j] + Phi[2] * X[2][j] + Phi[3] *
-            X[3][j] + Phi[4] * X[4][j] + Phi[5] * X[5][j] + Phi[6] * X[6][j] + Phi[7] * X[7][j] +
-            Phi[8] * X[8][j] + Phi[9] * X[9][j] + Phi[10] * X[10][j] + Phi[11] * X[11][j] +
-            Phi[25] * X[25][j] + Phi[26] * X[26][j] + Phi[27] * X[27][j] + Phi[28] * X[28][j] +
-            Phi[29] * X[29][j] + Phi[30] * X[30][j] + Phi[31] * X[31][j] + Phi[32] * X[32][j] +
-            Phi[33] * X[33][j] + Phi[34] * X[34][j] + Phi[35] * X[35][j] + Phi[36] * X[36][j] +
-            Phi[37] * X[37][j] + Phi[38] * X[38][j] + Phi[39] * X[39][j] + Phi[40] * X[40][j] +
-            Phi[41] * X[41][j] + Phi[42] * X[42][j];
+        Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]) +
+            (Phi[3] * X[3][j]) + (Phi[4] * X[4][j]) + (Phi[5] * X[5][j]) + (Phi[6] * X[6][j]) +
+            (Phi[7] * X[7][j]) + (Phi[8] * X[8][j]) + (Phi[9] * X[9][j]) + (Phi[10] * X[10][j]) +
+            (Phi[11] * X[11][j]) + (Phi[25] * X[25][j]) + (Phi[26] * X[26][j]) +
+            (Phi[27] * X[27][j]) + (Phi[28] * X[28][j]) + (Phi[29] * X[29][j]) +
+            (Phi[30] * X[30][j]) + (Phi[31] * X[31][j]) + (Phi[32] * X[32][j]) +
+            (Phi[33] * X[33][j]) + (Phi[34] * X[34][j]) + (Phi[35] * X[35][j]) +
+            (Phi[36] * X[36][j]) + (Phi[37] * X[37][j]) + (Phi[38] * X[38][j]) +
+            (Phi[39] * X[39][j]) + (Phi[40] * X[40][j]) + (Phi[41] * X[41][j]) +
+            (Phi[42] * X[42][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][1] = BS_REAL(0.0) + Phi[50] * X[0][j] + Phi[51] * X[1][j] + Phi[52] * X[2][j] +
-            Phi[53] * X[3][j] + Phi[54] * X[4][j] + Phi[55] * X[5][j] + Phi[56] * X[6][j] +
-            Phi[57] * X[7][j] + Phi[58] * X[8][j] + Phi[59] * X[9][j] + Phi[60] * X[10][j] +
-            Phi[61] * X[11][j] + Phi[75] * X[25][j] + Phi[76] * X[26][j] + Phi[77] * X[27][j] +
-            Phi[78] * X[28][j] + Phi[79] * X[29][j] + Phi[80] * X[30][j] + Phi[81] * X[31][j] +
-            Phi[82] * X[32][j] + Phi[83] * X[33][j] + Phi[84] * X[34][j] + Phi[85] * X[35][j] +
-            Phi[86] * X[36][j] + Phi[87] * X[37][j] + Phi[88] * X[38][j] + Phi[89] * X[39][j] +
-            Phi[90] * X[40][j] + Phi[91] * X[41][j] + Phi[92] * X[42][j];
+        Y[j][1] = BS_REAL(0.0) + (Phi[50] * X[0][j]) + (Phi[51] * X[1][j]) + (Phi[52] * X[2][j]) +
+            (Phi[53] * X[3][j]) + (Phi[54] * X[4][j]) + (Phi[55] * X[5][j]) + (Phi[56] * X[6][j]) +
+            (Phi[57] * X[7][j]) + (Phi[58] * X[8][j]) + (Phi[59] * X[9][j]) + (Phi[60] * X[10][j]) +
+            (Phi[61] * X[11][j]) + (Phi[75] * X[25][j]) + (Phi[76] * X[26][j]) +
+            (Phi[77] * X[27][j]) + (Phi[78] * X[28][j]) + (Phi[79] * X[29][j]) +
+            (Phi[80] * X[30][j]) + (Phi[81] * X[31][j]) + (Phi[82] * X[32][j]) +
+            (Phi[83] * X[33][j]) + (Phi[84] * X[34][j]) + (Phi[85] * X[35][j]) +
+            (Phi[86] * X[36][j]) + (Phi[87] * X[37][j]) + (Phi[88] * X[38][j]) +
+            (Phi[89] * X[39][j]) + (Phi[90] * X[40][j]) + (Phi[91] * X[41][j]) +
+            (Phi[92] * X[42][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][2] = BS_REAL(0.0) + Phi[100] * X[0][j] + Phi[101] * X[1][j] + Phi[102] * X[2][j] +
-            Phi[103] * X[3][j] + Phi[104] * X[4][j] + Phi[105] * X[5][j] + Phi[106] * X[6][j] +
-            Phi[107] * X[7][j] + Phi[108] * X[8][j] + Phi[109] * X[9][j] + Phi[110] * X[10][j] +
-            Phi[111] * X[11][j] + Phi[125] * X[25][j] + Phi[126] * X[26][j] + Phi[127] * X[27][j] +
-            Phi[128] * X[28][j] + Phi[129] * X[29][j] + Phi[130] * X[30][j] + Phi[131] * X[31][j] +
-            Phi[132] * X[32][j] + Phi[133] * X[33][j] + Phi[134] * X[34][j] + Phi[135] * X[35][j] +
-            Phi[136] * X[36][j] + Phi[137] * X[37][j] + Phi[138] * X[38][j] + Phi[139] * X[39][j] +
-            Phi[140] * X[40][j] + Phi[141] * X[41][j] + Phi[142] * X[42][j];
+        Y[j][2] = BS_REAL(0.0) + (Phi[100] * X[0][j]) + (Phi[101] * X[1][j]) +
+            (Phi[102] * X[2][j]) + (Phi[103] * X[3][j]) + (Phi[104] * X[4][j]) +
+            (Phi[105] * X[5][j]) + (Phi[106] * X[6][j]) + (Phi[107] * X[7][j]) +
+            (Phi[108] * X[8][j]) + (Phi[109] * X[9][j]) + (Phi[110] * X[10][j]) +
+            (Phi[111] * X[11][j]) + (Phi[125] * X[25][j]) + (Phi[126] * X[26][j]) +
+            (Phi[127] * X[27][j]) + (Phi[128] * X[28][j]) + (Phi[129] * X[29][j]) +
+            (Phi[130] * X[30][j]) + (Phi[131] * X[31][j]) + (Phi[132] * X[32][j]) +
+            (Phi[133] * X[33][j]) + (Phi[134] * X[34][j]) + (Phi[135] * X[35][j]) +
+            (Phi[136] * X[36][j]) + (Phi[137] * X[37][j]) + (Phi[138] * X[38][j]) +
+            (Phi[139] * X[39][j]) + (Phi[140] * X[40][j]) + (Phi[141] * X[41][j]) +
+            (Phi[142] * X[42][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][3] = BS_REAL(0.0) + Phi[150] * X[0][j] + Phi[151] * X[1][j] + Phi[152] * X[2][j] +
-            Phi[153] * X[3][j] + Phi[154] * X[4][j] + Phi[155] * X[5][j] + Phi[156] * X[6][j] +
-            Phi[157] * X[7][j] + Phi[158] * X[8][j] + Phi[159] * X[9][j] + Phi[160] * X[10][j] +
-            Phi[161] * X[11][j] + Phi[175] * X[25][j] + Phi[176] * X[26][j] + Phi[177] * X[27][j] +
-            Phi[178] * X[28][j] + Phi[179] * X[29][j] + Phi[180] * X[30][j] + Phi[181] * X[31][j] +
-            Phi[182] * X[32][j] + Phi[183] * X[33][j] + Phi[184] * X[34][j] + Phi[185] * X[35][j] +
-            Phi[186] * X[36][j] + Phi[187] * X[37][j] + Phi[188] * X[38][j] + Phi[189] * X[39][j] +
-            Phi[193] * X[43][j] + Phi[194] * X[44][j] + Phi[195] * X[45][j];
+        Y[j][3] = BS_REAL(0.0) + (Phi[150] * X[0][j]) + (Phi[151] * X[1][j]) +
+            (Phi[152] * X[2][j]) + (Phi[153] * X[3][j]) + (Phi[154] * X[4][j]) +
+            (Phi[155] * X[5][j]) + (Phi[156] * X[6][j]) + (Phi[157] * X[7][j]) +
+            (Phi[158] * X[8][j]) + (Phi[159] * X[9][j]) + (Phi[160] * X[10][j]) +
+            (Phi[161] * X[11][j]) + (Phi[175] * X[25][j]) + (Phi[176] * X[26][j]) +
+            (Phi[177] * X[27][j]) + (Phi[178] * X[28][j]) + (Phi[179] * X[29][j]) +
+            (Phi[180] * X[30][j]) + (Phi[181] * X[31][j]) + (Phi[182] * X[32][j]) +
+            (Phi[183] * X[33][j]) + (Phi[184] * X[34][j]) + (Phi[185] * X[35][j]) +
+            (Phi[186] * X[36][j]) + (Phi[187] * X[37][j]) + (Phi[188] * X[38][j]) +
+            (Phi[189] * X[39][j]) + (Phi[193] * X[43][j]) + (Phi[194] * X[44][j]) +
+            (Phi[195] * X[45][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][4] = BS_REAL(0.0) + Phi[200] * X[0][j] + Phi[201] * X[1][j] + Phi[202] * X[2][j] +
-            Phi[203] * X[3][j] + Phi[204] * X[4][j] + Phi[205] * X[5][j] + Phi[206] * X[6][j] +
-            Phi[207] * X[7][j] + Phi[208] * X[8][j] + Phi[209] * X[9][j] + Phi[210] * X[10][j] +
-            Phi[211] * X[11][j] + Phi[225] * X[25][j] + Phi[226] * X[26][j] + Phi[227] * X[27][j] +
-            Phi[228] * X[28][j] + Phi[229] * X[29][j] + Phi[230] * X[30][j] + Phi[231] * X[31][j] +
-            Phi[232] * X[32][j] + Phi[233] * X[33][j] + Phi[234] * X[34][j] + Phi[235] * X[35][j] +
-            Phi[236] * X[36][j] + Phi[237] * X[37][j] + Phi[238] * X[38][j] + Phi[239] * X[39][j] +
-            Phi[243] * X[43][j] + Phi[244] * X[44][j] + Phi[245] * X[45][j];
+        Y[j][4] = BS_REAL(0.0) + (Phi[200] * X[0][j]) + (Phi[201] * X[1][j]) +
+            (Phi[202] * X[2][j]) + (Phi[203] * X[3][j]) + (Phi[204] * X[4][j]) +
+            (Phi[205] * X[5][j]) + (Phi[206] * X[6][j]) + (Phi[207] * X[7][j]) +
+            (Phi[208] * X[8][j]) + (Phi[209] * X[9][j]) + (Phi[210] * X[10][j]) +
+            (Phi[211] * X[11][j]) + (Phi[225] * X[25][j]) + (Phi[226] * X[26][j]) +
+            (Phi[227] * X[27][j]) + (Phi[228] * X[28][j]) + (Phi[229] * X[29][j]) +
+            (Phi[230] * X[30][j]) + (Phi[231] * X[31][j]) + (Phi[232] * X[32][j]) +
+            (Phi[233] * X[33][j]) + (Phi[234] * X[34][j]) + (Phi[235] * X[35][j]) +
+            (Phi[236] * X[36][j]) + (Phi[237] * X[37][j]) + (Phi[238] * X[38][j]) +
+            (Phi[239] * X[39][j]) + (Phi[243] * X[43][j]) + (Phi[244] * X[44][j]) +
+            (Phi[245] * X[45][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][5] = BS_REAL(0.0) + Phi[250] * X[0][j] + Phi[251] * X[1][j] + Phi[252] * X[2][j] +
-            Phi[253] * X[3][j] + Phi[254] * X[4][j] + Phi[255] * X[5][j] + Phi[256] * X[6][j] +
-            Phi[257] * X[7][j] + Phi[258] * X[8][j] + Phi[259] * X[9][j] + Phi[260] * X[10][j] +
-            Phi[261] * X[11][j] + Phi[275] * X[25][j] + Phi[276] * X[26][j] + Phi[277] * X[27][j] +
-            Phi[278] * X[28][j] + Phi[279] * X[29][j] + Phi[280] * X[30][j] + Phi[281] * X[31][j] +
-            Phi[282] * X[32][j] + Phi[283] * X[33][j] + Phi[284] * X[34][j] + Phi[285] * X[35][j] +
-            Phi[286] * X[36][j] + Phi[287] * X[37][j] + Phi[288] * X[38][j] + Phi[289] * X[39][j] +
-            Phi[293] * X[43][j] + Phi[294] * X[44][j] + Phi[295] * X[45][j];
+        Y[j][5] = BS_REAL(0.0) + (Phi[250] * X[0][j]) + (Phi[251] * X[1][j]) +
+            (Phi[252] * X[2][j]) + (Phi[253] * X[3][j]) + (Phi[254] * X[4][j]) +
+            (Phi[255] * X[5][j]) + (Phi[256] * X[6][j]) + (Phi[257] * X[7][j]) +
+            (Phi[258] * X[8][j]) + (Phi[259] * X[9][j]) + (Phi[260] * X[10][j]) +
+            (Phi[261] * X[11][j]) + (Phi[275] * X[25][j]) + (Phi[276] * X[26][j]) +
+            (Phi[277] * X[27][j]) + (Phi[278] * X[28][j]) + (Phi[279] * X[29][j]) +
+            (Phi[280] * X[30][j]) + (Phi[281] * X[31][j]) + (Phi[282] * X[32][j]) +
+            (Phi[283] * X[33][j]) + (Phi[284] * X[34][j]) + (Phi[285] * X[35][j]) +
+            (Phi[286] * X[36][j]) + (Phi[287] * X[37][j]) + (Phi[288] * X[38][j]) +
+            (Phi[289] * X[39][j]) + (Phi[293] * X[43][j]) + (Phi[294] * X[44][j]) +
+            (Phi[295] * X[45][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][6] = BS_REAL(0.0) + Phi[306] * X[6][j] + Phi[340] * X[40][j];
+        Y[j][6] = BS_REAL(0.0) + (Phi[306] * X[6][j]) + (Phi[340] * X[40][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][7] = BS_REAL(0.0) + Phi[357] * X[7][j] + Phi[391] * X[41][j];
+        Y[j][7] = BS_REAL(0.0) + (Phi[357] * X[7][j]) + (Phi[391] * X[41][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][8] = BS_REAL(0.0) + Phi[408] * X[8][j] + Phi[442] * X[42][j];
+        Y[j][8] = BS_REAL(0.0) + (Phi[408] * X[8][j]) + (Phi[442] * X[42][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][9] = BS_REAL(0.0) + Phi[459] * X[9][j] + Phi[493] * X[43][j];
+        Y[j][9] = BS_REAL(0.0) + (Phi[459] * X[9][j]) + (Phi[493] * X[43][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][10] = BS_REAL(0.0) + Phi[510] * X[10][j] + Phi[544] * X[44][j];
+        Y[j][10] = BS_REAL(0.0) + (Phi[510] * X[10][j]) + (Phi[544] * X[44][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][11] = BS_REAL(0.0) + Phi[561] * X[11][j] + Phi[595] * X[45][j];
+        Y[j][11] = BS_REAL(0.0) + (Phi[561] * X[11][j]) + (Phi[595] * X[45][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][12] = BS_REAL(0.0) + Phi[612] * X[12][j];
+        Y[j][12] = BS_REAL(0.0) + (Phi[612] * X[12][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][13] = BS_REAL(0.0) + Phi[663] * X[13][j];
+        Y[j][13] = BS_REAL(0.0) + (Phi[663] * X[13][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][14] = BS_REAL(0.0) + Phi[714] * X[14][j];
+        Y[j][14] = BS_REAL(0.0) + (Phi[714] * X[14][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][15] = BS_REAL(0.0) + Phi[765] * X[15][j];
+        Y[j][15] = BS_REAL(0.0) + (Phi[765] * X[15][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][16] = BS_REAL(0.0) + Phi[816] * X[16][j];
+        Y[j][16] = BS_REAL(0.0) + (Phi[816] * X[16][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][17] = BS_REAL(0.0) + Phi[867] * X[17][j];
+        Y[j][17] = BS_REAL(0.0) + (Phi[867] * X[17][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][18] = BS_REAL(0.0) + Phi[918] * X[18][j];
+        Y[j][18] = BS_REAL(0.0) + (Phi[918] * X[18][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][19] = BS_REAL(0.0) + Phi[969] * X[19][j] + Phi[972] * X[22][j];
+        Y[j][19] = BS_REAL(0.0) + (Phi[969] * X[19][j]) + (Phi[972] * X[22][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][20] = BS_REAL(0.0) + Phi[1020] * X[20][j] + Phi[1023] * X[23][j];
+        Y[j][20] = BS_REAL(0.0) + (Phi[1020] * X[20][j]) + (Phi[1023] * X[23][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][21] = BS_REAL(0.0) + Phi[1071] * X[21][j] + Phi[1074] * X[24][j];
+        Y[j][21] = BS_REAL(0.0) + (Phi[1071] * X[21][j]) + (Phi[1074] * X[24][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][22] = BS_REAL(0.0) + Phi[1119] * X[19][j] + Phi[1122] * X[22][j];
+        Y[j][22] = BS_REAL(0.0) + (Phi[1119] * X[19][j]) + (Phi[1122] * X[22][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][23] = BS_REAL(0.0) + Phi[1170] * X[20][j] + Phi[1173] * X[23][j];
+        Y[j][23] = BS_REAL(0.0) + (Phi[1170] * X[20][j]) + (Phi[1173] * X[23][j]);
     }
+    ROLLED
     for (int j = 0; j < WIDE; ++j) {
-        Y[j][24] = BS_REAL(0.0) + Phi[1221] * X[21][j] + Phi[1224] * X[24][j];
+        Y[j][24] = BS_REAL(0.0) + (Phi[1221] * X[21][j]) + (Phi[1224] * X[24][j]);
     }
+    ROLLED
     for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[0] * Y[0][i] + Phi[1] * Y[1][i] + Phi[2] * Y[2][i] + Phi[3] *
-                  Y[3][i] + Phi[4] * Y[4][i] + Phi[5] * Y[5][i] + Phi[6] * Y[6][i] + Phi[7] *
-                  Y[7][i] + Phi[8] * Y[8][i] + Phi[9] * Y[9][i] + Phi[10] * Y[10][i] + Phi[11] *
-                  Y[11][i] + Phi[25] * Y[25][i] + Phi[26] * Y[26][i] + Phi[27] * Y[27][i] +
-                  Phi[28] * Y[28][i] + Phi[29] * Y[29][i] + Phi[30] * Y[30][i] + Phi[31] *
-                  Y[31][i] + Phi[32] * Y[32][i] + Phi[33] * Y[33][i] + Phi[34] * Y[34][i] +
-                  Phi[35] * Y[35][i] + Phi[36] * Y[36][i] + Phi[37] * Y[37][i] + Phi[38] *
-                  Y[38][i] + Phi[39] * Y[39][i] + Phi[40] * Y[40][i] + Phi[41] * Y[41][i] +
-                  Phi[42] * Y[42][i]) + Q[0 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i]) +
+                  (Phi[3] * Y[3][i]) + (Phi[4] * Y[4][i]) + (Phi[5] * Y[5][i]) +
+                  (Phi[6] * Y[6][i]) + (Phi[7] * Y[7][i]) + (Phi[8] * Y[8][i]) +
+                  (Phi[9] * Y[9][i]) + (Phi[10] * Y[10][i]) + (Phi[11] * Y[11][i]) +
+                  (Phi[25] * Y[25][i]) + (Phi[26] * Y[26][i]) + (Phi[27] * Y[27][i]) +
+                  (Phi[28] * Y[28][i]) + (Phi[29] * Y[29][i]) + (Phi[30] * Y[30][i]) +
+                  (Phi[31] * Y[31][i]) + (Phi[32] * Y[32][i]) + (Phi[33] * Y[33][i]) +
+                  (Phi[34] * Y[34][i]) + (Phi[35] * Y[35][i]) + (Phi[36] * Y[36][i]) +
+                  (Phi[37] * Y[37][i]) + (Phi[38] * Y[38][i]) + (Phi[39] * Y[39][i]) +
+                  (Phi[40] * Y[40][i]) + (Phi[41] * Y[41][i]) + (Phi[42] * Y[42][i])) + Q[0 + i];
     }
     for (int i = 0; i < 1; ++i) {
         next[0 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[50] * Y[0][i] + Phi[51] * Y[1][i] + Phi[52] * Y[2][i] +
-                  Phi[53] * Y[3][i] + Phi[54] * Y[4][i] + Phi[55] * Y[5][i] + Phi[56] * Y[6][i] +
-                  Phi[57] * Y[7][i] + Phi[58] * Y[8][i] + Phi[59] * Y[9][i] + Phi[60] * Y[10][i] +
-                  Phi[61] * Y[11][i] + Phi[75] * Y[25][i] + Phi[76] * Y[26][i] + Phi[77] *
-                  Y[27][i] + Phi[78] * Y[28][i] + Phi[79] * Y[29][i] + Phi[80] * Y[30][i] +
-                  Phi[81] * Y[31][i] + Phi[82] * Y[32][i] + Phi[83] * Y[33][i] + Phi[84] *
-                  Y[34][i] + Phi[85] * Y[35][i] + Phi[86] * Y[36][i] + Phi[87] * Y[37][i] +
-                  Phi[88] * Y[38][i] + Phi[89] * Y[39][i] + Phi[90] * Y[40][i] + Phi[91] *
-                  Y[41][i] + Phi[92] * Y[42][i]) + Q[1 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[50] * Y[0][i]) + (Phi[51] * Y[1][i]) + (Phi[52] * Y[2][i]) +
+                  (Phi[53] * Y[3][i]) + (Phi[54] * Y[4][i]) + (Phi[55] * Y[5][i]) +
+                  (Phi[56] * Y[6][i]) + (Phi[57] * Y[7][i]) + (Phi[58] * Y[8][i]) +
+                  (Phi[59] * Y[9][i]) + (Phi[60] * Y[10][i]) + (Phi[61] * Y[11][i]) +
+                  (Phi[75] * Y[25][i]) + (Phi[76] * Y[26][i]) + (Phi[77] * Y[27][i]) +
+                  (Phi[78] * Y[28][i]) + (Phi[79] * Y[29][i]) + (Phi[80] * Y[30][i]) +
+                  (Phi[81] * Y[31][i]) + (Phi[82] * Y[32][i]) + (Phi[83] * Y[33][i]) +
+                  (Phi[84] * Y[34][i]) + (Phi[85] * Y[35][i]) + (Phi[86] * Y[36][i]) +
+                  (Phi[87] * Y[37][i]) + (Phi[88] * Y[38][i]) + (Phi[89] * Y[39][i]) +
+                  (Phi[90] * Y[40][i]) + (Phi[91] * Y[41][i]) + (Phi[92] * Y[42][i])) + Q[1 + i];
     }
     for (int i = 0; i < 2; ++i) {
         next[1 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[100] * Y[0][i] + Phi[101] * Y[1][i] + Phi[102] * Y[2][i] +
-                  Phi[103] * Y[3][i] + Phi[104] * Y[4][i] + Phi[105] * Y[5][i] + Phi[106] *
-                  Y[6][i] + Phi[107] * Y[7][i] + Phi[108] * Y[8][i] + Phi[109] * Y[9][i] +
-                  Phi[110] * Y[10][i] + Phi[111] * Y[11][i] + Phi[125] * Y[25][i] + Phi[126] *
-                  Y[26][i] + Phi[127] * Y[27][i] + Phi[128] * Y[28][i] + Phi[129] * Y[29][i] +
-                  Phi[130] * Y[30][i] + Phi[131] * Y[31][i] + Phi[132] * Y[32][i] + Phi[133] *
-                  Y[33][i] + Phi[134] * Y[34][i] + Phi[135] * Y[35][i] + Phi[136] * Y[36][i] +
-                  Phi[137] * Y[37][i] + Phi[138] * Y[38][i] + Phi[139] * Y[39][i] + Phi[140] *
-                  Y[40][i] + Phi[141] * Y[41][i] + Phi[142] * Y[42][i]) + Q[3 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[100] * Y[0][i]) + (Phi[101] * Y[1][i]) +
+                  (Phi[102] * Y[2][i]) + (Phi[103] * Y[3][i]) + (Phi[104] * Y[4][i]) +
+                  (Phi[105] * Y[5][i]) + (Phi[106] * Y[6][i]) + (Phi[107] * Y[7][i]) +
+                  (Phi[108] * Y[8][i]) + (Phi[109] * Y[9][i]) + (Phi[110] * Y[10][i]) +
+                  (Phi[111] * Y[11][i]) + (Phi[125] * Y[25][i]) + (Phi[126] * Y[26][i]) +
+                  (Phi[127] * Y[27][i]) + (Phi[128] * Y[28][i]) + (Phi[129] * Y[29][i]) +
+                  (Phi[130] * Y[30][i]) + (Phi[131] * Y[31][i]) + (Phi[132] * Y[32][i]) +
+                  (Phi[133] * Y[33][i]) + (Phi[134] * Y[34][i]) + (Phi[135] * Y[35][i]) +
+                  (Phi[136] * Y[36][i]) + (Phi[137] * Y[37][i]) + (Phi[138] * Y[38][i]) +
+                  (Phi[139] * Y[39][i]) + (Phi[140] * Y[40][i]) + (Phi[141] * Y[41][i]) +
+                  (Phi[142] * Y[42][i])) + Q[3 + i];
     }
     for (int i = 0; i < 3; ++i) {
         next[3 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[150] * Y[0][i] + Phi[151] * Y[1][i] + Phi[152] * Y[2][i] +
-                  Phi[153] * Y[3][i] + Phi[154] * Y[4][i] + Phi[155] * Y[5][i] + Phi[156] *
-                  Y[6][i] + Phi[157] * Y[7][i] + Phi[158] * Y[8][i] + Phi[159] * Y[9][i] +
-                  Phi[160] * Y[10][i] + Phi[161] * Y[11][i] + Phi[175] * Y[25][i] + Phi[176] *
-                  Y[26][i] + Phi[177] * Y[27][i] + Phi[178] * Y[28][i] + Phi[179] * Y[29][i] +
-                  Phi[180] * Y[30][i] + Phi[181] * Y[31][i] + Phi[182] * Y[32][i] + Phi[183] *
-                  Y[33][i] + Phi[184] * Y[34][i] + Phi[185] * Y[35][i] + Phi[186] * Y[36][i] +
-                  Phi[187] * Y[37][i] + Phi[188] * Y[38][i] + Phi[189] * Y[39][i] + Phi[193] *
-                  Y[43][i] + Phi[194] * Y[44][i] + Phi[195] * Y[45][i]) + Q[6 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[150] * Y[0][i]) + (Phi[151] * Y[1][i]) +
+                  (Phi[152] * Y[2][i]) + (Phi[153] * Y[3][i]) + (Phi[154] * Y[4][i]) +
+                  (Phi[155] * Y[5][i]) + (Phi[156] * Y[6][i]) + (Phi[157] * Y[7][i]) +
+                  (Phi[158] * Y[8][i]) + (Phi[159] * Y[9][i]) + (Phi[160] * Y[10][i]) +
+                  (Phi[161] * Y[11][i]) + (Phi[175] * Y[25][i]) + (Phi[176] * Y[26][i]) +
+                  (Phi[177] * Y[27][i]) + (Phi[178] * Y[28][i]) + (Phi[179] * Y[29][i]) +
+                  (Phi[180] * Y[30][i]) + (Phi[181] * Y[31][i]) + (Phi[182] * Y[32][i]) +
+                  (Phi[183] * Y[33][i]) + (Phi[184] * Y[34][i]) + (Phi[185] * Y[35][i]) +
+                  (Phi[186] * Y[36][i]) + (Phi[187] * Y[37][i]) + (Phi[188] * Y[38][i]) +
+                  (Phi[189] * Y[39][i]) + (Phi[193] * Y[43][i]) + (Phi[194] * Y[44][i]) +
+                  (Phi[195] * Y[45][i])) + Q[6 + i];
     }
     for (int i = 0; i < 4; ++i) {
         next[6 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[200] * Y[0][i] + Phi[201] * Y[1][i] + Phi[202] * Y[2][i] +
-                  Phi[203] * Y[3][i] + Phi[204] * Y[4][i] + Phi[205] * Y[5][i] + Phi[206] *
-                  Y[6][i] + Phi[207] * Y[7][i] + Phi[208] * Y[8][i] + Phi[209] * Y[9][i] +
-                  Phi[210] * Y[10][i] + Phi[211] * Y[11][i] + Phi[225] * Y[25][i] + Phi[226] *
-                  Y[26][i] + Phi[227] * Y[27][i] + Phi[228] * Y[28][i] + Phi[229] * Y[29][i] +
-                  Phi[230] * Y[30][i] + Phi[231] * Y[31][i] + Phi[232] * Y[32][i] + Phi[233] *
-                  Y[33][i] + Phi[234] * Y[34][i] + Phi[235] * Y[35][i] + Phi[236] * Y[36][i] +
-                  Phi[237] * Y[37][i] + Phi[238] * Y[38][i] + Phi[239] * Y[39][i] + Phi[243] *
-                  Y[43][i] + Phi[244] * Y[44][i] + Phi[245] * Y[45][i]) + Q[10 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[200] * Y[0][i]) + (Phi[201] * Y[1][i]) +
+                  (Phi[202] * Y[2][i]) + (Phi[203] * Y[3][i]) + (Phi[204] * Y[4][i]) +
+                  (Phi[205] * Y[5][i]) + (Phi[206] * Y[6][i]) + (Phi[207] * Y[7][i]) +
+                  (Phi[208] * Y[8][i]) + (Phi[209] * Y[9][i]) + (Phi[210] * Y[10][i]) +
+                  (Phi[211] * Y[11][i]) + (Phi[225] * Y[25][i]) + (Phi[226] * Y[26][i]) +
+                  (Phi[227] * Y[27][i]) + (Phi[228] * Y[28][i]) + (Phi[229] * Y[29][i]) +
+                  (Phi[230] * Y[30][i]) + (Phi[231] * Y[31][i]) + (Phi[232] * Y[32][i]) +
+                  (Phi[233] * Y[33][i]) + (Phi[234] * Y[34][i]) + (Phi[235] * Y[35][i]) +
+                  (Phi[236] * Y[36][i]) + (Phi[237] * Y[37][i]) + (Phi[238] * Y[38][i]) +
+                  (Phi[239] * Y[39][i]) + (Phi[243] * Y[43][i]) + (Phi[244] * Y[44][i]) +
+                  (Phi[245] * Y[45][i])) + Q[10 + i];
     }
     for (int i = 0; i < 5; ++i) {
         next[10 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[250] * Y[0][i] + Phi[251] * Y[1][i] + Phi[252] * Y[2][i] +
-                  Phi[253] * Y[3][i] + Phi[254] * Y[4][i] + Phi[255] * Y[5][i] + Phi[256] *
-                  Y[6][i] + Phi[257] * Y[7][i] + Phi[258] * Y[8][i] + Phi[259] * Y[9][i] +
-                  Phi[260] * Y[10][i] + Phi[261] * Y[11][i] + Phi[275] * Y[25][i] + Phi[276] *
-                  Y[26][i] + Phi[277] * Y[27][i] + Phi[278] * Y[28][i] + Phi[279] * Y[29][i] +
-                  Phi[280] * Y[30][i] + Phi[281] * Y[31][i] + Phi[282] * Y[32][i] + Phi[283] *
-                  Y[33][i] + Phi[284] * Y[34][i] + Phi[285] * Y[35][i] + Phi[286] * Y[36][i] +
-                  Phi[287] * Y[37][i] + Phi[288] * Y[38][i] + Phi[289] * Y[39][i] + Phi[293] *
-                  Y[43][i] + Phi[294] * Y[44][i] + Phi[295] * Y[45][i]) + Q[15 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[250] * Y[0][i]) + (Phi[251] * Y[1][i]) +
+                  (Phi[252] * Y[2][i]) + (Phi[253] * Y[3][i]) + (Phi[254] * Y[4][i]) +
+                  (Phi[255] * Y[5][i]) + (Phi[256] * Y[6][i]) + (Phi[257] * Y[7][i]) +
+                  (Phi[258] * Y[8][i]) + (Phi[259] * Y[9][i]) + (Phi[260] * Y[10][i]) +
+                  (Phi[261] * Y[11][i]) + (Phi[275] * Y[25][i]) + (Phi[276] * Y[26][i]) +
+                  (Phi[277] * Y[27][i]) + (Phi[278] * Y[28][i]) + (Phi[279] * Y[29][i]) +
+                  (Phi[280] * Y[30][i]) + (Phi[281] * Y[31][i]) + (Phi[282] * Y[32][i]) +
+                  (Phi[283] * Y[33][i]) + (Phi[284] * Y[34][i]) + (Phi[285] * Y[35][i]) +
+                  (Phi[286] * Y[36][i]) + (Phi[287] * Y[37][i]) + (Phi[288] * Y[38][i]) +
+                  (Phi[289] * Y[39][i]) + (Phi[293] * Y[43][i]) + (Phi[294] * Y[44][i]) +
+                  (Phi[295] * Y[45][i])) + Q[15 + i];
     }
     for (int i = 0; i < 6; ++i) {
         next[15 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[306] * Y[6][i] + Phi[340] * Y[40][i]) + Q[21 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[306] * Y[6][i]) + (Phi[340] * Y[40][i])) + Q[21 + i];
     }
     for (int i = 0; i < 7; ++i) {
         next[21 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[357] * Y[7][i] + Phi[391] * Y[41][i]) + Q[28 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[357] * Y[7][i]) + (Phi[391] * Y[41][i])) + Q[28 + i];
     }
     for (int i = 0; i < 8; ++i) {
         next[28 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 12; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[408] * Y[8][i] + Phi[442] * Y[42][i]) + Q[36 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[408] * Y[8][i]) + (Phi[442] * Y[42][i])) + Q[36 + i];
     }
     for (int i = 0; i < 9; ++i) {
         next[36 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 12; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[459] * Y[9][i] + Phi[493] * Y[43][i]) + Q[45 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[459] * Y[9][i]) + (Phi[493] * Y[43][i])) + Q[45 + i];
     }
     for (int i = 0; i < 10; ++i) {
         next[45 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 12; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[510] * Y[10][i] + Phi[544] * Y[44][i]) + Q[55 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[510] * Y[10][i]) + (Phi[544] * Y[44][i])) + Q[55 + i];
     }
     for (int i = 0; i < 11; ++i) {
         next[55 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 12; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[561] * Y[11][i] + Phi[595] * Y[45][i]) + Q[66 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[561] * Y[11][i]) + (Phi[595] * Y[45][i])) + Q[66 + i];
     }
     for (int i = 0; i < 12; ++i) {
         next[66 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 16; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[612] * Y[12][i]) + Q[78 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[612] * Y[12][i])) + Q[78 + i];
     }
     for (int i = 0; i < 13; ++i) {
         next[78 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 16; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[663] * Y[13][i]) + Q[91 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[663] * Y[13][i])) + Q[91 + i];
     }
     for (int i = 0; i < 14; ++i) {
         next[91 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 16; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[714] * Y[14][i]) + Q[105 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[714] * Y[14][i])) + Q[105 + i];
     }
     for (int i = 0; i < 15; ++i) {
         next[105 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 16; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[765] * Y[15][i]) + Q[120 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[765] * Y[15][i])) + Q[120 + i];
     }
     for (int i = 0; i < 16; ++i) {
         next[120 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 20; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[816] * Y[16][i]) + Q[136 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[816] * Y[16][i])) + Q[136 + i];
     }
     for (int i = 0; i < 17; ++i) {
         next[136 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 20; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[867] * Y[17][i]) + Q[153 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[867] * Y[17][i])) + Q[153 + i];
     }
     for (int i = 0; i < 18; ++i) {
         next[153 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 20; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[918] * Y[18][i]) + Q[171 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[918] * Y[18][i])) + Q[171 + i];
     }
     for (int i = 0; i < 19; ++i) {
         next[171 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 20; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[969] * Y[19][i] + Phi[972] * Y[22][i]) + Q[190 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[969] * Y[19][i]) + (Phi[972] * Y[22][i])) + Q[190 + i];
     }
     for (int i = 0; i < 20; ++i) {
         next[190 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 24; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[1020] * Y[20][i] + Phi[1023] * Y[23][i]) + Q[210 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[1020] * Y[20][i]) + (Phi[1023] * Y[23][i])) + Q[210 + i];
     }
     for (int i = 0; i < 21; ++i) {
         next[210 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 24; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[1071] * Y[21][i] + Phi[1074] * Y[24][i]) + Q[231 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[1071] * Y[21][i]) + (Phi[1074] * Y[24][i])) + Q[231 + i];
     }
     for (int i = 0; i < 22; ++i) {
         next[231 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 24; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[1119] * Y[19][i] + Phi[1122] * Y[22][i]) + Q[253 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[1119] * Y[19][i]) + (Phi[1122] * Y[22][i])) + Q[253 + i];
     }
     for (int i = 0; i < 23; ++i) {
         next[253 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 24; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[1170] * Y[20][i] + Phi[1173] * Y[23][i]) + Q[276 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[1170] * Y[20][i]) + (Phi[1173] * Y[23][i])) + Q[276 + i];
     }
     for (int i = 0; i < 24; ++i) {
         next[276 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 28; ++i) {
-        sum[i] = (BS_REAL(0.0) + Phi[1221] * Y[21][i] + Phi[1224] * Y[24][i]) + Q[300 + i];
+        sum[i] = (BS_REAL(0.0) + (Phi[1221] * Y[21][i]) + (Phi[1224] * Y[24][i])) + Q[300 + i];
     }
     for (int i = 0; i < 25; ++i) {
         next[300 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 28; ++i) {
         sum[i] = Y[25][i] + Q[325 + i];
     }
     for (int i = 0; i < 26; ++i) {
         next[325 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 28; ++i) {
         sum[i] = Y[26][i] + Q[351 + i];
     }
     for (int i = 0; i < 27; ++i) {
         next[351 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 28; ++i) {
         sum[i] = Y[27][i] + Q[378 + i];
     }
     for (int i = 0; i < 28; ++i) {
         next[378 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 32; ++i) {
         sum[i] = Y[28][i] + Q[406 + i];
     }
     for (int i = 0; i < 29; ++i) {
         next[406 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 32; ++i) {
         sum[i] = Y[29][i] + Q[435 + i];
     }
     for (int i = 0; i < 30; ++i) {
         next[435 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 32; ++i) {
         sum[i] = Y[30][i] + Q[465 + i];
     }
     for (int i = 0; i < 31; ++i) {
         next[465 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 32; ++i) {
         sum[i] = Y[31][i] + Q[496 + i];
     }
     for (int i = 0; i < 32; ++i) {
         next[496 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 36; ++i) {
         sum[i] = Y[32][i] + Q[528 + i];
     }
     for (int i = 0; i < 33; ++i) {
         next[528 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 36; ++i) {
         sum[i] = Y[33][i] + Q[561 + i];
     }
     for (int i = 0; i < 34; ++i) {
         next[561 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 36; ++i) {
         sum[i] = Y[34][i] + Q[595 + i];
     }
     for (int i = 0; i < 35; ++i) {
         next[595 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 36; ++i) {
         sum[i] = Y[35][i] + Q[630 + i];
     }
     for (int i = 0; i < 36; ++i) {
         next[630 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 40; ++i) {
         sum[i] = Y[36][i] + Q[666 + i];
     }
     for (int i = 0; i < 37; ++i) {
         next[666 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 40; ++i) {
         sum[i] = Y[37][i] + Q[703 + i];
     }
     for (int i = 0; i < 38; ++i) {
         next[703 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 40; ++i) {
         sum[i] = Y[38][i] + Q[741 + i];
     }
     for (int i = 0; i < 39; ++i) {
         next[741 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 40; ++i) {
         sum[i] = Y[39][i] + Q[780 + i];
     }
     for (int i = 0; i < 40; ++i) {
         next[780 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 44; ++i) {
         sum[i] = Y[40][i] + Q[820 + i];
     }
     for (int i = 0; i < 41; ++i) {
         next[820 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 44; ++i) {
         sum[i] = Y[41][i] + Q[861 + i];
     }
     for (int i = 0; i < 42; ++i) {
         next[861 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 44; ++i) {
         sum[i] = Y[42][i] + Q[903 + i];
     }
     for (int i = 0; i < 43; ++i) {
         next[903 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 44; ++i) {
         sum[i] = Y[43][i] + Q[946 + i];
     }
     for (int i = 0; i < 44; ++i) {
         next[946 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 48; ++i) {
         sum[i] = Y[44][i] + Q[990 + i];
     }
     for (int i = 0; i < 45; ++i) {
         next[990 + i] = sum[i];
     }
+    ROLLED
     for (int i = 0; i < 44; ++i) {
         sum[i] = Y[45][i] + Q[1035 + i];
     }
+    ROLLED
     for (int i = 44; i < 46; ++i) {
         sum[i] = Y[45][i] + Q[1035 + i];
     }
@@ -1410,7 +2132,7 @@ bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs
         }
     }
 #endif
-for (int p = 0; p < row->count; ++p) {
+    for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
     row->nu = nu;
@@ -1444,279 +2166,326 @@ for (int p = 0; p < row->count; ++p) {
         for (int i = 0; i < WIDE; ++i) {
             b[i] = sums[row->count][i] - (R * K[i]);
         }
+        ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
         }
         for (int i = 0; i < 1; ++i) {
             P[0 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
         }
         for (int i = 0; i < 2; ++i) {
             P[1 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
         }
         for (int i = 0; i < 3; ++i) {
             P[3 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
         }
         for (int i = 0; i < 4; ++i) {
             P[6 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
         }
         for (int i = 0; i < 5; ++i) {
             P[10 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
         }
         for (int i = 0; i < 6; ++i) {
             P[15 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
         }
         for (int i = 0; i < 7; ++i) {
             P[21 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
         }
         for (int i = 0; i < 8; ++i) {
             P[28 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
         }
         for (int i = 0; i < 9; ++i) {
             P[36 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
         }
         for (int i = 0; i < 10; ++i) {
             P[45 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
         }
         for (int i = 0; i < 11; ++i) {
             P[55 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[66 + i] - (K[i] * g[11])) - (b[i] * K[11]);
         }
         for (int i = 0; i < 12; ++i) {
             P[66 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
         }
         for (int i = 0; i < 13; ++i) {
             P[78 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[91 + i] - (K[i] * g[13])) - (b[i] * K[13]);
         }
         for (int i = 0; i < 14; ++i) {
             P[91 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
         }
         for (int i = 0; i < 15; ++i) {
             P[105 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[120 + i] - (K[i] * g[15])) - (b[i] * K[15]);
         }
         for (int i = 0; i < 16; ++i) {
             P[120 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 20; ++i) {
             next[i] = (P[136 + i] - (K[i] * g[16])) - (b[i] * K[16]);
         }
         for (int i = 0; i < 17; ++i) {
             P[136 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 20; ++i) {
             next[i] = (P[153 + i] - (K[i] * g[17])) - (b[i] * K[17]);
         }
         for (int i = 0; i < 18; ++i) {
             P[153 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 20; ++i) {
             next[i] = (P[171 + i] - (K[i] * g[18])) - (b[i] * K[18]);
         }
         for (int i = 0; i < 19; ++i) {
             P[171 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 20; ++i) {
             next[i] = (P[190 + i] - (K[i] * g[19])) - (b[i] * K[19]);
         }
         for (int i = 0; i < 20; ++i) {
             P[190 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 24; ++i) {
             next[i] = (P[210 + i] - (K[i] * g[20])) - (b[i] * K[20]);
         }
         for (int i = 0; i < 21; ++i) {
             P[210 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 24; ++i) {
             next[i] = (P[231 + i] - (K[i] * g[21])) - (b[i] * K[21]);
         }
         for (int i = 0; i < 22; ++i) {
             P[231 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 24; ++i) {
             next[i] = (P[253 + i] - (K[i] * g[22])) - (b[i] * K[22]);
         }
         for (int i = 0; i < 23; ++i) {
             P[253 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 24; ++i) {
             next[i] = (P[276 + i] - (K[i] * g[23])) - (b[i] * K[23]);
         }
         for (int i = 0; i < 24; ++i) {
             P[276 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 28; ++i) {
             next[i] = (P[300 + i] - (K[i] * g[24])) - (b[i] * K[24]);
         }
         for (int i = 0; i < 25; ++i) {
             P[300 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 28; ++i) {
             next[i] = (P[325 + i] - (K[i] * g[25])) - (b[i] * K[25]);
         }
         for (int i = 0; i < 26; ++i) {
             P[325 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 28; ++i) {
             next[i] = (P[351 + i] - (K[i] * g[26])) - (b[i] * K[26]);
         }
         for (int i = 0; i < 27; ++i) {
             P[351 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 28; ++i) {
             next[i] = (P[378 + i] - (K[i] * g[27])) - (b[i] * K[27]);
         }
         for (int i = 0; i < 28; ++i) {
             P[378 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 32; ++i) {
             next[i] = (P[406 + i] - (K[i] * g[28])) - (b[i] * K[28]);
         }
         for (int i = 0; i < 29; ++i) {
             P[406 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 32; ++i) {
             next[i] = (P[435 + i] - (K[i] * g[29])) - (b[i] * K[29]);
         }
         for (int i = 0; i < 30; ++i) {
             P[435 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 32; ++i) {
             next[i] = (P[465 + i] - (K[i] * g[30])) - (b[i] * K[30]);
         }
         for (int i = 0; i < 31; ++i) {
             P[465 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 32; ++i) {
             next[i] = (P[496 + i] - (K[i] * g[31])) - (b[i] * K[31]);
         }
         for (int i = 0; i < 32; ++i) {
             P[496 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 36; ++i) {
             next[i] = (P[528 + i] - (K[i] * g[32])) - (b[i] * K[32]);
         }
         for (int i = 0; i < 33; ++i) {
             P[528 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 36; ++i) {
             next[i] = (P[561 + i] - (K[i] * g[33])) - (b[i] * K[33]);
         }
         for (int i = 0; i < 34; ++i) {
             P[561 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 36; ++i) {
             next[i] = (P[595 + i] - (K[i] * g[34])) - (b[i] * K[34]);
         }
         for (int i = 0; i < 35; ++i) {
             P[595 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 36; ++i) {
             next[i] = (P[630 + i] - (K[i] * g[35])) - (b[i] * K[35]);
         }
         for (int i = 0; i < 36; ++i) {
             P[630 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 40; ++i) {
             next[i] = (P[666 + i] - (K[i] * g[36])) - (b[i] * K[36]);
         }
         for (int i = 0; i < 37; ++i) {
             P[666 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 40; ++i) {
             next[i] = (P[703 + i] - (K[i] * g[37])) - (b[i] * K[37]);
         }
         for (int i = 0; i < 38; ++i) {
             P[703 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 40; ++i) {
             next[i] = (P[741 + i] - (K[i] * g[38])) - (b[i] * K[38]);
         }
         for (int i = 0; i < 39; ++i) {
             P[741 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 40; ++i) {
             next[i] = (P[780 + i] - (K[i] * g[39])) - (b[i] * K[39]);
         }
         for (int i = 0; i < 40; ++i) {
             P[780 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 44; ++i) {
             next[i] = (P[820 + i] - (K[i] * g[40])) - (b[i] * K[40]);
         }
         for (int i = 0; i < 41; ++i) {
             P[820 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 44; ++i) {
             next[i] = (P[861 + i] - (K[i] * g[41])) - (b[i] * K[41]);
         }
         for (int i = 0; i < 42; ++i) {
             P[861 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 44; ++i) {
             next[i] = (P[903 + i] - (K[i] * g[42])) - (b[i] * K[42]);
         }
         for (int i = 0; i < 43; ++i) {
             P[903 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 44; ++i) {
             next[i] = (P[946 + i] - (K[i] * g[43])) - (b[i] * K[43]);
         }
         for (int i = 0; i < 44; ++i) {
             P[946 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 48; ++i) {
             next[i] = (P[990 + i] - (K[i] * g[44])) - (b[i] * K[44]);
         }
         for (int i = 0; i < 45; ++i) {
             P[990 + i] = next[i];
         }
+        ROLLED
         for (int i = 0; i < 44; ++i) {
             next[i] = (P[1035 + i] - (K[i] * g[45])) - (b[i] * K[45]);
         }
+        ROLLED
         for (int i = 44; i < 46; ++i) {
             next[i] = (P[1035 + i] - (K[i] * g[45])) - (b[i] * K[45]);
         }
@@ -1745,7 +2514,7 @@ for (int p = 0; p < row->count; ++p) {
             }
         }
 #endif
-for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+        for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }
     }

@@ -18,7 +18,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "1c69f2100cc874d604ac3cd031348b8a8e339f29bb39dac0b58a75fbb9e6c918"
+#define VD_MODEL_HASH "470e1239c28d8bd602bec16405c8df51fc750a1bc0c104533a3cfa0d1ad73fa0"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
