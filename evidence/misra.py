@@ -28,7 +28,16 @@ def version() -> str:
 def misra(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
     """By unit, and for the headers under `include`: how often each rule is broken, the deviated ones too."""
     place = out / "findings"
-    command = ["cppcheck", "--addon=misra", "--quiet", f"--output-file={place}", "--template={id} {file}"]
+    # rows are for hosts
+    command = [
+        "cppcheck",
+        "--addon=misra",
+        "--quiet",
+        "--force",
+        "-UBORESIGHT_ROWS",
+        f"--output-file={place}",
+        "--template={id} {file}",
+    ]
     run([*command, "-I", folder.include, *folder.files("src/*.c")], cwd=out)
     found: dict[str, dict[str, Any]] = {unit.name: {"rules": {}} for unit in folder.units} | {"include": {"rules": {}}}
     for line in place.read_text().splitlines():
