@@ -2,8 +2,8 @@
 
 import ctypes
 import re
-import zlib
 import subprocess
+import zlib
 
 import numpy as np
 import pytest
