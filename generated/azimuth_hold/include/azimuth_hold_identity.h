@@ -18,7 +18,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "0cc599157c31af2c83e356fe5f26a6b7a170831c577be05609fca46921600c09"
+#define AH_MODEL_HASH "5b08ad600efc96b063285520754cf288f307a23a96c0ffe0031fb1a148c1affa"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

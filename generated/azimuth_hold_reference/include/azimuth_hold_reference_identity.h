@@ -18,7 +18,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "9a38415c9e9e1c3bd30e377663eeec8e22c62e94a3fafb77a2ef727122e62919"
+#define AHR_MODEL_HASH "acbb31ac519f1627f53d0cc793d715c7cec189419c66f9982278f29d3d009b4d"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "7bb239a6d37a3cbe3082262aab34aa72238c55065c12a6eec8dc953892a8d270"
+#define EM_MODEL_HASH "a8d3d419f6e2462b5a01b0cc1d4d81daf78820bbd56757c09a7213f961701e9b"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define PHI_MODEL "phi-error"
-#define PHI_MODEL_HASH "bc1c2dfb4d9a0b61000766ecf161b0c2cf342af947b97a8a32c34f9dba629fe1"
+#define PHI_MODEL_HASH "2ea79b605d623f0b3ec2665ee2485ae037e739ace0a37edde92b04cf2971a5ce"
 #define PHI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PHI_VERSION_MAJOR 0
 #define PHI_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define PSI_MODEL "psi-error"
-#define PSI_MODEL_HASH "eddb1e38ef0f1ee8b6709a3513328e811273d5be81b26028dd5077a8cafcc82f"
+#define PSI_MODEL_HASH "31c6daab5dd6ce9f652fb74a7dea27be000a4f78b23a89e94aa02c9f374ce9fe"
 #define PSI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PSI_VERSION_MAJOR 0
 #define PSI_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "01a86668e590d91d5f5025b55d37080941f3e6349654ae65889653356872f125"
+#define VA_MODEL_HASH "aac2c66334ff9349fdd26e58ccc46ca30db19fcc6725a1f5ef5e96dae52ed5a0"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "a0e1db6220e158cf797c648ae8b880e0b2500bd4498e02d7f30fe4136180aee4"
+#define VAL_MODEL_HASH "3463d6b2f51d41caa39fa6fd6bb68a1606d24afa4acbe3c0855976541fb8f156"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

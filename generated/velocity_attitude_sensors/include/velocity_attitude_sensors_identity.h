@@ -18,7 +18,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "d3bc4d0b0e0d5ab6f4f45f0ce612bf4d96b2df43b7cc55f68c912abbdadac812"
+#define VAS_MODEL_HASH "ffdc0e752cc07e9313ec15d2d60e4ab4c9889b917c80543dccd28a920cd71086"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

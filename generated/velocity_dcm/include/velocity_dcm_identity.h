@@ -18,7 +18,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "a67128a397603c4a02eacdebbf7628fd7cad310e7b3ec8c487e45f5235a41b2e"
+#define VD_MODEL_HASH "bfca81520d3fb1361acbb13f9186a54ac1efb7b810f717620226c866d2587bf9"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
