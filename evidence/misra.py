@@ -38,7 +38,8 @@ def version() -> str:
 def misra(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
     """By unit, and for the headers under `include`: how often each rule is broken, the deviated ones too."""
     place = out / "findings"
-    command = ["cppcheck", "--addon=misra", "--quiet", f"--output-file={place}", "--template={id} {file}"]
+    options = ["--quiet", "-UBORESIGHT_ROWS", f"--output-file={place}", "--template={id} {file}"]  # rows are for hosts
+    command = ["cppcheck", "--addon=misra", *options]
     run([*command, "-I", folder.include, *folder.files("src/*.c")], cwd=out)
     found: dict[str, dict[str, Any]] = {unit.name: {"rules": {}} for unit in folder.units} | {"include": {"rules": {}}}
     for line in place.read_text().splitlines():

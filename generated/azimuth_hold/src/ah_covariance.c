@@ -382,7 +382,7 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[0 * ROW + j] = sum[j];
+        Phi[0 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -392,7 +392,7 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[1 * ROW + j] = sum[j];
+        Phi[15 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -401,7 +401,7 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[2 * ROW + j] = sum[j];
+        Phi[30 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -412,7 +412,7 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[3 * ROW + j] = sum[j];
+        Phi[45 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -423,7 +423,7 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[4 * ROW + j] = sum[j];
+        Phi[60 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -433,7 +433,7 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[5 * ROW + j] = sum[j];
+        Phi[75 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -443,7 +443,7 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][6] = (BS_REAL(0.6666666666666666) * A[6][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[6 * ROW + j] = sum[j];
+        Phi[90 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -453,7 +453,7 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][7] = (BS_REAL(0.6666666666666666) * A[7][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[7 * ROW + j] = sum[j];
+        Phi[105 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -463,7 +463,7 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][8] = (BS_REAL(0.6666666666666666) * A[8][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[8 * ROW + j] = sum[j];
+        Phi[120 + j] = sum[j];
     }
     for (int i = 0; i < M; ++i) {
         Phi[i * (ROW + 1)] += BS_REAL(1.0);

@@ -373,7 +373,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[0 * ROW + j] = sum[j];
+        Phi[0 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -383,7 +383,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[1 * ROW + j] = sum[j];
+        Phi[16 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -392,7 +392,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[2 * ROW + j] = sum[j];
+        Phi[32 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -403,7 +403,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[3 * ROW + j] = sum[j];
+        Phi[48 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -414,7 +414,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[4 * ROW + j] = sum[j];
+        Phi[64 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -424,7 +424,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[5 * ROW + j] = sum[j];
+        Phi[80 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -434,7 +434,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][6] = (BS_REAL(0.6666666666666666) * A[6][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[6 * ROW + j] = sum[j];
+        Phi[96 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -444,7 +444,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][7] = (BS_REAL(0.6666666666666666) * A[7][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[7 * ROW + j] = sum[j];
+        Phi[112 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -454,7 +454,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][8] = (BS_REAL(0.6666666666666666) * A[8][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[8 * ROW + j] = sum[j];
+        Phi[128 + j] = sum[j];
     }
     for (int i = 0; i < M; ++i) {
         Phi[i * (ROW + 1)] += BS_REAL(1.0);

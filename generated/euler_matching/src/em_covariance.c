@@ -291,7 +291,7 @@ void em_discretize(const bs_real F[EM_N_F],
         B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[0 * ROW + j] = sum[j];
+        Phi[0 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -300,7 +300,7 @@ void em_discretize(const bs_real F[EM_N_F],
         B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[1 * ROW + j] = sum[j];
+        Phi[6 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -309,7 +309,7 @@ void em_discretize(const bs_real F[EM_N_F],
         B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[2 * ROW + j] = sum[j];
+        Phi[12 + j] = sum[j];
     }
     for (int i = 0; i < M; ++i) {
         Phi[i * (ROW + 1)] += BS_REAL(1.0);

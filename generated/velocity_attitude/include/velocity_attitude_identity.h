@@ -18,7 +18,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "aac2c66334ff9349fdd26e58ccc46ca30db19fcc6725a1f5ef5e96dae52ed5a0"
+#define VA_MODEL_HASH "d1baa49d9c39b3962b49091ff5115ea4aab9291aea732e50b71f5c1e52303992"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

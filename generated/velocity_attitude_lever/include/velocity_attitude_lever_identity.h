@@ -18,7 +18,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "3463d6b2f51d41caa39fa6fd6bb68a1606d24afa4acbe3c0855976541fb8f156"
+#define VAL_MODEL_HASH "84d0900410346e739d014749a32337f93f76f623a0d1b485db1f4f9fa75724f0"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -466,7 +466,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[0 * ROW + j] = sum[j];
+        Phi[0 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -476,7 +476,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[1 * ROW + j] = sum[j];
+        Phi[50 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -486,7 +486,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[2 * ROW + j] = sum[j];
+        Phi[100 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -497,7 +497,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[3 * ROW + j] = sum[j];
+        Phi[150 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -508,7 +508,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[4 * ROW + j] = sum[j];
+        Phi[200 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -519,7 +519,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[5 * ROW + j] = sum[j];
+        Phi[250 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -528,7 +528,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][6] = (BS_REAL(0.6666666666666666) * A[6][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[6 * ROW + j] = sum[j];
+        Phi[300 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -537,7 +537,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][7] = (BS_REAL(0.6666666666666666) * A[7][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[7 * ROW + j] = sum[j];
+        Phi[350 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -546,7 +546,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][8] = (BS_REAL(0.6666666666666666) * A[8][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[8 * ROW + j] = sum[j];
+        Phi[400 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -555,7 +555,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][9] = (BS_REAL(0.6666666666666666) * A[9][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[9 * ROW + j] = sum[j];
+        Phi[450 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -564,7 +564,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][10] = (BS_REAL(0.6666666666666666) * A[10][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[10 * ROW + j] = sum[j];
+        Phi[500 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -573,7 +573,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][11] = (BS_REAL(0.6666666666666666) * A[11][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[11 * ROW + j] = sum[j];
+        Phi[550 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -582,7 +582,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][12] = (BS_REAL(0.6666666666666666) * A[12][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[12 * ROW + j] = sum[j];
+        Phi[600 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -591,7 +591,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][13] = (BS_REAL(0.6666666666666666) * A[13][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[13 * ROW + j] = sum[j];
+        Phi[650 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -600,7 +600,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][14] = (BS_REAL(0.6666666666666666) * A[14][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[14 * ROW + j] = sum[j];
+        Phi[700 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -609,7 +609,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][15] = (BS_REAL(0.6666666666666666) * A[15][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[15 * ROW + j] = sum[j];
+        Phi[750 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -618,7 +618,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][16] = (BS_REAL(0.6666666666666666) * A[16][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[16 * ROW + j] = sum[j];
+        Phi[800 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -627,7 +627,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][17] = (BS_REAL(0.6666666666666666) * A[17][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[17 * ROW + j] = sum[j];
+        Phi[850 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -636,7 +636,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][18] = (BS_REAL(0.6666666666666666) * A[18][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[18 * ROW + j] = sum[j];
+        Phi[900 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -645,7 +645,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][19] = (BS_REAL(0.6666666666666666) * A[19][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[19 * ROW + j] = sum[j];
+        Phi[950 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -654,7 +654,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][20] = (BS_REAL(0.6666666666666666) * A[20][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[20 * ROW + j] = sum[j];
+        Phi[1000 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -663,7 +663,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][21] = (BS_REAL(0.6666666666666666) * A[21][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[21 * ROW + j] = sum[j];
+        Phi[1050 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -672,7 +672,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][22] = (BS_REAL(0.6666666666666666) * A[22][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[22 * ROW + j] = sum[j];
+        Phi[1100 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -681,7 +681,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][23] = (BS_REAL(0.6666666666666666) * A[23][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[23 * ROW + j] = sum[j];
+        Phi[1150 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -690,7 +690,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][24] = (BS_REAL(0.6666666666666666) * A[24][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[24 * ROW + j] = sum[j];
+        Phi[1200 + j] = sum[j];
     }
     for (int i = 0; i < M; ++i) {
         clear(&Phi[(i * ROW) + N], ROW - N);

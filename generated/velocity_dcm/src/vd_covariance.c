@@ -329,7 +329,7 @@ void vd_discretize(const bs_real F[VD_N_F],
         B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[0 * ROW + j] = sum[j];
+        Phi[0 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -339,7 +339,7 @@ void vd_discretize(const bs_real F[VD_N_F],
         B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[1 * ROW + j] = sum[j];
+        Phi[10 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -349,7 +349,7 @@ void vd_discretize(const bs_real F[VD_N_F],
         B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[2 * ROW + j] = sum[j];
+        Phi[20 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -358,7 +358,7 @@ void vd_discretize(const bs_real F[VD_N_F],
         B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[3 * ROW + j] = sum[j];
+        Phi[30 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -367,7 +367,7 @@ void vd_discretize(const bs_real F[VD_N_F],
         B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[4 * ROW + j] = sum[j];
+        Phi[40 + j] = sum[j];
     }
     BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
@@ -376,7 +376,7 @@ void vd_discretize(const bs_real F[VD_N_F],
         B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[5 * ROW + j] = sum[j];
+        Phi[50 + j] = sum[j];
     }
     for (int i = 0; i < M; ++i) {
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
