@@ -148,6 +148,7 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "deep": whole(m),
         "up": whole,
         "discretize_rows": bool(F) and model.order < 3,
+        "only_loops_cross": bool(Phi) and m == n and not (F and model.order == 3),
         "F_at": sorted(F),
         "A_rows": [[k for k in range(m) if (i, k) in F] for i in range(m)],
         "B_rows": met(m, Phi, first, begin),

@@ -55,14 +55,6 @@ static void clear(bs_real *value, int n)
 /* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
  * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
  * a finite number. */
-#if defined(__clang__)
-#define ROLLED _Pragma("clang loop unroll(disable)") /* or rows do not fit into the instruction
-                                                      * cache */
-#elif defined(__GNUC__)
-#define ROLLED _Pragma("GCC unroll 1")
-#else
-#define ROLLED
-#endif
 #define WIDE 16 /* N in whole blocks */
 #define DEEP 12 /* M in whole blocks */
 static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
@@ -385,7 +377,7 @@ void ah_discretize(const bs_real F[AH_N_F],
             B[j][i] = BS_REAL(0.0);
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]) +
             (A[0][3] * A[3][j]);
@@ -393,9 +385,9 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[0 * ROW + j] = sum[j];
+        Phi[0 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[1][1] * A[1][j]) + (A[1][2] * A[2][j]) +
             (A[1][4] * A[4][j]);
@@ -403,18 +395,18 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[1 * ROW + j] = sum[j];
+        Phi[15 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[2][5] * A[5][j]);
         sum[j] = A[2][j] + (BS_REAL(0.5) * twice);
         B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[2 * ROW + j] = sum[j];
+        Phi[30 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[3][1] * A[1][j]) + (A[3][2] * A[2][j]) +
             (A[3][3] * A[3][j]) + (A[3][4] * A[4][j]) + (A[3][5] * A[5][j]) + (A[3][7] * A[7][j]) +
@@ -423,9 +415,9 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[3 * ROW + j] = sum[j];
+        Phi[45 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[4][1] * A[1][j]) + (A[4][2] * A[2][j]) +
             (A[4][3] * A[3][j]) + (A[4][4] * A[4][j]) + (A[4][5] * A[5][j]) + (A[4][6] * A[6][j]) +
@@ -434,9 +426,9 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[4 * ROW + j] = sum[j];
+        Phi[60 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[5][1] * A[1][j]) + (A[5][2] * A[2][j]) +
             (A[5][3] * A[3][j]) + (A[5][4] * A[4][j]) + (A[5][6] * A[6][j]) + (A[5][7] * A[7][j]);
@@ -444,9 +436,9 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[5 * ROW + j] = sum[j];
+        Phi[75 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[6][1] * A[1][j]) + (A[6][2] * A[2][j]) +
             (A[6][4] * A[4][j]) + (A[6][7] * A[7][j]) + (A[6][8] * A[8][j]);
@@ -454,9 +446,9 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][6] = (BS_REAL(0.6666666666666666) * A[6][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[6 * ROW + j] = sum[j];
+        Phi[90 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[7][1] * A[1][j]) + (A[7][2] * A[2][j]) +
             (A[7][3] * A[3][j]) + (A[7][6] * A[6][j]) + (A[7][8] * A[8][j]);
@@ -464,9 +456,9 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][7] = (BS_REAL(0.6666666666666666) * A[7][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[7 * ROW + j] = sum[j];
+        Phi[105 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[8][1] * A[1][j]) + (A[8][2] * A[2][j]) +
             (A[8][3] * A[3][j]) + (A[8][6] * A[6][j]) + (A[8][7] * A[7][j]);
@@ -474,7 +466,7 @@ void ah_discretize(const bs_real F[AH_N_F],
         B[j][8] = (BS_REAL(0.6666666666666666) * A[8][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[8 * ROW + j] = sum[j];
+        Phi[120 + j] = sum[j];
     }
     for (int i = 0; i < M; ++i) {
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
@@ -545,7 +537,7 @@ void ah_discretize(const bs_real F[AH_N_F],
             Q[column(j) + i] = T[j][i];
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][0]) + (T[4][i] * B[4][0]) + (T[5][i] * B[5][0]) +
             (T[7][i] * B[7][0]) + (T[8][i] * B[8][0]) + (T[12][i] * B[12][0]) +
@@ -554,7 +546,7 @@ void ah_discretize(const bs_real F[AH_N_F],
     for (int i = 0; i < 1; ++i) {
         Q[0 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][1]) + (T[4][i] * B[4][1]) + (T[5][i] * B[5][1]) +
             (T[6][i] * B[6][1]) + (T[7][i] * B[7][1]) + (T[8][i] * B[8][1]) +
@@ -563,7 +555,7 @@ void ah_discretize(const bs_real F[AH_N_F],
     for (int i = 0; i < 2; ++i) {
         Q[1 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][2]) + (T[4][i] * B[4][2]) + (T[5][i] * B[5][2]) +
             (T[6][i] * B[6][2]) + (T[7][i] * B[7][2]) + (T[8][i] * B[8][2]) +
@@ -572,7 +564,7 @@ void ah_discretize(const bs_real F[AH_N_F],
     for (int i = 0; i < 3; ++i) {
         Q[3 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][3]) + (T[4][i] * B[4][3]) + (T[5][i] * B[5][3]) +
             (T[6][i] * B[6][3]) + (T[7][i] * B[7][3]) + (T[8][i] * B[8][3]) + (T[9][i] * B[9][3]) +
@@ -582,7 +574,7 @@ void ah_discretize(const bs_real F[AH_N_F],
     for (int i = 0; i < 4; ++i) {
         Q[6 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][4]) + (T[4][i] * B[4][4]) + (T[5][i] * B[5][4]) +
             (T[6][i] * B[6][4]) + (T[7][i] * B[7][4]) + (T[8][i] * B[8][4]) + (T[9][i] * B[9][4]) +
@@ -592,7 +584,7 @@ void ah_discretize(const bs_real F[AH_N_F],
     for (int i = 0; i < 5; ++i) {
         Q[10 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][5]) + (T[4][i] * B[4][5]) + (T[5][i] * B[5][5]) +
             (T[6][i] * B[6][5]) + (T[7][i] * B[7][5]) + (T[8][i] * B[8][5]) + (T[9][i] * B[9][5]) +
@@ -602,7 +594,7 @@ void ah_discretize(const bs_real F[AH_N_F],
     for (int i = 0; i < 6; ++i) {
         Q[15 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][6]) + (T[4][i] * B[4][6]) + (T[5][i] * B[5][6]) +
             (T[6][i] * B[6][6]) + (T[7][i] * B[7][6]) + (T[8][i] * B[8][6]) + (T[9][i] * B[9][6]) +
@@ -612,7 +604,7 @@ void ah_discretize(const bs_real F[AH_N_F],
     for (int i = 0; i < 7; ++i) {
         Q[21 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][7]) + (T[4][i] * B[4][7]) + (T[5][i] * B[5][7]) +
             (T[6][i] * B[6][7]) + (T[7][i] * B[7][7]) + (T[8][i] * B[8][7]) + (T[9][i] * B[9][7]) +
@@ -622,7 +614,7 @@ void ah_discretize(const bs_real F[AH_N_F],
     for (int i = 0; i < 8; ++i) {
         Q[28 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][8]) + (T[4][i] * B[4][8]) + (T[5][i] * B[5][8]) +
             (T[6][i] * B[6][8]) + (T[7][i] * B[7][8]) + (T[8][i] * B[8][8]) + (T[9][i] * B[9][8]) +
@@ -774,25 +766,25 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
             Y[j][i] = X[j][i];
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]) +
             (Phi[3] * X[3][j]) + (Phi[4] * X[4][j]) + (Phi[5] * X[5][j]) + (Phi[7] * X[7][j]) +
             (Phi[8] * X[8][j]) + (Phi[12] * X[12][j]) + (Phi[13] * X[13][j]) + (Phi[14] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][1] = BS_REAL(0.0) + (Phi[16] * X[1][j]) + (Phi[17] * X[2][j]) + (Phi[18] * X[3][j]) +
             (Phi[19] * X[4][j]) + (Phi[20] * X[5][j]) + (Phi[21] * X[6][j]) + (Phi[23] * X[8][j]) +
             (Phi[27] * X[12][j]) + (Phi[28] * X[13][j]) + (Phi[29] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][2] = BS_REAL(0.0) + (Phi[31] * X[1][j]) + (Phi[32] * X[2][j]) + (Phi[33] * X[3][j]) +
             (Phi[34] * X[4][j]) + (Phi[35] * X[5][j]) + (Phi[36] * X[6][j]) + (Phi[37] * X[7][j]) +
             (Phi[42] * X[12][j]) + (Phi[43] * X[13][j]) + (Phi[44] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][3] = BS_REAL(0.0) + (Phi[46] * X[1][j]) + (Phi[47] * X[2][j]) + (Phi[48] * X[3][j]) +
             (Phi[49] * X[4][j]) + (Phi[50] * X[5][j]) + (Phi[51] * X[6][j]) + (Phi[52] * X[7][j]) +
@@ -800,7 +792,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
             (Phi[56] * X[11][j]) + (Phi[57] * X[12][j]) + (Phi[58] * X[13][j]) +
             (Phi[59] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][4] = BS_REAL(0.0) + (Phi[61] * X[1][j]) + (Phi[62] * X[2][j]) + (Phi[63] * X[3][j]) +
             (Phi[64] * X[4][j]) + (Phi[65] * X[5][j]) + (Phi[66] * X[6][j]) + (Phi[67] * X[7][j]) +
@@ -808,7 +800,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
             (Phi[71] * X[11][j]) + (Phi[72] * X[12][j]) + (Phi[73] * X[13][j]) +
             (Phi[74] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][5] = BS_REAL(0.0) + (Phi[76] * X[1][j]) + (Phi[77] * X[2][j]) + (Phi[78] * X[3][j]) +
             (Phi[79] * X[4][j]) + (Phi[80] * X[5][j]) + (Phi[81] * X[6][j]) + (Phi[82] * X[7][j]) +
@@ -816,7 +808,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
             (Phi[86] * X[11][j]) + (Phi[87] * X[12][j]) + (Phi[88] * X[13][j]) +
             (Phi[89] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][6] = BS_REAL(0.0) + (Phi[91] * X[1][j]) + (Phi[92] * X[2][j]) + (Phi[93] * X[3][j]) +
             (Phi[94] * X[4][j]) + (Phi[95] * X[5][j]) + (Phi[96] * X[6][j]) + (Phi[97] * X[7][j]) +
@@ -824,7 +816,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
             (Phi[101] * X[11][j]) + (Phi[102] * X[12][j]) + (Phi[103] * X[13][j]) +
             (Phi[104] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][7] = BS_REAL(0.0) + (Phi[106] * X[1][j]) + (Phi[107] * X[2][j]) +
             (Phi[108] * X[3][j]) + (Phi[109] * X[4][j]) + (Phi[110] * X[5][j]) +
@@ -832,7 +824,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
             (Phi[114] * X[9][j]) + (Phi[115] * X[10][j]) + (Phi[116] * X[11][j]) +
             (Phi[117] * X[12][j]) + (Phi[118] * X[13][j]) + (Phi[119] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][8] = BS_REAL(0.0) + (Phi[121] * X[1][j]) + (Phi[122] * X[2][j]) +
             (Phi[123] * X[3][j]) + (Phi[124] * X[4][j]) + (Phi[125] * X[5][j]) +
@@ -840,7 +832,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
             (Phi[129] * X[9][j]) + (Phi[130] * X[10][j]) + (Phi[131] * X[11][j]) +
             (Phi[132] * X[12][j]) + (Phi[133] * X[13][j]) + (Phi[134] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i]) +
                   (Phi[3] * Y[3][i]) + (Phi[4] * Y[4][i]) + (Phi[5] * Y[5][i]) +
@@ -850,7 +842,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
     for (int i = 0; i < 1; ++i) {
         next[0 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[16] * Y[1][i]) + (Phi[17] * Y[2][i]) + (Phi[18] * Y[3][i]) +
                   (Phi[19] * Y[4][i]) + (Phi[20] * Y[5][i]) + (Phi[21] * Y[6][i]) +
@@ -860,7 +852,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
     for (int i = 0; i < 2; ++i) {
         next[1 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[31] * Y[1][i]) + (Phi[32] * Y[2][i]) + (Phi[33] * Y[3][i]) +
                   (Phi[34] * Y[4][i]) + (Phi[35] * Y[5][i]) + (Phi[36] * Y[6][i]) +
@@ -870,7 +862,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
     for (int i = 0; i < 3; ++i) {
         next[3 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[46] * Y[1][i]) + (Phi[47] * Y[2][i]) + (Phi[48] * Y[3][i]) +
                   (Phi[49] * Y[4][i]) + (Phi[50] * Y[5][i]) + (Phi[51] * Y[6][i]) +
@@ -881,7 +873,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
     for (int i = 0; i < 4; ++i) {
         next[6 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[61] * Y[1][i]) + (Phi[62] * Y[2][i]) + (Phi[63] * Y[3][i]) +
                   (Phi[64] * Y[4][i]) + (Phi[65] * Y[5][i]) + (Phi[66] * Y[6][i]) +
@@ -892,7 +884,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
     for (int i = 0; i < 5; ++i) {
         next[10 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[76] * Y[1][i]) + (Phi[77] * Y[2][i]) + (Phi[78] * Y[3][i]) +
                   (Phi[79] * Y[4][i]) + (Phi[80] * Y[5][i]) + (Phi[81] * Y[6][i]) +
@@ -903,7 +895,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
     for (int i = 0; i < 6; ++i) {
         next[15 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[91] * Y[1][i]) + (Phi[92] * Y[2][i]) + (Phi[93] * Y[3][i]) +
                   (Phi[94] * Y[4][i]) + (Phi[95] * Y[5][i]) + (Phi[96] * Y[6][i]) +
@@ -914,7 +906,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
     for (int i = 0; i < 7; ++i) {
         next[21 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[106] * Y[1][i]) + (Phi[107] * Y[2][i]) +
                   (Phi[108] * Y[3][i]) + (Phi[109] * Y[4][i]) + (Phi[110] * Y[5][i]) +
@@ -926,7 +918,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
     for (int i = 0; i < 8; ++i) {
         next[28 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[121] * Y[1][i]) + (Phi[122] * Y[2][i]) +
                   (Phi[123] * Y[3][i]) + (Phi[124] * Y[4][i]) + (Phi[125] * Y[5][i]) +
@@ -938,46 +930,46 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
     for (int i = 0; i < 9; ++i) {
         next[36 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[9][i] + Q[45 + i];
     }
     for (int i = 0; i < 10; ++i) {
         next[45 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[10][i] + Q[55 + i];
     }
     for (int i = 0; i < 11; ++i) {
         next[55 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[11][i] + Q[66 + i];
     }
     for (int i = 0; i < 12; ++i) {
         next[66 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = Y[12][i] + Q[78 + i];
     }
     for (int i = 0; i < 13; ++i) {
         next[78 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = Y[13][i] + Q[91 + i];
     }
     for (int i = 0; i < 14; ++i) {
         next[91 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[14][i] + Q[105 + i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 12; i < 15; ++i) {
         sum[i] = Y[14][i] + Q[105 + i];
     }
@@ -1265,109 +1257,109 @@ bs_status ah_joseph_update(bs_real P[AH_N_PACKED], bs_real x[AH_N_STATES], bs_ro
         for (int i = 0; i < WIDE; ++i) {
             b[i] = sums[row->count][i] - (R * K[i]);
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
         }
         for (int i = 0; i < 1; ++i) {
             P[0 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
         }
         for (int i = 0; i < 2; ++i) {
             P[1 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
         }
         for (int i = 0; i < 3; ++i) {
             P[3 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
         }
         for (int i = 0; i < 4; ++i) {
             P[6 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
         }
         for (int i = 0; i < 5; ++i) {
             P[10 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
         }
         for (int i = 0; i < 6; ++i) {
             P[15 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
         }
         for (int i = 0; i < 7; ++i) {
             P[21 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
         }
         for (int i = 0; i < 8; ++i) {
             P[28 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
         }
         for (int i = 0; i < 9; ++i) {
             P[36 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
         }
         for (int i = 0; i < 10; ++i) {
             P[45 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
         }
         for (int i = 0; i < 11; ++i) {
             P[55 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[66 + i] - (K[i] * g[11])) - (b[i] * K[11]);
         }
         for (int i = 0; i < 12; ++i) {
             P[66 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
         }
         for (int i = 0; i < 13; ++i) {
             P[78 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[91 + i] - (K[i] * g[13])) - (b[i] * K[13]);
         }
         for (int i = 0; i < 14; ++i) {
             P[91 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 12; i < 15; ++i) {
             next[i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
         }

@@ -18,7 +18,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "9ae927dfd55d65d95c01e35803ea5fe3586fa5e4af26182bcfd7ec21cd51309b"
+#define AHR_MODEL_HASH "fb6ca4621d15d3439bc430ddf9b20da4c07897282baa056d9a89a7b7a02bd8ab"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

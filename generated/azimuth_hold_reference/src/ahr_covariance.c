@@ -55,14 +55,6 @@ static void clear(bs_real *value, int n)
 /* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
  * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
  * a finite number. */
-#if defined(__clang__)
-#define ROLLED _Pragma("clang loop unroll(disable)") /* or rows do not fit into the instruction
-                                                      * cache */
-#elif defined(__GNUC__)
-#define ROLLED _Pragma("GCC unroll 1")
-#else
-#define ROLLED
-#endif
 #define WIDE 16 /* N in whole blocks */
 #define DEEP 12 /* M in whole blocks */
 static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
@@ -376,7 +368,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
             B[j][i] = BS_REAL(0.0);
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]) +
             (A[0][3] * A[3][j]);
@@ -384,9 +376,9 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[0 * ROW + j] = sum[j];
+        Phi[0 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[1][1] * A[1][j]) + (A[1][2] * A[2][j]) +
             (A[1][4] * A[4][j]);
@@ -394,18 +386,18 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[1 * ROW + j] = sum[j];
+        Phi[16 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[2][5] * A[5][j]);
         sum[j] = A[2][j] + (BS_REAL(0.5) * twice);
         B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[2 * ROW + j] = sum[j];
+        Phi[32 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[3][1] * A[1][j]) + (A[3][2] * A[2][j]) +
             (A[3][3] * A[3][j]) + (A[3][4] * A[4][j]) + (A[3][5] * A[5][j]) + (A[3][7] * A[7][j]) +
@@ -414,9 +406,9 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[3 * ROW + j] = sum[j];
+        Phi[48 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[4][1] * A[1][j]) + (A[4][2] * A[2][j]) +
             (A[4][3] * A[3][j]) + (A[4][4] * A[4][j]) + (A[4][5] * A[5][j]) + (A[4][6] * A[6][j]) +
@@ -425,9 +417,9 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[4 * ROW + j] = sum[j];
+        Phi[64 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[5][1] * A[1][j]) + (A[5][2] * A[2][j]) +
             (A[5][3] * A[3][j]) + (A[5][4] * A[4][j]) + (A[5][6] * A[6][j]) + (A[5][7] * A[7][j]);
@@ -435,9 +427,9 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[5 * ROW + j] = sum[j];
+        Phi[80 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[6][1] * A[1][j]) + (A[6][2] * A[2][j]) +
             (A[6][4] * A[4][j]) + (A[6][7] * A[7][j]) + (A[6][8] * A[8][j]);
@@ -445,9 +437,9 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][6] = (BS_REAL(0.6666666666666666) * A[6][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[6 * ROW + j] = sum[j];
+        Phi[96 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[7][1] * A[1][j]) + (A[7][2] * A[2][j]) +
             (A[7][3] * A[3][j]) + (A[7][6] * A[6][j]) + (A[7][8] * A[8][j]);
@@ -455,9 +447,9 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][7] = (BS_REAL(0.6666666666666666) * A[7][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[7 * ROW + j] = sum[j];
+        Phi[112 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[8][1] * A[1][j]) + (A[8][2] * A[2][j]) +
             (A[8][3] * A[3][j]) + (A[8][6] * A[6][j]) + (A[8][7] * A[7][j]);
@@ -465,7 +457,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         B[j][8] = (BS_REAL(0.6666666666666666) * A[8][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[8 * ROW + j] = sum[j];
+        Phi[128 + j] = sum[j];
     }
     for (int i = 0; i < M; ++i) {
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
@@ -536,7 +528,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
             Q[column(j) + i] = T[j][i];
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][0]) + (T[4][i] * B[4][0]) + (T[5][i] * B[5][0]) +
             (T[7][i] * B[7][0]) + (T[8][i] * B[8][0]) + (T[12][i] * B[12][0]) +
@@ -545,7 +537,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
     for (int i = 0; i < 1; ++i) {
         Q[0 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][1]) + (T[4][i] * B[4][1]) + (T[5][i] * B[5][1]) +
             (T[6][i] * B[6][1]) + (T[7][i] * B[7][1]) + (T[8][i] * B[8][1]) +
@@ -554,7 +546,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
     for (int i = 0; i < 2; ++i) {
         Q[1 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][2]) + (T[4][i] * B[4][2]) + (T[5][i] * B[5][2]) +
             (T[6][i] * B[6][2]) + (T[7][i] * B[7][2]) + (T[8][i] * B[8][2]) +
@@ -563,7 +555,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
     for (int i = 0; i < 3; ++i) {
         Q[3 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][3]) + (T[4][i] * B[4][3]) + (T[5][i] * B[5][3]) +
             (T[6][i] * B[6][3]) + (T[7][i] * B[7][3]) + (T[8][i] * B[8][3]) + (T[9][i] * B[9][3]) +
@@ -573,7 +565,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
     for (int i = 0; i < 4; ++i) {
         Q[6 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][4]) + (T[4][i] * B[4][4]) + (T[5][i] * B[5][4]) +
             (T[6][i] * B[6][4]) + (T[7][i] * B[7][4]) + (T[8][i] * B[8][4]) + (T[9][i] * B[9][4]) +
@@ -583,7 +575,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
     for (int i = 0; i < 5; ++i) {
         Q[10 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][5]) + (T[4][i] * B[4][5]) + (T[5][i] * B[5][5]) +
             (T[6][i] * B[6][5]) + (T[7][i] * B[7][5]) + (T[8][i] * B[8][5]) + (T[9][i] * B[9][5]) +
@@ -593,7 +585,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
     for (int i = 0; i < 6; ++i) {
         Q[15 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][6]) + (T[4][i] * B[4][6]) + (T[5][i] * B[5][6]) +
             (T[6][i] * B[6][6]) + (T[7][i] * B[7][6]) + (T[8][i] * B[8][6]) + (T[9][i] * B[9][6]) +
@@ -603,7 +595,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
     for (int i = 0; i < 7; ++i) {
         Q[21 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][7]) + (T[4][i] * B[4][7]) + (T[5][i] * B[5][7]) +
             (T[6][i] * B[6][7]) + (T[7][i] * B[7][7]) + (T[8][i] * B[8][7]) + (T[9][i] * B[9][7]) +
@@ -613,7 +605,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
     for (int i = 0; i < 8; ++i) {
         Q[28 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][8]) + (T[4][i] * B[4][8]) + (T[5][i] * B[5][8]) +
             (T[6][i] * B[6][8]) + (T[7][i] * B[7][8]) + (T[8][i] * B[8][8]) + (T[9][i] * B[9][8]) +
@@ -767,25 +759,25 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
             Y[j][i] = X[j][i];
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]) +
             (Phi[3] * X[3][j]) + (Phi[4] * X[4][j]) + (Phi[5] * X[5][j]) + (Phi[7] * X[7][j]) +
             (Phi[8] * X[8][j]) + (Phi[12] * X[12][j]) + (Phi[13] * X[13][j]) + (Phi[14] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][1] = BS_REAL(0.0) + (Phi[17] * X[1][j]) + (Phi[18] * X[2][j]) + (Phi[19] * X[3][j]) +
             (Phi[20] * X[4][j]) + (Phi[21] * X[5][j]) + (Phi[22] * X[6][j]) + (Phi[24] * X[8][j]) +
             (Phi[28] * X[12][j]) + (Phi[29] * X[13][j]) + (Phi[30] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][2] = BS_REAL(0.0) + (Phi[33] * X[1][j]) + (Phi[34] * X[2][j]) + (Phi[35] * X[3][j]) +
             (Phi[36] * X[4][j]) + (Phi[37] * X[5][j]) + (Phi[38] * X[6][j]) + (Phi[39] * X[7][j]) +
             (Phi[44] * X[12][j]) + (Phi[45] * X[13][j]) + (Phi[46] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][3] = BS_REAL(0.0) + (Phi[49] * X[1][j]) + (Phi[50] * X[2][j]) + (Phi[51] * X[3][j]) +
             (Phi[52] * X[4][j]) + (Phi[53] * X[5][j]) + (Phi[54] * X[6][j]) + (Phi[55] * X[7][j]) +
@@ -793,7 +785,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
             (Phi[59] * X[11][j]) + (Phi[60] * X[12][j]) + (Phi[61] * X[13][j]) +
             (Phi[62] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][4] = BS_REAL(0.0) + (Phi[65] * X[1][j]) + (Phi[66] * X[2][j]) + (Phi[67] * X[3][j]) +
             (Phi[68] * X[4][j]) + (Phi[69] * X[5][j]) + (Phi[70] * X[6][j]) + (Phi[71] * X[7][j]) +
@@ -801,7 +793,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
             (Phi[75] * X[11][j]) + (Phi[76] * X[12][j]) + (Phi[77] * X[13][j]) +
             (Phi[78] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][5] = BS_REAL(0.0) + (Phi[81] * X[1][j]) + (Phi[82] * X[2][j]) + (Phi[83] * X[3][j]) +
             (Phi[84] * X[4][j]) + (Phi[85] * X[5][j]) + (Phi[86] * X[6][j]) + (Phi[87] * X[7][j]) +
@@ -809,7 +801,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
             (Phi[91] * X[11][j]) + (Phi[92] * X[12][j]) + (Phi[93] * X[13][j]) +
             (Phi[94] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][6] = BS_REAL(0.0) + (Phi[97] * X[1][j]) + (Phi[98] * X[2][j]) + (Phi[99] * X[3][j]) +
             (Phi[100] * X[4][j]) + (Phi[101] * X[5][j]) + (Phi[102] * X[6][j]) +
@@ -817,7 +809,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
             (Phi[106] * X[10][j]) + (Phi[107] * X[11][j]) + (Phi[108] * X[12][j]) +
             (Phi[109] * X[13][j]) + (Phi[110] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][7] = BS_REAL(0.0) + (Phi[113] * X[1][j]) + (Phi[114] * X[2][j]) +
             (Phi[115] * X[3][j]) + (Phi[116] * X[4][j]) + (Phi[117] * X[5][j]) +
@@ -825,7 +817,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
             (Phi[121] * X[9][j]) + (Phi[122] * X[10][j]) + (Phi[123] * X[11][j]) +
             (Phi[124] * X[12][j]) + (Phi[125] * X[13][j]) + (Phi[126] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][8] = BS_REAL(0.0) + (Phi[129] * X[1][j]) + (Phi[130] * X[2][j]) +
             (Phi[131] * X[3][j]) + (Phi[132] * X[4][j]) + (Phi[133] * X[5][j]) +
@@ -833,7 +825,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
             (Phi[137] * X[9][j]) + (Phi[138] * X[10][j]) + (Phi[139] * X[11][j]) +
             (Phi[140] * X[12][j]) + (Phi[141] * X[13][j]) + (Phi[142] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i]) +
                   (Phi[3] * Y[3][i]) + (Phi[4] * Y[4][i]) + (Phi[5] * Y[5][i]) +
@@ -843,7 +835,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
     for (int i = 0; i < 1; ++i) {
         next[0 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[17] * Y[1][i]) + (Phi[18] * Y[2][i]) + (Phi[19] * Y[3][i]) +
                   (Phi[20] * Y[4][i]) + (Phi[21] * Y[5][i]) + (Phi[22] * Y[6][i]) +
@@ -853,7 +845,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
     for (int i = 0; i < 2; ++i) {
         next[1 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[33] * Y[1][i]) + (Phi[34] * Y[2][i]) + (Phi[35] * Y[3][i]) +
                   (Phi[36] * Y[4][i]) + (Phi[37] * Y[5][i]) + (Phi[38] * Y[6][i]) +
@@ -863,7 +855,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
     for (int i = 0; i < 3; ++i) {
         next[3 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[49] * Y[1][i]) + (Phi[50] * Y[2][i]) + (Phi[51] * Y[3][i]) +
                   (Phi[52] * Y[4][i]) + (Phi[53] * Y[5][i]) + (Phi[54] * Y[6][i]) +
@@ -874,7 +866,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
     for (int i = 0; i < 4; ++i) {
         next[6 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[65] * Y[1][i]) + (Phi[66] * Y[2][i]) + (Phi[67] * Y[3][i]) +
                   (Phi[68] * Y[4][i]) + (Phi[69] * Y[5][i]) + (Phi[70] * Y[6][i]) +
@@ -885,7 +877,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
     for (int i = 0; i < 5; ++i) {
         next[10 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[81] * Y[1][i]) + (Phi[82] * Y[2][i]) + (Phi[83] * Y[3][i]) +
                   (Phi[84] * Y[4][i]) + (Phi[85] * Y[5][i]) + (Phi[86] * Y[6][i]) +
@@ -896,7 +888,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
     for (int i = 0; i < 6; ++i) {
         next[15 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[97] * Y[1][i]) + (Phi[98] * Y[2][i]) + (Phi[99] * Y[3][i]) +
                   (Phi[100] * Y[4][i]) + (Phi[101] * Y[5][i]) + (Phi[102] * Y[6][i]) +
@@ -907,7 +899,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
     for (int i = 0; i < 7; ++i) {
         next[21 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[113] * Y[1][i]) + (Phi[114] * Y[2][i]) +
                   (Phi[115] * Y[3][i]) + (Phi[116] * Y[4][i]) + (Phi[117] * Y[5][i]) +
@@ -919,7 +911,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
     for (int i = 0; i < 8; ++i) {
         next[28 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[129] * Y[1][i]) + (Phi[130] * Y[2][i]) +
                   (Phi[131] * Y[3][i]) + (Phi[132] * Y[4][i]) + (Phi[133] * Y[5][i]) +
@@ -931,49 +923,49 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
     for (int i = 0; i < 9; ++i) {
         next[36 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[9][i] + Q[45 + i];
     }
     for (int i = 0; i < 10; ++i) {
         next[45 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[10][i] + Q[55 + i];
     }
     for (int i = 0; i < 11; ++i) {
         next[55 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[11][i] + Q[66 + i];
     }
     for (int i = 0; i < 12; ++i) {
         next[66 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = Y[12][i] + Q[78 + i];
     }
     for (int i = 0; i < 13; ++i) {
         next[78 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = Y[13][i] + Q[91 + i];
     }
     for (int i = 0; i < 14; ++i) {
         next[91 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = Y[14][i] + Q[105 + i];
     }
     for (int i = 0; i < 15; ++i) {
         next[105 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = Y[15][i] + Q[120 + i];
     }
@@ -1261,112 +1253,112 @@ bs_status ahr_joseph_update(bs_real P[AHR_N_PACKED], bs_real x[AHR_N_STATES], bs
         for (int i = 0; i < WIDE; ++i) {
             b[i] = sums[row->count][i] - (R * K[i]);
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
         }
         for (int i = 0; i < 1; ++i) {
             P[0 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
         }
         for (int i = 0; i < 2; ++i) {
             P[1 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
         }
         for (int i = 0; i < 3; ++i) {
             P[3 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
         }
         for (int i = 0; i < 4; ++i) {
             P[6 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
         }
         for (int i = 0; i < 5; ++i) {
             P[10 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
         }
         for (int i = 0; i < 6; ++i) {
             P[15 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
         }
         for (int i = 0; i < 7; ++i) {
             P[21 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
         }
         for (int i = 0; i < 8; ++i) {
             P[28 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
         }
         for (int i = 0; i < 9; ++i) {
             P[36 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
         }
         for (int i = 0; i < 10; ++i) {
             P[45 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
         }
         for (int i = 0; i < 11; ++i) {
             P[55 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[66 + i] - (K[i] * g[11])) - (b[i] * K[11]);
         }
         for (int i = 0; i < 12; ++i) {
             P[66 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
         }
         for (int i = 0; i < 13; ++i) {
             P[78 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[91 + i] - (K[i] * g[13])) - (b[i] * K[13]);
         }
         for (int i = 0; i < 14; ++i) {
             P[91 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
         }
         for (int i = 0; i < 15; ++i) {
             P[105 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[120 + i] - (K[i] * g[15])) - (b[i] * K[15]);
         }

@@ -18,7 +18,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "20c7d1a27f93c63cdf5994cc2bcfd0654e703dd84f6474c9f21490a17abbead9"
+#define EM_MODEL_HASH "b828776e33d8e7c34373d1e945c395c4870217854acc9cfd06d2045bb5c36dca"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

@@ -55,14 +55,6 @@ static void clear(bs_real *value, int n)
 /* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
  * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
  * a finite number. */
-#if defined(__clang__)
-#define ROLLED _Pragma("clang loop unroll(disable)") /* or rows do not fit into the instruction
-                                                      * cache */
-#elif defined(__GNUC__)
-#define ROLLED _Pragma("GCC unroll 1")
-#else
-#define ROLLED
-#endif
 #define WIDE 8 /* N in whole blocks */
 #define DEEP 4 /* M in whole blocks */
 static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
@@ -295,32 +287,32 @@ void em_discretize(const bs_real F[EM_N_F],
             B[j][i] = BS_REAL(0.0);
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]);
         sum[j] = A[0][j] + (BS_REAL(0.5) * twice);
         B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[0 * ROW + j] = sum[j];
+        Phi[0 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[1][0] * A[0][j]) + (A[1][2] * A[2][j]);
         sum[j] = A[1][j] + (BS_REAL(0.5) * twice);
         B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[1 * ROW + j] = sum[j];
+        Phi[6 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[2][0] * A[0][j]) + (A[2][1] * A[1][j]);
         sum[j] = A[2][j] + (BS_REAL(0.5) * twice);
         B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[2 * ROW + j] = sum[j];
+        Phi[12 + j] = sum[j];
     }
     for (int i = 0; i < M; ++i) {
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
@@ -391,21 +383,21 @@ void em_discretize(const bs_real F[EM_N_F],
             Q[column(j) + i] = T[j][i];
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][0]) + (T[1][i] * B[1][0]) + (T[2][i] * B[2][0]);
     }
     for (int i = 0; i < 1; ++i) {
         Q[0 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][1]) + (T[1][i] * B[1][1]) + (T[2][i] * B[2][1]);
     }
     for (int i = 0; i < 2; ++i) {
         Q[1 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][2]) + (T[1][i] * B[1][2]) + (T[2][i] * B[2][2]);
     }
@@ -527,19 +519,19 @@ void em_joseph_predict(const bs_real P[EM_N_PACKED],
             Y[j][i] = X[j][i];
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][1] = BS_REAL(0.0) + (Phi[6] * X[0][j]) + (Phi[7] * X[1][j]) + (Phi[8] * X[2][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][2] = BS_REAL(0.0) + (Phi[12] * X[0][j]) + (Phi[13] * X[1][j]) + (Phi[14] * X[2][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i])) +
             Q[0 + i];
@@ -547,7 +539,7 @@ void em_joseph_predict(const bs_real P[EM_N_PACKED],
     for (int i = 0; i < 1; ++i) {
         next[0 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[6] * Y[0][i]) + (Phi[7] * Y[1][i]) + (Phi[8] * Y[2][i])) +
             Q[1 + i];
@@ -555,7 +547,7 @@ void em_joseph_predict(const bs_real P[EM_N_PACKED],
     for (int i = 0; i < 2; ++i) {
         next[1 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[12] * Y[0][i]) + (Phi[13] * Y[1][i]) + (Phi[14] * Y[2][i])) +
             Q[3 + i];
@@ -563,25 +555,25 @@ void em_joseph_predict(const bs_real P[EM_N_PACKED],
     for (int i = 0; i < 3; ++i) {
         next[3 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = Y[3][i] + Q[6 + i];
     }
     for (int i = 0; i < 4; ++i) {
         next[6 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = Y[4][i] + Q[10 + i];
     }
     for (int i = 0; i < 5; ++i) {
         next[10 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = Y[5][i] + Q[15 + i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 4; i < 6; ++i) {
         sum[i] = Y[5][i] + Q[15 + i];
     }
@@ -869,46 +861,46 @@ bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_ro
         for (int i = 0; i < WIDE; ++i) {
             b[i] = sums[row->count][i] - (R * K[i]);
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
         }
         for (int i = 0; i < 1; ++i) {
             P[0 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
         }
         for (int i = 0; i < 2; ++i) {
             P[1 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
         }
         for (int i = 0; i < 3; ++i) {
             P[3 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
         }
         for (int i = 0; i < 4; ++i) {
             P[6 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
         }
         for (int i = 0; i < 5; ++i) {
             P[10 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 4; i < 6; ++i) {
             next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
         }

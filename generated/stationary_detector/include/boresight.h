@@ -88,6 +88,19 @@ static inline void bs_sincos_of_library(bs_real angle, bs_real *sine, bs_real *c
 }
 #endif
 
+/* BORESIGHT_ROWS is for hosts: straight lines in place of loops, the same bits in less time for
+ * more code.  What is long stays rolled, or it does not fit into the instruction cache. */
+#if defined(BORESIGHT_ROWS) && defined(__clang__)
+#define BS_UNROLLED _Pragma("clang loop unroll(full)")
+#define BS_ROLLED _Pragma("clang loop unroll(disable)")
+#elif defined(BORESIGHT_ROWS) && defined(__GNUC__)
+#define BS_UNROLLED _Pragma("GCC unroll 4096")
+#define BS_ROLLED _Pragma("GCC unroll 1")
+#else
+#define BS_UNROLLED
+#define BS_ROLLED
+#endif
+
 #define BS_SELECT(condition, value) (((condition) > BS_REAL(0.0)) ? (value) : BS_REAL(0.0))
 #define BS_TRUTH(condition) ((condition) ? BS_REAL(1.0) : BS_REAL(0.0))
 /* By comparison, alike on every machine: of two zeros the second; what is no number stays none. */

@@ -18,7 +18,7 @@
 #endif
 
 #define DET_MODEL "stationary-detector"
-#define DET_MODEL_HASH "1089297b50e2689c6a9a68f5e8be5d6d2d1e79a75a450cdbdafe138d981e422e"
+#define DET_MODEL_HASH "5e807f1408a4831a0b3241af4a673ffbf4f814cb02441bfc8438965675310057"
 #define DET_VERSION "0.1.0" /* of the Boresight that printed it */
 #define DET_VERSION_MAJOR 0
 #define DET_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define SD_MODEL "strapdown"
-#define SD_MODEL_HASH "a7ae95b05124cca852c4a5dad343eb8400bec4335b4fb482446eee90a4b71a5d"
+#define SD_MODEL_HASH "fa85132cd1174c0c511e773197e47e852aed35a4b03b892b9a31327463d7ef75"
 #define SD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define SD_VERSION_MAJOR 0
 #define SD_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "13b98e2951eb6e9a6a96e278da4b36135d49f5c49019cbcd1bb60eff847b7b2b"
+#define VA_MODEL_HASH "c1144feec73c54e7070dcf1015a1596e50b7853bf90c04b4a3ce748442ad2f9f"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "bede9ac4c0d5b29b30d3899ce58c4fe7baddf24031a902fe0aeb3f598f328741"
+#define VAL_MODEL_HASH "498e56d9a30c9864506358f521183aa3f162b94643bd9af97aaef2d36ac4485d"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

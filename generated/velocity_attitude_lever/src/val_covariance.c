@@ -55,14 +55,6 @@ static void clear(bs_real *value, int n)
 /* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
  * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
  * a finite number. */
-#if defined(__clang__)
-#define ROLLED _Pragma("clang loop unroll(disable)") /* or rows do not fit into the instruction
-                                                      * cache */
-#elif defined(__GNUC__)
-#define ROLLED _Pragma("GCC unroll 1")
-#else
-#define ROLLED
-#endif
 #define WIDE 20 /* N in whole blocks */
 #define DEEP 8 /* M in whole blocks */
 static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
@@ -368,7 +360,7 @@ void val_discretize(const bs_real F[VAL_N_F],
             B[j][i] = BS_REAL(0.0);
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]) +
             (A[0][4] * A[4][j]);
@@ -376,9 +368,9 @@ void val_discretize(const bs_real F[VAL_N_F],
         B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[0 * ROW + j] = sum[j];
+        Phi[0 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[1][0] * A[0][j]) + (A[1][2] * A[2][j]) +
             (A[1][3] * A[3][j]);
@@ -386,9 +378,9 @@ void val_discretize(const bs_real F[VAL_N_F],
         B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[1 * ROW + j] = sum[j];
+        Phi[20 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[2][0] * A[0][j]) + (A[2][1] * A[1][j]) +
             (A[2][4] * A[4][j]);
@@ -396,9 +388,9 @@ void val_discretize(const bs_real F[VAL_N_F],
         B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[2 * ROW + j] = sum[j];
+        Phi[40 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[3][1] * A[1][j]) + (A[3][2] * A[2][j]) +
             (A[3][3] * A[3][j]) + (A[3][4] * A[4][j]) + (A[3][5] * A[5][j]);
@@ -406,9 +398,9 @@ void val_discretize(const bs_real F[VAL_N_F],
         B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[3 * ROW + j] = sum[j];
+        Phi[60 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[4][0] * A[0][j]) + (A[4][2] * A[2][j]) +
             (A[4][3] * A[3][j]) + (A[4][4] * A[4][j]) + (A[4][5] * A[5][j]);
@@ -416,9 +408,9 @@ void val_discretize(const bs_real F[VAL_N_F],
         B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[4 * ROW + j] = sum[j];
+        Phi[80 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[5][0] * A[0][j]) + (A[5][1] * A[1][j]) +
             (A[5][3] * A[3][j]) + (A[5][4] * A[4][j]);
@@ -426,7 +418,7 @@ void val_discretize(const bs_real F[VAL_N_F],
         B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[5 * ROW + j] = sum[j];
+        Phi[100 + j] = sum[j];
     }
     for (int i = 0; i < M; ++i) {
         clear(&Phi[(i * ROW) + N], ROW - N);
@@ -498,7 +490,7 @@ void val_discretize(const bs_real F[VAL_N_F],
             Q[column(j) + i] = T[j][i];
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][0]) + (T[1][i] * B[1][0]) + (T[2][i] * B[2][0]) +
             (T[3][i] * B[3][0]) + (T[4][i] * B[4][0]) + (T[5][i] * B[5][0]) + (T[6][i] * B[6][0]) +
@@ -508,7 +500,7 @@ void val_discretize(const bs_real F[VAL_N_F],
     for (int i = 0; i < 1; ++i) {
         Q[0 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][1]) + (T[1][i] * B[1][1]) + (T[2][i] * B[2][1]) +
             (T[3][i] * B[3][1]) + (T[4][i] * B[4][1]) + (T[5][i] * B[5][1]) + (T[6][i] * B[6][1]) +
@@ -518,7 +510,7 @@ void val_discretize(const bs_real F[VAL_N_F],
     for (int i = 0; i < 2; ++i) {
         Q[1 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][2]) + (T[1][i] * B[1][2]) + (T[2][i] * B[2][2]) +
             (T[3][i] * B[3][2]) + (T[4][i] * B[4][2]) + (T[5][i] * B[5][2]) + (T[6][i] * B[6][2]) +
@@ -528,7 +520,7 @@ void val_discretize(const bs_real F[VAL_N_F],
     for (int i = 0; i < 3; ++i) {
         Q[3 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][3]) + (T[1][i] * B[1][3]) + (T[2][i] * B[2][3]) +
             (T[3][i] * B[3][3]) + (T[4][i] * B[4][3]) + (T[5][i] * B[5][3]) + (T[6][i] * B[6][3]) +
@@ -538,7 +530,7 @@ void val_discretize(const bs_real F[VAL_N_F],
     for (int i = 0; i < 4; ++i) {
         Q[6 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][4]) + (T[1][i] * B[1][4]) + (T[2][i] * B[2][4]) +
             (T[3][i] * B[3][4]) + (T[4][i] * B[4][4]) + (T[5][i] * B[5][4]) + (T[6][i] * B[6][4]) +
@@ -548,7 +540,7 @@ void val_discretize(const bs_real F[VAL_N_F],
     for (int i = 0; i < 5; ++i) {
         Q[10 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][5]) + (T[1][i] * B[1][5]) + (T[2][i] * B[2][5]) +
             (T[3][i] * B[3][5]) + (T[4][i] * B[4][5]) + (T[5][i] * B[5][5]) + (T[6][i] * B[6][5]) +
@@ -708,42 +700,42 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
             Y[j][i] = X[j][i];
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]) +
             (Phi[3] * X[3][j]) + (Phi[4] * X[4][j]) + (Phi[5] * X[5][j]) + (Phi[6] * X[6][j]) +
             (Phi[7] * X[7][j]) + (Phi[8] * X[8][j]) + (Phi[9] * X[9][j]) + (Phi[10] * X[10][j]) +
             (Phi[11] * X[11][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][1] = BS_REAL(0.0) + (Phi[20] * X[0][j]) + (Phi[21] * X[1][j]) + (Phi[22] * X[2][j]) +
             (Phi[23] * X[3][j]) + (Phi[24] * X[4][j]) + (Phi[25] * X[5][j]) + (Phi[26] * X[6][j]) +
             (Phi[27] * X[7][j]) + (Phi[28] * X[8][j]) + (Phi[29] * X[9][j]) + (Phi[30] * X[10][j]) +
             (Phi[31] * X[11][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][2] = BS_REAL(0.0) + (Phi[40] * X[0][j]) + (Phi[41] * X[1][j]) + (Phi[42] * X[2][j]) +
             (Phi[43] * X[3][j]) + (Phi[44] * X[4][j]) + (Phi[45] * X[5][j]) + (Phi[46] * X[6][j]) +
             (Phi[47] * X[7][j]) + (Phi[48] * X[8][j]) + (Phi[49] * X[9][j]) + (Phi[50] * X[10][j]) +
             (Phi[51] * X[11][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][3] = BS_REAL(0.0) + (Phi[60] * X[0][j]) + (Phi[61] * X[1][j]) + (Phi[62] * X[2][j]) +
             (Phi[63] * X[3][j]) + (Phi[64] * X[4][j]) + (Phi[65] * X[5][j]) + (Phi[66] * X[6][j]) +
             (Phi[67] * X[7][j]) + (Phi[68] * X[8][j]) + (Phi[69] * X[9][j]) + (Phi[70] * X[10][j]) +
             (Phi[71] * X[11][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][4] = BS_REAL(0.0) + (Phi[80] * X[0][j]) + (Phi[81] * X[1][j]) + (Phi[82] * X[2][j]) +
             (Phi[83] * X[3][j]) + (Phi[84] * X[4][j]) + (Phi[85] * X[5][j]) + (Phi[86] * X[6][j]) +
             (Phi[87] * X[7][j]) + (Phi[88] * X[8][j]) + (Phi[89] * X[9][j]) + (Phi[90] * X[10][j]) +
             (Phi[91] * X[11][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][5] = BS_REAL(0.0) + (Phi[100] * X[0][j]) + (Phi[101] * X[1][j]) +
             (Phi[102] * X[2][j]) + (Phi[103] * X[3][j]) + (Phi[104] * X[4][j]) +
@@ -751,7 +743,7 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
             (Phi[108] * X[8][j]) + (Phi[109] * X[9][j]) + (Phi[110] * X[10][j]) +
             (Phi[111] * X[11][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i]) +
                   (Phi[3] * Y[3][i]) + (Phi[4] * Y[4][i]) + (Phi[5] * Y[5][i]) +
@@ -761,7 +753,7 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
     for (int i = 0; i < 1; ++i) {
         next[0 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[20] * Y[0][i]) + (Phi[21] * Y[1][i]) + (Phi[22] * Y[2][i]) +
                   (Phi[23] * Y[3][i]) + (Phi[24] * Y[4][i]) + (Phi[25] * Y[5][i]) +
@@ -771,7 +763,7 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
     for (int i = 0; i < 2; ++i) {
         next[1 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[40] * Y[0][i]) + (Phi[41] * Y[1][i]) + (Phi[42] * Y[2][i]) +
                   (Phi[43] * Y[3][i]) + (Phi[44] * Y[4][i]) + (Phi[45] * Y[5][i]) +
@@ -781,7 +773,7 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
     for (int i = 0; i < 3; ++i) {
         next[3 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[60] * Y[0][i]) + (Phi[61] * Y[1][i]) + (Phi[62] * Y[2][i]) +
                   (Phi[63] * Y[3][i]) + (Phi[64] * Y[4][i]) + (Phi[65] * Y[5][i]) +
@@ -791,7 +783,7 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
     for (int i = 0; i < 4; ++i) {
         next[6 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[80] * Y[0][i]) + (Phi[81] * Y[1][i]) + (Phi[82] * Y[2][i]) +
                   (Phi[83] * Y[3][i]) + (Phi[84] * Y[4][i]) + (Phi[85] * Y[5][i]) +
@@ -801,7 +793,7 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
     for (int i = 0; i < 5; ++i) {
         next[10 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[100] * Y[0][i]) + (Phi[101] * Y[1][i]) +
                   (Phi[102] * Y[2][i]) + (Phi[103] * Y[3][i]) + (Phi[104] * Y[4][i]) +
@@ -812,95 +804,95 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
     for (int i = 0; i < 6; ++i) {
         next[15 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = Y[6][i] + Q[21 + i];
     }
     for (int i = 0; i < 7; ++i) {
         next[21 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = Y[7][i] + Q[28 + i];
     }
     for (int i = 0; i < 8; ++i) {
         next[28 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[8][i] + Q[36 + i];
     }
     for (int i = 0; i < 9; ++i) {
         next[36 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[9][i] + Q[45 + i];
     }
     for (int i = 0; i < 10; ++i) {
         next[45 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[10][i] + Q[55 + i];
     }
     for (int i = 0; i < 11; ++i) {
         next[55 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[11][i] + Q[66 + i];
     }
     for (int i = 0; i < 12; ++i) {
         next[66 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = Y[12][i] + Q[78 + i];
     }
     for (int i = 0; i < 13; ++i) {
         next[78 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = Y[13][i] + Q[91 + i];
     }
     for (int i = 0; i < 14; ++i) {
         next[91 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = Y[14][i] + Q[105 + i];
     }
     for (int i = 0; i < 15; ++i) {
         next[105 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = Y[15][i] + Q[120 + i];
     }
     for (int i = 0; i < 16; ++i) {
         next[120 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 20; ++i) {
         sum[i] = Y[16][i] + Q[136 + i];
     }
     for (int i = 0; i < 17; ++i) {
         next[136 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 20; ++i) {
         sum[i] = Y[17][i] + Q[153 + i];
     }
     for (int i = 0; i < 18; ++i) {
         next[153 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = Y[18][i] + Q[171 + i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 16; i < 19; ++i) {
         sum[i] = Y[18][i] + Q[171 + i];
     }
@@ -1189,137 +1181,137 @@ bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs
         for (int i = 0; i < WIDE; ++i) {
             b[i] = sums[row->count][i] - (R * K[i]);
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
         }
         for (int i = 0; i < 1; ++i) {
             P[0 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
         }
         for (int i = 0; i < 2; ++i) {
             P[1 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
         }
         for (int i = 0; i < 3; ++i) {
             P[3 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
         }
         for (int i = 0; i < 4; ++i) {
             P[6 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
         }
         for (int i = 0; i < 5; ++i) {
             P[10 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
         }
         for (int i = 0; i < 6; ++i) {
             P[15 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
         }
         for (int i = 0; i < 7; ++i) {
             P[21 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
         }
         for (int i = 0; i < 8; ++i) {
             P[28 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
         }
         for (int i = 0; i < 9; ++i) {
             P[36 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
         }
         for (int i = 0; i < 10; ++i) {
             P[45 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
         }
         for (int i = 0; i < 11; ++i) {
             P[55 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[66 + i] - (K[i] * g[11])) - (b[i] * K[11]);
         }
         for (int i = 0; i < 12; ++i) {
             P[66 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
         }
         for (int i = 0; i < 13; ++i) {
             P[78 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[91 + i] - (K[i] * g[13])) - (b[i] * K[13]);
         }
         for (int i = 0; i < 14; ++i) {
             P[91 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
         }
         for (int i = 0; i < 15; ++i) {
             P[105 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[120 + i] - (K[i] * g[15])) - (b[i] * K[15]);
         }
         for (int i = 0; i < 16; ++i) {
             P[120 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 20; ++i) {
             next[i] = (P[136 + i] - (K[i] * g[16])) - (b[i] * K[16]);
         }
         for (int i = 0; i < 17; ++i) {
             P[136 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 20; ++i) {
             next[i] = (P[153 + i] - (K[i] * g[17])) - (b[i] * K[17]);
         }
         for (int i = 0; i < 18; ++i) {
             P[153 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[171 + i] - (K[i] * g[18])) - (b[i] * K[18]);
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 16; i < 19; ++i) {
             next[i] = (P[171 + i] - (K[i] * g[18])) - (b[i] * K[18]);
         }

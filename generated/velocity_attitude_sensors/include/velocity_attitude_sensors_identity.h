@@ -18,7 +18,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "72c3beb3d0d1f9635d048f20d5713a05e373febbd8ccfef576053959471915c2"
+#define VAS_MODEL_HASH "2c01b47a8e637d7128f85bbd4cabba65c1ed640abf2b1a1a61b6ed818a1ea4ab"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -55,14 +55,6 @@ static void clear(bs_real *value, int n)
 /* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
  * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
  * a finite number. */
-#if defined(__clang__)
-#define ROLLED _Pragma("clang loop unroll(disable)") /* or rows do not fit into the instruction
-                                                      * cache */
-#elif defined(__GNUC__)
-#define ROLLED _Pragma("GCC unroll 1")
-#else
-#define ROLLED
-#endif
 #define WIDE 48 /* N in whole blocks */
 #define DEEP 28 /* M in whole blocks */
 static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
@@ -469,7 +461,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
             B[j][i] = BS_REAL(0.0);
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]) +
             (A[0][4] * A[4][j]) + (A[0][6] * A[6][j]) + (A[0][7] * A[7][j]) + (A[0][8] * A[8][j]);
@@ -477,9 +469,9 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[0 * ROW + j] = sum[j];
+        Phi[0 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[1][0] * A[0][j]) + (A[1][2] * A[2][j]) +
             (A[1][3] * A[3][j]) + (A[1][6] * A[6][j]) + (A[1][7] * A[7][j]) + (A[1][8] * A[8][j]);
@@ -487,9 +479,9 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[1 * ROW + j] = sum[j];
+        Phi[50 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[2][0] * A[0][j]) + (A[2][1] * A[1][j]) +
             (A[2][4] * A[4][j]) + (A[2][6] * A[6][j]) + (A[2][7] * A[7][j]) + (A[2][8] * A[8][j]);
@@ -497,9 +489,9 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[2 * ROW + j] = sum[j];
+        Phi[100 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[3][1] * A[1][j]) + (A[3][2] * A[2][j]) +
             (A[3][3] * A[3][j]) + (A[3][4] * A[4][j]) + (A[3][5] * A[5][j]) + (A[3][9] * A[9][j]) +
@@ -508,9 +500,9 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[3 * ROW + j] = sum[j];
+        Phi[150 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[4][0] * A[0][j]) + (A[4][2] * A[2][j]) +
             (A[4][3] * A[3][j]) + (A[4][4] * A[4][j]) + (A[4][5] * A[5][j]) + (A[4][9] * A[9][j]) +
@@ -519,9 +511,9 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[4 * ROW + j] = sum[j];
+        Phi[200 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[5][0] * A[0][j]) + (A[5][1] * A[1][j]) +
             (A[5][3] * A[3][j]) + (A[5][4] * A[4][j]) + (A[5][9] * A[9][j]) +
@@ -530,178 +522,178 @@ void vas_discretize(const bs_real F[VAS_N_F],
         B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[5 * ROW + j] = sum[j];
+        Phi[250 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[6][6] * A[6][j]);
         sum[j] = A[6][j] + (BS_REAL(0.5) * twice);
         B[j][6] = (BS_REAL(0.6666666666666666) * A[6][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[6 * ROW + j] = sum[j];
+        Phi[300 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[7][7] * A[7][j]);
         sum[j] = A[7][j] + (BS_REAL(0.5) * twice);
         B[j][7] = (BS_REAL(0.6666666666666666) * A[7][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[7 * ROW + j] = sum[j];
+        Phi[350 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[8][8] * A[8][j]);
         sum[j] = A[8][j] + (BS_REAL(0.5) * twice);
         B[j][8] = (BS_REAL(0.6666666666666666) * A[8][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[8 * ROW + j] = sum[j];
+        Phi[400 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[9][9] * A[9][j]);
         sum[j] = A[9][j] + (BS_REAL(0.5) * twice);
         B[j][9] = (BS_REAL(0.6666666666666666) * A[9][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[9 * ROW + j] = sum[j];
+        Phi[450 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[10][10] * A[10][j]);
         sum[j] = A[10][j] + (BS_REAL(0.5) * twice);
         B[j][10] = (BS_REAL(0.6666666666666666) * A[10][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[10 * ROW + j] = sum[j];
+        Phi[500 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[11][11] * A[11][j]);
         sum[j] = A[11][j] + (BS_REAL(0.5) * twice);
         B[j][11] = (BS_REAL(0.6666666666666666) * A[11][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[11 * ROW + j] = sum[j];
+        Phi[550 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0);
         sum[j] = A[12][j] + (BS_REAL(0.5) * twice);
         B[j][12] = (BS_REAL(0.6666666666666666) * A[12][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[12 * ROW + j] = sum[j];
+        Phi[600 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0);
         sum[j] = A[13][j] + (BS_REAL(0.5) * twice);
         B[j][13] = (BS_REAL(0.6666666666666666) * A[13][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[13 * ROW + j] = sum[j];
+        Phi[650 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0);
         sum[j] = A[14][j] + (BS_REAL(0.5) * twice);
         B[j][14] = (BS_REAL(0.6666666666666666) * A[14][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[14 * ROW + j] = sum[j];
+        Phi[700 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0);
         sum[j] = A[15][j] + (BS_REAL(0.5) * twice);
         B[j][15] = (BS_REAL(0.6666666666666666) * A[15][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[15 * ROW + j] = sum[j];
+        Phi[750 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0);
         sum[j] = A[16][j] + (BS_REAL(0.5) * twice);
         B[j][16] = (BS_REAL(0.6666666666666666) * A[16][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[16 * ROW + j] = sum[j];
+        Phi[800 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0);
         sum[j] = A[17][j] + (BS_REAL(0.5) * twice);
         B[j][17] = (BS_REAL(0.6666666666666666) * A[17][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[17 * ROW + j] = sum[j];
+        Phi[850 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0);
         sum[j] = A[18][j] + (BS_REAL(0.5) * twice);
         B[j][18] = (BS_REAL(0.6666666666666666) * A[18][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[18 * ROW + j] = sum[j];
+        Phi[900 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[19][22] * A[22][j]);
         sum[j] = A[19][j] + (BS_REAL(0.5) * twice);
         B[j][19] = (BS_REAL(0.6666666666666666) * A[19][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[19 * ROW + j] = sum[j];
+        Phi[950 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[20][23] * A[23][j]);
         sum[j] = A[20][j] + (BS_REAL(0.5) * twice);
         B[j][20] = (BS_REAL(0.6666666666666666) * A[20][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[20 * ROW + j] = sum[j];
+        Phi[1000 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[21][24] * A[24][j]);
         sum[j] = A[21][j] + (BS_REAL(0.5) * twice);
         B[j][21] = (BS_REAL(0.6666666666666666) * A[21][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[21 * ROW + j] = sum[j];
+        Phi[1050 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[22][19] * A[19][j]) + (A[22][22] * A[22][j]);
         sum[j] = A[22][j] + (BS_REAL(0.5) * twice);
         B[j][22] = (BS_REAL(0.6666666666666666) * A[22][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[22 * ROW + j] = sum[j];
+        Phi[1100 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[23][20] * A[20][j]) + (A[23][23] * A[23][j]);
         sum[j] = A[23][j] + (BS_REAL(0.5) * twice);
         B[j][23] = (BS_REAL(0.6666666666666666) * A[23][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[23 * ROW + j] = sum[j];
+        Phi[1150 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[24][21] * A[21][j]) + (A[24][24] * A[24][j]);
         sum[j] = A[24][j] + (BS_REAL(0.5) * twice);
         B[j][24] = (BS_REAL(0.6666666666666666) * A[24][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[24 * ROW + j] = sum[j];
+        Phi[1200 + j] = sum[j];
     }
     for (int i = 0; i < M; ++i) {
         clear(&Phi[(i * ROW) + N], ROW - N);
@@ -774,7 +766,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
             Q[column(j) + i] = T[j][i];
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][0]) + (T[1][i] * B[1][0]) + (T[2][i] * B[2][0]) +
             (T[3][i] * B[3][0]) + (T[4][i] * B[4][0]) + (T[5][i] * B[5][0]) + (T[6][i] * B[6][0]) +
@@ -790,7 +782,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
     for (int i = 0; i < 1; ++i) {
         Q[0 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][1]) + (T[1][i] * B[1][1]) + (T[2][i] * B[2][1]) +
             (T[3][i] * B[3][1]) + (T[4][i] * B[4][1]) + (T[5][i] * B[5][1]) + (T[6][i] * B[6][1]) +
@@ -806,7 +798,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
     for (int i = 0; i < 2; ++i) {
         Q[1 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][2]) + (T[1][i] * B[1][2]) + (T[2][i] * B[2][2]) +
             (T[3][i] * B[3][2]) + (T[4][i] * B[4][2]) + (T[5][i] * B[5][2]) + (T[6][i] * B[6][2]) +
@@ -822,7 +814,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
     for (int i = 0; i < 3; ++i) {
         Q[3 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][3]) + (T[1][i] * B[1][3]) + (T[2][i] * B[2][3]) +
             (T[3][i] * B[3][3]) + (T[4][i] * B[4][3]) + (T[5][i] * B[5][3]) + (T[6][i] * B[6][3]) +
@@ -838,7 +830,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
     for (int i = 0; i < 4; ++i) {
         Q[6 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][4]) + (T[1][i] * B[1][4]) + (T[2][i] * B[2][4]) +
             (T[3][i] * B[3][4]) + (T[4][i] * B[4][4]) + (T[5][i] * B[5][4]) + (T[6][i] * B[6][4]) +
@@ -854,7 +846,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
     for (int i = 0; i < 5; ++i) {
         Q[10 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][5]) + (T[1][i] * B[1][5]) + (T[2][i] * B[2][5]) +
             (T[3][i] * B[3][5]) + (T[4][i] * B[4][5]) + (T[5][i] * B[5][5]) + (T[6][i] * B[6][5]) +
@@ -870,133 +862,133 @@ void vas_discretize(const bs_real F[VAS_N_F],
     for (int i = 0; i < 6; ++i) {
         Q[15 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[6][i] * B[6][6]) + (T[40][i] * B[40][6]);
     }
     for (int i = 0; i < 7; ++i) {
         Q[21 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[7][i] * B[7][7]) + (T[41][i] * B[41][7]);
     }
     for (int i = 0; i < 8; ++i) {
         Q[28 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = BS_REAL(0.0) + (T[8][i] * B[8][8]) + (T[42][i] * B[42][8]);
     }
     for (int i = 0; i < 9; ++i) {
         Q[36 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = BS_REAL(0.0) + (T[9][i] * B[9][9]) + (T[43][i] * B[43][9]);
     }
     for (int i = 0; i < 10; ++i) {
         Q[45 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = BS_REAL(0.0) + (T[10][i] * B[10][10]) + (T[44][i] * B[44][10]);
     }
     for (int i = 0; i < 11; ++i) {
         Q[55 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = BS_REAL(0.0) + (T[11][i] * B[11][11]) + (T[45][i] * B[45][11]);
     }
     for (int i = 0; i < 12; ++i) {
         Q[66 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = BS_REAL(0.0) + (T[12][i] * B[12][12]);
     }
     for (int i = 0; i < 13; ++i) {
         Q[78 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = BS_REAL(0.0) + (T[13][i] * B[13][13]);
     }
     for (int i = 0; i < 14; ++i) {
         Q[91 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = BS_REAL(0.0) + (T[14][i] * B[14][14]);
     }
     for (int i = 0; i < 15; ++i) {
         Q[105 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = BS_REAL(0.0) + (T[15][i] * B[15][15]);
     }
     for (int i = 0; i < 16; ++i) {
         Q[120 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 20; ++i) {
         sum[i] = BS_REAL(0.0) + (T[16][i] * B[16][16]);
     }
     for (int i = 0; i < 17; ++i) {
         Q[136 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 20; ++i) {
         sum[i] = BS_REAL(0.0) + (T[17][i] * B[17][17]);
     }
     for (int i = 0; i < 18; ++i) {
         Q[153 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 20; ++i) {
         sum[i] = BS_REAL(0.0) + (T[18][i] * B[18][18]);
     }
     for (int i = 0; i < 19; ++i) {
         Q[171 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 20; ++i) {
         sum[i] = BS_REAL(0.0) + (T[19][i] * B[19][19]) + (T[22][i] * B[22][19]);
     }
     for (int i = 0; i < 20; ++i) {
         Q[190 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 24; ++i) {
         sum[i] = BS_REAL(0.0) + (T[20][i] * B[20][20]) + (T[23][i] * B[23][20]);
     }
     for (int i = 0; i < 21; ++i) {
         Q[210 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 24; ++i) {
         sum[i] = BS_REAL(0.0) + (T[21][i] * B[21][21]) + (T[24][i] * B[24][21]);
     }
     for (int i = 0; i < 22; ++i) {
         Q[231 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 24; ++i) {
         sum[i] = BS_REAL(0.0) + (T[19][i] * B[19][22]) + (T[22][i] * B[22][22]);
     }
     for (int i = 0; i < 23; ++i) {
         Q[253 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 24; ++i) {
         sum[i] = BS_REAL(0.0) + (T[20][i] * B[20][23]) + (T[23][i] * B[23][23]);
     }
     for (int i = 0; i < 24; ++i) {
         Q[276 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 28; ++i) {
         sum[i] = BS_REAL(0.0) + (T[21][i] * B[21][24]) + (T[24][i] * B[24][24]);
     }
@@ -1342,7 +1334,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
             Y[j][i] = X[j][i];
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]) +
             (Phi[3] * X[3][j]) + (Phi[4] * X[4][j]) + (Phi[5] * X[5][j]) + (Phi[6] * X[6][j]) +
@@ -1355,7 +1347,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
             (Phi[39] * X[39][j]) + (Phi[40] * X[40][j]) + (Phi[41] * X[41][j]) +
             (Phi[42] * X[42][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][1] = BS_REAL(0.0) + (Phi[50] * X[0][j]) + (Phi[51] * X[1][j]) + (Phi[52] * X[2][j]) +
             (Phi[53] * X[3][j]) + (Phi[54] * X[4][j]) + (Phi[55] * X[5][j]) + (Phi[56] * X[6][j]) +
@@ -1368,7 +1360,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
             (Phi[89] * X[39][j]) + (Phi[90] * X[40][j]) + (Phi[91] * X[41][j]) +
             (Phi[92] * X[42][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][2] = BS_REAL(0.0) + (Phi[100] * X[0][j]) + (Phi[101] * X[1][j]) +
             (Phi[102] * X[2][j]) + (Phi[103] * X[3][j]) + (Phi[104] * X[4][j]) +
@@ -1382,7 +1374,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
             (Phi[139] * X[39][j]) + (Phi[140] * X[40][j]) + (Phi[141] * X[41][j]) +
             (Phi[142] * X[42][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][3] = BS_REAL(0.0) + (Phi[150] * X[0][j]) + (Phi[151] * X[1][j]) +
             (Phi[152] * X[2][j]) + (Phi[153] * X[3][j]) + (Phi[154] * X[4][j]) +
@@ -1396,7 +1388,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
             (Phi[189] * X[39][j]) + (Phi[193] * X[43][j]) + (Phi[194] * X[44][j]) +
             (Phi[195] * X[45][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][4] = BS_REAL(0.0) + (Phi[200] * X[0][j]) + (Phi[201] * X[1][j]) +
             (Phi[202] * X[2][j]) + (Phi[203] * X[3][j]) + (Phi[204] * X[4][j]) +
@@ -1410,7 +1402,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
             (Phi[239] * X[39][j]) + (Phi[243] * X[43][j]) + (Phi[244] * X[44][j]) +
             (Phi[245] * X[45][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][5] = BS_REAL(0.0) + (Phi[250] * X[0][j]) + (Phi[251] * X[1][j]) +
             (Phi[252] * X[2][j]) + (Phi[253] * X[3][j]) + (Phi[254] * X[4][j]) +
@@ -1424,83 +1416,83 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
             (Phi[289] * X[39][j]) + (Phi[293] * X[43][j]) + (Phi[294] * X[44][j]) +
             (Phi[295] * X[45][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][6] = BS_REAL(0.0) + (Phi[306] * X[6][j]) + (Phi[340] * X[40][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][7] = BS_REAL(0.0) + (Phi[357] * X[7][j]) + (Phi[391] * X[41][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][8] = BS_REAL(0.0) + (Phi[408] * X[8][j]) + (Phi[442] * X[42][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][9] = BS_REAL(0.0) + (Phi[459] * X[9][j]) + (Phi[493] * X[43][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][10] = BS_REAL(0.0) + (Phi[510] * X[10][j]) + (Phi[544] * X[44][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][11] = BS_REAL(0.0) + (Phi[561] * X[11][j]) + (Phi[595] * X[45][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][12] = BS_REAL(0.0) + (Phi[612] * X[12][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][13] = BS_REAL(0.0) + (Phi[663] * X[13][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][14] = BS_REAL(0.0) + (Phi[714] * X[14][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][15] = BS_REAL(0.0) + (Phi[765] * X[15][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][16] = BS_REAL(0.0) + (Phi[816] * X[16][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][17] = BS_REAL(0.0) + (Phi[867] * X[17][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][18] = BS_REAL(0.0) + (Phi[918] * X[18][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][19] = BS_REAL(0.0) + (Phi[969] * X[19][j]) + (Phi[972] * X[22][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][20] = BS_REAL(0.0) + (Phi[1020] * X[20][j]) + (Phi[1023] * X[23][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][21] = BS_REAL(0.0) + (Phi[1071] * X[21][j]) + (Phi[1074] * X[24][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][22] = BS_REAL(0.0) + (Phi[1119] * X[19][j]) + (Phi[1122] * X[22][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][23] = BS_REAL(0.0) + (Phi[1170] * X[20][j]) + (Phi[1173] * X[23][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][24] = BS_REAL(0.0) + (Phi[1221] * X[21][j]) + (Phi[1224] * X[24][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i]) +
                   (Phi[3] * Y[3][i]) + (Phi[4] * Y[4][i]) + (Phi[5] * Y[5][i]) +
@@ -1516,7 +1508,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
     for (int i = 0; i < 1; ++i) {
         next[0 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[50] * Y[0][i]) + (Phi[51] * Y[1][i]) + (Phi[52] * Y[2][i]) +
                   (Phi[53] * Y[3][i]) + (Phi[54] * Y[4][i]) + (Phi[55] * Y[5][i]) +
@@ -1532,7 +1524,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
     for (int i = 0; i < 2; ++i) {
         next[1 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[100] * Y[0][i]) + (Phi[101] * Y[1][i]) +
                   (Phi[102] * Y[2][i]) + (Phi[103] * Y[3][i]) + (Phi[104] * Y[4][i]) +
@@ -1549,7 +1541,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
     for (int i = 0; i < 3; ++i) {
         next[3 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[150] * Y[0][i]) + (Phi[151] * Y[1][i]) +
                   (Phi[152] * Y[2][i]) + (Phi[153] * Y[3][i]) + (Phi[154] * Y[4][i]) +
@@ -1566,7 +1558,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
     for (int i = 0; i < 4; ++i) {
         next[6 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[200] * Y[0][i]) + (Phi[201] * Y[1][i]) +
                   (Phi[202] * Y[2][i]) + (Phi[203] * Y[3][i]) + (Phi[204] * Y[4][i]) +
@@ -1583,7 +1575,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
     for (int i = 0; i < 5; ++i) {
         next[10 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[250] * Y[0][i]) + (Phi[251] * Y[1][i]) +
                   (Phi[252] * Y[2][i]) + (Phi[253] * Y[3][i]) + (Phi[254] * Y[4][i]) +
@@ -1600,284 +1592,284 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
     for (int i = 0; i < 6; ++i) {
         next[15 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[306] * Y[6][i]) + (Phi[340] * Y[40][i])) + Q[21 + i];
     }
     for (int i = 0; i < 7; ++i) {
         next[21 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[357] * Y[7][i]) + (Phi[391] * Y[41][i])) + Q[28 + i];
     }
     for (int i = 0; i < 8; ++i) {
         next[28 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[408] * Y[8][i]) + (Phi[442] * Y[42][i])) + Q[36 + i];
     }
     for (int i = 0; i < 9; ++i) {
         next[36 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[459] * Y[9][i]) + (Phi[493] * Y[43][i])) + Q[45 + i];
     }
     for (int i = 0; i < 10; ++i) {
         next[45 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[510] * Y[10][i]) + (Phi[544] * Y[44][i])) + Q[55 + i];
     }
     for (int i = 0; i < 11; ++i) {
         next[55 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[561] * Y[11][i]) + (Phi[595] * Y[45][i])) + Q[66 + i];
     }
     for (int i = 0; i < 12; ++i) {
         next[66 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[612] * Y[12][i])) + Q[78 + i];
     }
     for (int i = 0; i < 13; ++i) {
         next[78 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[663] * Y[13][i])) + Q[91 + i];
     }
     for (int i = 0; i < 14; ++i) {
         next[91 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[714] * Y[14][i])) + Q[105 + i];
     }
     for (int i = 0; i < 15; ++i) {
         next[105 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 16; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[765] * Y[15][i])) + Q[120 + i];
     }
     for (int i = 0; i < 16; ++i) {
         next[120 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 20; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[816] * Y[16][i])) + Q[136 + i];
     }
     for (int i = 0; i < 17; ++i) {
         next[136 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 20; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[867] * Y[17][i])) + Q[153 + i];
     }
     for (int i = 0; i < 18; ++i) {
         next[153 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 20; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[918] * Y[18][i])) + Q[171 + i];
     }
     for (int i = 0; i < 19; ++i) {
         next[171 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 20; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[969] * Y[19][i]) + (Phi[972] * Y[22][i])) + Q[190 + i];
     }
     for (int i = 0; i < 20; ++i) {
         next[190 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 24; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[1020] * Y[20][i]) + (Phi[1023] * Y[23][i])) + Q[210 + i];
     }
     for (int i = 0; i < 21; ++i) {
         next[210 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 24; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[1071] * Y[21][i]) + (Phi[1074] * Y[24][i])) + Q[231 + i];
     }
     for (int i = 0; i < 22; ++i) {
         next[231 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 24; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[1119] * Y[19][i]) + (Phi[1122] * Y[22][i])) + Q[253 + i];
     }
     for (int i = 0; i < 23; ++i) {
         next[253 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 24; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[1170] * Y[20][i]) + (Phi[1173] * Y[23][i])) + Q[276 + i];
     }
     for (int i = 0; i < 24; ++i) {
         next[276 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 28; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[1221] * Y[21][i]) + (Phi[1224] * Y[24][i])) + Q[300 + i];
     }
     for (int i = 0; i < 25; ++i) {
         next[300 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 28; ++i) {
         sum[i] = Y[25][i] + Q[325 + i];
     }
     for (int i = 0; i < 26; ++i) {
         next[325 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 28; ++i) {
         sum[i] = Y[26][i] + Q[351 + i];
     }
     for (int i = 0; i < 27; ++i) {
         next[351 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 28; ++i) {
         sum[i] = Y[27][i] + Q[378 + i];
     }
     for (int i = 0; i < 28; ++i) {
         next[378 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 32; ++i) {
         sum[i] = Y[28][i] + Q[406 + i];
     }
     for (int i = 0; i < 29; ++i) {
         next[406 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 32; ++i) {
         sum[i] = Y[29][i] + Q[435 + i];
     }
     for (int i = 0; i < 30; ++i) {
         next[435 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 32; ++i) {
         sum[i] = Y[30][i] + Q[465 + i];
     }
     for (int i = 0; i < 31; ++i) {
         next[465 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 32; ++i) {
         sum[i] = Y[31][i] + Q[496 + i];
     }
     for (int i = 0; i < 32; ++i) {
         next[496 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 36; ++i) {
         sum[i] = Y[32][i] + Q[528 + i];
     }
     for (int i = 0; i < 33; ++i) {
         next[528 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 36; ++i) {
         sum[i] = Y[33][i] + Q[561 + i];
     }
     for (int i = 0; i < 34; ++i) {
         next[561 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 36; ++i) {
         sum[i] = Y[34][i] + Q[595 + i];
     }
     for (int i = 0; i < 35; ++i) {
         next[595 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 36; ++i) {
         sum[i] = Y[35][i] + Q[630 + i];
     }
     for (int i = 0; i < 36; ++i) {
         next[630 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 40; ++i) {
         sum[i] = Y[36][i] + Q[666 + i];
     }
     for (int i = 0; i < 37; ++i) {
         next[666 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 40; ++i) {
         sum[i] = Y[37][i] + Q[703 + i];
     }
     for (int i = 0; i < 38; ++i) {
         next[703 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 40; ++i) {
         sum[i] = Y[38][i] + Q[741 + i];
     }
     for (int i = 0; i < 39; ++i) {
         next[741 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 40; ++i) {
         sum[i] = Y[39][i] + Q[780 + i];
     }
     for (int i = 0; i < 40; ++i) {
         next[780 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 44; ++i) {
         sum[i] = Y[40][i] + Q[820 + i];
     }
     for (int i = 0; i < 41; ++i) {
         next[820 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 44; ++i) {
         sum[i] = Y[41][i] + Q[861 + i];
     }
     for (int i = 0; i < 42; ++i) {
         next[861 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 44; ++i) {
         sum[i] = Y[42][i] + Q[903 + i];
     }
     for (int i = 0; i < 43; ++i) {
         next[903 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 44; ++i) {
         sum[i] = Y[43][i] + Q[946 + i];
     }
     for (int i = 0; i < 44; ++i) {
         next[946 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 48; ++i) {
         sum[i] = Y[44][i] + Q[990 + i];
     }
     for (int i = 0; i < 45; ++i) {
         next[990 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 44; ++i) {
         sum[i] = Y[45][i] + Q[1035 + i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 44; i < 46; ++i) {
         sum[i] = Y[45][i] + Q[1035 + i];
     }
@@ -2166,326 +2158,326 @@ bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs
         for (int i = 0; i < WIDE; ++i) {
             b[i] = sums[row->count][i] - (R * K[i]);
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
         }
         for (int i = 0; i < 1; ++i) {
             P[0 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
         }
         for (int i = 0; i < 2; ++i) {
             P[1 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
         }
         for (int i = 0; i < 3; ++i) {
             P[3 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
         }
         for (int i = 0; i < 4; ++i) {
             P[6 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
         }
         for (int i = 0; i < 5; ++i) {
             P[10 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
         }
         for (int i = 0; i < 6; ++i) {
             P[15 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
         }
         for (int i = 0; i < 7; ++i) {
             P[21 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
         }
         for (int i = 0; i < 8; ++i) {
             P[28 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
         }
         for (int i = 0; i < 9; ++i) {
             P[36 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
         }
         for (int i = 0; i < 10; ++i) {
             P[45 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
         }
         for (int i = 0; i < 11; ++i) {
             P[55 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[66 + i] - (K[i] * g[11])) - (b[i] * K[11]);
         }
         for (int i = 0; i < 12; ++i) {
             P[66 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
         }
         for (int i = 0; i < 13; ++i) {
             P[78 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[91 + i] - (K[i] * g[13])) - (b[i] * K[13]);
         }
         for (int i = 0; i < 14; ++i) {
             P[91 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
         }
         for (int i = 0; i < 15; ++i) {
             P[105 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 16; ++i) {
             next[i] = (P[120 + i] - (K[i] * g[15])) - (b[i] * K[15]);
         }
         for (int i = 0; i < 16; ++i) {
             P[120 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 20; ++i) {
             next[i] = (P[136 + i] - (K[i] * g[16])) - (b[i] * K[16]);
         }
         for (int i = 0; i < 17; ++i) {
             P[136 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 20; ++i) {
             next[i] = (P[153 + i] - (K[i] * g[17])) - (b[i] * K[17]);
         }
         for (int i = 0; i < 18; ++i) {
             P[153 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 20; ++i) {
             next[i] = (P[171 + i] - (K[i] * g[18])) - (b[i] * K[18]);
         }
         for (int i = 0; i < 19; ++i) {
             P[171 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 20; ++i) {
             next[i] = (P[190 + i] - (K[i] * g[19])) - (b[i] * K[19]);
         }
         for (int i = 0; i < 20; ++i) {
             P[190 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 24; ++i) {
             next[i] = (P[210 + i] - (K[i] * g[20])) - (b[i] * K[20]);
         }
         for (int i = 0; i < 21; ++i) {
             P[210 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 24; ++i) {
             next[i] = (P[231 + i] - (K[i] * g[21])) - (b[i] * K[21]);
         }
         for (int i = 0; i < 22; ++i) {
             P[231 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 24; ++i) {
             next[i] = (P[253 + i] - (K[i] * g[22])) - (b[i] * K[22]);
         }
         for (int i = 0; i < 23; ++i) {
             P[253 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 24; ++i) {
             next[i] = (P[276 + i] - (K[i] * g[23])) - (b[i] * K[23]);
         }
         for (int i = 0; i < 24; ++i) {
             P[276 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 28; ++i) {
             next[i] = (P[300 + i] - (K[i] * g[24])) - (b[i] * K[24]);
         }
         for (int i = 0; i < 25; ++i) {
             P[300 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 28; ++i) {
             next[i] = (P[325 + i] - (K[i] * g[25])) - (b[i] * K[25]);
         }
         for (int i = 0; i < 26; ++i) {
             P[325 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 28; ++i) {
             next[i] = (P[351 + i] - (K[i] * g[26])) - (b[i] * K[26]);
         }
         for (int i = 0; i < 27; ++i) {
             P[351 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 28; ++i) {
             next[i] = (P[378 + i] - (K[i] * g[27])) - (b[i] * K[27]);
         }
         for (int i = 0; i < 28; ++i) {
             P[378 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 32; ++i) {
             next[i] = (P[406 + i] - (K[i] * g[28])) - (b[i] * K[28]);
         }
         for (int i = 0; i < 29; ++i) {
             P[406 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 32; ++i) {
             next[i] = (P[435 + i] - (K[i] * g[29])) - (b[i] * K[29]);
         }
         for (int i = 0; i < 30; ++i) {
             P[435 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 32; ++i) {
             next[i] = (P[465 + i] - (K[i] * g[30])) - (b[i] * K[30]);
         }
         for (int i = 0; i < 31; ++i) {
             P[465 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 32; ++i) {
             next[i] = (P[496 + i] - (K[i] * g[31])) - (b[i] * K[31]);
         }
         for (int i = 0; i < 32; ++i) {
             P[496 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 36; ++i) {
             next[i] = (P[528 + i] - (K[i] * g[32])) - (b[i] * K[32]);
         }
         for (int i = 0; i < 33; ++i) {
             P[528 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 36; ++i) {
             next[i] = (P[561 + i] - (K[i] * g[33])) - (b[i] * K[33]);
         }
         for (int i = 0; i < 34; ++i) {
             P[561 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 36; ++i) {
             next[i] = (P[595 + i] - (K[i] * g[34])) - (b[i] * K[34]);
         }
         for (int i = 0; i < 35; ++i) {
             P[595 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 36; ++i) {
             next[i] = (P[630 + i] - (K[i] * g[35])) - (b[i] * K[35]);
         }
         for (int i = 0; i < 36; ++i) {
             P[630 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 40; ++i) {
             next[i] = (P[666 + i] - (K[i] * g[36])) - (b[i] * K[36]);
         }
         for (int i = 0; i < 37; ++i) {
             P[666 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 40; ++i) {
             next[i] = (P[703 + i] - (K[i] * g[37])) - (b[i] * K[37]);
         }
         for (int i = 0; i < 38; ++i) {
             P[703 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 40; ++i) {
             next[i] = (P[741 + i] - (K[i] * g[38])) - (b[i] * K[38]);
         }
         for (int i = 0; i < 39; ++i) {
             P[741 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 40; ++i) {
             next[i] = (P[780 + i] - (K[i] * g[39])) - (b[i] * K[39]);
         }
         for (int i = 0; i < 40; ++i) {
             P[780 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 44; ++i) {
             next[i] = (P[820 + i] - (K[i] * g[40])) - (b[i] * K[40]);
         }
         for (int i = 0; i < 41; ++i) {
             P[820 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 44; ++i) {
             next[i] = (P[861 + i] - (K[i] * g[41])) - (b[i] * K[41]);
         }
         for (int i = 0; i < 42; ++i) {
             P[861 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 44; ++i) {
             next[i] = (P[903 + i] - (K[i] * g[42])) - (b[i] * K[42]);
         }
         for (int i = 0; i < 43; ++i) {
             P[903 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 44; ++i) {
             next[i] = (P[946 + i] - (K[i] * g[43])) - (b[i] * K[43]);
         }
         for (int i = 0; i < 44; ++i) {
             P[946 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 48; ++i) {
             next[i] = (P[990 + i] - (K[i] * g[44])) - (b[i] * K[44]);
         }
         for (int i = 0; i < 45; ++i) {
             P[990 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 44; ++i) {
             next[i] = (P[1035 + i] - (K[i] * g[45])) - (b[i] * K[45]);
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 44; i < 46; ++i) {
             next[i] = (P[1035 + i] - (K[i] * g[45])) - (b[i] * K[45]);
         }

@@ -18,7 +18,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "470e1239c28d8bd602bec16405c8df51fc750a1bc0c104533a3cfa0d1ad73fa0"
+#define VD_MODEL_HASH "3f7d36de1940d942f25904f6feb898f016cda1bc5639d5ee546fa848f54b4760"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1

@@ -55,14 +55,6 @@ static void clear(bs_real *value, int n)
 /* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
  * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
  * a finite number. */
-#if defined(__clang__)
-#define ROLLED _Pragma("clang loop unroll(disable)") /* or rows do not fit into the instruction
-                                                      * cache */
-#elif defined(__GNUC__)
-#define ROLLED _Pragma("GCC unroll 1")
-#else
-#define ROLLED
-#endif
 #define WIDE 12 /* N in whole blocks */
 #define DEEP 8 /* M in whole blocks */
 static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
@@ -332,7 +324,7 @@ void vd_discretize(const bs_real F[VD_N_F],
             B[j][i] = BS_REAL(0.0);
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]) +
             (A[0][4] * A[4][j]) + (A[0][5] * A[5][j]);
@@ -340,9 +332,9 @@ void vd_discretize(const bs_real F[VD_N_F],
         B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[0 * ROW + j] = sum[j];
+        Phi[0 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[1][0] * A[0][j]) + (A[1][2] * A[2][j]) +
             (A[1][3] * A[3][j]) + (A[1][5] * A[5][j]);
@@ -350,9 +342,9 @@ void vd_discretize(const bs_real F[VD_N_F],
         B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[1 * ROW + j] = sum[j];
+        Phi[10 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[2][0] * A[0][j]) + (A[2][1] * A[1][j]) +
             (A[2][3] * A[3][j]) + (A[2][4] * A[4][j]);
@@ -360,34 +352,34 @@ void vd_discretize(const bs_real F[VD_N_F],
         B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[2 * ROW + j] = sum[j];
+        Phi[20 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[3][4] * A[4][j]) + (A[3][5] * A[5][j]);
         sum[j] = A[3][j] + (BS_REAL(0.5) * twice);
         B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[3 * ROW + j] = sum[j];
+        Phi[30 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[4][3] * A[3][j]) + (A[4][5] * A[5][j]);
         sum[j] = A[4][j] + (BS_REAL(0.5) * twice);
         B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[4 * ROW + j] = sum[j];
+        Phi[40 + j] = sum[j];
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         const bs_real twice = BS_REAL(0.0) + (A[5][3] * A[3][j]) + (A[5][4] * A[4][j]);
         sum[j] = A[5][j] + (BS_REAL(0.5) * twice);
         B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
     }
     for (int j = 0; j < N; ++j) {
-        Phi[5 * ROW + j] = sum[j];
+        Phi[50 + j] = sum[j];
     }
     for (int i = 0; i < M; ++i) {
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
@@ -458,7 +450,7 @@ void vd_discretize(const bs_real F[VD_N_F],
             Q[column(j) + i] = T[j][i];
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][0]) + (T[1][i] * B[1][0]) + (T[2][i] * B[2][0]) +
             (T[3][i] * B[3][0]) + (T[4][i] * B[4][0]) + (T[5][i] * B[5][0]);
@@ -466,7 +458,7 @@ void vd_discretize(const bs_real F[VD_N_F],
     for (int i = 0; i < 1; ++i) {
         Q[0 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][1]) + (T[1][i] * B[1][1]) + (T[2][i] * B[2][1]) +
             (T[3][i] * B[3][1]) + (T[4][i] * B[4][1]) + (T[5][i] * B[5][1]);
@@ -474,7 +466,7 @@ void vd_discretize(const bs_real F[VD_N_F],
     for (int i = 0; i < 2; ++i) {
         Q[1 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][2]) + (T[1][i] * B[1][2]) + (T[2][i] * B[2][2]) +
             (T[3][i] * B[3][2]) + (T[4][i] * B[4][2]) + (T[5][i] * B[5][2]);
@@ -482,21 +474,21 @@ void vd_discretize(const bs_real F[VD_N_F],
     for (int i = 0; i < 3; ++i) {
         Q[3 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][3]) + (T[4][i] * B[4][3]) + (T[5][i] * B[5][3]);
     }
     for (int i = 0; i < 4; ++i) {
         Q[6 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][4]) + (T[4][i] * B[4][4]) + (T[5][i] * B[5][4]);
     }
     for (int i = 0; i < 5; ++i) {
         Q[10 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][5]) + (T[4][i] * B[4][5]) + (T[5][i] * B[5][5]);
     }
@@ -632,34 +624,34 @@ void vd_joseph_predict(const bs_real P[VD_N_PACKED],
             Y[j][i] = X[j][i];
         }
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]) +
             (Phi[3] * X[3][j]) + (Phi[4] * X[4][j]) + (Phi[5] * X[5][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][1] = BS_REAL(0.0) + (Phi[10] * X[0][j]) + (Phi[11] * X[1][j]) + (Phi[12] * X[2][j]) +
             (Phi[13] * X[3][j]) + (Phi[14] * X[4][j]) + (Phi[15] * X[5][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][2] = BS_REAL(0.0) + (Phi[20] * X[0][j]) + (Phi[21] * X[1][j]) + (Phi[22] * X[2][j]) +
             (Phi[23] * X[3][j]) + (Phi[24] * X[4][j]) + (Phi[25] * X[5][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][3] = BS_REAL(0.0) + (Phi[33] * X[3][j]) + (Phi[34] * X[4][j]) + (Phi[35] * X[5][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][4] = BS_REAL(0.0) + (Phi[43] * X[3][j]) + (Phi[44] * X[4][j]) + (Phi[45] * X[5][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int j = 0; j < WIDE; ++j) {
         Y[j][5] = BS_REAL(0.0) + (Phi[53] * X[3][j]) + (Phi[54] * X[4][j]) + (Phi[55] * X[5][j]);
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i]) +
                   (Phi[3] * Y[3][i]) + (Phi[4] * Y[4][i]) + (Phi[5] * Y[5][i])) + Q[0 + i];
@@ -667,7 +659,7 @@ void vd_joseph_predict(const bs_real P[VD_N_PACKED],
     for (int i = 0; i < 1; ++i) {
         next[0 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[10] * Y[0][i]) + (Phi[11] * Y[1][i]) + (Phi[12] * Y[2][i]) +
                   (Phi[13] * Y[3][i]) + (Phi[14] * Y[4][i]) + (Phi[15] * Y[5][i])) + Q[1 + i];
@@ -675,7 +667,7 @@ void vd_joseph_predict(const bs_real P[VD_N_PACKED],
     for (int i = 0; i < 2; ++i) {
         next[1 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[20] * Y[0][i]) + (Phi[21] * Y[1][i]) + (Phi[22] * Y[2][i]) +
                   (Phi[23] * Y[3][i]) + (Phi[24] * Y[4][i]) + (Phi[25] * Y[5][i])) + Q[3 + i];
@@ -683,7 +675,7 @@ void vd_joseph_predict(const bs_real P[VD_N_PACKED],
     for (int i = 0; i < 3; ++i) {
         next[3 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 4; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[33] * Y[3][i]) + (Phi[34] * Y[4][i]) + (Phi[35] * Y[5][i])) +
             Q[6 + i];
@@ -691,7 +683,7 @@ void vd_joseph_predict(const bs_real P[VD_N_PACKED],
     for (int i = 0; i < 4; ++i) {
         next[6 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[43] * Y[3][i]) + (Phi[44] * Y[4][i]) + (Phi[45] * Y[5][i])) +
             Q[10 + i];
@@ -699,7 +691,7 @@ void vd_joseph_predict(const bs_real P[VD_N_PACKED],
     for (int i = 0; i < 5; ++i) {
         next[10 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = (BS_REAL(0.0) + (Phi[53] * Y[3][i]) + (Phi[54] * Y[4][i]) + (Phi[55] * Y[5][i])) +
             Q[15 + i];
@@ -707,32 +699,32 @@ void vd_joseph_predict(const bs_real P[VD_N_PACKED],
     for (int i = 0; i < 6; ++i) {
         next[15 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = Y[6][i] + Q[21 + i];
     }
     for (int i = 0; i < 7; ++i) {
         next[21 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = Y[7][i] + Q[28 + i];
     }
     for (int i = 0; i < 8; ++i) {
         next[28 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[8][i] + Q[36 + i];
     }
     for (int i = 0; i < 9; ++i) {
         next[36 + i] = sum[i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 0; i < 8; ++i) {
         sum[i] = Y[9][i] + Q[45 + i];
     }
-    ROLLED
+    BS_ROLLED
     for (int i = 8; i < 10; ++i) {
         sum[i] = Y[9][i] + Q[45 + i];
     }
@@ -1020,74 +1012,74 @@ bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_ro
         for (int i = 0; i < WIDE; ++i) {
             b[i] = sums[row->count][i] - (R * K[i]);
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
         }
         for (int i = 0; i < 1; ++i) {
             P[0 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
         }
         for (int i = 0; i < 2; ++i) {
             P[1 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
         }
         for (int i = 0; i < 3; ++i) {
             P[3 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
             next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
         }
         for (int i = 0; i < 4; ++i) {
             P[6 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
         }
         for (int i = 0; i < 5; ++i) {
             P[10 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
         }
         for (int i = 0; i < 6; ++i) {
             P[15 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
         }
         for (int i = 0; i < 7; ++i) {
             P[21 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
         }
         for (int i = 0; i < 8; ++i) {
             P[28 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 12; ++i) {
             next[i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
         }
         for (int i = 0; i < 9; ++i) {
             P[36 + i] = next[i];
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 0; i < 8; ++i) {
             next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
         }
-        ROLLED
+        BS_ROLLED
         for (int i = 8; i < 10; ++i) {
             next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
         }
