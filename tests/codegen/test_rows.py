@@ -7,8 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from building import STRICT, run, self_test
 from conftest import ROOT
 
+from boresight.codegen.export import export
 from boresight.runtime import compiler
 
 SOURCES = sorted((ROOT / "generated").glob("*/src/*_covariance.c"))
@@ -136,3 +138,13 @@ def test_a_sum_in_another_order_is_seen(vector, folder, tmp_path):
     joined = re.compile(rf"{re.escape(match[0])} \+\s+{re.escape(match[1])}")
     swapped.write_text(joined.sub(f"{match[1]} + {match[0]}", text))
     assert differing(loops, Kernels(swapped, tmp_path / "rows.so", "-O2", ROWS)) > 0
+
+
+def test_the_self_test_passes_by_rows(tmp_path):
+    """Every golden vector, and what an export calls the macro."""
+    folder = ROOT / "generated" / "euler_matching"
+    done = self_test(folder, tmp_path, *STRICT, ROWS)
+    assert done.returncode == 0, done.stdout[-2000:]
+    out = tmp_path / "flight"
+    export("euler-matching", out, "double")
+    assert ROWS not in run("make", "-n", "-C", out).stdout and ROWS in run("make", "-n", "-C", out, "ROWS=1").stdout
