@@ -18,7 +18,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "6237c6f7727810f6c922b30e090e714c48b5ee0902096f752a72611f66f76e4f"
+#define AH_MODEL_HASH "cc38f1c370dd2a41b0067599d2097062931d70c526639830cdaf4c7535ae1cbe"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "f2e4731f24738b1bf0c8d55258de5ad5f9a73c6a1b37b4e05c2e3493e4ad3efd"
+#define AHR_MODEL_HASH "9277e04a3f489838698f3e574051a35573bd469c88ee63321b8ed90125f00a6c"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "9300838e818c8be6dc06dc7c008f6fd60a0c5ea7701047526c20f008f21f497b"
+#define EM_MODEL_HASH "52d8c597530e1491b8485157ef220ff826c6bc19ca099c17df7f7a2d40bb5307"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

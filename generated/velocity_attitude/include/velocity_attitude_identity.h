@@ -18,7 +18,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "d1baa49d9c39b3962b49091ff5115ea4aab9291aea732e50b71f5c1e52303992"
+#define VA_MODEL_HASH "8c8bd83298d5f24f5bc260d16c8c471dcd92b9331ce5dfd8d5975da30db1f0f4"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "84d0900410346e739d014749a32337f93f76f623a0d1b485db1f4f9fa75724f0"
+#define VAL_MODEL_HASH "ba8dc9fd316199f3da0decc744755fd207b7918f35b5962308edc85988044eb5"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

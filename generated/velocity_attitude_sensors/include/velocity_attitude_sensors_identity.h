@@ -18,7 +18,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "b8a3cbc15cf0d04c4aa4cf4c7be27b9a345eda9a3c41501dbe356048756fa78c"
+#define VAS_MODEL_HASH "e3b4972ef30cf164cf79cb0cc37118f9e8650ec614e27982c949a426596cad08"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "2f2649f494ee909119387a1512bf09b5d08db1bb90f89aa71ba4d45ea5b43cb3"
+#define VD_MODEL_HASH "3ea563ac8b283d901764543164e0325fffb48410238c9bd8c3f2e632b303d7c3"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
