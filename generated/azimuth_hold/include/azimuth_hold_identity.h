@@ -18,7 +18,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "1f9db1889af9b83b2c1842a8f25a97a1d37b881edb4e9edd0e67f51ca8fc873b"
+#define AH_MODEL_HASH "7d54b7ffd0fe4d0c0e3e3cc43c797a5db1f3b509f47f26dd94faf222894067df"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "2c01b47a8e637d7128f85bbd4cabba65c1ed640abf2b1a1a61b6ed818a1ea4ab"
+#define VAS_MODEL_HASH "de769a3015477226c128ca3a1bdb7bc3a44485d74a936a2548b0463bebc001fb"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

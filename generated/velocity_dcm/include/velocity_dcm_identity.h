@@ -18,7 +18,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "3f7d36de1940d942f25904f6feb898f016cda1bc5639d5ee546fa848f54b4760"
+#define VD_MODEL_HASH "00d7d73aab617ea9fb3e0a862e9abb0da4299b12513e7e51a5d5b2fe984be966"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
