@@ -209,8 +209,8 @@ MUTANTS = {  # of the text of em_lanes.c: each spoils one step in lanes, in the 
     "propagate, Q": ("const bs_lanes share = 0.75 *", "const bs_lanes share = 0.7500000000000001 *"),
     "propagate, a bad lane written": ("*to = bs_choose(good, *to,", "*to = bs_choose(~good, *to,"),
     "measure_euler, a sum reordered": (
-        "((to[i] - (K[i] * gj)) - (own[i] * Kj)) + (*R * (K[i] * Kj))",
-        "(to[i] - ((K[i] * gj) + (own[i] * Kj))) + (*R * (K[i] * Kj))",
+        "(to[i] - (K[i] * gj)) - (own[i] * Kj)",
+        "to[i] - ((K[i] * gj) + (own[i] * Kj))",
     ),
     "measure_euler, a gate": ("*good &= (*nu * *nu) <= ((gate * gate) * *S);", ""),
     "measure_euler, a bad lane written": ("b->x[i] = bs_choose(*good, b->x[i], x[i]);", ""),
