@@ -352,7 +352,9 @@ class CompiledFilter(Filter):
             self._consider(considered)
             for vector in (vectors or {}).values():
                 shared = vector.ndim == 1
-                kept.append(np.ascontiguousarray(vector if shared else np.broadcast_to(vector, (*runs, vector.shape[-1]))))
+                kept.append(
+                    np.ascontiguousarray(vector if shared else np.broadcast_to(vector, (*runs, vector.shape[-1])))
+                )
                 blocks.append((kept[-1].ctypes.data, 0 if shared else vector.shape[-1]))
             out = np.zeros((*runs, m)), np.zeros((*runs, m)), np.zeros(runs), np.zeros((*runs, m), dtype=np.uint8)
             asked = np.ascontiguousarray(np.broadcast_to(rows, (*runs, m)), dtype=np.uint8)
@@ -363,7 +365,9 @@ class CompiledFilter(Filter):
         arguments.append((Given * max(1, len(blocks)))(*(Given(at, stride, 0) for at, stride in blocks)))
         if out:
             pointers = (part.ctypes.data for part in out)
-            arguments.append(ctypes.byref(Taking(asked.ctypes.data, m, gates.ctypes.data, often.ctypes.data, *pointers)))
+            arguments.append(
+                ctypes.byref(Taking(asked.ctypes.data, m, gates.ctypes.data, often.ctypes.data, *pointers))
+            )
         status = np.zeros(memory.n, dtype=np.uint8)
         arguments.append(status.ctypes.data)
         changed = self._changed(name)

@@ -107,7 +107,9 @@ def shared_library(
         stamp.write_text(
             f'const char *boresight_build(void);\nconst char *boresight_build(void) {{ return "{digest}"; }}\n'
         )
-        objects = compile_sources([*command, *FLAGS, *native, *flags, "-I", include], {stamp: (), **sources}, Path(folder))
+        objects = compile_sources(
+            [*command, *FLAGS, *native, *flags, "-I", include], {stamp: (), **sources}, Path(folder)
+        )
         run([*command, "-shared", *objects.values(), "-lm", "-o", library])
         os.replace(library, target)
     return target, digest

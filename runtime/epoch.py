@@ -78,7 +78,9 @@ class Measured(Inputs):
         described = loop.described["measurements"][name]
         m = described["m"]
         size = m * m if loop._described(name, "correlated") else m
-        super().__init__(loop, described, runs, None, shared, {**({"z": m} if described["brings_z"] else {}), "R": size})
+        super().__init__(
+            loop, described, runs, None, shared, {**({"z": m} if described["brings_z"] else {}), "R": size}
+        )
         self.index: int = described["index"]
         alike = "rows" in shared
         self.rows = np.ones((*(() if alike else runs), m), dtype=np.uint8)
@@ -165,9 +167,7 @@ class Epoch:
             function = getattr(loop._dll, f"{loop._library.manifest['c_prefix']}_lanes_epoch")
             function.restype = ctypes.c_size_t
             addresses = (self._memory.address, ctypes.addressof(self._cycle), self.status.ctypes.data)
-            self._bound = functools.partial(
-                function, ctypes.c_size_t(self._memory.n), *map(ctypes.c_void_p, addresses)
-            )
+            self._bound = functools.partial(function, ctypes.c_size_t(self._memory.n), *map(ctypes.c_void_p, addresses))
         refused: int = self._bound()
         loop._forget(self._changed)
         return refused

@@ -273,9 +273,7 @@ class Library:
         return [*super().__dir__(), *self.units]
 
 
-def load(
-    model: str | Path, backend: str = "flight", precision: str = "double", lanes: int | None = None
-) -> Library:
+def load(model: str | Path, backend: str = "flight", precision: str = "double", lanes: int | None = None) -> Library:
     """The compiled functions of a model: a built-in name, or a folder that `boresight generate` wrote.
 
     backend: "flight" for our C, "casadi" for CasADi's own; both have the same functions and give the same bits.

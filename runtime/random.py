@@ -76,5 +76,7 @@ def drawn(name: str, seed: int, runs: Any, count: int, first: int, stream: int, 
     integer, pointer, size, step = ctypes.c_uint64, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_ssize_t
     function.argtypes = [integer, pointer, size, integer, integer, size, pointer, step, step]
     strides = (stride // 8 for stride in out.strides)
-    function(int(seed), numbers.ctypes.data, len(numbers), int(stream), int(first), int(count), out.ctypes.data, *strides)
+    function(
+        int(seed), numbers.ctypes.data, len(numbers), int(stream), int(first), int(count), out.ctypes.data, *strides
+    )
     return out
