@@ -46,6 +46,8 @@ proofs: $(VENV)/.tested
 bench: $(BENCH)/.installed
 	$(BENCH)/bin/python -m benchmarks.peers --page docs/benchmarks.md
 	$(BENCH)/bin/python -m benchmarks.call
+	$(BENCH)/bin/python -m benchmarks.lanes
+	$(BENCH)/bin/python -m benchmarks.epoch
 	$(BENCH)/bin/python -m benchmarks.detector
 	$(BENCH)/bin/python -m benchmarks.hold
 	$(BENCH)/bin/python -m benchmarks.growth

@@ -27,9 +27,11 @@ REFERENCE, R_ZUPT, R_AZIMUTH = np.array([1.0, 0, 0, 0]), np.full(3, 1e-4), np.fu
 LOOP = r"""
 #include "azimuth_hold_filter.h"
 
-int minute(const ah_nav *nav, const double *sigma, const ah_increments *increments, const ah_noise *noise, const ah_reference *reference, const double *R, double *end);
+int minute(const ah_nav *nav, const double *sigma, const ah_increments *increments, const ah_noise *noise,
+           const ah_reference *reference, const double *R, double *end);
 
-int minute(const ah_nav *nav, const double *sigma, const ah_increments *increments, const ah_noise *noise, const ah_reference *reference, const double *R, double *end)
+int minute(const ah_nav *nav, const double *sigma, const ah_increments *increments, const ah_noise *noise,
+           const ah_reference *reference, const double *R, double *end)
 {
     static ah_filter filter;
     const ah_imu sample = { .dt = 0.01 };

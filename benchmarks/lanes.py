@@ -7,6 +7,8 @@ has the least of its rounds.  Normal numbers are counted by each.
 import ctypes
 import hashlib
 import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -37,10 +39,12 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-double in_lanes(int which, int often, size_t n, void *block, const void *function, const bs_given *given, const void *taking, unsigned char *status);
+double in_lanes(int which, int often, size_t n, void *block, const void *function, const bs_given *given,
+                const void *taking, unsigned char *status);
 double in_a_loop(int which, int often, size_t n, ah_filter *filter, const bs_given *given, unsigned char *status);
 
-double in_lanes(int which, int often, size_t n, void *block, const void *function, const bs_given *given, const void *taking, unsigned char *status)
+double in_lanes(int which, int often, size_t n, void *block, const void *function, const bs_given *given,
+                const void *taking, unsigned char *status)
 {
     const double begin = now();
     for (int i = 0; i < often; ++i) {
@@ -82,7 +86,12 @@ double in_a_loop(int which, int often, size_t n, ah_filter *filter, const bs_giv
     return (now() - begin) / often;
 }
 """
-CALLS = (("strapdown", "strapdown"), ("propagate", "propagate"), ("update of 3 rows", "measure"), ("correct", "correct"))
+CALLS = (
+    ("strapdown", "strapdown"),
+    ("propagate", "propagate"),
+    ("update of 3 rows", "measure"),
+    ("correct", "correct"),
+)
 
 
 def harness(out):
@@ -114,7 +123,12 @@ def flown(width, n):
     epoch.strapdown["dv_b"] = np.array([0, 0, 0.098]) + rng.normal(0, 1e-4, (1, n, 3))
     epoch.strapdown["dtheta_before"], epoch.strapdown["dv_before"] = 1e-5, np.array([0, 0, 0.098])
     epoch.predict["f_b"] = np.array([0, 0, 9.8])
-    for name, value in {"gyro_noise": 1e-4, "accel_noise": 5e-3, "gyro_bias_noise": 1e-7, "accel_bias_noise": 1e-5}.items():
+    for name, value in {
+        "gyro_noise": 1e-4,
+        "accel_noise": 5e-3,
+        "gyro_bias_noise": 1e-7,
+        "accel_bias_noise": 1e-5,
+    }.items():
         epoch.predict[name] = value
     epoch.measured["zupt"]["R"] = 1e-4
     return loop, epoch
@@ -133,7 +147,12 @@ def measured(widths, n, made):
             filters = np.zeros((n, size()))
             filters[:, :151] = loop._memory.read(slice(0, 151))
         status = np.zeros(n, np.uint8)
-        given = (epoch.strapdown.given, epoch.predict.given, epoch.measured["zupt"].given, (type(epoch.predict.given[0]) * 2)())
+        given = (
+            epoch.strapdown.given,
+            epoch.predict.given,
+            epoch.measured["zupt"].given,
+            (type(epoch.predict.given[0]) * 2)(),
+        )
         for which, (call, function) in enumerate(CALLS):
             often = max(1, 4096 // n)
             rest = (ctypes.byref(epoch.measured["zupt"].taking), ctypes.c_void_p(status.ctypes.data))
@@ -143,8 +162,8 @@ def measured(widths, n, made):
                 w, o, ctypes.c_size_t(n), s, p, g, *r
             )
             if width == widths[0]:
-                names[call, "loop"] = lambda w=which, o=often, g=given[which], s=status: made.in_a_loop(
-                    w, o, ctypes.c_size_t(n), ctypes.c_void_p(filters.ctypes.data), g, ctypes.c_void_p(s.ctypes.data)
+                names[call, "loop"] = lambda w=which, o=often, g=given[which], s=status, f=filters: made.in_a_loop(
+                    w, o, ctypes.c_size_t(n), ctypes.c_void_p(f.ctypes.data), g, ctypes.c_void_p(s.ctypes.data)
                 )
         tasks[width] = (status, epoch)
     best = dict.fromkeys(names, np.inf)
@@ -156,16 +175,18 @@ def measured(widths, n, made):
 
 
 def main():
-    from tempfile import TemporaryDirectory
-    from pathlib import Path
-
     most = compiler.lanes()
     widths = [w for w in (1, 2, 4, 8) if w <= most]
     with TemporaryDirectory() as folder:
         made = harness(Path(folder))
     for n in SIZES:
         best = measured(widths, n, made)
-        print(f"{n} runs, ns a run".ljust(24) + f"{'loop':>8}" + "".join(f"{f'W = {w}':>8}" for w in widths) + f"{'loop / best':>14}")
+        print(
+            f"{n} runs, ns a run".ljust(24)
+            + f"{'loop':>8}"
+            + "".join(f"{f'W = {w}':>8}" for w in widths)
+            + f"{'loop / best':>14}"
+        )
         for call, _ in CALLS:
             row = [best[call, w] for w in ("loop", *widths)]
             print(call.ljust(24) + "".join(f"{value:8.0f}" for value in row) + f"{row[0] / min(row[1:]):14.1f}")

@@ -23,6 +23,10 @@ def main() -> int:
     ]
     pairs += [(kind, paper) for paper in derivations() for kind in kinds_of(paper)]
     pairs += [(FLOWN, Examples()), (TRIED, Flights())]
+    unknown = sorted({*named} - {folder.name for _, folder in pairs})
+    if unknown:
+        print(f"evidence: there is no {unknown[0]!r}; name any of {', '.join(dict.fromkeys(f.name for _, f in pairs))}")
+        return 2
     with ProcessPoolExecutor(JOBS, mp_context=multiprocessing.get_context("spawn")) as pool:
         running = {
             pool.submit(make, folder, kind.name): (folder, kind)

@@ -17,17 +17,7 @@ DEVIATED = {
     "20.10": "BS_REAL joins a literal and its suffix: the one way to print it once for both precisions",
     "5.5": "in float a macro gives each function the ending _f32, so that both precisions link into one program",
     "2.5": "the headers offer the same macros to every model, and the indices of all states; no folder uses all",
-}
-
-# Rules that are broken and should not be: what the table counts.
-OPEN = {
-    "5.9": "static helpers of two files may have one name: each file is read by itself",
-    "10.3": "boresight_math.h keeps a comparison's truth in an int",
-    "10.4": "boresight_math.h compares a truth value with a comparison",
-    "10.8": "boresight_math.h turns a computed whole number into another type where its range is known",
-    "12.1": "a condition of two comparisons, or a chosen value, stands without further parentheses",
-    "14.1": "a copy is skipped where its source is its target, by a second condition of the loop",
-    "14.4": "boresight_math.h asks an int that holds a truth value",
+    "5.9": "a kernel's header stands in its unit's file and in the filter's, so that the call costs nothing",
 }
 
 
@@ -38,7 +28,16 @@ def version() -> str:
 def misra(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
     """By unit, and for the headers under `include`: how often each rule is broken, the deviated ones too."""
     place = out / "findings"
-    command = ["cppcheck", "--addon=misra", "--quiet", f"--output-file={place}", "--template={id} {file}"]
+    # rows are for hosts
+    command = [
+        "cppcheck",
+        "--addon=misra",
+        "--quiet",
+        "--force",
+        "-UBORESIGHT_ROWS",
+        f"--output-file={place}",
+        "--template={id} {file}",
+    ]
     run([*command, "-I", folder.include, *folder.files("src/*.c")], cwd=out)
     found: dict[str, dict[str, Any]] = {unit.name: {"rules": {}} for unit in folder.units} | {"include": {"rules": {}}}
     for line in place.read_text().splitlines():

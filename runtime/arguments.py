@@ -8,6 +8,8 @@ import numpy as np
 from boresight import BoresightError, did_you_mean
 from boresight.runtime.array import Array
 
+MOST_ITERATIONS = 64  # as BS_MOST_ITERATIONS in boresight_filter.h
+
 
 def check_inputs(
     function: str,
@@ -51,8 +53,10 @@ def check_taking(measurement: str, rows: Any, gate: Any, joint: Any, iterations:
         raise BoresightError(
             f"{measurement}: joint is {joint!r}; give a quantile of chi-square above zero, or leave it out for no gate"
         )
-    if not (isinstance(iterations, int | np.integer) and iterations >= 1):
-        raise BoresightError(f"{measurement}: iterations is {iterations!r}; it must be at least 1, and whole")
+    if not (isinstance(iterations, int | np.integer) and 1 <= iterations <= MOST_ITERATIONS):
+        raise BoresightError(
+            f"{measurement}: iterations is {iterations!r}; it must be a whole number from 1 to {MOST_ITERATIONS}"
+        )
 
 
 def check_start(model: Any, nav: Mapping[str, Array], P: Array) -> None:

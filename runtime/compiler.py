@@ -15,7 +15,7 @@ from pathlib import Path
 from boresight import BoresightError
 from boresight.runtime.manifest import cache_folder
 
-FLAGS = ("-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror")
+FLAGS = ("-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-DBORESIGHT_ROWS", "-Wall", "-Wextra", "-Werror")
 # gcc 12 makes sums and differences side by side into one fused instruction, whatever -ffp-contract says
 NOT_FUSED = "-fno-tree-slp-vectorize"
 LANES = ("-O3", "-fno-math-errno", "-Wno-psabi")  # of C over blocks of runs, which no function of another file is given

@@ -341,9 +341,8 @@ class Filter:
             # Joseph form in its two products, (I - K h') P and that times (I - K h')': multiplied out at once it would
             # lose as much as the first alone does where a good measurement meets a coarse start.
             A = P - K[..., :, None] * Ph[..., None, :]
-            b = np.einsum("...ij,...j->...i", A, h)
-            KK = K[..., :, None] * K[..., None, :]
-            P = A - b[..., :, None] * K[..., None, :] + R[..., i, None, None] * KK
+            b = np.einsum("...ij,...j->...i", A, h) - R[..., i, None] * K
+            P = A - b[..., :, None] * K[..., None, :]
             P = (P + np.swapaxes(P, -1, -2)) / 2
             nus.append(nu)
             Ss.append(S)

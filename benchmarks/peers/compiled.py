@@ -16,7 +16,8 @@ import numpy as np
 from benchmarks.peers.formulas import Problem, apart, numbers, reference
 
 # Beside the flags of the language, which are those of a tool's users: C++ contracts a * b + c where the machine can.
-HOSTS = {"-O2": ("-O2",), "-O3 v3": ("-O3", "-march=x86-64-v3")}
+ROWS = "-DBORESIGHT_ROWS"  # of Boresight's covariance on a host
+HOSTS = {"-O2": ("-O2", ROWS), "-O3 v3": ("-O3", "-march=x86-64-v3", ROWS)}
 M7 = (
     *("-mcpu=cortex-m7", "-mfpu=fpv5-d16", "-mfloat-abi=hard", "-mthumb"),
     *("-O2", "-ffunction-sections", "-fdata-sections"),

@@ -6,6 +6,7 @@ from boresight.codegen.functions.dynamics import left_of_Q, left_out, series, sp
 from boresight.codegen.functions.units import Unit
 from boresight.derive.model import Model
 
+LANES = 4
 BLOCK, TALL = 5, 3  # columns and rows of a product that are summed at a time: what the registers of a small target hold
 
 Places = tuple[tuple[int, int], ...]
@@ -90,6 +91,34 @@ def arranged(model: Model, made: list[Unit]) -> dict[str, Any]:
     return {"Phi_count": len(places), "Phi_places": ", ".join(map(str, places))}
 
 
+def powers(n: int, F: Places, order: int) -> set[tuple[int, int]]:
+    """Where I + F + F F + ... may have non-zeros."""
+    found = term = {(i, i) for i in range(n)}
+    for _ in range(order):
+        term = {(i, j) for i, k in term for other, j in F if k == other}
+        found = found | term
+    return found
+
+
+def met(m: int, B: set[tuple[int, int]], first: list[int], begin: int) -> list[list[int]]:
+    """Of each row of B U that moves, where it may have non-zeros in the columns that meet noise."""
+    n = len(first)
+    return [[k for k in range(begin, n) if any((i, l) in B for l in range(first[k], k + 1))] for i in range(m)]
+
+
+def whole(count: int) -> int:
+    """Numbers of the blocks of four that hold so many."""
+    return -(-count // LANES) * LANES
+
+
+def spans(n: int, j: int) -> list[tuple[int, int]]:
+    """Of column j of a packed matrix, where loops over it begin and end: whole blocks, beyond its end where numbers
+    follow, else what is left of it apart."""
+    fits = j * (j + 1) // 2 + whole(j + 1) <= n * (n + 1) // 2
+    full = whole(j + 1) if fits else (j + 1) // LANES * LANES
+    return [span for span in ((0, full), (full, j + 1)) if span[0] < span[1]]
+
+
 def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     """Sizes and index tables of the covariance functions."""
     n = model.n
@@ -109,7 +138,22 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     upper = sorted((i >= m, p, j * (j + 1) // 2 + i) for p, (i, j) in enumerate(sorted(Qc)) if i <= j)
     first = reach(n, Qc)
     rows = max(len(m.rows) for m in model.measurements)
+    begin = min([m, *(i for i, _ in Qc)])  # columns of B before this one meet no noise
+    Phi = powers(n, F, model.order) if F else set(nonzeros(made, "Phi")) if not model.loops else set()
+    Phi_rows = [[(k, i * row + k) for k in range(n) if (i, k) in Phi] for i in range(m)] if Phi else None
     return {
+        "Phi_rows": Phi_rows,
+        "lanes": LANES,
+        "wide": whole(n),
+        "deep": whole(m),
+        "up": whole,
+        "discretize_rows": bool(F) and model.order < 3,
+        "only_loops_cross": bool(Phi) and m == n and not (F and model.order == 3),
+        "F_at": sorted(F),
+        "A_rows": [[k for k in range(m) if (i, k) in F] for i in range(m)],
+        "B_rows": met(m, Phi, first, begin),
+        "packed_at": lambda i, j: max(i, j) * (max(i, j) + 1) // 2 + min(i, j),
+        "spans": lambda j: spans(n, j),
         "packed": n * (n + 1) // 2,
         "block": block,
         "row": row,
@@ -141,7 +185,7 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "Qc_place": ", ".join(str(at) for _, _, at in upper),
         "coupled": coupled(first),
         "reach": [first[k] for k in coupled(first)],
-        "begin": min([m, *(i for i, _ in Qc)]),  # columns of B before this one meet no noise
+        "begin": begin,
         "staying_pairs": staying_pairs(m, first),
         "fraction": lambda a, b: repr(a / b),
     }

@@ -170,6 +170,7 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
             "written": [r.name for r in unit.results],
             "call": f"{view['c_name']}({arguments})", "run": run(name, out),
             "checks": checked(caller, given(name), fields(name), any(a.name == "x" for a in unit.args)),
+            "reads_x": any(a.name == "x" for a in unit.args),
         }  # fmt: skip
 
     measurements = []
@@ -266,7 +267,8 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         "snapshot": {
             "numbers": sum(a.size for s in model.structs if s.name in carried for a in s.fields)
             + model.n * (model.n + 3) // 2,
-            "bytes": 2 * (len(measurements) + 1) + model.n,  # counts of two bytes, and which states are considered
+            # counts of two bytes, which states are considered, and the checksum
+            "bytes": 2 * (len(measurements) + 1) + model.n + 4,
         },
         "wraps": [i for i, wraps in enumerate(v.wraps for v in model.states for _ in v.symbols) if wraps],
         "explicit": any(u["h"] for u in measurements),
@@ -319,6 +321,9 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
             spoilt.append(
                 {
                     "name": a.name, "size": a.size, "functions": readers, "low": beyond(a)[0], "high": beyond(a)[1],
+                    "ends": [", ".join(map(number, end)) for end in (a.low, a.high)],
+                    "carried": own,  # from such an end a strapdown moves beyond it
+                    "leaves": a.norm is not None,  # the ends of a component may not be those of the norm
                 }
             )  # fmt: skip
         rows = np.hstack(points[start : start + len(s.fields)])

@@ -3,7 +3,7 @@
 from typing import Any
 
 from boresight.codegen.functions.units import Unit
-from boresight.codegen.text.covariance import Places, coupled, even, movers, nonzeros, reach
+from boresight.codegen.text.covariance import coupled, even, movers, nonzeros, reach
 from boresight.codegen.text.names import number
 from boresight.derive.model import Model, Variable
 
@@ -82,7 +82,7 @@ def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: d
             taken = given(u)
             view["measurements"][u["name"]] = {
                 **taken, "z": kernel(f"{u['name']}_z", taken, ["z"]) if u["z"] else None,
-                "H": kernel(f"{u['name']}_H", taken, ["H"]), "angles": [int(u["angles"][:-1]) >> i & 1 for i in range(u["m"])],
+                "H": kernel(f"{u['name']}_H", taken, ["H"]),
             }  # fmt: skip
     sparse = discretized(model, made) if model.order == 2 else None
     if sparse:
@@ -129,7 +129,9 @@ def discretized(model: Model, made: list[Unit]) -> dict[str, Any] | None:
         return None
     a = {place: p for p, place in enumerate(F)}
     squared = {
-        (i, j): [(a[i, k], a[k, j]) for k in range(m) if (i, k) in a and (k, j) in a] for i in range(m) for j in range(n)
+        (i, j): [(a[i, k], a[k, j]) for k in range(m) if (i, k) in a and (k, j) in a]
+        for i in range(m)
+        for j in range(n)
     }
     squared = {place: pairs for place, pairs in squared.items() if pairs}
     Phi = sorted({*F, *squared, *((i, i) for i in range(m))})
@@ -195,4 +197,8 @@ def entry(place: tuple[int, int], a: str | None, twice: str | None, of_a: float 
 def rows(places: list[tuple[int, int]], m: int, stride: Any) -> dict[str, str]:
     """Where rows begin, and where what their non-zeros meet stands."""
     starts = [sum(i < row for i, _ in places) for row in range(m + 1)]
-    return {"start": ", ".join(map(str, starts)), "at": ", ".join(str(stride(j)) for _, j in places), "count": str(len(places))}
+    return {
+        "start": ", ".join(map(str, starts)),
+        "at": ", ".join(str(stride(j)) for _, j in places),
+        "count": str(len(places)),
+    }

@@ -206,9 +206,6 @@ static void draw_gates(bs_gates *gates)
     gates->gate = draw_gate();
     gates->joint = draw_gate();
     gates->iterations = draw_int(4);
-    if (gates->iterations > 64) { /* as many as are asked for are done, however long it takes */
-        gates->iterations = 64;
-    }
 }
 
 static void draw_sigmas(bs_real *sigma, int n, const double *high)

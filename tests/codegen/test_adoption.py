@@ -233,6 +233,7 @@ NO_NAN = "-Xclang -menable-no-nans"
         ("clang", f"-ffp-contract=off -O2 {REORDERED}", Status.CONTRACTED),
         ("clang", f"-ffp-contract=off -O2 {NO_NAN}", Status.CONTRACTED),
         ("clang", "-ffp-contract=off -O2 -fno-honor-nans", Status.CONTRACTED),
+        ("clang", "-ffp-contract=off -O2 -freciprocal-math", Status.CONTRACTED),
     ],
 )
 def test_the_probe_finds_what_the_preprocessor_cannot_see(precision, compiler, flags, status, folders, tmp_path):

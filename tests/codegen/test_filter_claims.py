@@ -5,6 +5,7 @@ import re
 import pytest
 from building import run
 
+from boresight.runtime.arguments import MOST_ITERATIONS
 from boresight.runtime.manifest import folder_of
 
 MODEL = "azimuth-hold"
@@ -14,6 +15,14 @@ BEGIN = """
 #include "azimuth_hold_filter.h"
 static ah_filter f, g;
 static unsigned char bytes[AH_SNAPSHOT_SIZE];
+static void seal(void)
+{
+    unsigned int crc = 0xFFFFFFFFU;
+    for (int i = 0; i < 8 * (AH_SNAPSHOT_SIZE - 4); ++i) {
+        crc = (crc >> 1) ^ (0xEDB88320U & (0U - ((crc ^ (bytes[i / 8] >> (i % 8))) & 1U)));
+    }
+    for (int i = 0; i < 4; ++i) bytes[AH_SNAPSHOT_SIZE - 4 + i] = (unsigned char)(~crc >> (8 * i));
+}
 int main(void)
 {
     const ah_nav nav = { { 0, BS_REAL(0.7), 100 }, { 0, 0, 0 }, { 1, 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
@@ -39,6 +48,19 @@ CEILINGS = """
     return 0;
 }
 """
+ITERATIONS = """
+    const int asked[4] = { 0, BS_MOST_ITERATIONS, BS_MOST_ITERATIONS + 1, 2147483647 };
+    const bs_real R[3] = { 1, 1, 1 };
+    ah_innovation innovation;
+    for (int i = 0; i < AH_N_STATES; ++i) sigma[i] = BS_REAL(1e-3);
+    if (ah_filter_init_sigmas(&f, &nav, sigma) != BS_OK) return 1;
+    for (int k = 0; k < 4; ++k) {
+        const bs_gates gates = { BS_ALL_ROWS, 0, 0, asked[k] };
+        printf("%d ", (int)ah_filter_measure_zupt(&f, R, &gates, &innovation));
+    }
+    return 0;
+}
+"""
 RESTORE = """
     const bs_real covariance = 1;
     const size_t at = BS_SNAPSHOT_HEAD + sizeof(ah_nav) + sizeof(f.x) + (13 * sizeof(bs_real));
@@ -47,6 +69,7 @@ RESTORE = """
     (void)ah_filter_init_sigmas(&f, &nav, sigma);
     (void)ah_filter_snapshot(&f, bytes);
     memcpy(&bytes[at], &covariance, sizeof(covariance));
+    seal();
     printf("%d ", (int)ah_filter_restore(&g, bytes));
     (void)ah_filter_covariance(&g, dense);
     printf("%d", (int)ah_filter_init(&f, &nav, dense));
@@ -69,6 +92,13 @@ def answer(body, tmp_path, *flags):
 @pytest.mark.parametrize("flags", [(), ("-DBORESIGHT_FLOAT",)])
 def test_a_measurement_that_ends_at_the_ceiling_is_counted(flags, tmp_path):
     assert answer(CEILINGS, tmp_path, *flags) == ["1", "1"]
+
+
+@pytest.mark.parametrize("flags", [(), ("-DBORESIGHT_FLOAT",)])
+def test_a_measurement_of_more_linearisations_than_the_header_allows_is_refused(flags, tmp_path):
+    assert answer(ITERATIONS, tmp_path, *flags) == ["0", "0", "3", "3"]
+    header = (folder_of(MODEL) / "include/boresight_filter.h").read_text()
+    assert f"#define BS_MOST_ITERATIONS {MOST_ITERATIONS} " in header
 
 
 def test_restore_judges_the_diagonal_alone_and_its_header_says_so(tmp_path):

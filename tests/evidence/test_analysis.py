@@ -60,8 +60,8 @@ def test_a_citation_that_no_ledger_has_is_seen():
 @pytest.mark.parametrize("name", NAMES)
 def test_misra_is_broken_only_where_it_is_said(name):
     found = {rule for of in committed(name, "misra").values() for rule in of["rules"]}
-    assert len(misra.DEVIATED) <= 4
-    assert found <= {*misra.DEVIATED, *misra.OPEN}, found
+    assert len(misra.DEVIATED) <= 5
+    assert found <= set(misra.DEVIATED), found
 
 
 @pytest.mark.skipif(bool(misra.MISSING), reason=misra.MISSING or "-")

@@ -121,7 +121,10 @@ def test_joseph_form_keeps_p_positive_over_a_long_run(library):
     [
         (lambda f: f.update("euler", np.zeros(3), euler_b=np.zeros(3), euler_m=np.zeros(3)), "above zero"),
         (lambda f: f.update("euler", np.full(3, np.nan), euler_b=np.zeros(3), euler_m=np.zeros(3)), "finite"),
-        (lambda f: f.update("euler", np.ones(3), iterations=0, euler_b=np.zeros(3), euler_m=np.zeros(3)), "at least 1"),
+        (
+            lambda f: f.update("euler", np.ones(3), iterations=0, euler_b=np.zeros(3), euler_m=np.zeros(3)),
+            "from 1 to 64",
+        ),
         (lambda f: f.update("euler", np.ones(3), euler_b=np.zeros(3)), "euler_z needs euler_m"),
         (
             lambda f: f.update("eular", np.ones(3)),

@@ -3,6 +3,7 @@
 import ctypes
 import re
 import subprocess
+import zlib
 
 import numpy as np
 import pytest
@@ -282,21 +283,25 @@ def test_a_snapshot_goes_on_bit_for_bit_and_a_strange_one_is_refused(flown):
     filter.propagate()
     filter.measure([1e-4] * 3)
     size = filter.dll.snapshot_size()
-    assert size == 72 + 23 + 151 * filter.real().itemsize
+    assert size == 72 + 23 + 151 * filter.real().itemsize + 4
     taken = np.zeros(size, np.uint8)
 
     def moved(name, of, held):
         return of.function(name)(*(ctypes.c_void_p(a.ctypes.data) for a in (of.memory, held)))
 
     assert moved("snapshot", filter, taken) == Status.OK
+    assert zlib.crc32(taken[:-4]) == int.from_bytes(taken[-4:], "little")
     before = other.state.copy()
-    for k in range(72):
+    for k in range(size):
         strange = taken.copy()
-        strange[k] ^= 1
-        assert moved("restore", other, strange) == Status.OUT_OF_RANGE
-    strange = taken.copy()
-    strange[-200:-100] = 0xFF
-    assert moved("restore", other, strange) not in GOOD
+        strange[k] ^= 1 << k % 8
+        assert moved("restore", other, strange) == Status.OUT_OF_RANGE, k
+    for part, wrong in ((slice(0, 72), lambda was: was ^ 1), (slice(-204, -104), lambda was: 0xFF)):
+        for k in range(*part.indices(size)):  # sealed again: another's head, numbers that are none
+            strange = taken.copy()
+            strange[k if part.start == 0 else part] = wrong(taken[k])
+            strange[-4:] = np.frombuffer(zlib.crc32(strange[:-4]).to_bytes(4, "little"), np.uint8)
+            assert moved("restore", other, strange) not in GOOD, k
     assert np.array_equal(other.state, before)
     assert moved("restore", other, taken) == Status.OK
     for one in (filter, other):

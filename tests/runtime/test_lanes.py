@@ -3,7 +3,6 @@
 import ctypes
 import hashlib
 import json
-import shutil
 
 import numpy as np
 import pytest
@@ -15,7 +14,11 @@ from boresight.runtime.manifest import GENERATED, built_in
 from boresight.runtime.status import Status
 
 RUNS = 61  # no multiple of any width
-MODELS = [name for name in built_in() if json.loads((GENERATED / name.replace("-", "_") / "manifest.json").read_text())["filter"]]
+MODELS = [
+    name
+    for name in built_in()
+    if json.loads((GENERATED / name.replace("-", "_") / "manifest.json").read_text())["filter"]
+]
 HOSTILE = (np.nan, np.inf, -np.inf, -0.0, 1e300, -1e300, 5e-324)
 
 
@@ -26,7 +29,12 @@ def bits(array):
 class Gates(ctypes.Structure):
     """bs_gates."""
 
-    _fields_ = [("rows", ctypes.c_uint), ("gate", ctypes.c_double), ("joint", ctypes.c_double), ("iterations", ctypes.c_int)]
+    _fields_ = [
+        ("rows", ctypes.c_uint),
+        ("gate", ctypes.c_double),
+        ("joint", ctypes.c_double),
+        ("iterations", ctypes.c_int),
+    ]
 
 
 class Alone:
@@ -50,7 +58,9 @@ class Alone:
         self.bytes = self.memory.view(np.uint8)[:, 8 * (self.front - self.skipped) :]
         self.bytes[:, :states], self.bytes[:, states] = kept[:, 1:], kept[:, 0]
         begin = (states + 2) // 2 * 2
-        self.counts = self.bytes[:, begin : begin + 2 * (loop._part["counts"].stop - loop._part["counts"].start)].view(np.uint16)
+        self.counts = self.bytes[:, begin : begin + 2 * (loop._part["counts"].stop - loop._part["counts"].start)].view(
+            np.uint16
+        )
         self.counts[:] = whole[:, loop._part["counts"]]
 
     def call(self, name, described, inputs, run, *rest):
@@ -133,12 +143,20 @@ def apart(library, function, rng, spoilt):
     epoch = Epoch(loop, int(function == "strapdown"), [name] if measured else [], predict=function == "propagate",
                   feedback=function == "correct", runs=(RUNS,))  # fmt: skip
     described = loop.described["measurements"][name] if measured else loop.described[function]
-    inputs = {"strapdown": epoch.strapdown, "propagate": epoch.predict}.get(function) or epoch.measured.get(name) or epoch.predict
+    inputs = (
+        {"strapdown": epoch.strapdown, "propagate": epoch.predict}.get(function)
+        or epoch.measured.get(name)
+        or epoch.predict
+    )
     filled(inputs, library, rng, spoilt)
     if measured:
         m = described["m"]
         one = inputs
-        one["R"] = (10.0 ** rng.uniform(-8, 0, one["R"].shape)) if one["R"].shape[-1] == m else np.tile(np.eye(m).ravel(), (RUNS, 1))
+        one["R"] = (
+            (10.0 ** rng.uniform(-8, 0, one["R"].shape))
+            if one["R"].shape[-1] == m
+            else np.tile(np.eye(m).ravel(), (RUNS, 1))
+        )
         if described["brings_z"]:
             one["z"] = rng.standard_normal(one["z"].shape)
         if spoilt:
@@ -149,7 +167,12 @@ def apart(library, function, rng, spoilt):
     loop._settle((RUNS,))
     memory = loop._memory
     if spoilt:
-        loop._write("counts", rng.integers(0, 3, (RUNS, memory.blocks.shape[1])).astype(float)[:, : loop._part["counts"].stop - loop._part["counts"].start])
+        loop._write(
+            "counts",
+            rng.integers(0, 3, (RUNS, memory.blocks.shape[1])).astype(float)[
+                :, : loop._part["counts"].stop - loop._part["counts"].start
+            ],
+        )
         if measured:
             loop._consider(rng.random((RUNS, len(library.states))) < 0.01)
     alone = Alone(loop)
@@ -167,7 +190,14 @@ def apart(library, function, rng, spoilt):
         said.append(alone.call(function, described, by_run, run, *rest))
         if measured:
             used = innovation[-1:].view(np.uint32)[0]
-            innovations.append([*innovation[:m], *innovation[most : most + m], innovation[2 * most], *[used >> k & 1 for k in range(m)]])
+            innovations.append(
+                [
+                    *innovation[:m],
+                    *innovation[most : most + m],
+                    innovation[2 * most],
+                    *[used >> k & 1 for k in range(m)],
+                ]
+            )
     epoch()
     found = []
     if not np.array_equal(said, epoch.status):
@@ -209,8 +239,8 @@ MUTANTS = {  # of the text of em_lanes.c: each spoils one step in lanes, in the 
     "propagate, Q": ("const bs_lanes share = 0.75 *", "const bs_lanes share = 0.7500000000000001 *"),
     "propagate, a bad lane written": ("*to = bs_choose(good, *to,", "*to = bs_choose(~good, *to,"),
     "measure_euler, a sum reordered": (
-        "((to[i] - (K[i] * gj)) - (own[i] * Kj)) + (*R * (K[i] * Kj))",
-        "(to[i] - ((K[i] * gj) + (own[i] * Kj))) + (*R * (K[i] * Kj))",
+        "(to[i] - (K[i] * gj)) - (own[i] * Kj)",
+        "to[i] - ((K[i] * gj) + (own[i] * Kj))",
     ),
     "measure_euler, a gate": ("*good &= (*nu * *nu) <= ((gate * gate) * *S);", ""),
     "measure_euler, a bad lane written": ("b->x[i] = bs_choose(*good, b->x[i], x[i]);", ""),
@@ -249,7 +279,7 @@ def test_a_bad_run_has_its_own_status_and_the_others_go_on():
     bad = {7: Status.NOT_FINITE, 11: Status.NOT_FINITE, 13: Status.OUT_OF_RANGE}
     assert {run: epoch.status[run] for run in np.flatnonzero(epoch.status)} == bad
     assert epoch.refused() == "run 7: BS_NOT_FINITE"
-    moved = np.flatnonzero((loop.P != before[1]).any(axis=(1, 2)))
+    moved = np.flatnonzero((before[1] != loop.P).any(axis=(1, 2)))
     assert set(range(RUNS)) - set(moved) == {7, 11}
     assert (loop.nav["v_n"] != before[0]).any(axis=1).all()
     epoch.strapdown["dtheta_ib_b"], epoch.predict["f_b"], epoch.measured["zupt"]["R"] = 1e-4, 1.0, 1e-2

@@ -15,6 +15,8 @@
  * neither BS_OK nor BS_AT_CEILING no row of it stays taken, and innovation->used is 0;
  * BS_NULL_POINTER alone writes no innovation.
  * A function that changes nothing judges x and P alone.
+ * What a call is given may not lie in the filter that it changes, nor what it writes in what it
+ * reads; inputs may share memory.
  * A variance has a ceiling.  Where a step carries one beyond it, its row and column of P are
  * divided by a power of two, which changes no correlation, the step is taken, and the status is
  * BS_AT_CEILING.  The ceilings, as sigmas: d_position 1e+01, 1e+01, 1e+06 (rad, rad, m), dv_n
@@ -36,7 +38,7 @@ extern "C" {
 #define AH_MEASUREMENT_ZARU 2
 #define AH_N_MEASUREMENTS 3
 #define AH_N_BLOCKS 45 /* numbers of a square block for each block of states */
-#define AH_SNAPSHOT_SIZE (BS_SNAPSHOT_HEAD + 23 + (151 * (int)sizeof(bs_real)))
+#define AH_SNAPSHOT_SIZE (BS_SNAPSHOT_HEAD + 27 + (151 * (int)sizeof(bs_real)))
 
 /* The filter: filled by ah_filter_init. */
 typedef struct {
@@ -187,8 +189,9 @@ bs_status ah_filter_health(const ah_filter *filter, ah_health *health);
  * restore refuses the bytes of another model, layout, precision, form or order of bytes, and judges
  * the numbers as a step does, by the sentence on BS_OK above; a variance above its ceiling is
  * refused.
- * No checksum is in it: a flipped bit that leaves such numbers is not found.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE, BS_OUT_OF_RANGE */
+ * It ends with a checksum of all before it: what has changed on its way is refused.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE, BS_OUT_OF_RANGE: of restore
+ * alone */
 bs_status ah_filter_snapshot(const ah_filter *filter, unsigned char bytes[AH_SNAPSHOT_SIZE]);
 bs_status ah_filter_restore(ah_filter *filter, const unsigned char bytes[AH_SNAPSHOT_SIZE]);
 

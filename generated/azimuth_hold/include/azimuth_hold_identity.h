@@ -18,7 +18,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "5216012c34e489db6032d16bcdeb17a2cf3e186be6184e4f1ad33e5b5c59eada"
+#define AH_MODEL_HASH "7d54b7ffd0fe4d0c0e3e3cc43c797a5db1f3b509f47f26dd94faf222894067df"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

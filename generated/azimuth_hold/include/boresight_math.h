@@ -9,6 +9,7 @@
 #ifndef BORESIGHT_MATH_H
 #define BORESIGHT_MATH_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "boresight.h"
@@ -160,7 +161,9 @@ static inline bs_real bs_power_of_two(int power)
         if ((left % 2) != 0) {
             value = value * factor;
         }
-        factor = (left > 1) ? (factor * factor) : factor;
+        if (left > 1) {
+            factor = factor * factor;
+        }
     }
     return value;
 }
@@ -170,10 +173,19 @@ static inline bs_real bs_power_of_two(int power)
 static inline uint32_t bs_bits_at(const uint32_t words[], int count, int first_bit)
 {
     const int word = first_bit / 32;
-    const unsigned int shift = (unsigned int)(first_bit % 32);
+    const int behind = first_bit % 32;
+    const unsigned int shift = (unsigned int)behind;
     const uint32_t high = (word < count) ? words[word] : 0U;
     const uint32_t low = ((word + 1) < count) ? words[word + 1] : 0U;
     return (shift == 0U) ? high : ((high << shift) | (low >> (32U - shift)));
+}
+
+/* As many bits as half a number has, as a number. */
+static inline bs_real bs_half_at(const uint32_t words[], int count, int first_bit)
+{
+    const uint32_t half = bs_bits_at(words, count, first_bit) >> (32U -
+                                                                  (unsigned int)BS_MATH_HALVES);
+    return (bs_real)half;
 }
 
 /* How many quarter turns a large angle has, modulo 4; what is left of it is rest - tail.  The angle
@@ -199,7 +211,8 @@ static BS_APART int bs_reduce_large(bs_real angle, bs_real *rest, bs_real *tail)
     /* words before it give whole turns */
     const int first = (exponent >= 66) ? ((exponent - 66) / 32) : 0;
     factor[0] = (uint32_t)part;
-    factor[1] = (uint32_t)((part - (bs_real)factor[0]) * BS_REAL(4294967296.0));
+    const bs_real behind = (part - (bs_real)factor[0]) * BS_REAL(4294967296.0);
+    factor[1] = (uint32_t)behind;
     for (int i = 1; i >= 0; --i) {
         uint64_t carry = 0U;
         for (int j = BS_MATH_WORDS - 1; j >= 0; --j) {
@@ -211,33 +224,33 @@ static BS_APART int bs_reduce_large(bs_real angle, bs_real *rest, bs_real *tail)
         product[i] = (uint32_t)carry;
     }
     const int point = exponent - (32 * first); /* bits before the binary point */
-    int quarters = (int)(bs_bits_at(product, count, point - 2) >> 30U);
-    const uint32_t invert = ((bs_bits_at(product, count, point) >> 31U) != 0U) ? 0xFFFFFFFFU : 0U;
+    const uint32_t whole = bs_bits_at(product, count, point - 2) >> 30U;
+    const bool beyond = (bs_bits_at(product, count, point) >> 31U) != 0U;
+    const bool below = angle < BS_REAL(0.0);
+    const uint32_t invert = beyond ? 0xFFFFFFFFU : 0U;
+    const int quarters = (int)whole + (beyond ? 1 : 0);
     for (int i = 0; i < count; ++i) { /* a half and more is one more quarter less its complement */
         fraction[i] = bs_bits_at(product, count, point + (32 * i)) ^ invert;
     }
-    quarters += (invert != 0U) ? 1 : 0;
     int zeros = 0;
     while ((zeros < (32 * (count - 3))) && ((bs_bits_at(fraction, count, zeros) >> 31U) == 0U)) {
         ++zeros;
     }
     const bs_real unit = bs_power_of_two(-BS_MATH_HALVES);
-    const unsigned int drop = 32U - (unsigned int)BS_MATH_HALVES;
-    const bs_real a = (bs_real)(bs_bits_at(fraction, count, zeros) >> drop) * unit;
-    const bs_real b = (bs_real)(bs_bits_at(fraction, count, zeros + BS_MATH_HALVES) >> drop) *
-        unit * unit;
-    const bs_real c = (bs_real)(bs_bits_at(fraction, count, zeros + (2 * BS_MATH_HALVES)) >> drop) *
-        unit * unit * unit;
+    const bs_real a = bs_half_at(fraction, count, zeros) * unit;
+    const bs_real b = bs_half_at(fraction, count, zeros + BS_MATH_HALVES) * unit * unit;
+    const bs_real c = bs_half_at(fraction, count, zeros + (2 * BS_MATH_HALVES)) * unit * unit *
+        unit;
     const bs_real high = a * BS_MATH_HALVES_1;
     const bs_real middle = (a * BS_MATH_HALVES_2) + (b * BS_MATH_HALVES_1);
     const bs_real low = (a * BS_MATH_HALVES_3) + (b * BS_MATH_HALVES_2) + (c * BS_MATH_HALVES_1);
     const bs_real sum = high + middle;
     const bs_real scale = bs_power_of_two(-zeros) *
-        (((invert != 0U) != (angle < BS_REAL(0.0))) ? BS_REAL(-1.0) : BS_REAL(1.0));
+        ((beyond != below) ? BS_REAL(-1.0) : BS_REAL(1.0));
     const bs_real more = ((high - sum) + middle) + low;
     *rest = (sum + more) * scale;
     *tail = (((sum + more) - sum) - more) * scale;
-    return (angle < BS_REAL(0.0)) ? (4 - (quarters % 4)) : (quarters % 4);
+    return below ? (4 - (quarters % 4)) : (quarters % 4);
 }
 
 /* Sine and cosine of an angle in rad.  The angle less quarter turns is rest - tail, where the tail
@@ -298,13 +311,12 @@ static BS_APART bs_real bs_atan2(bs_real y, bs_real x)
 {
     bs_real left = BS_FABS(y);
     bs_real right = BS_FABS(x);
-    const int steeper = left > right;
-    const int behind = BS_COPYSIGN(BS_REAL(1.0), x) < BS_REAL(0.0);
+    const bool steeper = left > right;
+    const bool behind = BS_COPYSIGN(BS_REAL(1.0), x) < BS_REAL(0.0);
     bs_real large = steeper ? left : right;
     bs_real small = steeper ? right : left;
-    /* infinite */
-    if ((large - large) > BS_REAL(0.0) ||
-        (large > BS_REAL(0.0) && (large * BS_REAL(0.5)) >= large)) {
+    const bool infinite = (large > BS_REAL(0.0)) && ((large * BS_REAL(0.5)) >= large);
+    if (infinite || ((large - large) > BS_REAL(0.0))) {
         small = (small >= large) ? BS_REAL(1.0) : (small - small);
         large = BS_REAL(1.0);
     } else if (large <= BS_REAL(0.0)) {
@@ -315,11 +327,19 @@ static BS_APART bs_real bs_atan2(bs_real y, bs_real x)
         small = small * scale;
     }
     /* numerator and denominator as sums of two, by pi/4 less if the angle is above pi/8 */
-    const int turned = small > (large * BS_REAL(0.41421356237309503));
-    left = turned ? (small - large) : small;
-    right = turned ? (large + small) : large;
-    const bs_real left_rest = turned ? (small - (left + large)) : BS_REAL(0.0);
-    const bs_real right_rest = turned ? (small - (right - large)) : BS_REAL(0.0);
+    const bool turned = small > (large * BS_REAL(0.41421356237309503));
+    bs_real left_rest = BS_REAL(0.0);
+    bs_real right_rest = BS_REAL(0.0);
+    int eighths = 0; /* of a turn less or more than the angle whose tangent is q */
+    left = small;
+    right = large;
+    if (turned) {
+        left = small - large;
+        right = large + small;
+        left_rest = small - (left + large);
+        right_rest = small - (right - large);
+        eighths = 1;
+    }
     /* the quotient and what it leaves, from the exact product of halves */
     const bs_real q = left / right;
     bs_real q_high = q * BS_MATH_SPLIT;
@@ -335,8 +355,6 @@ static BS_APART bs_real bs_atan2(bs_real y, bs_real x)
     const bs_real z = q * q;
     const bs_real more = (remainder / (right * (BS_REAL(1.0) + z))) +
         ((q * z) * bs_atan_polynomial(z));
-    /* eighths of a turn less or more than the angle whose tangent is q */
-    int eighths = turned ? 1 : 0;
     bs_real sign = BS_REAL(1.0);
     if (steeper) {
         eighths = 2 - eighths;
@@ -402,7 +420,7 @@ static inline bs_real bs_log(bs_real x)
         return (x <= BS_REAL(0.0)) ? (((x < BS_REAL(0.0)) ? BS_REAL(0.0)
                                        : BS_REAL(-1.0)) / BS_REAL(0.0)) : x;
     }
-    if ((x * BS_REAL(0.5)) >= x && x > BS_REAL(1.0)) {
+    if (((x * BS_REAL(0.5)) >= x) && (x > BS_REAL(1.0))) {
         return x; /* infinite */
     }
     int doublings = 0;

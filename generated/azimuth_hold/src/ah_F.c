@@ -71,6 +71,7 @@ bs_status ah_F(const ah_nav *nav, const ah_imu *imu, bs_real F[15 * AH_N_STATES]
         for (int i = 0; i < 225; ++i) {
             F[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 60; ++i) {
             F[F_index[i]] = F_nz[i];
         }

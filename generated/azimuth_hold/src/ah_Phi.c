@@ -84,6 +84,7 @@ bs_status ah_Phi(const ah_nav *nav, const ah_imu *imu, bs_real Phi[15 * AH_N_STA
         for (int i = 0; i < 225; ++i) {
             Phi[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 121; ++i) {
             Phi[Phi_index[i]] = Phi_nz[i];
         }

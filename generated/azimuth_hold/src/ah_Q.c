@@ -118,6 +118,7 @@ bs_status ah_Q(const ah_nav *nav,
         for (int i = 0; i < 225; ++i) {
             Q[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 177; ++i) {
             Q[Q_index[i]] = Q_nz[i];
         }

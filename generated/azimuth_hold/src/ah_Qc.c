@@ -72,6 +72,7 @@ bs_status ah_Qc(const ah_nav *nav, const ah_noise *noise, bs_real Qc[15 * AH_N_S
         for (int i = 0; i < 225; ++i) {
             Qc[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 24; ++i) {
             Qc[Qc_index[i]] = Qc_nz[i];
         }

@@ -36,6 +36,7 @@ bs_status ah_azimuth_H(bs_real H[AH_N_STATES])
         for (int i = 0; i < 15; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 1; ++i) {
             H[H_index[i]] = H_nz[i];
         }

@@ -51,6 +51,35 @@ static void clear(bs_real *value, int n)
     }
 }
 
+#ifdef BORESIGHT_ROWS
+/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
+ * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
+ * a finite number. */
+#define WIDE 16 /* N in whole blocks */
+#define DEEP 12 /* M in whole blocks */
+static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
+                                                      * instruction */
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
+ * blocks. */
+static const unsigned short whole[N][WIDE] = {
+    { 0, 1, 3, 6, 10, 15, 21, 28, 36, 45, 55, 66, 78, 91, 105, 0 },
+    { 1, 2, 4, 7, 11, 16, 22, 29, 37, 46, 56, 67, 79, 92, 106, 0 },
+    { 3, 4, 5, 8, 12, 17, 23, 30, 38, 47, 57, 68, 80, 93, 107, 0 },
+    { 6, 7, 8, 9, 13, 18, 24, 31, 39, 48, 58, 69, 81, 94, 108, 0 },
+    { 10, 11, 12, 13, 14, 19, 25, 32, 40, 49, 59, 70, 82, 95, 109, 0 },
+    { 15, 16, 17, 18, 19, 20, 26, 33, 41, 50, 60, 71, 83, 96, 110, 0 },
+    { 21, 22, 23, 24, 25, 26, 27, 34, 42, 51, 61, 72, 84, 97, 111, 0 },
+    { 28, 29, 30, 31, 32, 33, 34, 35, 43, 52, 62, 73, 85, 98, 112, 0 },
+    { 36, 37, 38, 39, 40, 41, 42, 43, 44, 53, 63, 74, 86, 99, 113, 0 },
+    { 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 64, 75, 87, 100, 114, 0 },
+    { 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 76, 88, 101, 115, 0 },
+    { 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 89, 102, 116, 0 },
+    { 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 103, 117, 0 },
+    { 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 118, 0 },
+    { 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 0 }
+};
+#endif
+
 /* The rows of A X that move, row i of them from to[i * stride] on.  Of X the first `inner` rows
  * count, or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3
  * x 5 sums stay in registers. */
@@ -66,7 +95,7 @@ static void product(const bs_real *A,
             const bs_real *const a = &A[i * ROW];
             const bs_real *const x = &X[j];
             bs_real *const out = &to[(i * stride) + j];
-            const int end = (triangular && ((j + 5) < inner)) ? (j + 5) : inner;
+            int end = inner;
             bs_real s00 = BS_REAL(0.0);
             bs_real s01 = BS_REAL(0.0);
             bs_real s02 = BS_REAL(0.0);
@@ -82,6 +111,9 @@ static void product(const bs_real *A,
             bs_real s22 = BS_REAL(0.0);
             bs_real s23 = BS_REAL(0.0);
             bs_real s24 = BS_REAL(0.0);
+            if (triangular && ((j + 5) < inner)) {
+                end = j + 5;
+            }
             for (int k = 0; k < end; ++k) {
                 const bs_real a0 = a[k];
                 const bs_real a1 = a[ROW + k];
@@ -211,7 +243,7 @@ static bool factorize(bs_real *UD, const bs_real *variance, int n)
 }
 
 /* The diagonal of a packed matrix. */
-static void diagonal(const bs_real *packed, bs_real *value)
+static void variances(const bs_real *packed, bs_real *value)
 {
     for (int j = 0; j < N; ++j) {
         value[j] = packed[column(j) + j];
@@ -249,12 +281,14 @@ void ah_discretize(const bs_real F[AH_N_F],
                    bs_real Q[AH_N_PACKED],
                    bs_real work[AH_N_WORK])
 {
+#ifndef BORESIGHT_ROWS
     static const unsigned short F_place[AH_N_F] = { 1, 2, 3, 16, 17, 19, 35, 46, 47, 48, 49, 50, 52,
                                                     53, 57, 58, 59, 61, 62, 63, 64, 65, 66, 68, 72,
                                                     73, 74, 76, 77, 78, 79, 81, 82, 87, 88, 89, 91,
                                                     92, 94, 97, 98, 99, 100, 101, 106, 107, 108,
                                                     111, 113, 114, 115, 116, 121, 122, 123, 126,
                                                     127, 129, 130, 131 };
+#endif
     /* of Qc the upper triangle: which of its numbers, and their place in Q; first those whose row
      * moves */
     static const unsigned short from[18] = { 0, 1, 2, 4, 5, 8, 9, 10, 11, 13, 14, 17, 18, 19, 20,
@@ -265,11 +299,183 @@ void ah_discretize(const bs_real F[AH_N_F],
      * these */
     static const unsigned short coupled[6] = { 8, 7, 6, 5, 4, 3 };
     static const unsigned short reach[6] = { 6, 6, 6, 3, 3, 3 };
+    bs_real w[N];
+    const bs_real share = BS_REAL(0.75) * dt;
+#ifdef BORESIGHT_ROWS
+    bs_real A[M][WIDE];
+    bs_real B[WIDE][DEEP]; /* transposed, as T is */
+    bs_real T[WIDE][DEEP];
+    bs_real sum[WIDE];
+    (void)work;
+    for (int i = 0; i < M; ++i) {
+        for (int j = 0; j < WIDE; ++j) {
+            A[i][j] = zeros[j];
+        }
+    }
+    A[0][1] = F[0] * dt;
+    A[0][2] = F[1] * dt;
+    A[0][3] = F[2] * dt;
+    A[1][1] = F[3] * dt;
+    A[1][2] = F[4] * dt;
+    A[1][4] = F[5] * dt;
+    A[2][5] = F[6] * dt;
+    A[3][1] = F[7] * dt;
+    A[3][2] = F[8] * dt;
+    A[3][3] = F[9] * dt;
+    A[3][4] = F[10] * dt;
+    A[3][5] = F[11] * dt;
+    A[3][7] = F[12] * dt;
+    A[3][8] = F[13] * dt;
+    A[3][12] = F[14] * dt;
+    A[3][13] = F[15] * dt;
+    A[3][14] = F[16] * dt;
+    A[4][1] = F[17] * dt;
+    A[4][2] = F[18] * dt;
+    A[4][3] = F[19] * dt;
+    A[4][4] = F[20] * dt;
+    A[4][5] = F[21] * dt;
+    A[4][6] = F[22] * dt;
+    A[4][8] = F[23] * dt;
+    A[4][12] = F[24] * dt;
+    A[4][13] = F[25] * dt;
+    A[4][14] = F[26] * dt;
+    A[5][1] = F[27] * dt;
+    A[5][2] = F[28] * dt;
+    A[5][3] = F[29] * dt;
+    A[5][4] = F[30] * dt;
+    A[5][6] = F[31] * dt;
+    A[5][7] = F[32] * dt;
+    A[5][12] = F[33] * dt;
+    A[5][13] = F[34] * dt;
+    A[5][14] = F[35] * dt;
+    A[6][1] = F[36] * dt;
+    A[6][2] = F[37] * dt;
+    A[6][4] = F[38] * dt;
+    A[6][7] = F[39] * dt;
+    A[6][8] = F[40] * dt;
+    A[6][9] = F[41] * dt;
+    A[6][10] = F[42] * dt;
+    A[6][11] = F[43] * dt;
+    A[7][1] = F[44] * dt;
+    A[7][2] = F[45] * dt;
+    A[7][3] = F[46] * dt;
+    A[7][6] = F[47] * dt;
+    A[7][8] = F[48] * dt;
+    A[7][9] = F[49] * dt;
+    A[7][10] = F[50] * dt;
+    A[7][11] = F[51] * dt;
+    A[8][1] = F[52] * dt;
+    A[8][2] = F[53] * dt;
+    A[8][3] = F[54] * dt;
+    A[8][6] = F[55] * dt;
+    A[8][7] = F[56] * dt;
+    A[8][9] = F[57] * dt;
+    A[8][10] = F[58] * dt;
+    A[8][11] = F[59] * dt;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < DEEP; ++i) {
+            B[j][i] = BS_REAL(0.0);
+        }
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]) +
+            (A[0][3] * A[3][j]);
+        sum[j] = A[0][j] + (BS_REAL(0.5) * twice);
+        B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[0 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[1][1] * A[1][j]) + (A[1][2] * A[2][j]) +
+            (A[1][4] * A[4][j]);
+        sum[j] = A[1][j] + (BS_REAL(0.5) * twice);
+        B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[15 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[2][5] * A[5][j]);
+        sum[j] = A[2][j] + (BS_REAL(0.5) * twice);
+        B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[30 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[3][1] * A[1][j]) + (A[3][2] * A[2][j]) +
+            (A[3][3] * A[3][j]) + (A[3][4] * A[4][j]) + (A[3][5] * A[5][j]) + (A[3][7] * A[7][j]) +
+            (A[3][8] * A[8][j]);
+        sum[j] = A[3][j] + (BS_REAL(0.5) * twice);
+        B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[45 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[4][1] * A[1][j]) + (A[4][2] * A[2][j]) +
+            (A[4][3] * A[3][j]) + (A[4][4] * A[4][j]) + (A[4][5] * A[5][j]) + (A[4][6] * A[6][j]) +
+            (A[4][8] * A[8][j]);
+        sum[j] = A[4][j] + (BS_REAL(0.5) * twice);
+        B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[60 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[5][1] * A[1][j]) + (A[5][2] * A[2][j]) +
+            (A[5][3] * A[3][j]) + (A[5][4] * A[4][j]) + (A[5][6] * A[6][j]) + (A[5][7] * A[7][j]);
+        sum[j] = A[5][j] + (BS_REAL(0.5) * twice);
+        B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[75 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[6][1] * A[1][j]) + (A[6][2] * A[2][j]) +
+            (A[6][4] * A[4][j]) + (A[6][7] * A[7][j]) + (A[6][8] * A[8][j]);
+        sum[j] = A[6][j] + (BS_REAL(0.5) * twice);
+        B[j][6] = (BS_REAL(0.6666666666666666) * A[6][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[90 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[7][1] * A[1][j]) + (A[7][2] * A[2][j]) +
+            (A[7][3] * A[3][j]) + (A[7][6] * A[6][j]) + (A[7][8] * A[8][j]);
+        sum[j] = A[7][j] + (BS_REAL(0.5) * twice);
+        B[j][7] = (BS_REAL(0.6666666666666666) * A[7][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[105 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[8][1] * A[1][j]) + (A[8][2] * A[2][j]) +
+            (A[8][3] * A[3][j]) + (A[8][6] * A[6][j]) + (A[8][7] * A[7][j]);
+        sum[j] = A[8][j] + (BS_REAL(0.5) * twice);
+        B[j][8] = (BS_REAL(0.6666666666666666) * A[8][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[120 + j] = sum[j];
+    }
+    for (int i = 0; i < M; ++i) {
+        Phi[i * (ROW + 1)] += BS_REAL(1.0);
+        B[i][i] += BS_REAL(1.0);
+    }
+#else
     bs_real *const B = work;
     bs_real *const T = &work[REGION];
     bs_real *const square = &T[DOWN * ROW];
-    bs_real w[N];
-    const bs_real share = BS_REAL(0.75) * dt;
     clear(Phi, AH_N_PHI);
     for (int p = 0; p < AH_N_F; ++p) {
         Phi[F_place[p]] = F[p] * dt; /* A */
@@ -285,13 +491,14 @@ void ah_discretize(const bs_real F[AH_N_F],
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
         B[i * (ROW + 1)] += BS_REAL(1.0);
     }
+#endif
     /* Q = S S' / 4 + 3/4 B S S' B', B = I + 2/3 A + 2/9 A^2.  Of 3/4 S S' = U W U', U stands in Q
      * until it is used, and B becomes B U column after column. */
     clear(Q, AH_N_PACKED);
     for (int p = 0; p < 18; ++p) {
         Q[place[p]] = Qc[from[p]] * share;
     }
-    diagonal(Q, w);
+    variances(Q, w);
     for (int p = 0; p < 6; ++p) {
         const int k = (int)coupled[p];
         bs_real *const u = &Q[column(k)];
@@ -304,15 +511,120 @@ void ah_discretize(const bs_real F[AH_N_F],
                 }
                 w[l] -= u[l] * gain;
                 u[l] = gain;
+#ifdef BORESIGHT_ROWS
+                for (int i = 0; i < DEEP; ++i) {
+                    B[k][i] += B[l][i] * gain;
+                }
+#else
                 for (int i = 0; i < M; ++i) {
                     B[(i * ROW) + k] += B[(i * ROW) + l] * gain;
                 }
+#endif
             }
         } else { /* rounding: the others have it all */
             clear(&u[reach[p]], k - (int)reach[p]);
             w[k] = BS_REAL(0.0);
         }
     }
+#ifdef BORESIGHT_ROWS
+    for (int k = 3; k < N; ++k) { /* columns before meet no noise */
+        for (int i = 0; i < DEEP; ++i) {
+            T[k][i] = B[k][i] * w[k];
+        }
+    }
+    for (int j = M; j < N; ++j) { /* B has rows of a unit matrix here */
+        for (int i = 0; i < M; ++i) {
+            Q[column(j) + i] = T[j][i];
+        }
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][0]) + (T[4][i] * B[4][0]) + (T[5][i] * B[5][0]) +
+            (T[7][i] * B[7][0]) + (T[8][i] * B[8][0]) + (T[12][i] * B[12][0]) +
+            (T[13][i] * B[13][0]) + (T[14][i] * B[14][0]);
+    }
+    for (int i = 0; i < 1; ++i) {
+        Q[0 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][1]) + (T[4][i] * B[4][1]) + (T[5][i] * B[5][1]) +
+            (T[6][i] * B[6][1]) + (T[7][i] * B[7][1]) + (T[8][i] * B[8][1]) +
+            (T[12][i] * B[12][1]) + (T[13][i] * B[13][1]) + (T[14][i] * B[14][1]);
+    }
+    for (int i = 0; i < 2; ++i) {
+        Q[1 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][2]) + (T[4][i] * B[4][2]) + (T[5][i] * B[5][2]) +
+            (T[6][i] * B[6][2]) + (T[7][i] * B[7][2]) + (T[8][i] * B[8][2]) +
+            (T[12][i] * B[12][2]) + (T[13][i] * B[13][2]) + (T[14][i] * B[14][2]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        Q[3 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][3]) + (T[4][i] * B[4][3]) + (T[5][i] * B[5][3]) +
+            (T[6][i] * B[6][3]) + (T[7][i] * B[7][3]) + (T[8][i] * B[8][3]) + (T[9][i] * B[9][3]) +
+            (T[10][i] * B[10][3]) + (T[11][i] * B[11][3]) + (T[12][i] * B[12][3]) +
+            (T[13][i] * B[13][3]) + (T[14][i] * B[14][3]);
+    }
+    for (int i = 0; i < 4; ++i) {
+        Q[6 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][4]) + (T[4][i] * B[4][4]) + (T[5][i] * B[5][4]) +
+            (T[6][i] * B[6][4]) + (T[7][i] * B[7][4]) + (T[8][i] * B[8][4]) + (T[9][i] * B[9][4]) +
+            (T[10][i] * B[10][4]) + (T[11][i] * B[11][4]) + (T[12][i] * B[12][4]) +
+            (T[13][i] * B[13][4]) + (T[14][i] * B[14][4]);
+    }
+    for (int i = 0; i < 5; ++i) {
+        Q[10 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][5]) + (T[4][i] * B[4][5]) + (T[5][i] * B[5][5]) +
+            (T[6][i] * B[6][5]) + (T[7][i] * B[7][5]) + (T[8][i] * B[8][5]) + (T[9][i] * B[9][5]) +
+            (T[10][i] * B[10][5]) + (T[11][i] * B[11][5]) + (T[12][i] * B[12][5]) +
+            (T[13][i] * B[13][5]) + (T[14][i] * B[14][5]);
+    }
+    for (int i = 0; i < 6; ++i) {
+        Q[15 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][6]) + (T[4][i] * B[4][6]) + (T[5][i] * B[5][6]) +
+            (T[6][i] * B[6][6]) + (T[7][i] * B[7][6]) + (T[8][i] * B[8][6]) + (T[9][i] * B[9][6]) +
+            (T[10][i] * B[10][6]) + (T[11][i] * B[11][6]) + (T[12][i] * B[12][6]) +
+            (T[13][i] * B[13][6]) + (T[14][i] * B[14][6]);
+    }
+    for (int i = 0; i < 7; ++i) {
+        Q[21 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][7]) + (T[4][i] * B[4][7]) + (T[5][i] * B[5][7]) +
+            (T[6][i] * B[6][7]) + (T[7][i] * B[7][7]) + (T[8][i] * B[8][7]) + (T[9][i] * B[9][7]) +
+            (T[10][i] * B[10][7]) + (T[11][i] * B[11][7]) + (T[12][i] * B[12][7]) +
+            (T[13][i] * B[13][7]) + (T[14][i] * B[14][7]);
+    }
+    for (int i = 0; i < 8; ++i) {
+        Q[28 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][8]) + (T[4][i] * B[4][8]) + (T[5][i] * B[5][8]) +
+            (T[6][i] * B[6][8]) + (T[7][i] * B[7][8]) + (T[8][i] * B[8][8]) + (T[9][i] * B[9][8]) +
+            (T[10][i] * B[10][8]) + (T[11][i] * B[11][8]) + (T[12][i] * B[12][8]) +
+            (T[13][i] * B[13][8]) + (T[14][i] * B[14][8]);
+    }
+    for (int i = 0; i < 9; ++i) {
+        Q[36 + i] = sum[i];
+    }
+#else
     for (int i = 0; i < DOWN; ++i) {
         for (int k = 3; k < N; ++k) {
             T[(i * ROW) + k] = B[(i * ROW) + k] * w[k];
@@ -329,6 +641,7 @@ void ah_discretize(const bs_real F[AH_N_F],
             Q[column(j) + i] = square[(j * DOWN) + i];
         }
     }
+#endif
     for (int p = 0; p < 12; ++p) {
         Q[place[p]] += (BS_REAL(0.25) * dt) * Qc[from[p]];
     }
@@ -352,7 +665,7 @@ void ah_predict_state(const bs_real Phi[AH_N_PHI], bs_real x[AH_N_STATES])
 }
 
 /* The factors of a dense covariance, into work. */
-static bs_status judge(const bs_real *dense, bs_real *work)
+static bs_status judge_dense(const bs_real *dense, bs_real *work)
 {
     bs_real variance[N];
     bool positive = true;
@@ -370,7 +683,7 @@ static bs_status judge(const bs_real *dense, bs_real *work)
             work[column(j) + i] = dense[(i * N) + j];
         }
     }
-    diagonal(work, variance);
+    variances(work, variance);
     positive = factorize(work, variance, N) && positive;
     if (!positive) {
         return BS_NOT_POSITIVE;
@@ -382,7 +695,7 @@ bs_status ah_ud_init(const bs_real dense[AH_N_STATES * AH_N_STATES],
                      bs_real UD[AH_N_PACKED],
                      bs_real work[AH_N_WORK])
 {
-    const bs_status status = judge(dense, work);
+    const bs_status status = judge_dense(dense, work);
     if (status == BS_OK) {
         for (int i = 0; i < AH_N_PACKED; ++i) {
             UD[i] = work[i];
@@ -395,7 +708,7 @@ bs_status ah_joseph_init(const bs_real dense[AH_N_STATES * AH_N_STATES],
                          bs_real P[AH_N_PACKED],
                          bs_real work[AH_N_WORK])
 {
-    const bs_status status = judge(dense, work); /* judged by its factors, kept as it is */
+    const bs_status status = judge_dense(dense, work); /* judged by its factors, kept as it is */
     if (status == BS_OK) {
         for (int j = 0; j < N; ++j) {
             for (int i = 0; i <= j; ++i) {
@@ -406,6 +719,265 @@ bs_status ah_joseph_init(const bs_real dense[AH_N_STATES * AH_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void ah_joseph_predict(const bs_real P[AH_N_PACKED],
+                       const bs_real Phi[AH_N_PHI],
+                       const bs_real Q[AH_N_PACKED],
+                       bs_real next[AH_N_PACKED],
+                       bs_real work[AH_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], P[55], P[66], P[78],
+          P[91], P[105], BS_REAL(0.0) },
+        { P[1], P[2], P[4], P[7], P[11], P[16], P[22], P[29], P[37], P[46], P[56], P[67], P[79],
+          P[92], P[106], BS_REAL(0.0) },
+        { P[3], P[4], P[5], P[8], P[12], P[17], P[23], P[30], P[38], P[47], P[57], P[68], P[80],
+          P[93], P[107], BS_REAL(0.0) },
+        { P[6], P[7], P[8], P[9], P[13], P[18], P[24], P[31], P[39], P[48], P[58], P[69], P[81],
+          P[94], P[108], BS_REAL(0.0) },
+        { P[10], P[11], P[12], P[13], P[14], P[19], P[25], P[32], P[40], P[49], P[59], P[70], P[82],
+          P[95], P[109], BS_REAL(0.0) },
+        { P[15], P[16], P[17], P[18], P[19], P[20], P[26], P[33], P[41], P[50], P[60], P[71], P[83],
+          P[96], P[110], BS_REAL(0.0) },
+        { P[21], P[22], P[23], P[24], P[25], P[26], P[27], P[34], P[42], P[51], P[61], P[72], P[84],
+          P[97], P[111], BS_REAL(0.0) },
+        { P[28], P[29], P[30], P[31], P[32], P[33], P[34], P[35], P[43], P[52], P[62], P[73], P[85],
+          P[98], P[112], BS_REAL(0.0) },
+        { P[36], P[37], P[38], P[39], P[40], P[41], P[42], P[43], P[44], P[53], P[63], P[74], P[86],
+          P[99], P[113], BS_REAL(0.0) },
+        { P[45], P[46], P[47], P[48], P[49], P[50], P[51], P[52], P[53], P[54], P[64], P[75], P[87],
+          P[100], P[114], BS_REAL(0.0) },
+        { P[55], P[56], P[57], P[58], P[59], P[60], P[61], P[62], P[63], P[64], P[65], P[76], P[88],
+          P[101], P[115], BS_REAL(0.0) },
+        { P[66], P[67], P[68], P[69], P[70], P[71], P[72], P[73], P[74], P[75], P[76], P[77], P[89],
+          P[102], P[116], BS_REAL(0.0) },
+        { P[78], P[79], P[80], P[81], P[82], P[83], P[84], P[85], P[86], P[87], P[88], P[89], P[90],
+          P[103], P[117], BS_REAL(0.0) },
+        { P[91], P[92], P[93], P[94], P[95], P[96], P[97], P[98], P[99], P[100], P[101], P[102],
+          P[103], P[104], P[118], BS_REAL(0.0) },
+        { P[105], P[106], P[107], P[108], P[109], P[110], P[111], P[112], P[113], P[114], P[115],
+          P[116], P[117], P[118], P[119], BS_REAL(0.0) }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]) +
+            (Phi[3] * X[3][j]) + (Phi[4] * X[4][j]) + (Phi[5] * X[5][j]) + (Phi[7] * X[7][j]) +
+            (Phi[8] * X[8][j]) + (Phi[12] * X[12][j]) + (Phi[13] * X[13][j]) + (Phi[14] * X[14][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + (Phi[16] * X[1][j]) + (Phi[17] * X[2][j]) + (Phi[18] * X[3][j]) +
+            (Phi[19] * X[4][j]) + (Phi[20] * X[5][j]) + (Phi[21] * X[6][j]) + (Phi[23] * X[8][j]) +
+            (Phi[27] * X[12][j]) + (Phi[28] * X[13][j]) + (Phi[29] * X[14][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + (Phi[31] * X[1][j]) + (Phi[32] * X[2][j]) + (Phi[33] * X[3][j]) +
+            (Phi[34] * X[4][j]) + (Phi[35] * X[5][j]) + (Phi[36] * X[6][j]) + (Phi[37] * X[7][j]) +
+            (Phi[42] * X[12][j]) + (Phi[43] * X[13][j]) + (Phi[44] * X[14][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][3] = BS_REAL(0.0) + (Phi[46] * X[1][j]) + (Phi[47] * X[2][j]) + (Phi[48] * X[3][j]) +
+            (Phi[49] * X[4][j]) + (Phi[50] * X[5][j]) + (Phi[51] * X[6][j]) + (Phi[52] * X[7][j]) +
+            (Phi[53] * X[8][j]) + (Phi[54] * X[9][j]) + (Phi[55] * X[10][j]) +
+            (Phi[56] * X[11][j]) + (Phi[57] * X[12][j]) + (Phi[58] * X[13][j]) +
+            (Phi[59] * X[14][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][4] = BS_REAL(0.0) + (Phi[61] * X[1][j]) + (Phi[62] * X[2][j]) + (Phi[63] * X[3][j]) +
+            (Phi[64] * X[4][j]) + (Phi[65] * X[5][j]) + (Phi[66] * X[6][j]) + (Phi[67] * X[7][j]) +
+            (Phi[68] * X[8][j]) + (Phi[69] * X[9][j]) + (Phi[70] * X[10][j]) +
+            (Phi[71] * X[11][j]) + (Phi[72] * X[12][j]) + (Phi[73] * X[13][j]) +
+            (Phi[74] * X[14][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][5] = BS_REAL(0.0) + (Phi[76] * X[1][j]) + (Phi[77] * X[2][j]) + (Phi[78] * X[3][j]) +
+            (Phi[79] * X[4][j]) + (Phi[80] * X[5][j]) + (Phi[81] * X[6][j]) + (Phi[82] * X[7][j]) +
+            (Phi[83] * X[8][j]) + (Phi[84] * X[9][j]) + (Phi[85] * X[10][j]) +
+            (Phi[86] * X[11][j]) + (Phi[87] * X[12][j]) + (Phi[88] * X[13][j]) +
+            (Phi[89] * X[14][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][6] = BS_REAL(0.0) + (Phi[91] * X[1][j]) + (Phi[92] * X[2][j]) + (Phi[93] * X[3][j]) +
+            (Phi[94] * X[4][j]) + (Phi[95] * X[5][j]) + (Phi[96] * X[6][j]) + (Phi[97] * X[7][j]) +
+            (Phi[98] * X[8][j]) + (Phi[99] * X[9][j]) + (Phi[100] * X[10][j]) +
+            (Phi[101] * X[11][j]) + (Phi[102] * X[12][j]) + (Phi[103] * X[13][j]) +
+            (Phi[104] * X[14][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][7] = BS_REAL(0.0) + (Phi[106] * X[1][j]) + (Phi[107] * X[2][j]) +
+            (Phi[108] * X[3][j]) + (Phi[109] * X[4][j]) + (Phi[110] * X[5][j]) +
+            (Phi[111] * X[6][j]) + (Phi[112] * X[7][j]) + (Phi[113] * X[8][j]) +
+            (Phi[114] * X[9][j]) + (Phi[115] * X[10][j]) + (Phi[116] * X[11][j]) +
+            (Phi[117] * X[12][j]) + (Phi[118] * X[13][j]) + (Phi[119] * X[14][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][8] = BS_REAL(0.0) + (Phi[121] * X[1][j]) + (Phi[122] * X[2][j]) +
+            (Phi[123] * X[3][j]) + (Phi[124] * X[4][j]) + (Phi[125] * X[5][j]) +
+            (Phi[126] * X[6][j]) + (Phi[127] * X[7][j]) + (Phi[128] * X[8][j]) +
+            (Phi[129] * X[9][j]) + (Phi[130] * X[10][j]) + (Phi[131] * X[11][j]) +
+            (Phi[132] * X[12][j]) + (Phi[133] * X[13][j]) + (Phi[134] * X[14][j]);
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i]) +
+                  (Phi[3] * Y[3][i]) + (Phi[4] * Y[4][i]) + (Phi[5] * Y[5][i]) +
+                  (Phi[7] * Y[7][i]) + (Phi[8] * Y[8][i]) + (Phi[12] * Y[12][i]) +
+                  (Phi[13] * Y[13][i]) + (Phi[14] * Y[14][i])) + Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[16] * Y[1][i]) + (Phi[17] * Y[2][i]) + (Phi[18] * Y[3][i]) +
+                  (Phi[19] * Y[4][i]) + (Phi[20] * Y[5][i]) + (Phi[21] * Y[6][i]) +
+                  (Phi[23] * Y[8][i]) + (Phi[27] * Y[12][i]) + (Phi[28] * Y[13][i]) +
+                  (Phi[29] * Y[14][i])) + Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[31] * Y[1][i]) + (Phi[32] * Y[2][i]) + (Phi[33] * Y[3][i]) +
+                  (Phi[34] * Y[4][i]) + (Phi[35] * Y[5][i]) + (Phi[36] * Y[6][i]) +
+                  (Phi[37] * Y[7][i]) + (Phi[42] * Y[12][i]) + (Phi[43] * Y[13][i]) +
+                  (Phi[44] * Y[14][i])) + Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[46] * Y[1][i]) + (Phi[47] * Y[2][i]) + (Phi[48] * Y[3][i]) +
+                  (Phi[49] * Y[4][i]) + (Phi[50] * Y[5][i]) + (Phi[51] * Y[6][i]) +
+                  (Phi[52] * Y[7][i]) + (Phi[53] * Y[8][i]) + (Phi[54] * Y[9][i]) +
+                  (Phi[55] * Y[10][i]) + (Phi[56] * Y[11][i]) + (Phi[57] * Y[12][i]) +
+                  (Phi[58] * Y[13][i]) + (Phi[59] * Y[14][i])) + Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[61] * Y[1][i]) + (Phi[62] * Y[2][i]) + (Phi[63] * Y[3][i]) +
+                  (Phi[64] * Y[4][i]) + (Phi[65] * Y[5][i]) + (Phi[66] * Y[6][i]) +
+                  (Phi[67] * Y[7][i]) + (Phi[68] * Y[8][i]) + (Phi[69] * Y[9][i]) +
+                  (Phi[70] * Y[10][i]) + (Phi[71] * Y[11][i]) + (Phi[72] * Y[12][i]) +
+                  (Phi[73] * Y[13][i]) + (Phi[74] * Y[14][i])) + Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[76] * Y[1][i]) + (Phi[77] * Y[2][i]) + (Phi[78] * Y[3][i]) +
+                  (Phi[79] * Y[4][i]) + (Phi[80] * Y[5][i]) + (Phi[81] * Y[6][i]) +
+                  (Phi[82] * Y[7][i]) + (Phi[83] * Y[8][i]) + (Phi[84] * Y[9][i]) +
+                  (Phi[85] * Y[10][i]) + (Phi[86] * Y[11][i]) + (Phi[87] * Y[12][i]) +
+                  (Phi[88] * Y[13][i]) + (Phi[89] * Y[14][i])) + Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[91] * Y[1][i]) + (Phi[92] * Y[2][i]) + (Phi[93] * Y[3][i]) +
+                  (Phi[94] * Y[4][i]) + (Phi[95] * Y[5][i]) + (Phi[96] * Y[6][i]) +
+                  (Phi[97] * Y[7][i]) + (Phi[98] * Y[8][i]) + (Phi[99] * Y[9][i]) +
+                  (Phi[100] * Y[10][i]) + (Phi[101] * Y[11][i]) + (Phi[102] * Y[12][i]) +
+                  (Phi[103] * Y[13][i]) + (Phi[104] * Y[14][i])) + Q[21 + i];
+    }
+    for (int i = 0; i < 7; ++i) {
+        next[21 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[106] * Y[1][i]) + (Phi[107] * Y[2][i]) +
+                  (Phi[108] * Y[3][i]) + (Phi[109] * Y[4][i]) + (Phi[110] * Y[5][i]) +
+                  (Phi[111] * Y[6][i]) + (Phi[112] * Y[7][i]) + (Phi[113] * Y[8][i]) +
+                  (Phi[114] * Y[9][i]) + (Phi[115] * Y[10][i]) + (Phi[116] * Y[11][i]) +
+                  (Phi[117] * Y[12][i]) + (Phi[118] * Y[13][i]) + (Phi[119] * Y[14][i])) +
+            Q[28 + i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        next[28 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[121] * Y[1][i]) + (Phi[122] * Y[2][i]) +
+                  (Phi[123] * Y[3][i]) + (Phi[124] * Y[4][i]) + (Phi[125] * Y[5][i]) +
+                  (Phi[126] * Y[6][i]) + (Phi[127] * Y[7][i]) + (Phi[128] * Y[8][i]) +
+                  (Phi[129] * Y[9][i]) + (Phi[130] * Y[10][i]) + (Phi[131] * Y[11][i]) +
+                  (Phi[132] * Y[12][i]) + (Phi[133] * Y[13][i]) + (Phi[134] * Y[14][i])) +
+            Q[36 + i];
+    }
+    for (int i = 0; i < 9; ++i) {
+        next[36 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    for (int i = 0; i < 10; ++i) {
+        next[45 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[10][i] + Q[55 + i];
+    }
+    for (int i = 0; i < 11; ++i) {
+        next[55 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[11][i] + Q[66 + i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        next[66 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[12][i] + Q[78 + i];
+    }
+    for (int i = 0; i < 13; ++i) {
+        next[78 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[13][i] + Q[91 + i];
+    }
+    for (int i = 0; i < 14; ++i) {
+        next[91 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[14][i] + Q[105 + i];
+    }
+    BS_ROLLED
+    for (int i = 12; i < 15; ++i) {
+        sum[i] = Y[14][i] + Q[105 + i];
+    }
+    for (int i = 0; i < 15; ++i) {
+        next[105 + i] = sum[i];
+    }
+}
+#else
 void ah_joseph_predict(const bs_real P[AH_N_PACKED],
                        const bs_real Phi[AH_N_PHI],
                        const bs_real Q[AH_N_PACKED],
@@ -437,6 +1009,7 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
         }
     }
 }
+#endif
 
 void ah_ud_predict(const bs_real UD[AH_N_PACKED],
                    const bs_real Phi[AH_N_PHI],
@@ -447,10 +1020,12 @@ void ah_ud_predict(const bs_real UD[AH_N_PACKED],
     bs_real *const X = work;
     bs_real *const V = &work[REGION];
     bs_real weight[M + N]; /* of the columns of V */
-    for (int i = 0; (i < AH_N_PACKED) && (next != Q); ++i) {
-        next[i] = Q[i];
+    if (next != Q) {
+        for (int i = 0; i < AH_N_PACKED; ++i) {
+            next[i] = Q[i];
+        }
     }
-    diagonal(next, weight);
+    variances(next, weight);
     /* The columns of the states that stay: what they take from all others in rows that move, once
      * and for all of them. */
     for (int j = N - 1; j >= M; --j) {
@@ -606,10 +1181,35 @@ void ah_ud_predict(const bs_real UD[AH_N_PACKED],
 
 bs_status ah_joseph_update(bs_real P[AH_N_PACKED], bs_real x[AH_N_STATES], bs_row *row)
 {
-    bs_real g[N]; /* P h */
-    bs_real K[N];
     bs_real nu = row->z;
     bs_real S = row->R;
+#ifdef BORESIGHT_ROWS
+    bs_real g[WIDE]; /* P h */
+    bs_real K[WIDE];
+    bs_real lines[N][WIDE]; /* of P, where h is not zero */
+    bs_real sums[N + 1][WIDE]; /* with one more of them each */
+    for (int p = 0; p < row->count; ++p) {
+        const unsigned short *const at = whole[row->at[p]];
+        nu -= row->h[p] * x[row->at[p]];
+        for (int i = 0; i < WIDE; ++i) {
+            lines[p][i] = P[at[i]];
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        sums[0][i] = zeros[i];
+    }
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        for (int i = 0; i < WIDE; ++i) {
+            sums[p + 1][i] = sums[p][i] + (h * lines[p][i]);
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        g[i] = sums[row->count][i];
+    }
+#else
+    bs_real g[N]; /* P h */
+    bs_real K[N];
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -622,6 +1222,7 @@ bs_status ah_joseph_update(bs_real P[AH_N_PACKED], bs_real x[AH_N_STATES], bs_ro
             g[i] += h * P[column(i) + k];
         }
     }
+#endif
     for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
@@ -636,7 +1237,137 @@ bs_status ah_joseph_update(bs_real P[AH_N_PACKED], bs_real x[AH_N_STATES], bs_ro
     }
     if (row->used != 0) {
         const bs_real inverse = BS_REAL(1.0) / S;
-        bs_real b[N]; /* A h, of the rounded A = P - K g' */
+#ifdef BORESIGHT_ROWS
+        const bs_real R = row->R;
+        bs_real b[WIDE]; /* as below */
+        bs_real next[WIDE];
+        for (int i = 0; i < WIDE; ++i) {
+            K[i] = g[i] * inverse;
+        }
+        for (int i = 0; i < N; ++i) {
+            x[i] += K[i] * nu;
+        }
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            for (int i = 0; i < WIDE; ++i) {
+                sums[p + 1][i] = sums[p][i] + (h * (lines[p][i] - (K[i] * of_g)));
+            }
+        }
+        for (int i = 0; i < WIDE; ++i) {
+            b[i] = sums[row->count][i] - (R * K[i]);
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
+        }
+        for (int i = 0; i < 1; ++i) {
+            P[0 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
+        }
+        for (int i = 0; i < 2; ++i) {
+            P[1 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
+        }
+        for (int i = 0; i < 3; ++i) {
+            P[3 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
+        }
+        for (int i = 0; i < 4; ++i) {
+            P[6 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
+        }
+        for (int i = 0; i < 5; ++i) {
+            P[10 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
+        }
+        for (int i = 0; i < 6; ++i) {
+            P[15 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
+        }
+        for (int i = 0; i < 7; ++i) {
+            P[21 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
+        }
+        for (int i = 0; i < 8; ++i) {
+            P[28 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
+        }
+        for (int i = 0; i < 9; ++i) {
+            P[36 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
+        }
+        for (int i = 0; i < 10; ++i) {
+            P[45 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
+        }
+        for (int i = 0; i < 11; ++i) {
+            P[55 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[66 + i] - (K[i] * g[11])) - (b[i] * K[11]);
+        }
+        for (int i = 0; i < 12; ++i) {
+            P[66 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
+        }
+        for (int i = 0; i < 13; ++i) {
+            P[78 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[91 + i] - (K[i] * g[13])) - (b[i] * K[13]);
+        }
+        for (int i = 0; i < 14; ++i) {
+            P[91 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
+        }
+        BS_ROLLED
+        for (int i = 12; i < 15; ++i) {
+            next[i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
+        }
+        for (int i = 0; i < 15; ++i) {
+            P[105 + i] = next[i];
+        }
+#else
+        bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
             x[i] += K[i] * nu;
@@ -646,15 +1377,17 @@ bs_status ah_joseph_update(bs_real P[AH_N_PACKED], bs_real x[AH_N_STATES], bs_ro
                 const bs_real of_P = (i < k) ? P[column(k) + i] : P[column(i) + k];
                 b[i] += row->h[p] * (of_P - (K[i] * g[k]));
             }
+            b[i] -= row->R * K[i];
         }
         /* (I - K h') P (I - K h')' + K R K' as two products, A - b K': multiplied out at once it
          * would lose as much as (I - K h') P does where a good measurement meets a coarse start. */
         for (int j = 0; j < N; ++j) {
             bs_real *const p = &P[column(j)];
             for (int i = 0; i <= j; ++i) {
-                p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
+                p[i] = (p[i] - (K[i] * g[j])) - (b[i] * K[j]);
             }
         }
+#endif
         for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }

@@ -4,6 +4,8 @@
  * Boresight: do not edit. */
 #include "azimuth_hold_filter.h"
 
+#include <stdint.h>
+
 #include "ah_zupt_z_kernel.h"
 #include "ah_zupt_H_kernel.h"
 #include "ah_azimuth_z_kernel.h"
@@ -338,7 +340,7 @@ static bs_status begin(attempt *a,
         status = bs_check(&a->joint, &low[1], &high[1], 1);
     }
     if (status == BS_OK) {
-        status = (a->left < 0) ? BS_OUT_OF_RANGE : BS_OK;
+        status = ((a->left < 0) || (a->left > BS_MOST_ITERATIONS)) ? BS_OUT_OF_RANGE : BS_OK;
     }
     return status;
 }
@@ -866,7 +868,7 @@ bs_status ah_filter_health(const ah_filter *filter, ah_health *health)
 }
 
 /* ---- a snapshot: its head, then what is carried from call to call, number after number as it lies
- * in memory */
+ * in memory, and a checksum */
 
 static int put(unsigned char *to, const unsigned char *from, size_t n)
 {
@@ -889,6 +891,23 @@ static void head(unsigned char *to)
     (void)put(&to[8], (const unsigned char *)hash, 64U);
 }
 
+/* CRC-32 (IEEE 802.3) of all that stands before it, its least byte first. */
+static void seal(const unsigned char *bytes, unsigned char checksum[BS_SNAPSHOT_CHECKSUM])
+{
+    uint32_t left = 0xFFFFFFFFU;
+    for (int i = 0; i < (AH_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM); ++i) {
+        left ^= (uint32_t)bytes[i];
+        for (int bit = 0; bit < 8; ++bit) {
+            left = ((left & 1U) != 0U) ? ((left >> 1U) ^ 0xEDB88320U) : (left >> 1U);
+        }
+    }
+    left ^= 0xFFFFFFFFU;
+    for (int i = 0; i < BS_SNAPSHOT_CHECKSUM; ++i) {
+        checksum[i] = (unsigned char)(left & 0xFFU);
+        left >>= 8U;
+    }
+}
+
 bs_status ah_filter_snapshot(const ah_filter *filter, unsigned char bytes[AH_SNAPSHOT_SIZE])
 {
     int at = BS_SNAPSHOT_HEAD;
@@ -904,7 +923,8 @@ bs_status ah_filter_snapshot(const ah_filter *filter, unsigned char bytes[AH_SNA
         at += put(&bytes[at], (const unsigned char *)filter->P, sizeof(filter->P));
         at += put(&bytes[at], (const unsigned char *)filter->rejected, sizeof(filter->rejected));
         at += put(&bytes[at], (const unsigned char *)&filter->ceilings, sizeof(filter->ceilings));
-        (void)put(&bytes[at], filter->considered, sizeof(filter->considered));
+        at += put(&bytes[at], filter->considered, sizeof(filter->considered));
+        seal(bytes, &bytes[at]);
     }
     return status;
 }
@@ -912,6 +932,7 @@ bs_status ah_filter_snapshot(const ah_filter *filter, unsigned char bytes[AH_SNA
 bs_status ah_filter_restore(ah_filter *filter, const unsigned char bytes[AH_SNAPSHOT_SIZE])
 {
     unsigned char wanted[BS_SNAPSHOT_HEAD];
+    unsigned char checksum[BS_SNAPSHOT_CHECKSUM];
     bs_real x[AH_N_STATES];
     ah_nav next_nav;
     int at = BS_SNAPSHOT_HEAD;
@@ -922,6 +943,11 @@ bs_status ah_filter_restore(ah_filter *filter, const unsigned char bytes[AH_SNAP
     head(wanted);
     for (int i = 0; i < BS_SNAPSHOT_HEAD; ++i) {
         status = (bytes[i] == wanted[i]) ? status : BS_OUT_OF_RANGE;
+    }
+    seal(bytes, checksum);
+    for (int i = 0; i < BS_SNAPSHOT_CHECKSUM; ++i) {
+        status = (bytes[AH_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM + i] == checksum[i]) ? status
+            : BS_OUT_OF_RANGE;
     }
     if (status != BS_OK) {
         return status;

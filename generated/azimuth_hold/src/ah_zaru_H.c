@@ -57,6 +57,7 @@ bs_status ah_zaru_H(const ah_nav *nav, bs_real H[3 * AH_N_STATES])
         for (int i = 0; i < 45; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 15; ++i) {
             H[H_index[i]] = H_nz[i];
         }

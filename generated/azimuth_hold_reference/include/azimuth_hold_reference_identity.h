@@ -18,7 +18,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "899fa72d7998848c9b2b4f955d1359b4a14b92f2dbef50202bdc5ca4ef9db465"
+#define AHR_MODEL_HASH "80740f32c69d4cd86981383771cb1fdd059af9c803656b043a8976e7a9c3cee3"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

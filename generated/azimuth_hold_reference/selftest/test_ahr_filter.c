@@ -576,23 +576,81 @@ static int spoil(const char *what,
     return failures;
 }
 
-/* At either end of its box a number is taken.  What the function made of it is put back. */
+/* At either end of its box a number is taken; or, if it may leave one, with the other errors or
+ * their opposites, or else it does from just inside too.  What the function made of it is put
+ * back. */
 static int accepts(const char *what,
                    bs_status (*function)(void),
                    bs_real *value,
                    bs_real low,
-                   bs_real high)
+                   bs_real high,
+                   bool may_leave)
 {
     const bs_real good = *value;
     int failures = 0;
-    before = flown;
     for (int end = 0; end < 2; ++end) {
-        *value = (end == 0) ? low : high;
-        failures += expect(what, bs_good(function()));
+        const bs_real at = (end == 0) ? low : high;
+        const bool outward = (end == 0) ? (at < BS_REAL(0.0)) : (at > BS_REAL(0.0));
+        bs_status status;
+        before = flown;
+        *value = at;
+        status = function();
+        flown = before;
+        if (may_leave && (status == BS_OUT_OF_RANGE)) {
+            *value = at;
+            for (int i = 0; i < N; ++i) {
+                flown.x[i] = (&flown.x[i] == value) ? flown.x[i] : -flown.x[i];
+            }
+            status = function();
+            flown = before;
+        }
+        if (may_leave && (status == BS_OUT_OF_RANGE)) {
+            *value = at * (outward ? BS_REAL(0.9985) : BS_REAL(1.0015));
+            failures += expect(what, !bs_good(function()));
+            flown = before;
+        } else {
+            failures += expect(what, bs_good(status));
+        }
+        *value = good;
         flown = before;
     }
     *value = good;
     return failures;
+}
+
+/* Whether an error is taken that is as large as `at`, from one of three places that it leads away
+ * from. */
+static bool corrects(int i, double at)
+{
+    static const double before_it[3] = { 0.0, 0.5, 0.95 };
+    bool good = false;
+    for (int k = 0; (k < 3) && !good; ++k) {
+        (void)begin();
+        flown.x[i] = (bs_real)(-before_it[k] * at);
+        (void)correct();
+        flown.x[i] = (bs_real)at;
+        good = (correct() == BS_OK);
+    }
+    return good;
+}
+
+/* The checksum of a snapshot by its definition: the rest of its bits, each byte's least first, by
+ * x^32 + x^26 + x^23 + ... + 1. */
+static void seal(void)
+{
+    const int size = AHR_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM;
+    unsigned long rest = 0xFFFFFFFFUL;
+    for (int i = 0; i < (8 * size); ++i) {
+        const unsigned long bit = ((unsigned long)bytes[i / 8] >> (unsigned int)(i % 8)) & 1UL;
+        const unsigned long top = (rest >> 31U) & 1UL;
+        rest = ((rest << 1U) & 0xFFFFFFFFUL) ^ ((top != bit) ? 0x04C11DB7UL : 0UL);
+    }
+    for (int i = 0; i < 32; ++i) { /* turned round, and each bit inverted */
+        unsigned char *const byte = &bytes[size + (i / 8)];
+        const unsigned int mask = 1U << (unsigned int)(i % 8);
+        const bool set = ((rest >> (31U - (unsigned int)i)) & 1UL) == 0UL;
+        *byte = (unsigned char)(set ? (*byte | mask) : (*byte & ~mask));
+    }
 }
 
 static int limits(void)
@@ -603,12 +661,12 @@ static int limits(void)
                                         BS_REAL(-500.0) };
         static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802),
                                          BS_REAL(30000.0) };
-        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i]);
+        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
         static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i], false);
     }
     for (int i = 0; i < 4; ++i) {
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
@@ -616,9 +674,9 @@ static int limits(void)
             given_nav.q_b2n_wxyz[j] = BS_REAL(0.0);
         }
         failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i],
-                            BS_REAL(-0.999), BS_REAL(0.999));
+                            BS_REAL(-0.999), BS_REAL(0.999), false);
         failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i],
-                            BS_REAL(-1.001), BS_REAL(1.001));
+                            BS_REAL(-1.001), BS_REAL(1.001), false);
 #endif
     }
     for (int end = 0; end < 2; ++end) {
@@ -636,12 +694,14 @@ static int limits(void)
         static const bs_real high[3] = { BS_REAL(0.017453292519943295),
                                          BS_REAL(0.017453292519943295),
                                          BS_REAL(0.017453292519943295) };
-        failures += accepts("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
+        failures += accepts("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i],
+                            false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
         static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-        failures += accepts("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
+        failures += accepts("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i],
+                            false);
     }
     for (int i = 0; i < 4; ++i) {
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
@@ -649,9 +709,9 @@ static int limits(void)
             given_reference.q_ref_wxyz[j] = BS_REAL(0.0);
         }
         failures += accepts("init: q_ref_wxyz, norm", init, &given_reference.q_ref_wxyz[i],
-                            BS_REAL(-0.999), BS_REAL(0.999));
+                            BS_REAL(-0.999), BS_REAL(0.999), false);
         failures += accepts("init: q_ref_wxyz, norm", init, &given_reference.q_ref_wxyz[i],
-                            BS_REAL(-1.001), BS_REAL(1.001));
+                            BS_REAL(-1.001), BS_REAL(1.001), false);
 #endif
     }
     for (int end = 0; end < 2; ++end) {
@@ -666,23 +726,28 @@ static int limits(void)
         static const bs_real low[1] = { BS_REAL(-0.5) };
         static const bs_real high[1] = { BS_REAL(0.5) };
         failures += accepts("init: reference_error", init, &given_reference.reference_error, low[i],
-                            high[i]);
+                            high[i], false);
     }
-    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0));
+    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0),
+                        false);
     rows = 0U;
-    failures += accepts("measure_zupt: gate", measure_zupt, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    failures += accepts("measure_zupt: gate", measure_zupt, &gate, BS_REAL(0.0), BS_REAL(1e+30),
+                        false);
     for (int i = 0; i < 3; ++i) {
-        failures += accepts("measure_zupt: R", measure_zupt, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+        failures += accepts("measure_zupt: R", measure_zupt, &R[i], BS_REAL(1e-30), BS_REAL(1e+30),
+                            false);
     }
-    failures += accepts("measure_zaru: gate", measure_zaru, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    failures += accepts("measure_zaru: gate", measure_zaru, &gate, BS_REAL(0.0), BS_REAL(1e+30),
+                        false);
     for (int i = 0; i < 3; ++i) {
-        failures += accepts("measure_zaru: R", measure_zaru, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+        failures += accepts("measure_zaru: R", measure_zaru, &R[i], BS_REAL(1e-30), BS_REAL(1e+30),
+                            false);
     }
     failures += accepts("measure_azimuth: gate", measure_azimuth, &gate, BS_REAL(0.0),
-                        BS_REAL(1e+30));
+                        BS_REAL(1e+30), false);
     for (int i = 0; i < 1; ++i) {
         failures += accepts("measure_azimuth: R", measure_azimuth, &R[i], BS_REAL(1e-30),
-                            BS_REAL(1e+30));
+                            BS_REAL(1e+30), false);
     }
     rows = BS_ALL_ROWS;
     return failures + begin();
@@ -719,17 +784,22 @@ static int kept(void)
                        (memcmp(bytes, again, sizeof(bytes)) == 0));
     failures += expect("restore: the rest", (flown.rejected[0] == 7U) && (flown.ceilings == 3U) &&
                        (flown.considered[N - 1] == 1U) && (flown.considering == 1U));
-    /* its head, and its first number as NaN */
-    for (int i = 0; i < (BS_SNAPSHOT_HEAD + (int)sizeof(bs_real)); ++i) {
+    seal();
+    failures += expect("checksum", memcmp(bytes, again, sizeof(bytes)) == 0);
+    for (int i = 0; i < AHR_SNAPSHOT_SIZE; ++i) { /* any byte on its way; a head that is another's,
+                                                   * however sealed; then its first number as NaN */
         memcpy(again, bytes, sizeof(bytes));
-        bytes[i] ^= 1U;
-        if (i >= BS_SNAPSHOT_HEAD) {
-            memset(&bytes[BS_SNAPSHOT_HEAD], 0xff, sizeof(bs_real));
+        bytes[i] ^= (unsigned char)(1U << (unsigned int)(i % 8));
+        failures += refuses("restore: changed on its way", restore, BS_OUT_OF_RANGE);
+        if (i < BS_SNAPSHOT_HEAD) {
+            seal();
+            failures += refuses("restore: of another", restore, BS_OUT_OF_RANGE);
         }
-        failures += refuses("restore", restore, (i < BS_SNAPSHOT_HEAD) ? BS_OUT_OF_RANGE
-                            : BS_NOT_FINITE);
         memcpy(bytes, again, sizeof(bytes));
     }
+    memset(&bytes[BS_SNAPSHOT_HEAD], 0xff, sizeof(bs_real));
+    seal();
+    failures += refuses("restore: NaN", restore, BS_NOT_FINITE);
     memset(considered, 0, sizeof(considered));
     /* beginnings */
     memset(dense, 0, sizeof(dense));
@@ -764,9 +834,9 @@ static int kept(void)
     for (int i = 0; i < N; ++i) {
         const bs_real root = BS_SQRT(ceiling[i]);
         sigmas[0] = BS_SQRT(P0[0]);
-        sigmas[i] = BS_REAL(1.01) * root;
+        sigmas[i] = BS_REAL(1.0002) * root;
         failures += refuses("init_sigmas: ceiling", init_sigmas, BS_OUT_OF_RANGE);
-        sigmas[i] = BS_REAL(0.99) * root;
+        sigmas[i] = BS_REAL(0.9998) * root;
         failures += expect("init_sigmas: below the ceiling", init_sigmas() == BS_OK);
         sigmas[i] = BS_SQRT(P0[i * (N + 1)]);
         failures += expect("init_sigmas", init_sigmas() == BS_OK);
@@ -1098,6 +1168,21 @@ static int kept(void)
                                           100.0, 100.0, 0.5, 0.5, 0.5, 0.017453292519943295,
                                           0.017453292519943295, 0.017453292519943295, 1.0, 1.0, 1.0,
                                           0.5 };
+        static const double low[N] = { -0.008731009583101634, -0.008731009583101634, -1000.5,
+                                       -100.05, -100.05, -100.05, -0.50025, -0.50025, -0.50025,
+                                       -0.01746201916620327, -0.01746201916620327,
+                                       -0.01746201916620327, -1.0005, -1.0005, -1.0005, -0.50025 };
+        static const double high[N] = { 0.008731009583101634, 0.008731009583101634, 1000.5, 100.05,
+                                        100.05, 100.05, 0.50025, 0.50025, 0.50025,
+                                        0.01746201916620327, 0.01746201916620327,
+                                        0.01746201916620327, 1.0005, 1.0005, 1.0005, 0.50025 };
+        failures += begin();
+        failures += spoil("correct: x", correct, &flown.x[i], low[i], high[i]);
+        for (int end = 0; end < 2; ++end) {
+            const double at = (end == 0) ? x_low[i] : x_high[i];
+            failures += expect("correct: x at its end", corrects(i, at) ||
+                               !corrects(i, 0.998 * at));
+        }
         for (int end = 0; end < 2; ++end) {
             failures += begin();
             flown.x[i] = (bs_real)(0.999 * ((end == 0) ? x_low[i] : x_high[i]));
@@ -1117,60 +1202,111 @@ static int guards(void)
     {
         static const double low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
+        static const bs_real end[2][3] = { { BS_REAL(-6.283185307179586),
+                                             BS_REAL(-1.4835298641951802), BS_REAL(-500.0) },
+                                           { BS_REAL(6.283185307179586),
+                                             BS_REAL(1.4835298641951802), BS_REAL(30000.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
+            failures += accepts("init: position", init, &given_nav.position[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: position", set_nav, &given_nav.position[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
                               high[i]);
+            failures += accepts("propagate: position", propagate, &flown.nav.position[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
                               high[i]);
             failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
                               high[i]);
+            failures += accepts("correct: position", correct, &flown.nav.position[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_zupt: position", measure_zupt, &flown.nav.position[i],
                               low[i], high[i]);
+            failures += accepts("measure_zupt: position", measure_zupt, &flown.nav.position[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_zaru: position", measure_zaru, &flown.nav.position[i],
                               low[i], high[i]);
+            failures += accepts("measure_zaru: position", measure_zaru, &flown.nav.position[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_azimuth: position", measure_azimuth, &flown.nav.position[i],
                               low[i], high[i]);
+            failures += accepts("measure_azimuth: position", measure_azimuth,
+                                &flown.nav.position[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -1000.5, -1000.5, -1000.5 };
         static const double high[3] = { 1000.5, 1000.5, 1000.5 };
+        static const bs_real end[2][3] = { { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) },
+                                           { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+            failures += accepts("init: v_n", init, &given_nav.v_n[i], end[0][i], end[1][i], false);
             failures += spoil("set_nav: v_n", set_nav, &given_nav.v_n[i], low[i], high[i]);
+            failures += accepts("set_nav: v_n", set_nav, &given_nav.v_n[i], end[0][i], end[1][i],
+                                false);
             failures += spoil("propagate: v_n", propagate, &flown.nav.v_n[i], low[i], high[i]);
+            failures += accepts("propagate: v_n", propagate, &flown.nav.v_n[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("strapdown: v_n", strapdown, &flown.nav.v_n[i], low[i], high[i]);
             failures += spoil("correct: v_n", correct, &flown.nav.v_n[i], low[i], high[i]);
+            failures += accepts("correct: v_n", correct, &flown.nav.v_n[i], end[0][i], end[1][i],
+                                true);
             failures += spoil("measure_zupt: v_n", measure_zupt, &flown.nav.v_n[i], low[i],
                               high[i]);
+            failures += accepts("measure_zupt: v_n", measure_zupt, &flown.nav.v_n[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("measure_zaru: v_n", measure_zaru, &flown.nav.v_n[i], low[i],
                               high[i]);
+            failures += accepts("measure_zaru: v_n", measure_zaru, &flown.nav.v_n[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("measure_azimuth: v_n", measure_azimuth, &flown.nav.v_n[i], low[i],
                               high[i]);
+            failures += accepts("measure_azimuth: v_n", measure_azimuth, &flown.nav.v_n[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
         static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
+        static const bs_real end[2][4] = { { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                             BS_REAL(-1.001) },
+                                           { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                             BS_REAL(1.001) } };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
+            failures += accepts("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("strapdown: q_b2n_wxyz", strapdown, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += spoil("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_zupt: q_b2n_wxyz", measure_zupt, &flown.nav.q_b2n_wxyz[i],
                               low[i], high[i]);
+            failures += accepts("measure_zupt: q_b2n_wxyz", measure_zupt, &flown.nav.q_b2n_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_zaru: q_b2n_wxyz", measure_zaru, &flown.nav.q_b2n_wxyz[i],
                               low[i], high[i]);
+            failures += accepts("measure_zaru: q_b2n_wxyz", measure_zaru, &flown.nav.q_b2n_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_azimuth: q_b2n_wxyz", measure_azimuth,
                               &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
+            failures += accepts("measure_azimuth: q_b2n_wxyz", measure_azimuth,
+                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i], true);
         }
     }
     {
@@ -1178,174 +1314,288 @@ static int guards(void)
                                        -0.01746201916620327 };
         static const double high[3] = { 0.01746201916620327, 0.01746201916620327,
                                         0.01746201916620327 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.017453292519943295),
+                                             BS_REAL(-0.017453292519943295),
+                                             BS_REAL(-0.017453292519943295) },
+                                           { BS_REAL(0.017453292519943295),
+                                             BS_REAL(0.017453292519943295),
+                                             BS_REAL(0.017453292519943295) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
+            failures += accepts("init: gyro_bias", init, &given_nav.gyro_bias[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: gyro_bias", set_nav, &given_nav.gyro_bias[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: gyro_bias", set_nav, &given_nav.gyro_bias[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("propagate: gyro_bias", propagate, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
+            failures += accepts("propagate: gyro_bias", propagate, &flown.nav.gyro_bias[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: gyro_bias", strapdown, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
             failures += spoil("correct: gyro_bias", correct, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
+            failures += accepts("correct: gyro_bias", correct, &flown.nav.gyro_bias[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_zupt: gyro_bias", measure_zupt, &flown.nav.gyro_bias[i],
                               low[i], high[i]);
+            failures += accepts("measure_zupt: gyro_bias", measure_zupt, &flown.nav.gyro_bias[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_zaru: gyro_bias", measure_zaru, &flown.nav.gyro_bias[i],
                               low[i], high[i]);
+            failures += accepts("measure_zaru: gyro_bias", measure_zaru, &flown.nav.gyro_bias[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_azimuth: gyro_bias", measure_azimuth,
                               &flown.nav.gyro_bias[i], low[i], high[i]);
+            failures += accepts("measure_azimuth: gyro_bias", measure_azimuth,
+                                &flown.nav.gyro_bias[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -1.0005, -1.0005, -1.0005 };
         static const double high[3] = { 1.0005, 1.0005, 1.0005 };
+        static const bs_real end[2][3] = { { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) },
+                                           { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
+            failures += accepts("init: accel_bias", init, &given_nav.accel_bias[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: accel_bias", set_nav, &given_nav.accel_bias[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: accel_bias", set_nav, &given_nav.accel_bias[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("propagate: accel_bias", propagate, &flown.nav.accel_bias[i], low[i],
                               high[i]);
+            failures += accepts("propagate: accel_bias", propagate, &flown.nav.accel_bias[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: accel_bias", strapdown, &flown.nav.accel_bias[i], low[i],
                               high[i]);
             failures += spoil("correct: accel_bias", correct, &flown.nav.accel_bias[i], low[i],
                               high[i]);
+            failures += accepts("correct: accel_bias", correct, &flown.nav.accel_bias[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_zupt: accel_bias", measure_zupt, &flown.nav.accel_bias[i],
                               low[i], high[i]);
+            failures += accepts("measure_zupt: accel_bias", measure_zupt, &flown.nav.accel_bias[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_zaru: accel_bias", measure_zaru, &flown.nav.accel_bias[i],
                               low[i], high[i]);
+            failures += accepts("measure_zaru: accel_bias", measure_zaru, &flown.nav.accel_bias[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_azimuth: accel_bias", measure_azimuth,
                               &flown.nav.accel_bias[i], low[i], high[i]);
+            failures += accepts("measure_azimuth: accel_bias", measure_azimuth,
+                                &flown.nav.accel_bias[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -500.25, -500.25, -500.25 };
         static const double high[3] = { 500.25, 500.25, 500.25 };
+        static const bs_real end[2][3] = { { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) },
+                                           { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
+            failures += accepts("propagate: f_b", propagate, &given_imu.f_b[i], end[0][i],
+                                end[1][i], false);
         }
     }
     {
         static const double low[3] = { -20.01, -20.01, -20.01 };
         static const double high[3] = { 20.01, 20.01, 20.01 };
+        static const bs_real end[2][3] = { { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) },
+                                           { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_zaru: omega_ib_b", measure_zaru, &given_imu.omega_ib_b[i],
                               low[i], high[i]);
+            failures += accepts("measure_zaru: omega_ib_b", measure_zaru, &given_imu.omega_ib_b[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[1] = { 9.995e-07 };
         static const double high[1] = { 10.005 };
+        static const bs_real end[2][1] = { { BS_REAL(1e-06) }, { BS_REAL(10.0) } };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
+            failures += accepts("propagate: dt", propagate, &given_imu.dt, end[0][i], end[1][i],
+                                false);
             failures += spoil("strapdown: dt", strapdown, &given_imu.dt, low[i], high[i]);
+            failures += accepts("strapdown: dt", strapdown, &given_imu.dt, end[0][i], end[1][i],
+                                true);
         }
     }
     {
         static const double low[3] = { -0.50025, -0.50025, -0.50025 };
         static const double high[3] = { 0.50025, 0.50025, 0.50025 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) },
+                                           { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dtheta_ib_b", strapdown, &given_increments.dtheta_ib_b[i],
                               low[i], high[i]);
+            failures += accepts("strapdown: dtheta_ib_b", strapdown,
+                                &given_increments.dtheta_ib_b[i], end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[3] = { -100.05, -100.05, -100.05 };
         static const double high[3] = { 100.05, 100.05, 100.05 };
+        static const bs_real end[2][3] = { { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) },
+                                           { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dv_b", strapdown, &given_increments.dv_b[i], low[i],
                               high[i]);
+            failures += accepts("strapdown: dv_b", strapdown, &given_increments.dv_b[i], end[0][i],
+                                end[1][i], true);
         }
     }
     {
         static const double low[3] = { -0.50025, -0.50025, -0.50025 };
         static const double high[3] = { 0.50025, 0.50025, 0.50025 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) },
+                                           { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dtheta_before", strapdown,
                               &given_increments.dtheta_before[i], low[i], high[i]);
+            failures += accepts("strapdown: dtheta_before", strapdown,
+                                &given_increments.dtheta_before[i], end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[3] = { -100.05, -100.05, -100.05 };
         static const double high[3] = { 100.05, 100.05, 100.05 };
+        static const bs_real end[2][3] = { { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) },
+                                           { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dv_before", strapdown, &given_increments.dv_before[i],
                               low[i], high[i]);
+            failures += accepts("strapdown: dv_before", strapdown, &given_increments.dv_before[i],
+                                end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[3] = { -5e-05, -5e-05, -5e-05 };
         static const double high[3] = { 0.10005, 0.10005, 0.10005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i],
                               low[i], high[i]);
+            failures += accepts("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.005, -0.005, -0.005 };
         static const double high[3] = { 10.005, 10.005, 10.005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: accel_noise", propagate, &given_noise.accel_noise[i],
                               low[i], high[i]);
+            failures += accepts("propagate: accel_noise", propagate, &given_noise.accel_noise[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -5e-05, -5e-05, -5e-05 };
         static const double high[3] = { 0.10005, 0.10005, 0.10005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: gyro_bias_noise", propagate,
                               &given_noise.gyro_bias_noise[i], low[i], high[i]);
+            failures += accepts("propagate: gyro_bias_noise", propagate,
+                                &given_noise.gyro_bias_noise[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.005, -0.005, -0.005 };
         static const double high[3] = { 10.005, 10.005, 10.005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: accel_bias_noise", propagate,
                               &given_noise.accel_bias_noise[i], low[i], high[i]);
+            failures += accepts("propagate: accel_bias_noise", propagate,
+                                &given_noise.accel_bias_noise[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
         static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
+        static const bs_real end[2][4] = { { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                             BS_REAL(-1.001) },
+                                           { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                             BS_REAL(1.001) } };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_ref_wxyz", init, &given_reference.q_ref_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("init: q_ref_wxyz", init, &given_reference.q_ref_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("set_nav: q_ref_wxyz", set_nav, &given_reference.q_ref_wxyz[i],
                               low[i], high[i]);
+            failures += accepts("set_nav: q_ref_wxyz", set_nav, &given_reference.q_ref_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("propagate: q_ref_wxyz", propagate, &flown.reference.q_ref_wxyz[i],
                               low[i], high[i]);
+            failures += accepts("propagate: q_ref_wxyz", propagate, &flown.reference.q_ref_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("strapdown: q_ref_wxyz", strapdown, &flown.reference.q_ref_wxyz[i],
                               low[i], high[i]);
             failures += spoil("correct: q_ref_wxyz", correct, &flown.reference.q_ref_wxyz[i],
                               low[i], high[i]);
+            failures += accepts("correct: q_ref_wxyz", correct, &flown.reference.q_ref_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_zupt: q_ref_wxyz", measure_zupt,
                               &flown.reference.q_ref_wxyz[i], low[i], high[i]);
+            failures += accepts("measure_zupt: q_ref_wxyz", measure_zupt,
+                                &flown.reference.q_ref_wxyz[i], end[0][i], end[1][i], true);
             failures += spoil("measure_zaru: q_ref_wxyz", measure_zaru,
                               &flown.reference.q_ref_wxyz[i], low[i], high[i]);
+            failures += accepts("measure_zaru: q_ref_wxyz", measure_zaru,
+                                &flown.reference.q_ref_wxyz[i], end[0][i], end[1][i], true);
             failures += spoil("measure_azimuth: q_ref_wxyz", measure_azimuth,
                               &flown.reference.q_ref_wxyz[i], low[i], high[i]);
+            failures += accepts("measure_azimuth: q_ref_wxyz", measure_azimuth,
+                                &flown.reference.q_ref_wxyz[i], end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[1] = { -0.50025 };
         static const double high[1] = { 0.50025 };
+        static const bs_real end[2][1] = { { BS_REAL(-0.5) }, { BS_REAL(0.5) } };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("init: reference_error", init, &given_reference.reference_error,
                               low[i], high[i]);
+            failures += accepts("init: reference_error", init, &given_reference.reference_error,
+                                end[0][i], end[1][i], false);
             failures += spoil("set_nav: reference_error", set_nav, &given_reference.reference_error,
                               low[i], high[i]);
+            failures += accepts("set_nav: reference_error", set_nav,
+                                &given_reference.reference_error, end[0][i], end[1][i], false);
             failures += spoil("propagate: reference_error", propagate,
                               &flown.reference.reference_error, low[i], high[i]);
+            failures += accepts("propagate: reference_error", propagate,
+                                &flown.reference.reference_error, end[0][i], end[1][i], false);
             failures += spoil("strapdown: reference_error", strapdown,
                               &flown.reference.reference_error, low[i], high[i]);
             failures += spoil("correct: reference_error", correct, &flown.reference.reference_error,
                               low[i], high[i]);
+            failures += accepts("correct: reference_error", correct,
+                                &flown.reference.reference_error, end[0][i], end[1][i], true);
             failures += spoil("measure_zupt: reference_error", measure_zupt,
                               &flown.reference.reference_error, low[i], high[i]);
+            failures += accepts("measure_zupt: reference_error", measure_zupt,
+                                &flown.reference.reference_error, end[0][i], end[1][i], false);
             failures += spoil("measure_zaru: reference_error", measure_zaru,
                               &flown.reference.reference_error, low[i], high[i]);
+            failures += accepts("measure_zaru: reference_error", measure_zaru,
+                                &flown.reference.reference_error, end[0][i], end[1][i], false);
             failures += spoil("measure_azimuth: reference_error", measure_azimuth,
                               &flown.reference.reference_error, low[i], high[i]);
+            failures += accepts("measure_azimuth: reference_error", measure_azimuth,
+                                &flown.reference.reference_error, end[0][i], end[1][i], false);
         }
     }
     failures += spoil("measure_zupt: gate", measure_zupt, &gate, -1e-30, 1e+30 * 1.0005);
@@ -1354,6 +1604,12 @@ static int guards(void)
     }
     iterations = -1;
     failures += refuses("measure_zupt: iterations", measure_zupt, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS + 1;
+    failures += refuses("measure_zupt: iterations", measure_zupt, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS;
+    rows = 0U;
+    failures += expect("measure_zupt: the most iterations", measure_zupt() == BS_OK);
+    rows = BS_ALL_ROWS;
     iterations = 2;
     failures += spoil("measure_zupt: joint gate", measure_zupt, &joint, -1e-30, 1e+30 * 1.0005);
     {
@@ -1372,6 +1628,12 @@ static int guards(void)
     }
     iterations = -1;
     failures += refuses("measure_zaru: iterations", measure_zaru, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS + 1;
+    failures += refuses("measure_zaru: iterations", measure_zaru, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS;
+    rows = 0U;
+    failures += expect("measure_zaru: the most iterations", measure_zaru() == BS_OK);
+    rows = BS_ALL_ROWS;
     iterations = 2;
     failures += spoil("measure_zaru: joint gate", measure_zaru, &joint, -1e-30, 1e+30 * 1.0005);
     {
@@ -1396,6 +1658,12 @@ static int guards(void)
     }
     iterations = -1;
     failures += refuses("measure_azimuth: iterations", measure_azimuth, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS + 1;
+    failures += refuses("measure_azimuth: iterations", measure_azimuth, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS;
+    rows = 0U;
+    failures += expect("measure_azimuth: the most iterations", measure_azimuth() == BS_OK);
+    rows = BS_ALL_ROWS;
     iterations = 2;
     failures += spoil("measure_azimuth: joint gate", measure_azimuth, &joint, -1e-30, 1e+30 *
                       1.0005);

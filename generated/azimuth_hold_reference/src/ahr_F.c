@@ -72,6 +72,7 @@ bs_status ahr_F(const ahr_nav *nav, const ahr_imu *imu, bs_real F[16 * AHR_N_STA
         for (int i = 0; i < 256; ++i) {
             F[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 60; ++i) {
             F[F_index[i]] = F_nz[i];
         }

@@ -84,6 +84,7 @@ bs_status ahr_Phi(const ahr_nav *nav, const ahr_imu *imu, bs_real Phi[16 * AHR_N
         for (int i = 0; i < 256; ++i) {
             Phi[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 122; ++i) {
             Phi[Phi_index[i]] = Phi_nz[i];
         }

@@ -121,6 +121,7 @@ bs_status ahr_Q(const ahr_nav *nav,
         for (int i = 0; i < 256; ++i) {
             Q[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 177; ++i) {
             Q[Q_index[i]] = Q_nz[i];
         }

@@ -72,6 +72,7 @@ bs_status ahr_Qc(const ahr_nav *nav, const ahr_noise *noise, bs_real Qc[16 * AHR
         for (int i = 0; i < 256; ++i) {
             Qc[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 24; ++i) {
             Qc[Qc_index[i]] = Qc_nz[i];
         }

@@ -36,6 +36,7 @@ bs_status ahr_azimuth_H(bs_real H[AHR_N_STATES])
         for (int i = 0; i < 16; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 2; ++i) {
             H[H_index[i]] = H_nz[i];
         }

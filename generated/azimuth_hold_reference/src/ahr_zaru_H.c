@@ -57,6 +57,7 @@ bs_status ahr_zaru_H(const ahr_nav *nav, bs_real H[3 * AHR_N_STATES])
         for (int i = 0; i < 48; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 15; ++i) {
             H[H_index[i]] = H_nz[i];
         }

@@ -35,6 +35,7 @@ bs_status ahr_zupt_H(bs_real H[3 * AHR_N_STATES])
         for (int i = 0; i < 48; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 3; ++i) {
             H[H_index[i]] = H_nz[i];
         }

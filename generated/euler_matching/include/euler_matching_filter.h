@@ -16,6 +16,8 @@
  * neither BS_OK nor BS_AT_CEILING no row of it stays taken, and innovation->used is 0;
  * BS_NULL_POINTER alone writes no innovation.
  * A function that changes nothing judges x and P alone.
+ * What a call is given may not lie in the filter that it changes, nor what it writes in what it
+ * reads; inputs may share memory.
  * A variance has a ceiling.  Where a step carries one beyond it, its row and column of P are
  * divided by a power of two, which changes no correlation, the step is taken, and the status is
  * BS_AT_CEILING.  The ceilings, as sigmas: eps 1e+03, 1e+03, 1e+03 (rad), dmu 1e+03, 1e+03, 1e+03
@@ -34,7 +36,7 @@ extern "C" {
 #define EM_MEASUREMENT_EULER_EXACT 1
 #define EM_N_MEASUREMENTS 2
 #define EM_N_BLOCKS 18 /* numbers of a square block for each block of states */
-#define EM_SNAPSHOT_SIZE (BS_SNAPSHOT_HEAD + 12 + (34 * (int)sizeof(bs_real)))
+#define EM_SNAPSHOT_SIZE (BS_SNAPSHOT_HEAD + 16 + (34 * (int)sizeof(bs_real)))
 
 /* The filter: filled by em_filter_init. */
 typedef struct {
@@ -175,8 +177,9 @@ bs_status em_filter_health(const em_filter *filter, em_health *health);
  * restore refuses the bytes of another model, layout, precision, form or order of bytes, and judges
  * the numbers as a step does, by the sentence on BS_OK above; a variance above its ceiling is
  * refused.
- * No checksum is in it: a flipped bit that leaves such numbers is not found.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE, BS_OUT_OF_RANGE */
+ * It ends with a checksum of all before it: what has changed on its way is refused.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE, BS_OUT_OF_RANGE: of restore
+ * alone */
 bs_status em_filter_snapshot(const em_filter *filter, unsigned char bytes[EM_SNAPSHOT_SIZE]);
 bs_status em_filter_restore(em_filter *filter, const unsigned char bytes[EM_SNAPSHOT_SIZE]);
 

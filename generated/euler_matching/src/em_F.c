@@ -41,6 +41,7 @@ bs_status em_F(const em_step *step, bs_real F[6 * EM_N_STATES])
         for (int i = 0; i < 36; ++i) {
             F[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 6; ++i) {
             F[F_index[i]] = F_nz[i];
         }

@@ -48,6 +48,7 @@ bs_status em_Phi(const em_step *step, bs_real Phi[6 * EM_N_STATES])
         for (int i = 0; i < 36; ++i) {
             Phi[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 12; ++i) {
             Phi[Phi_index[i]] = Phi_nz[i];
         }

@@ -72,6 +72,7 @@ bs_status em_Q(const em_nav *nav,
         for (int i = 0; i < 36; ++i) {
             Q[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 9; ++i) {
             Q[Q_index[i]] = Q_nz[i];
         }

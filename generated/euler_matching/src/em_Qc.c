@@ -53,6 +53,7 @@ bs_status em_Qc(const em_nav *nav, const em_noise *noise, bs_real Qc[6 * EM_N_ST
         for (int i = 0; i < 36; ++i) {
             Qc[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 9; ++i) {
             Qc[Qc_index[i]] = Qc_nz[i];
         }

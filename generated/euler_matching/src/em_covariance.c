@@ -51,6 +51,26 @@ static void clear(bs_real *value, int n)
     }
 }
 
+#ifdef BORESIGHT_ROWS
+/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
+ * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
+ * a finite number. */
+#define WIDE 8 /* N in whole blocks */
+#define DEEP 4 /* M in whole blocks */
+static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
+                                                      * instruction */
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
+ * blocks. */
+static const unsigned short whole[N][WIDE] = {
+    { 0, 1, 3, 6, 10, 15, 0, 0 },
+    { 1, 2, 4, 7, 11, 16, 0, 0 },
+    { 3, 4, 5, 8, 12, 17, 0, 0 },
+    { 6, 7, 8, 9, 13, 18, 0, 0 },
+    { 10, 11, 12, 13, 14, 19, 0, 0 },
+    { 15, 16, 17, 18, 19, 20, 0, 0 }
+};
+#endif
+
 /* The rows of A X that move, row i of them from to[i * stride] on.  Of X the first `inner` rows
  * count, or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3
  * x 3 sums stay in registers. */
@@ -66,7 +86,7 @@ static void product(const bs_real *A,
             const bs_real *const a = &A[i * ROW];
             const bs_real *const x = &X[j];
             bs_real *const out = &to[(i * stride) + j];
-            const int end = (triangular && ((j + 3) < inner)) ? (j + 3) : inner;
+            int end = inner;
             bs_real s00 = BS_REAL(0.0);
             bs_real s01 = BS_REAL(0.0);
             bs_real s02 = BS_REAL(0.0);
@@ -76,6 +96,9 @@ static void product(const bs_real *A,
             bs_real s20 = BS_REAL(0.0);
             bs_real s21 = BS_REAL(0.0);
             bs_real s22 = BS_REAL(0.0);
+            if (triangular && ((j + 3) < inner)) {
+                end = j + 3;
+            }
             for (int k = 0; k < end; ++k) {
                 const bs_real a0 = a[k];
                 const bs_real a1 = a[ROW + k];
@@ -191,7 +214,7 @@ static bool factorize(bs_real *UD, const bs_real *variance, int n)
 }
 
 /* The diagonal of a packed matrix. */
-static void diagonal(const bs_real *packed, bs_real *value)
+static void variances(const bs_real *packed, bs_real *value)
 {
     for (int j = 0; j < N; ++j) {
         value[j] = packed[column(j) + j];
@@ -229,7 +252,9 @@ void em_discretize(const bs_real F[EM_N_F],
                    bs_real Q[EM_N_PACKED],
                    bs_real work[EM_N_WORK])
 {
+#ifndef BORESIGHT_ROWS
     static const unsigned short F_place[EM_N_F] = { 1, 2, 6, 8, 12, 13 };
+#endif
     /* of Qc the upper triangle: which of its numbers, and their place in Q; first those whose row
      * moves */
     static const unsigned short from[6] = { 0, 1, 2, 4, 5, 8 };
@@ -238,11 +263,65 @@ void em_discretize(const bs_real F[EM_N_F],
      * these */
     static const unsigned short coupled[3] = { 2, 1, 0 };
     static const unsigned short reach[3] = { 0, 0, 0 };
+    bs_real w[N];
+    const bs_real share = BS_REAL(0.75) * dt;
+#ifdef BORESIGHT_ROWS
+    bs_real A[M][WIDE];
+    bs_real B[WIDE][DEEP]; /* transposed, as T is */
+    bs_real T[WIDE][DEEP];
+    bs_real sum[WIDE];
+    (void)work;
+    for (int i = 0; i < M; ++i) {
+        for (int j = 0; j < WIDE; ++j) {
+            A[i][j] = zeros[j];
+        }
+    }
+    A[0][1] = F[0] * dt;
+    A[0][2] = F[1] * dt;
+    A[1][0] = F[2] * dt;
+    A[1][2] = F[3] * dt;
+    A[2][0] = F[4] * dt;
+    A[2][1] = F[5] * dt;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < DEEP; ++i) {
+            B[j][i] = BS_REAL(0.0);
+        }
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]);
+        sum[j] = A[0][j] + (BS_REAL(0.5) * twice);
+        B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[0 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[1][0] * A[0][j]) + (A[1][2] * A[2][j]);
+        sum[j] = A[1][j] + (BS_REAL(0.5) * twice);
+        B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[6 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[2][0] * A[0][j]) + (A[2][1] * A[1][j]);
+        sum[j] = A[2][j] + (BS_REAL(0.5) * twice);
+        B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[12 + j] = sum[j];
+    }
+    for (int i = 0; i < M; ++i) {
+        Phi[i * (ROW + 1)] += BS_REAL(1.0);
+        B[i][i] += BS_REAL(1.0);
+    }
+#else
     bs_real *const B = work;
     bs_real *const T = &work[REGION];
     bs_real *const square = &T[DOWN * ROW];
-    bs_real w[N];
-    const bs_real share = BS_REAL(0.75) * dt;
     clear(Phi, EM_N_PHI);
     for (int p = 0; p < EM_N_F; ++p) {
         Phi[F_place[p]] = F[p] * dt; /* A */
@@ -258,13 +337,14 @@ void em_discretize(const bs_real F[EM_N_F],
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
         B[i * (ROW + 1)] += BS_REAL(1.0);
     }
+#endif
     /* Q = S S' / 4 + 3/4 B S S' B', B = I + 2/3 A + 2/9 A^2.  Of 3/4 S S' = U W U', U stands in Q
      * until it is used, and B becomes B U column after column. */
     clear(Q, EM_N_PACKED);
     for (int p = 0; p < 6; ++p) {
         Q[place[p]] = Qc[from[p]] * share;
     }
-    diagonal(Q, w);
+    variances(Q, w);
     for (int p = 0; p < 3; ++p) {
         const int k = (int)coupled[p];
         bs_real *const u = &Q[column(k)];
@@ -277,15 +357,54 @@ void em_discretize(const bs_real F[EM_N_F],
                 }
                 w[l] -= u[l] * gain;
                 u[l] = gain;
+#ifdef BORESIGHT_ROWS
+                for (int i = 0; i < DEEP; ++i) {
+                    B[k][i] += B[l][i] * gain;
+                }
+#else
                 for (int i = 0; i < M; ++i) {
                     B[(i * ROW) + k] += B[(i * ROW) + l] * gain;
                 }
+#endif
             }
         } else { /* rounding: the others have it all */
             clear(&u[reach[p]], k - (int)reach[p]);
             w[k] = BS_REAL(0.0);
         }
     }
+#ifdef BORESIGHT_ROWS
+    for (int k = 0; k < N; ++k) { /* columns before meet no noise */
+        for (int i = 0; i < DEEP; ++i) {
+            T[k][i] = B[k][i] * w[k];
+        }
+    }
+    for (int j = M; j < N; ++j) { /* B has rows of a unit matrix here */
+        for (int i = 0; i < M; ++i) {
+            Q[column(j) + i] = T[j][i];
+        }
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][0]) + (T[1][i] * B[1][0]) + (T[2][i] * B[2][0]);
+    }
+    for (int i = 0; i < 1; ++i) {
+        Q[0 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][1]) + (T[1][i] * B[1][1]) + (T[2][i] * B[2][1]);
+    }
+    for (int i = 0; i < 2; ++i) {
+        Q[1 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][2]) + (T[1][i] * B[1][2]) + (T[2][i] * B[2][2]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        Q[3 + i] = sum[i];
+    }
+#else
     for (int i = 0; i < DOWN; ++i) {
         for (int k = 0; k < N; ++k) {
             T[(i * ROW) + k] = B[(i * ROW) + k] * w[k];
@@ -302,6 +421,7 @@ void em_discretize(const bs_real F[EM_N_F],
             Q[column(j) + i] = square[(j * DOWN) + i];
         }
     }
+#endif
     for (int p = 0; p < 6; ++p) {
         Q[place[p]] += (BS_REAL(0.25) * dt) * Qc[from[p]];
     }
@@ -322,7 +442,7 @@ void em_predict_state(const bs_real Phi[EM_N_PHI], bs_real x[EM_N_STATES])
 }
 
 /* The factors of a dense covariance, into work. */
-static bs_status judge(const bs_real *dense, bs_real *work)
+static bs_status judge_dense(const bs_real *dense, bs_real *work)
 {
     bs_real variance[N];
     bool positive = true;
@@ -340,7 +460,7 @@ static bs_status judge(const bs_real *dense, bs_real *work)
             work[column(j) + i] = dense[(i * N) + j];
         }
     }
-    diagonal(work, variance);
+    variances(work, variance);
     positive = factorize(work, variance, N) && positive;
     if (!positive) {
         return BS_NOT_POSITIVE;
@@ -352,7 +472,7 @@ bs_status em_ud_init(const bs_real dense[EM_N_STATES * EM_N_STATES],
                      bs_real UD[EM_N_PACKED],
                      bs_real work[EM_N_WORK])
 {
-    const bs_status status = judge(dense, work);
+    const bs_status status = judge_dense(dense, work);
     if (status == BS_OK) {
         for (int i = 0; i < EM_N_PACKED; ++i) {
             UD[i] = work[i];
@@ -365,7 +485,7 @@ bs_status em_joseph_init(const bs_real dense[EM_N_STATES * EM_N_STATES],
                          bs_real P[EM_N_PACKED],
                          bs_real work[EM_N_WORK])
 {
-    const bs_status status = judge(dense, work); /* judged by its factors, kept as it is */
+    const bs_status status = judge_dense(dense, work); /* judged by its factors, kept as it is */
     if (status == BS_OK) {
         for (int j = 0; j < N; ++j) {
             for (int i = 0; i <= j; ++i) {
@@ -376,6 +496,92 @@ bs_status em_joseph_init(const bs_real dense[EM_N_STATES * EM_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void em_joseph_predict(const bs_real P[EM_N_PACKED],
+                       const bs_real Phi[EM_N_PHI],
+                       const bs_real Q[EM_N_PACKED],
+                       bs_real next[EM_N_PACKED],
+                       bs_real work[EM_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[1], P[2], P[4], P[7], P[11], P[16], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[3], P[4], P[5], P[8], P[12], P[17], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[6], P[7], P[8], P[9], P[13], P[18], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[10], P[11], P[12], P[13], P[14], P[19], BS_REAL(0.0), BS_REAL(0.0) },
+        { P[15], P[16], P[17], P[18], P[19], P[20], BS_REAL(0.0), BS_REAL(0.0) }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + (Phi[6] * X[0][j]) + (Phi[7] * X[1][j]) + (Phi[8] * X[2][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + (Phi[12] * X[0][j]) + (Phi[13] * X[1][j]) + (Phi[14] * X[2][j]);
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i])) +
+            Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[6] * Y[0][i]) + (Phi[7] * Y[1][i]) + (Phi[8] * Y[2][i])) +
+            Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[12] * Y[0][i]) + (Phi[13] * Y[1][i]) + (Phi[14] * Y[2][i])) +
+            Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = Y[3][i] + Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[4][i] + Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = Y[5][i] + Q[15 + i];
+    }
+    BS_ROLLED
+    for (int i = 4; i < 6; ++i) {
+        sum[i] = Y[5][i] + Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+}
+#else
 void em_joseph_predict(const bs_real P[EM_N_PACKED],
                        const bs_real Phi[EM_N_PHI],
                        const bs_real Q[EM_N_PACKED],
@@ -407,6 +613,7 @@ void em_joseph_predict(const bs_real P[EM_N_PACKED],
         }
     }
 }
+#endif
 
 void em_ud_predict(const bs_real UD[EM_N_PACKED],
                    const bs_real Phi[EM_N_PHI],
@@ -417,10 +624,12 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
     bs_real *const X = work;
     bs_real *const V = &work[REGION];
     bs_real weight[M + N]; /* of the columns of V */
-    for (int i = 0; (i < EM_N_PACKED) && (next != Q); ++i) {
-        next[i] = Q[i];
+    if (next != Q) {
+        for (int i = 0; i < EM_N_PACKED; ++i) {
+            next[i] = Q[i];
+        }
     }
-    diagonal(next, weight);
+    variances(next, weight);
     /* The columns of the states that stay: what they take from all others in rows that move, once
      * and for all of them. */
     for (int j = N - 1; j >= M; --j) {
@@ -576,10 +785,35 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
 
 bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_row *row)
 {
-    bs_real g[N]; /* P h */
-    bs_real K[N];
     bs_real nu = row->z;
     bs_real S = row->R;
+#ifdef BORESIGHT_ROWS
+    bs_real g[WIDE]; /* P h */
+    bs_real K[WIDE];
+    bs_real lines[N][WIDE]; /* of P, where h is not zero */
+    bs_real sums[N + 1][WIDE]; /* with one more of them each */
+    for (int p = 0; p < row->count; ++p) {
+        const unsigned short *const at = whole[row->at[p]];
+        nu -= row->h[p] * x[row->at[p]];
+        for (int i = 0; i < WIDE; ++i) {
+            lines[p][i] = P[at[i]];
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        sums[0][i] = zeros[i];
+    }
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        for (int i = 0; i < WIDE; ++i) {
+            sums[p + 1][i] = sums[p][i] + (h * lines[p][i]);
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        g[i] = sums[row->count][i];
+    }
+#else
+    bs_real g[N]; /* P h */
+    bs_real K[N];
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -592,6 +826,7 @@ bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_ro
             g[i] += h * P[column(i) + k];
         }
     }
+#endif
     for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
@@ -606,7 +841,74 @@ bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_ro
     }
     if (row->used != 0) {
         const bs_real inverse = BS_REAL(1.0) / S;
-        bs_real b[N]; /* A h, of the rounded A = P - K g' */
+#ifdef BORESIGHT_ROWS
+        const bs_real R = row->R;
+        bs_real b[WIDE]; /* as below */
+        bs_real next[WIDE];
+        for (int i = 0; i < WIDE; ++i) {
+            K[i] = g[i] * inverse;
+        }
+        for (int i = 0; i < N; ++i) {
+            x[i] += K[i] * nu;
+        }
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            for (int i = 0; i < WIDE; ++i) {
+                sums[p + 1][i] = sums[p][i] + (h * (lines[p][i] - (K[i] * of_g)));
+            }
+        }
+        for (int i = 0; i < WIDE; ++i) {
+            b[i] = sums[row->count][i] - (R * K[i]);
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
+        }
+        for (int i = 0; i < 1; ++i) {
+            P[0 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
+        }
+        for (int i = 0; i < 2; ++i) {
+            P[1 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
+        }
+        for (int i = 0; i < 3; ++i) {
+            P[3 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
+        }
+        for (int i = 0; i < 4; ++i) {
+            P[6 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
+        }
+        for (int i = 0; i < 5; ++i) {
+            P[10 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
+        }
+        BS_ROLLED
+        for (int i = 4; i < 6; ++i) {
+            next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
+        }
+        for (int i = 0; i < 6; ++i) {
+            P[15 + i] = next[i];
+        }
+#else
+        bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
             x[i] += K[i] * nu;
@@ -616,15 +918,17 @@ bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_ro
                 const bs_real of_P = (i < k) ? P[column(k) + i] : P[column(i) + k];
                 b[i] += row->h[p] * (of_P - (K[i] * g[k]));
             }
+            b[i] -= row->R * K[i];
         }
         /* (I - K h') P (I - K h')' + K R K' as two products, A - b K': multiplied out at once it
          * would lose as much as (I - K h') P does where a good measurement meets a coarse start. */
         for (int j = 0; j < N; ++j) {
             bs_real *const p = &P[column(j)];
             for (int i = 0; i <= j; ++i) {
-                p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
+                p[i] = (p[i] - (K[i] * g[j])) - (b[i] * K[j]);
             }
         }
+#endif
         for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }

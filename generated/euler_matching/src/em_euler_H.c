@@ -53,6 +53,7 @@ bs_status em_euler_H(const em_angles *angles, bs_real H[3 * EM_N_STATES])
         for (int i = 0; i < 18; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 14; ++i) {
             H[H_index[i]] = H_nz[i];
         }

@@ -18,7 +18,7 @@
 #endif
 
 #define PHI_MODEL "phi-error"
-#define PHI_MODEL_HASH "bc1c2dfb4d9a0b61000766ecf161b0c2cf342af947b97a8a32c34f9dba629fe1"
+#define PHI_MODEL_HASH "a98e41338591f3f5095577a66ec00424a2e6904d6fe7e47e6e0ca8ba4ae795cb"
 #define PHI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PHI_VERSION_MAJOR 0
 #define PHI_VERSION_MINOR 1

@@ -57,6 +57,7 @@ bs_status phi_F(const phi_nav *nav, const phi_step *step, bs_real F[9 * PHI_N_ST
         for (int i = 0; i < 81; ++i) {
             F[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 42; ++i) {
             F[F_index[i]] = F_nz[i];
         }

@@ -66,6 +66,7 @@ bs_status phi_Phi(const phi_nav *nav, const phi_step *step, bs_real Phi[9 * PHI_
         for (int i = 0; i < 81; ++i) {
             Phi[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 70; ++i) {
             Phi[Phi_index[i]] = Phi_nz[i];
         }

@@ -59,6 +59,7 @@ bs_status phi_Qc(const phi_nav *nav, const phi_noise *noise, bs_real Qc[9 * PHI_
         for (int i = 0; i < 81; ++i) {
             Qc[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 18; ++i) {
             Qc[Qc_index[i]] = Qc_nz[i];
         }

@@ -50,6 +50,7 @@ bs_status phi_psi_from_phi(const phi_nav *nav, bs_real T[9 * PHI_N_STATES])
         for (int i = 0; i < 81; ++i) {
             T[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 17; ++i) {
             T[T_index[i]] = T_nz[i];
         }

@@ -18,7 +18,7 @@
 #endif
 
 #define PSI_MODEL "psi-error"
-#define PSI_MODEL_HASH "eddb1e38ef0f1ee8b6709a3513328e811273d5be81b26028dd5077a8cafcc82f"
+#define PSI_MODEL_HASH "1838b79619c6975bf2c6debf23f32f8920547fcccf9248a913135545f5b868b4"
 #define PSI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PSI_VERSION_MAJOR 0
 #define PSI_VERSION_MINOR 1

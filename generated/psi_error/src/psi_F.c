@@ -56,6 +56,7 @@ bs_status psi_F(const psi_nav *nav, const psi_step *step, bs_real F[9 * PSI_N_ST
         for (int i = 0; i < 81; ++i) {
             F[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 33; ++i) {
             F[F_index[i]] = F_nz[i];
         }

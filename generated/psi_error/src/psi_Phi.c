@@ -65,6 +65,7 @@ bs_status psi_Phi(const psi_nav *nav, const psi_step *step, bs_real Phi[9 * PSI_
         for (int i = 0; i < 81; ++i) {
             Phi[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 60; ++i) {
             Phi[Phi_index[i]] = Phi_nz[i];
         }

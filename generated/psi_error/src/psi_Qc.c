@@ -59,6 +59,7 @@ bs_status psi_Qc(const psi_nav *nav, const psi_noise *noise, bs_real Qc[9 * PSI_
         for (int i = 0; i < 81; ++i) {
             Qc[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 18; ++i) {
             Qc[Qc_index[i]] = Qc_nz[i];
         }

@@ -18,7 +18,7 @@
 #endif
 
 #define DET_MODEL "stationary-detector"
-#define DET_MODEL_HASH "71b9a6a2e06c12096576d87114b094cfaf4b65d4b5491564d0862bd6cd7a9e23"
+#define DET_MODEL_HASH "5e807f1408a4831a0b3241af4a673ffbf4f814cb02441bfc8438965675310057"
 #define DET_VERSION "0.1.0" /* of the Boresight that printed it */
 #define DET_VERSION_MAJOR 0
 #define DET_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define SD_MODEL "strapdown"
-#define SD_MODEL_HASH "40eaae1c17b446d368f17d2eb256b61331de2e3076058576fe5e25363ae6ee8f"
+#define SD_MODEL_HASH "fa85132cd1174c0c511e773197e47e852aed35a4b03b892b9a31327463d7ef75"
 #define SD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define SD_VERSION_MAJOR 0
 #define SD_VERSION_MINOR 1

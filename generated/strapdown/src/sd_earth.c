@@ -62,6 +62,7 @@ bs_status sd_earth(const sd_nav *nav,
         for (int i = 0; i < 3; ++i) {
             omega_ie_n[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 2; ++i) {
             omega_ie_n[omega_ie_n_index[i]] = omega_ie_n_nz[i];
         }
@@ -71,6 +72,7 @@ bs_status sd_earth(const sd_nav *nav,
         for (int i = 0; i < 3; ++i) {
             gravity_n[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 1; ++i) {
             gravity_n[gravity_n_index[i]] = gravity_n_nz[i];
         }

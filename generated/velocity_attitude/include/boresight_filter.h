@@ -34,6 +34,8 @@ typedef struct {
 
 #define BS_ALL_ROWS 0xFFFFFFFFU
 
+#define BS_MOST_ITERATIONS 64 /* so that a measurement ends in a time that is known */
+
 /* How a measurement is taken.  Every row, no gate and one linearisation where a null pointer stands
  * in its place. */
 typedef struct {
@@ -41,13 +43,16 @@ typedef struct {
     bs_real gate;      /* a row whose |nu| exceeds this many sigmas is left out; 0 for no gate */
     bs_real joint;     /* a measurement whose NIS, of the rows within their gate, exceeds this is
                         * left out as a whole: a quantile of chi-square; 0 for no gate */
-    int iterations;    /* how often a measurement that depends on x is linearised at most; 0 is 1 */
+    int iterations;    /* how often a measurement that depends on x is linearised at most, to
+                        * BS_MOST_ITERATIONS; 0 is 1 */
 } bs_gates;
 
 /* Of a snapshot: the version of its layout, and the bytes before the state: "BSFS", layout, bytes
  * of a number, form, order of bytes, hash of the model. */
-#define BS_SNAPSHOT_LAYOUT 1
+#define BS_SNAPSHOT_LAYOUT 2
 #define BS_SNAPSHOT_HEAD 72
+#define BS_SNAPSHOT_CHECKSUM 4 /* behind the state: CRC-32 (IEEE 802.3) of all before it, its least
+                                * byte first */
 
 /* Whether a step was taken. */
 static inline bool bs_good(bs_status status)

@@ -17,6 +17,8 @@
  * neither BS_OK nor BS_AT_CEILING no row of it stays taken, and innovation->used is 0;
  * BS_NULL_POINTER alone writes no innovation.
  * A function that changes nothing judges x and P alone.
+ * What a call is given may not lie in the filter that it changes, nor what it writes in what it
+ * reads; inputs may share memory.
  * A variance has a ceiling.  Where a step carries one beyond it, its row and column of P are
  * divided by a power of two, which changes no correlation, the step is taken, and the status is
  * BS_AT_CEILING.  The ceilings, as sigmas: phi 1e+03, 1e+03, 1e+03 (rad), dv_n 1e+05, 1e+05, 1e+05
@@ -38,7 +40,7 @@ extern "C" {
 #define VA_MEASUREMENT_EULER 3
 #define VA_N_MEASUREMENTS 4
 #define VA_N_BLOCKS 46 /* numbers of a square block for each block of states */
-#define VA_SNAPSHOT_SIZE (BS_SNAPSHOT_HEAD + 26 + (173 * (int)sizeof(bs_real)))
+#define VA_SNAPSHOT_SIZE (BS_SNAPSHOT_HEAD + 30 + (173 * (int)sizeof(bs_real)))
 
 /* The filter: filled by va_filter_init. */
 typedef struct {
@@ -215,8 +217,9 @@ bs_status va_filter_health(const va_filter *filter, va_health *health);
  * restore refuses the bytes of another model, layout, precision, form or order of bytes, and judges
  * the numbers as a step does, by the sentence on BS_OK above; a variance above its ceiling is
  * refused.
- * No checksum is in it: a flipped bit that leaves such numbers is not found.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE, BS_OUT_OF_RANGE */
+ * It ends with a checksum of all before it: what has changed on its way is refused.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE, BS_OUT_OF_RANGE: of restore
+ * alone */
 bs_status va_filter_snapshot(const va_filter *filter, unsigned char bytes[VA_SNAPSHOT_SIZE]);
 bs_status va_filter_restore(va_filter *filter, const unsigned char bytes[VA_SNAPSHOT_SIZE]);
 

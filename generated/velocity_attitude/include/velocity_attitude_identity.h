@@ -18,7 +18,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "e1c5b92a985e226d91b12ea45687d3b2fff600792b6684b18b6d935576ce62f9"
+#define VA_MODEL_HASH "78f6655ca5bac67c2b817e1675a6e61a1334092a0302445dfa13b440bd9fc67f"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

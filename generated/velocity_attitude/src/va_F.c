@@ -69,6 +69,7 @@ bs_status va_F(const va_nav *nav, const va_imu *imu, bs_real F[16 * VA_N_STATES]
         for (int i = 0; i < 256; ++i) {
             F[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 41; ++i) {
             F[F_index[i]] = F_nz[i];
         }

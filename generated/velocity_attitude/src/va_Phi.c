@@ -79,6 +79,7 @@ bs_status va_Phi(const va_nav *nav, const va_imu *imu, bs_real Phi[16 * VA_N_STA
         for (int i = 0; i < 256; ++i) {
             Phi[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 82; ++i) {
             Phi[Phi_index[i]] = Phi_nz[i];
         }

@@ -122,6 +122,7 @@ bs_status va_Q(const va_nav *nav,
         for (int i = 0; i < 256; ++i) {
             Q[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 118; ++i) {
             Q[Q_index[i]] = Q_nz[i];
         }

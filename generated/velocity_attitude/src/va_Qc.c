@@ -81,6 +81,7 @@ bs_status va_Qc(const va_nav *nav, const va_noise *noise, bs_real Qc[16 * VA_N_S
         for (int i = 0; i < 256; ++i) {
             Qc[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 28; ++i) {
             Qc[Qc_index[i]] = Qc_nz[i];
         }

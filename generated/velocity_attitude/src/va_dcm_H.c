@@ -80,6 +80,7 @@ bs_status va_dcm_H(const va_nav *nav, const va_imu *imu, bs_real H[3 * VA_N_STAT
         for (int i = 0; i < 48; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 15; ++i) {
             H[H_index[i]] = H_nz[i];
         }

@@ -125,6 +125,7 @@ bs_status va_quaternion_H(const bs_real x[VA_N_STATES],
         for (int i = 0; i < 48; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 30; ++i) {
             H[H_index[i]] = H_nz[i];
         }

@@ -95,6 +95,7 @@ bs_status va_velocity_H(const va_nav *nav,
         for (int i = 0; i < 48; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 24; ++i) {
             H[H_index[i]] = H_nz[i];
         }

@@ -18,6 +18,8 @@
  * neither BS_OK nor BS_AT_CEILING no row of it stays taken, and innovation->used is 0;
  * BS_NULL_POINTER alone writes no innovation.
  * A function that changes nothing judges x and P alone.
+ * What a call is given may not lie in the filter that it changes, nor what it writes in what it
+ * reads; inputs may share memory.
  * A variance has a ceiling.  Where a step carries one beyond it, its row and column of P are
  * divided by a power of two, which changes no correlation, the step is taken, and the status is
  * BS_AT_CEILING.  The ceilings, as sigmas: phi 1e+03, 1e+03, 1e+03 (rad), dv_n 1e+05, 1e+05, 1e+05
@@ -40,7 +42,7 @@ extern "C" {
 #define VAL_MEASUREMENT_VELOCITY 3
 #define VAL_N_MEASUREMENTS 4
 #define VAL_N_BLOCKS 55 /* numbers of a square block for each block of states */
-#define VAL_SNAPSHOT_SIZE (BS_SNAPSHOT_HEAD + 29 + (233 * (int)sizeof(bs_real)))
+#define VAL_SNAPSHOT_SIZE (BS_SNAPSHOT_HEAD + 33 + (233 * (int)sizeof(bs_real)))
 
 /* The filter: filled by val_filter_init. */
 typedef struct {
@@ -224,8 +226,9 @@ bs_status val_filter_health(const val_filter *filter, val_health *health);
  * restore refuses the bytes of another model, layout, precision, form or order of bytes, and judges
  * the numbers as a step does, by the sentence on BS_OK above; a variance above its ceiling is
  * refused.
- * No checksum is in it: a flipped bit that leaves such numbers is not found.
- * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE, BS_OUT_OF_RANGE */
+ * It ends with a checksum of all before it: what has changed on its way is refused.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE, BS_OUT_OF_RANGE: of restore
+ * alone */
 bs_status val_filter_snapshot(const val_filter *filter, unsigned char bytes[VAL_SNAPSHOT_SIZE]);
 bs_status val_filter_restore(val_filter *filter, const unsigned char bytes[VAL_SNAPSHOT_SIZE]);
 

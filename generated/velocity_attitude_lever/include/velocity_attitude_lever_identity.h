@@ -18,7 +18,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "1f16a9a7ae14ba132e52157c22ee0c82afb5670c810191cd5c2b18d3c76c8be0"
+#define VAL_MODEL_HASH "85f0dd590e93be96620ee5bd7a1daa8ceb6b035ecc5ac34815ab964763d6308a"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

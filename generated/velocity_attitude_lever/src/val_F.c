@@ -69,6 +69,7 @@ bs_status val_F(const val_nav *nav, const val_imu *imu, bs_real F[19 * VAL_N_STA
         for (int i = 0; i < 361; ++i) {
             F[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 41; ++i) {
             F[F_index[i]] = F_nz[i];
         }

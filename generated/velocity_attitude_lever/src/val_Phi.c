@@ -80,6 +80,7 @@ bs_status val_Phi(const val_nav *nav, const val_imu *imu, bs_real Phi[19 * VAL_N
         for (int i = 0; i < 361; ++i) {
             Phi[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 85; ++i) {
             Phi[Phi_index[i]] = Phi_nz[i];
         }

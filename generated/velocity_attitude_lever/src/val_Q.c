@@ -126,6 +126,7 @@ bs_status val_Q(const val_nav *nav,
         for (int i = 0; i < 361; ++i) {
             Q[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 118; ++i) {
             Q[Q_index[i]] = Q_nz[i];
         }

@@ -81,6 +81,7 @@ bs_status val_Qc(const val_nav *nav, const val_noise *noise, bs_real Qc[19 * VAL
         for (int i = 0; i < 361; ++i) {
             Qc[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 28; ++i) {
             Qc[Qc_index[i]] = Qc_nz[i];
         }

@@ -51,6 +51,39 @@ static void clear(bs_real *value, int n)
     }
 }
 
+#ifdef BORESIGHT_ROWS
+/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
+ * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
+ * a finite number. */
+#define WIDE 20 /* N in whole blocks */
+#define DEEP 8 /* M in whole blocks */
+static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
+                                                      * instruction */
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
+ * blocks. */
+static const unsigned short whole[N][WIDE] = {
+    { 0, 1, 3, 6, 10, 15, 21, 28, 36, 45, 55, 66, 78, 91, 105, 120, 136, 153, 171, 0 },
+    { 1, 2, 4, 7, 11, 16, 22, 29, 37, 46, 56, 67, 79, 92, 106, 121, 137, 154, 172, 0 },
+    { 3, 4, 5, 8, 12, 17, 23, 30, 38, 47, 57, 68, 80, 93, 107, 122, 138, 155, 173, 0 },
+    { 6, 7, 8, 9, 13, 18, 24, 31, 39, 48, 58, 69, 81, 94, 108, 123, 139, 156, 174, 0 },
+    { 10, 11, 12, 13, 14, 19, 25, 32, 40, 49, 59, 70, 82, 95, 109, 124, 140, 157, 175, 0 },
+    { 15, 16, 17, 18, 19, 20, 26, 33, 41, 50, 60, 71, 83, 96, 110, 125, 141, 158, 176, 0 },
+    { 21, 22, 23, 24, 25, 26, 27, 34, 42, 51, 61, 72, 84, 97, 111, 126, 142, 159, 177, 0 },
+    { 28, 29, 30, 31, 32, 33, 34, 35, 43, 52, 62, 73, 85, 98, 112, 127, 143, 160, 178, 0 },
+    { 36, 37, 38, 39, 40, 41, 42, 43, 44, 53, 63, 74, 86, 99, 113, 128, 144, 161, 179, 0 },
+    { 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 64, 75, 87, 100, 114, 129, 145, 162, 180, 0 },
+    { 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 76, 88, 101, 115, 130, 146, 163, 181, 0 },
+    { 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 89, 102, 116, 131, 147, 164, 182, 0 },
+    { 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 103, 117, 132, 148, 165, 183, 0 },
+    { 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 118, 133, 149, 166, 184, 0 },
+    { 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 134, 150, 167, 185, 0 },
+    { 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131, 132, 133, 134, 135, 151, 168, 186, 0 },
+    { 136, 137, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151, 152, 169, 187, 0 },
+    { 153, 154, 155, 156, 157, 158, 159, 160, 161, 162, 163, 164, 165, 166, 167, 168, 169, 170, 188, 0 },
+    { 171, 172, 173, 174, 175, 176, 177, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 188, 189, 0 }
+};
+#endif
+
 /* The rows of A X that move, row i of them from to[i * stride] on.  Of X the first `inner` rows
  * count, or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3
  * x 5 sums stay in registers. */
@@ -66,7 +99,7 @@ static void product(const bs_real *A,
             const bs_real *const a = &A[i * ROW];
             const bs_real *const x = &X[j];
             bs_real *const out = &to[(i * stride) + j];
-            const int end = (triangular && ((j + 5) < inner)) ? (j + 5) : inner;
+            int end = inner;
             bs_real s00 = BS_REAL(0.0);
             bs_real s01 = BS_REAL(0.0);
             bs_real s02 = BS_REAL(0.0);
@@ -82,6 +115,9 @@ static void product(const bs_real *A,
             bs_real s22 = BS_REAL(0.0);
             bs_real s23 = BS_REAL(0.0);
             bs_real s24 = BS_REAL(0.0);
+            if (triangular && ((j + 5) < inner)) {
+                end = j + 5;
+            }
             for (int k = 0; k < end; ++k) {
                 const bs_real a0 = a[k];
                 const bs_real a1 = a[ROW + k];
@@ -211,7 +247,7 @@ static bool factorize(bs_real *UD, const bs_real *variance, int n)
 }
 
 /* The diagonal of a packed matrix. */
-static void diagonal(const bs_real *packed, bs_real *value)
+static void variances(const bs_real *packed, bs_real *value)
 {
     for (int j = 0; j < N; ++j) {
         value[j] = packed[column(j) + j];
@@ -249,10 +285,12 @@ void val_discretize(const bs_real F[VAL_N_F],
                     bs_real Q[VAL_N_PACKED],
                     bs_real work[VAL_N_WORK])
 {
+#ifndef BORESIGHT_ROWS
     static const unsigned short F_place[VAL_N_F] = { 1, 2, 4, 6, 7, 8, 20, 22, 23, 26, 27, 28, 40,
                                                      41, 44, 46, 47, 48, 61, 62, 63, 64, 65, 69, 70,
                                                      71, 80, 82, 83, 84, 85, 89, 90, 91, 100, 101,
                                                      103, 104, 109, 110, 111 };
+#endif
     /* of Qc the upper triangle: which of its numbers, and their place in Q; first those whose row
      * moves */
     static const unsigned short from[22] = { 0, 1, 2, 4, 5, 8, 9, 10, 11, 13, 14, 17, 18, 19, 20,
@@ -263,11 +301,134 @@ void val_discretize(const bs_real F[VAL_N_F],
      * these */
     static const unsigned short coupled[6] = { 5, 4, 3, 2, 1, 0 };
     static const unsigned short reach[6] = { 3, 3, 3, 0, 0, 0 };
+    bs_real w[N];
+    const bs_real share = BS_REAL(0.75) * dt;
+#ifdef BORESIGHT_ROWS
+    bs_real A[M][WIDE];
+    bs_real B[WIDE][DEEP]; /* transposed, as T is */
+    bs_real T[WIDE][DEEP];
+    bs_real sum[WIDE];
+    (void)work;
+    for (int i = 0; i < M; ++i) {
+        for (int j = 0; j < WIDE; ++j) {
+            A[i][j] = zeros[j];
+        }
+    }
+    A[0][1] = F[0] * dt;
+    A[0][2] = F[1] * dt;
+    A[0][4] = F[2] * dt;
+    A[0][6] = F[3] * dt;
+    A[0][7] = F[4] * dt;
+    A[0][8] = F[5] * dt;
+    A[1][0] = F[6] * dt;
+    A[1][2] = F[7] * dt;
+    A[1][3] = F[8] * dt;
+    A[1][6] = F[9] * dt;
+    A[1][7] = F[10] * dt;
+    A[1][8] = F[11] * dt;
+    A[2][0] = F[12] * dt;
+    A[2][1] = F[13] * dt;
+    A[2][4] = F[14] * dt;
+    A[2][6] = F[15] * dt;
+    A[2][7] = F[16] * dt;
+    A[2][8] = F[17] * dt;
+    A[3][1] = F[18] * dt;
+    A[3][2] = F[19] * dt;
+    A[3][3] = F[20] * dt;
+    A[3][4] = F[21] * dt;
+    A[3][5] = F[22] * dt;
+    A[3][9] = F[23] * dt;
+    A[3][10] = F[24] * dt;
+    A[3][11] = F[25] * dt;
+    A[4][0] = F[26] * dt;
+    A[4][2] = F[27] * dt;
+    A[4][3] = F[28] * dt;
+    A[4][4] = F[29] * dt;
+    A[4][5] = F[30] * dt;
+    A[4][9] = F[31] * dt;
+    A[4][10] = F[32] * dt;
+    A[4][11] = F[33] * dt;
+    A[5][0] = F[34] * dt;
+    A[5][1] = F[35] * dt;
+    A[5][3] = F[36] * dt;
+    A[5][4] = F[37] * dt;
+    A[5][9] = F[38] * dt;
+    A[5][10] = F[39] * dt;
+    A[5][11] = F[40] * dt;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < DEEP; ++i) {
+            B[j][i] = BS_REAL(0.0);
+        }
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]) +
+            (A[0][4] * A[4][j]);
+        sum[j] = A[0][j] + (BS_REAL(0.5) * twice);
+        B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[0 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[1][0] * A[0][j]) + (A[1][2] * A[2][j]) +
+            (A[1][3] * A[3][j]);
+        sum[j] = A[1][j] + (BS_REAL(0.5) * twice);
+        B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[20 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[2][0] * A[0][j]) + (A[2][1] * A[1][j]) +
+            (A[2][4] * A[4][j]);
+        sum[j] = A[2][j] + (BS_REAL(0.5) * twice);
+        B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[40 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[3][1] * A[1][j]) + (A[3][2] * A[2][j]) +
+            (A[3][3] * A[3][j]) + (A[3][4] * A[4][j]) + (A[3][5] * A[5][j]);
+        sum[j] = A[3][j] + (BS_REAL(0.5) * twice);
+        B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[60 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[4][0] * A[0][j]) + (A[4][2] * A[2][j]) +
+            (A[4][3] * A[3][j]) + (A[4][4] * A[4][j]) + (A[4][5] * A[5][j]);
+        sum[j] = A[4][j] + (BS_REAL(0.5) * twice);
+        B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[80 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[5][0] * A[0][j]) + (A[5][1] * A[1][j]) +
+            (A[5][3] * A[3][j]) + (A[5][4] * A[4][j]);
+        sum[j] = A[5][j] + (BS_REAL(0.5) * twice);
+        B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[100 + j] = sum[j];
+    }
+    for (int i = 0; i < M; ++i) {
+        clear(&Phi[(i * ROW) + N], ROW - N);
+        Phi[i * (ROW + 1)] += BS_REAL(1.0);
+        B[i][i] += BS_REAL(1.0);
+    }
+#else
     bs_real *const B = work;
     bs_real *const T = &work[REGION];
     bs_real *const square = &T[DOWN * ROW];
-    bs_real w[N];
-    const bs_real share = BS_REAL(0.75) * dt;
     clear(Phi, VAL_N_PHI);
     for (int p = 0; p < VAL_N_F; ++p) {
         Phi[F_place[p]] = F[p] * dt; /* A */
@@ -283,13 +444,14 @@ void val_discretize(const bs_real F[VAL_N_F],
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
         B[i * (ROW + 1)] += BS_REAL(1.0);
     }
+#endif
     /* Q = S S' / 4 + 3/4 B S S' B', B = I + 2/3 A + 2/9 A^2.  Of 3/4 S S' = U W U', U stands in Q
      * until it is used, and B becomes B U column after column. */
     clear(Q, VAL_N_PACKED);
     for (int p = 0; p < 22; ++p) {
         Q[place[p]] = Qc[from[p]] * share;
     }
-    diagonal(Q, w);
+    variances(Q, w);
     for (int p = 0; p < 6; ++p) {
         const int k = (int)coupled[p];
         bs_real *const u = &Q[column(k)];
@@ -302,15 +464,93 @@ void val_discretize(const bs_real F[VAL_N_F],
                 }
                 w[l] -= u[l] * gain;
                 u[l] = gain;
+#ifdef BORESIGHT_ROWS
+                for (int i = 0; i < DEEP; ++i) {
+                    B[k][i] += B[l][i] * gain;
+                }
+#else
                 for (int i = 0; i < M; ++i) {
                     B[(i * ROW) + k] += B[(i * ROW) + l] * gain;
                 }
+#endif
             }
         } else { /* rounding: the others have it all */
             clear(&u[reach[p]], k - (int)reach[p]);
             w[k] = BS_REAL(0.0);
         }
     }
+#ifdef BORESIGHT_ROWS
+    for (int k = 0; k < N; ++k) { /* columns before meet no noise */
+        for (int i = 0; i < DEEP; ++i) {
+            T[k][i] = B[k][i] * w[k];
+        }
+    }
+    for (int j = M; j < N; ++j) { /* B has rows of a unit matrix here */
+        for (int i = 0; i < M; ++i) {
+            Q[column(j) + i] = T[j][i];
+        }
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][0]) + (T[1][i] * B[1][0]) + (T[2][i] * B[2][0]) +
+            (T[3][i] * B[3][0]) + (T[4][i] * B[4][0]) + (T[5][i] * B[5][0]) + (T[6][i] * B[6][0]) +
+            (T[7][i] * B[7][0]) + (T[8][i] * B[8][0]) + (T[9][i] * B[9][0]) +
+            (T[10][i] * B[10][0]) + (T[11][i] * B[11][0]);
+    }
+    for (int i = 0; i < 1; ++i) {
+        Q[0 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][1]) + (T[1][i] * B[1][1]) + (T[2][i] * B[2][1]) +
+            (T[3][i] * B[3][1]) + (T[4][i] * B[4][1]) + (T[5][i] * B[5][1]) + (T[6][i] * B[6][1]) +
+            (T[7][i] * B[7][1]) + (T[8][i] * B[8][1]) + (T[9][i] * B[9][1]) +
+            (T[10][i] * B[10][1]) + (T[11][i] * B[11][1]);
+    }
+    for (int i = 0; i < 2; ++i) {
+        Q[1 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][2]) + (T[1][i] * B[1][2]) + (T[2][i] * B[2][2]) +
+            (T[3][i] * B[3][2]) + (T[4][i] * B[4][2]) + (T[5][i] * B[5][2]) + (T[6][i] * B[6][2]) +
+            (T[7][i] * B[7][2]) + (T[8][i] * B[8][2]) + (T[9][i] * B[9][2]) +
+            (T[10][i] * B[10][2]) + (T[11][i] * B[11][2]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        Q[3 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][3]) + (T[1][i] * B[1][3]) + (T[2][i] * B[2][3]) +
+            (T[3][i] * B[3][3]) + (T[4][i] * B[4][3]) + (T[5][i] * B[5][3]) + (T[6][i] * B[6][3]) +
+            (T[7][i] * B[7][3]) + (T[8][i] * B[8][3]) + (T[9][i] * B[9][3]) +
+            (T[10][i] * B[10][3]) + (T[11][i] * B[11][3]);
+    }
+    for (int i = 0; i < 4; ++i) {
+        Q[6 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][4]) + (T[1][i] * B[1][4]) + (T[2][i] * B[2][4]) +
+            (T[3][i] * B[3][4]) + (T[4][i] * B[4][4]) + (T[5][i] * B[5][4]) + (T[6][i] * B[6][4]) +
+            (T[7][i] * B[7][4]) + (T[8][i] * B[8][4]) + (T[9][i] * B[9][4]) +
+            (T[10][i] * B[10][4]) + (T[11][i] * B[11][4]);
+    }
+    for (int i = 0; i < 5; ++i) {
+        Q[10 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][5]) + (T[1][i] * B[1][5]) + (T[2][i] * B[2][5]) +
+            (T[3][i] * B[3][5]) + (T[4][i] * B[4][5]) + (T[5][i] * B[5][5]) + (T[6][i] * B[6][5]) +
+            (T[7][i] * B[7][5]) + (T[8][i] * B[8][5]) + (T[9][i] * B[9][5]) +
+            (T[10][i] * B[10][5]) + (T[11][i] * B[11][5]);
+    }
+    for (int i = 0; i < 6; ++i) {
+        Q[15 + i] = sum[i];
+    }
+#else
     for (int i = 0; i < DOWN; ++i) {
         for (int k = 0; k < N; ++k) {
             T[(i * ROW) + k] = B[(i * ROW) + k] * w[k];
@@ -327,6 +567,7 @@ void val_discretize(const bs_real F[VAL_N_F],
             Q[column(j) + i] = square[(j * DOWN) + i];
         }
     }
+#endif
     for (int p = 0; p < 12; ++p) {
         Q[place[p]] += (BS_REAL(0.25) * dt) * Qc[from[p]];
     }
@@ -350,7 +591,7 @@ void val_predict_state(const bs_real Phi[VAL_N_PHI], bs_real x[VAL_N_STATES])
 }
 
 /* The factors of a dense covariance, into work. */
-static bs_status judge(const bs_real *dense, bs_real *work)
+static bs_status judge_dense(const bs_real *dense, bs_real *work)
 {
     bs_real variance[N];
     bool positive = true;
@@ -368,7 +609,7 @@ static bs_status judge(const bs_real *dense, bs_real *work)
             work[column(j) + i] = dense[(i * N) + j];
         }
     }
-    diagonal(work, variance);
+    variances(work, variance);
     positive = factorize(work, variance, N) && positive;
     if (!positive) {
         return BS_NOT_POSITIVE;
@@ -380,7 +621,7 @@ bs_status val_ud_init(const bs_real dense[VAL_N_STATES * VAL_N_STATES],
                       bs_real UD[VAL_N_PACKED],
                       bs_real work[VAL_N_WORK])
 {
-    const bs_status status = judge(dense, work);
+    const bs_status status = judge_dense(dense, work);
     if (status == BS_OK) {
         for (int i = 0; i < VAL_N_PACKED; ++i) {
             UD[i] = work[i];
@@ -393,7 +634,7 @@ bs_status val_joseph_init(const bs_real dense[VAL_N_STATES * VAL_N_STATES],
                           bs_real P[VAL_N_PACKED],
                           bs_real work[VAL_N_WORK])
 {
-    const bs_status status = judge(dense, work); /* judged by its factors, kept as it is */
+    const bs_status status = judge_dense(dense, work); /* judged by its factors, kept as it is */
     if (status == BS_OK) {
         for (int j = 0; j < N; ++j) {
             for (int i = 0; i <= j; ++i) {
@@ -404,6 +645,262 @@ bs_status val_joseph_init(const bs_real dense[VAL_N_STATES * VAL_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void val_joseph_predict(const bs_real P[VAL_N_PACKED],
+                        const bs_real Phi[VAL_N_PHI],
+                        const bs_real Q[VAL_N_PACKED],
+                        bs_real next[VAL_N_PACKED],
+                        bs_real work[VAL_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], P[55], P[66], P[78],
+          P[91], P[105], P[120], P[136], P[153], P[171], BS_REAL(0.0) },
+        { P[1], P[2], P[4], P[7], P[11], P[16], P[22], P[29], P[37], P[46], P[56], P[67], P[79],
+          P[92], P[106], P[121], P[137], P[154], P[172], BS_REAL(0.0) },
+        { P[3], P[4], P[5], P[8], P[12], P[17], P[23], P[30], P[38], P[47], P[57], P[68], P[80],
+          P[93], P[107], P[122], P[138], P[155], P[173], BS_REAL(0.0) },
+        { P[6], P[7], P[8], P[9], P[13], P[18], P[24], P[31], P[39], P[48], P[58], P[69], P[81],
+          P[94], P[108], P[123], P[139], P[156], P[174], BS_REAL(0.0) },
+        { P[10], P[11], P[12], P[13], P[14], P[19], P[25], P[32], P[40], P[49], P[59], P[70], P[82],
+          P[95], P[109], P[124], P[140], P[157], P[175], BS_REAL(0.0) },
+        { P[15], P[16], P[17], P[18], P[19], P[20], P[26], P[33], P[41], P[50], P[60], P[71], P[83],
+          P[96], P[110], P[125], P[141], P[158], P[176], BS_REAL(0.0) },
+        { P[21], P[22], P[23], P[24], P[25], P[26], P[27], P[34], P[42], P[51], P[61], P[72], P[84],
+          P[97], P[111], P[126], P[142], P[159], P[177], BS_REAL(0.0) },
+        { P[28], P[29], P[30], P[31], P[32], P[33], P[34], P[35], P[43], P[52], P[62], P[73], P[85],
+          P[98], P[112], P[127], P[143], P[160], P[178], BS_REAL(0.0) },
+        { P[36], P[37], P[38], P[39], P[40], P[41], P[42], P[43], P[44], P[53], P[63], P[74], P[86],
+          P[99], P[113], P[128], P[144], P[161], P[179], BS_REAL(0.0) },
+        { P[45], P[46], P[47], P[48], P[49], P[50], P[51], P[52], P[53], P[54], P[64], P[75], P[87],
+          P[100], P[114], P[129], P[145], P[162], P[180], BS_REAL(0.0) },
+        { P[55], P[56], P[57], P[58], P[59], P[60], P[61], P[62], P[63], P[64], P[65], P[76], P[88],
+          P[101], P[115], P[130], P[146], P[163], P[181], BS_REAL(0.0) },
+        { P[66], P[67], P[68], P[69], P[70], P[71], P[72], P[73], P[74], P[75], P[76], P[77], P[89],
+          P[102], P[116], P[131], P[147], P[164], P[182], BS_REAL(0.0) },
+        { P[78], P[79], P[80], P[81], P[82], P[83], P[84], P[85], P[86], P[87], P[88], P[89], P[90],
+          P[103], P[117], P[132], P[148], P[165], P[183], BS_REAL(0.0) },
+        { P[91], P[92], P[93], P[94], P[95], P[96], P[97], P[98], P[99], P[100], P[101], P[102],
+          P[103], P[104], P[118], P[133], P[149], P[166], P[184], BS_REAL(0.0) },
+        { P[105], P[106], P[107], P[108], P[109], P[110], P[111], P[112], P[113], P[114], P[115],
+          P[116], P[117], P[118], P[119], P[134], P[150], P[167], P[185], BS_REAL(0.0) },
+        { P[120], P[121], P[122], P[123], P[124], P[125], P[126], P[127], P[128], P[129], P[130],
+          P[131], P[132], P[133], P[134], P[135], P[151], P[168], P[186], BS_REAL(0.0) },
+        { P[136], P[137], P[138], P[139], P[140], P[141], P[142], P[143], P[144], P[145], P[146],
+          P[147], P[148], P[149], P[150], P[151], P[152], P[169], P[187], BS_REAL(0.0) },
+        { P[153], P[154], P[155], P[156], P[157], P[158], P[159], P[160], P[161], P[162], P[163],
+          P[164], P[165], P[166], P[167], P[168], P[169], P[170], P[188], BS_REAL(0.0) },
+        { P[171], P[172], P[173], P[174], P[175], P[176], P[177], P[178], P[179], P[180], P[181],
+          P[182], P[183], P[184], P[185], P[186], P[187], P[188], P[189], BS_REAL(0.0) }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]) +
+            (Phi[3] * X[3][j]) + (Phi[4] * X[4][j]) + (Phi[5] * X[5][j]) + (Phi[6] * X[6][j]) +
+            (Phi[7] * X[7][j]) + (Phi[8] * X[8][j]) + (Phi[9] * X[9][j]) + (Phi[10] * X[10][j]) +
+            (Phi[11] * X[11][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + (Phi[20] * X[0][j]) + (Phi[21] * X[1][j]) + (Phi[22] * X[2][j]) +
+            (Phi[23] * X[3][j]) + (Phi[24] * X[4][j]) + (Phi[25] * X[5][j]) + (Phi[26] * X[6][j]) +
+            (Phi[27] * X[7][j]) + (Phi[28] * X[8][j]) + (Phi[29] * X[9][j]) + (Phi[30] * X[10][j]) +
+            (Phi[31] * X[11][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + (Phi[40] * X[0][j]) + (Phi[41] * X[1][j]) + (Phi[42] * X[2][j]) +
+            (Phi[43] * X[3][j]) + (Phi[44] * X[4][j]) + (Phi[45] * X[5][j]) + (Phi[46] * X[6][j]) +
+            (Phi[47] * X[7][j]) + (Phi[48] * X[8][j]) + (Phi[49] * X[9][j]) + (Phi[50] * X[10][j]) +
+            (Phi[51] * X[11][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][3] = BS_REAL(0.0) + (Phi[60] * X[0][j]) + (Phi[61] * X[1][j]) + (Phi[62] * X[2][j]) +
+            (Phi[63] * X[3][j]) + (Phi[64] * X[4][j]) + (Phi[65] * X[5][j]) + (Phi[66] * X[6][j]) +
+            (Phi[67] * X[7][j]) + (Phi[68] * X[8][j]) + (Phi[69] * X[9][j]) + (Phi[70] * X[10][j]) +
+            (Phi[71] * X[11][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][4] = BS_REAL(0.0) + (Phi[80] * X[0][j]) + (Phi[81] * X[1][j]) + (Phi[82] * X[2][j]) +
+            (Phi[83] * X[3][j]) + (Phi[84] * X[4][j]) + (Phi[85] * X[5][j]) + (Phi[86] * X[6][j]) +
+            (Phi[87] * X[7][j]) + (Phi[88] * X[8][j]) + (Phi[89] * X[9][j]) + (Phi[90] * X[10][j]) +
+            (Phi[91] * X[11][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][5] = BS_REAL(0.0) + (Phi[100] * X[0][j]) + (Phi[101] * X[1][j]) +
+            (Phi[102] * X[2][j]) + (Phi[103] * X[3][j]) + (Phi[104] * X[4][j]) +
+            (Phi[105] * X[5][j]) + (Phi[106] * X[6][j]) + (Phi[107] * X[7][j]) +
+            (Phi[108] * X[8][j]) + (Phi[109] * X[9][j]) + (Phi[110] * X[10][j]) +
+            (Phi[111] * X[11][j]);
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i]) +
+                  (Phi[3] * Y[3][i]) + (Phi[4] * Y[4][i]) + (Phi[5] * Y[5][i]) +
+                  (Phi[6] * Y[6][i]) + (Phi[7] * Y[7][i]) + (Phi[8] * Y[8][i]) +
+                  (Phi[9] * Y[9][i]) + (Phi[10] * Y[10][i]) + (Phi[11] * Y[11][i])) + Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[20] * Y[0][i]) + (Phi[21] * Y[1][i]) + (Phi[22] * Y[2][i]) +
+                  (Phi[23] * Y[3][i]) + (Phi[24] * Y[4][i]) + (Phi[25] * Y[5][i]) +
+                  (Phi[26] * Y[6][i]) + (Phi[27] * Y[7][i]) + (Phi[28] * Y[8][i]) +
+                  (Phi[29] * Y[9][i]) + (Phi[30] * Y[10][i]) + (Phi[31] * Y[11][i])) + Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[40] * Y[0][i]) + (Phi[41] * Y[1][i]) + (Phi[42] * Y[2][i]) +
+                  (Phi[43] * Y[3][i]) + (Phi[44] * Y[4][i]) + (Phi[45] * Y[5][i]) +
+                  (Phi[46] * Y[6][i]) + (Phi[47] * Y[7][i]) + (Phi[48] * Y[8][i]) +
+                  (Phi[49] * Y[9][i]) + (Phi[50] * Y[10][i]) + (Phi[51] * Y[11][i])) + Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[60] * Y[0][i]) + (Phi[61] * Y[1][i]) + (Phi[62] * Y[2][i]) +
+                  (Phi[63] * Y[3][i]) + (Phi[64] * Y[4][i]) + (Phi[65] * Y[5][i]) +
+                  (Phi[66] * Y[6][i]) + (Phi[67] * Y[7][i]) + (Phi[68] * Y[8][i]) +
+                  (Phi[69] * Y[9][i]) + (Phi[70] * Y[10][i]) + (Phi[71] * Y[11][i])) + Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[80] * Y[0][i]) + (Phi[81] * Y[1][i]) + (Phi[82] * Y[2][i]) +
+                  (Phi[83] * Y[3][i]) + (Phi[84] * Y[4][i]) + (Phi[85] * Y[5][i]) +
+                  (Phi[86] * Y[6][i]) + (Phi[87] * Y[7][i]) + (Phi[88] * Y[8][i]) +
+                  (Phi[89] * Y[9][i]) + (Phi[90] * Y[10][i]) + (Phi[91] * Y[11][i])) + Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[100] * Y[0][i]) + (Phi[101] * Y[1][i]) +
+                  (Phi[102] * Y[2][i]) + (Phi[103] * Y[3][i]) + (Phi[104] * Y[4][i]) +
+                  (Phi[105] * Y[5][i]) + (Phi[106] * Y[6][i]) + (Phi[107] * Y[7][i]) +
+                  (Phi[108] * Y[8][i]) + (Phi[109] * Y[9][i]) + (Phi[110] * Y[10][i]) +
+                  (Phi[111] * Y[11][i])) + Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[6][i] + Q[21 + i];
+    }
+    for (int i = 0; i < 7; ++i) {
+        next[21 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[7][i] + Q[28 + i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        next[28 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[8][i] + Q[36 + i];
+    }
+    for (int i = 0; i < 9; ++i) {
+        next[36 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    for (int i = 0; i < 10; ++i) {
+        next[45 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[10][i] + Q[55 + i];
+    }
+    for (int i = 0; i < 11; ++i) {
+        next[55 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[11][i] + Q[66 + i];
+    }
+    for (int i = 0; i < 12; ++i) {
+        next[66 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[12][i] + Q[78 + i];
+    }
+    for (int i = 0; i < 13; ++i) {
+        next[78 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[13][i] + Q[91 + i];
+    }
+    for (int i = 0; i < 14; ++i) {
+        next[91 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[14][i] + Q[105 + i];
+    }
+    for (int i = 0; i < 15; ++i) {
+        next[105 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[15][i] + Q[120 + i];
+    }
+    for (int i = 0; i < 16; ++i) {
+        next[120 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 20; ++i) {
+        sum[i] = Y[16][i] + Q[136 + i];
+    }
+    for (int i = 0; i < 17; ++i) {
+        next[136 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 20; ++i) {
+        sum[i] = Y[17][i] + Q[153 + i];
+    }
+    for (int i = 0; i < 18; ++i) {
+        next[153 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 16; ++i) {
+        sum[i] = Y[18][i] + Q[171 + i];
+    }
+    BS_ROLLED
+    for (int i = 16; i < 19; ++i) {
+        sum[i] = Y[18][i] + Q[171 + i];
+    }
+    for (int i = 0; i < 19; ++i) {
+        next[171 + i] = sum[i];
+    }
+}
+#else
 void val_joseph_predict(const bs_real P[VAL_N_PACKED],
                         const bs_real Phi[VAL_N_PHI],
                         const bs_real Q[VAL_N_PACKED],
@@ -436,6 +933,7 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
         }
     }
 }
+#endif
 
 void val_ud_predict(const bs_real UD[VAL_N_PACKED],
                     const bs_real Phi[VAL_N_PHI],
@@ -446,10 +944,12 @@ void val_ud_predict(const bs_real UD[VAL_N_PACKED],
     bs_real *const X = work;
     bs_real *const V = &work[REGION];
     bs_real weight[M + N]; /* of the columns of V */
-    for (int i = 0; (i < VAL_N_PACKED) && (next != Q); ++i) {
-        next[i] = Q[i];
+    if (next != Q) {
+        for (int i = 0; i < VAL_N_PACKED; ++i) {
+            next[i] = Q[i];
+        }
     }
-    diagonal(next, weight);
+    variances(next, weight);
     /* The columns of the states that stay: what they take from all others in rows that move, once
      * and for all of them. */
     for (int j = N - 1; j >= M; --j) {
@@ -605,10 +1105,35 @@ void val_ud_predict(const bs_real UD[VAL_N_PACKED],
 
 bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs_row *row)
 {
-    bs_real g[N]; /* P h */
-    bs_real K[N];
     bs_real nu = row->z;
     bs_real S = row->R;
+#ifdef BORESIGHT_ROWS
+    bs_real g[WIDE]; /* P h */
+    bs_real K[WIDE];
+    bs_real lines[N][WIDE]; /* of P, where h is not zero */
+    bs_real sums[N + 1][WIDE]; /* with one more of them each */
+    for (int p = 0; p < row->count; ++p) {
+        const unsigned short *const at = whole[row->at[p]];
+        nu -= row->h[p] * x[row->at[p]];
+        for (int i = 0; i < WIDE; ++i) {
+            lines[p][i] = P[at[i]];
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        sums[0][i] = zeros[i];
+    }
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        for (int i = 0; i < WIDE; ++i) {
+            sums[p + 1][i] = sums[p][i] + (h * lines[p][i]);
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        g[i] = sums[row->count][i];
+    }
+#else
+    bs_real g[N]; /* P h */
+    bs_real K[N];
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -621,6 +1146,7 @@ bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs
             g[i] += h * P[column(i) + k];
         }
     }
+#endif
     for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
@@ -635,7 +1161,165 @@ bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs
     }
     if (row->used != 0) {
         const bs_real inverse = BS_REAL(1.0) / S;
-        bs_real b[N]; /* A h, of the rounded A = P - K g' */
+#ifdef BORESIGHT_ROWS
+        const bs_real R = row->R;
+        bs_real b[WIDE]; /* as below */
+        bs_real next[WIDE];
+        for (int i = 0; i < WIDE; ++i) {
+            K[i] = g[i] * inverse;
+        }
+        for (int i = 0; i < N; ++i) {
+            x[i] += K[i] * nu;
+        }
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            for (int i = 0; i < WIDE; ++i) {
+                sums[p + 1][i] = sums[p][i] + (h * (lines[p][i] - (K[i] * of_g)));
+            }
+        }
+        for (int i = 0; i < WIDE; ++i) {
+            b[i] = sums[row->count][i] - (R * K[i]);
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
+        }
+        for (int i = 0; i < 1; ++i) {
+            P[0 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
+        }
+        for (int i = 0; i < 2; ++i) {
+            P[1 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
+        }
+        for (int i = 0; i < 3; ++i) {
+            P[3 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
+        }
+        for (int i = 0; i < 4; ++i) {
+            P[6 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
+        }
+        for (int i = 0; i < 5; ++i) {
+            P[10 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
+        }
+        for (int i = 0; i < 6; ++i) {
+            P[15 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
+        }
+        for (int i = 0; i < 7; ++i) {
+            P[21 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
+        }
+        for (int i = 0; i < 8; ++i) {
+            P[28 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
+        }
+        for (int i = 0; i < 9; ++i) {
+            P[36 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
+        }
+        for (int i = 0; i < 10; ++i) {
+            P[45 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
+        }
+        for (int i = 0; i < 11; ++i) {
+            P[55 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[66 + i] - (K[i] * g[11])) - (b[i] * K[11]);
+        }
+        for (int i = 0; i < 12; ++i) {
+            P[66 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
+        }
+        for (int i = 0; i < 13; ++i) {
+            P[78 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[91 + i] - (K[i] * g[13])) - (b[i] * K[13]);
+        }
+        for (int i = 0; i < 14; ++i) {
+            P[91 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
+        }
+        for (int i = 0; i < 15; ++i) {
+            P[105 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[120 + i] - (K[i] * g[15])) - (b[i] * K[15]);
+        }
+        for (int i = 0; i < 16; ++i) {
+            P[120 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 20; ++i) {
+            next[i] = (P[136 + i] - (K[i] * g[16])) - (b[i] * K[16]);
+        }
+        for (int i = 0; i < 17; ++i) {
+            P[136 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 20; ++i) {
+            next[i] = (P[153 + i] - (K[i] * g[17])) - (b[i] * K[17]);
+        }
+        for (int i = 0; i < 18; ++i) {
+            P[153 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 16; ++i) {
+            next[i] = (P[171 + i] - (K[i] * g[18])) - (b[i] * K[18]);
+        }
+        BS_ROLLED
+        for (int i = 16; i < 19; ++i) {
+            next[i] = (P[171 + i] - (K[i] * g[18])) - (b[i] * K[18]);
+        }
+        for (int i = 0; i < 19; ++i) {
+            P[171 + i] = next[i];
+        }
+#else
+        bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
             x[i] += K[i] * nu;
@@ -645,15 +1329,17 @@ bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs
                 const bs_real of_P = (i < k) ? P[column(k) + i] : P[column(i) + k];
                 b[i] += row->h[p] * (of_P - (K[i] * g[k]));
             }
+            b[i] -= row->R * K[i];
         }
         /* (I - K h') P (I - K h')' + K R K' as two products, A - b K': multiplied out at once it
          * would lose as much as (I - K h') P does where a good measurement meets a coarse start. */
         for (int j = 0; j < N; ++j) {
             bs_real *const p = &P[column(j)];
             for (int i = 0; i <= j; ++i) {
-                p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
+                p[i] = (p[i] - (K[i] * g[j])) - (b[i] * K[j]);
             }
         }
+#endif
         for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }

@@ -80,6 +80,7 @@ bs_status val_dcm_H(const val_nav *nav, const val_imu *imu, bs_real H[3 * VAL_N_
         for (int i = 0; i < 57; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 15; ++i) {
             H[H_index[i]] = H_nz[i];
         }

@@ -89,6 +89,7 @@ bs_status val_euler_H(const val_nav *nav,
         for (int i = 0; i < 57; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 17; ++i) {
             H[H_index[i]] = H_nz[i];
         }

@@ -127,6 +127,7 @@ bs_status val_quaternion_H(const bs_real x[VAL_N_STATES],
         for (int i = 0; i < 57; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 30; ++i) {
             H[H_index[i]] = H_nz[i];
         }

@@ -1785,7 +1785,7 @@ static void take_row(block *b,
 {
     bs_lanes g[VAS_N_STATES];
     bs_lanes K[VAS_N_STATES];
-    bs_lanes own[VAS_N_STATES]; /* A h, of the rounded A = P - K g' */
+    bs_lanes own[VAS_N_STATES]; /* A h - R K, of the rounded A = P - K g' */
     bs_lanes *const P = b->P;
     const bs_lanes zero = bs_all_of(0.0);
     bs_lanes inverse;
@@ -1829,12 +1829,15 @@ static void take_row(block *b,
                 (h[p] * (P[((i * (i + 1)) / 2) + k] - (K[i] * g[k])));
         }
     }
+    for (int i = 0; i < VAS_N_STATES; ++i) {
+        own[i] -= *R * K[i];
+    }
     for (int j = 0; j < VAS_N_STATES; ++j) {
         bs_lanes *const to = &P[(j * (j + 1)) / 2];
         const bs_lanes gj = g[j];
         const bs_lanes Kj = K[j];
         for (int i = 0; i <= j; ++i) {
-            to[i] = ((to[i] - (K[i] * gj)) - (own[i] * Kj)) + (*R * (K[i] * Kj));
+            to[i] = (to[i] - (K[i] * gj)) - (own[i] * Kj);
         }
     }
 }
@@ -1951,7 +1954,7 @@ static void measure_dcm_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if (*taking->iterations < 0) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
         return;
     }
     bs_read(R, &given[2], 0, 3, runs->first, runs->n);
@@ -1997,7 +2000,7 @@ static void measure_euler_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if (*taking->iterations < 0) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
         return;
     }
     bs_read(R, &given[2], 0, 3, runs->first, runs->n);
@@ -2047,7 +2050,7 @@ static void measure_velocity_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if (*taking->iterations < 0) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
         return;
     }
     bs_read(R, &given[2], 0, 3, runs->first, runs->n);

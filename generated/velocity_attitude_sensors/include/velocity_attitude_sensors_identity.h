@@ -18,7 +18,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "4e6b86861a4c0cf50de46bca07e3c3ba1e0d218180192de7327bf20429e98473"
+#define VAS_MODEL_HASH "de769a3015477226c128ca3a1bdb7bc3a44485d74a936a2548b0463bebc001fb"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -978,23 +978,81 @@ static int spoil(const char *what,
     return failures;
 }
 
-/* At either end of its box a number is taken.  What the function made of it is put back. */
+/* At either end of its box a number is taken; or, if it may leave one, with the other errors or
+ * their opposites, or else it does from just inside too.  What the function made of it is put
+ * back. */
 static int accepts(const char *what,
                    bs_status (*function)(void),
                    bs_real *value,
                    bs_real low,
-                   bs_real high)
+                   bs_real high,
+                   bool may_leave)
 {
     const bs_real good = *value;
     int failures = 0;
-    before = flown;
     for (int end = 0; end < 2; ++end) {
-        *value = (end == 0) ? low : high;
-        failures += expect(what, bs_good(function()));
+        const bs_real at = (end == 0) ? low : high;
+        const bool outward = (end == 0) ? (at < BS_REAL(0.0)) : (at > BS_REAL(0.0));
+        bs_status status;
+        before = flown;
+        *value = at;
+        status = function();
+        flown = before;
+        if (may_leave && (status == BS_OUT_OF_RANGE)) {
+            *value = at;
+            for (int i = 0; i < N; ++i) {
+                flown.x[i] = (&flown.x[i] == value) ? flown.x[i] : -flown.x[i];
+            }
+            status = function();
+            flown = before;
+        }
+        if (may_leave && (status == BS_OUT_OF_RANGE)) {
+            *value = at * (outward ? BS_REAL(0.9985) : BS_REAL(1.0015));
+            failures += expect(what, !bs_good(function()));
+            flown = before;
+        } else {
+            failures += expect(what, bs_good(status));
+        }
+        *value = good;
         flown = before;
     }
     *value = good;
     return failures;
+}
+
+/* Whether an error is taken that is as large as `at`, from one of three places that it leads away
+ * from. */
+static bool corrects(int i, double at)
+{
+    static const double before_it[3] = { 0.0, 0.5, 0.95 };
+    bool good = false;
+    for (int k = 0; (k < 3) && !good; ++k) {
+        (void)begin();
+        flown.x[i] = (bs_real)(-before_it[k] * at);
+        (void)correct();
+        flown.x[i] = (bs_real)at;
+        good = (correct() == BS_OK);
+    }
+    return good;
+}
+
+/* The checksum of a snapshot by its definition: the rest of its bits, each byte's least first, by
+ * x^32 + x^26 + x^23 + ... + 1. */
+static void seal(void)
+{
+    const int size = VAS_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM;
+    unsigned long rest = 0xFFFFFFFFUL;
+    for (int i = 0; i < (8 * size); ++i) {
+        const unsigned long bit = ((unsigned long)bytes[i / 8] >> (unsigned int)(i % 8)) & 1UL;
+        const unsigned long top = (rest >> 31U) & 1UL;
+        rest = ((rest << 1U) & 0xFFFFFFFFUL) ^ ((top != bit) ? 0x04C11DB7UL : 0UL);
+    }
+    for (int i = 0; i < 32; ++i) { /* turned round, and each bit inverted */
+        unsigned char *const byte = &bytes[size + (i / 8)];
+        const unsigned int mask = 1U << (unsigned int)(i % 8);
+        const bool set = ((rest >> (31U - (unsigned int)i)) & 1UL) == 0UL;
+        *byte = (unsigned char)(set ? (*byte | mask) : (*byte & ~mask));
+    }
 }
 
 static int limits(void)
@@ -1005,12 +1063,12 @@ static int limits(void)
                                         BS_REAL(-500.0) };
         static const bs_real high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586),
                                          BS_REAL(30000.0) };
-        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i]);
+        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
         static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i], false);
     }
     for (int i = 0; i < 4; ++i) {
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
@@ -1018,9 +1076,9 @@ static int limits(void)
             given_nav.q_b2n_wxyz[j] = BS_REAL(0.0);
         }
         failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i],
-                            BS_REAL(-0.999), BS_REAL(0.999));
+                            BS_REAL(-0.999), BS_REAL(0.999), false);
         failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i],
-                            BS_REAL(-1.001), BS_REAL(1.001));
+                            BS_REAL(-1.001), BS_REAL(1.001), false);
 #endif
     }
     for (int end = 0; end < 2; ++end) {
@@ -1038,12 +1096,14 @@ static int limits(void)
         static const bs_real high[3] = { BS_REAL(0.017453292519943295),
                                          BS_REAL(0.017453292519943295),
                                          BS_REAL(0.017453292519943295) };
-        failures += accepts("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
+        failures += accepts("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i],
+                            false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
         static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-        failures += accepts("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
+        failures += accepts("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i],
+                            false);
     }
     for (int i = 0; i < 4; ++i) {
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
@@ -1051,9 +1111,9 @@ static int limits(void)
             given_nav.q_b2m_wxyz[j] = BS_REAL(0.0);
         }
         failures += accepts("init: q_b2m_wxyz, norm", init, &given_nav.q_b2m_wxyz[i],
-                            BS_REAL(-0.999), BS_REAL(0.999));
+                            BS_REAL(-0.999), BS_REAL(0.999), false);
         failures += accepts("init: q_b2m_wxyz, norm", init, &given_nav.q_b2m_wxyz[i],
-                            BS_REAL(-1.001), BS_REAL(1.001));
+                            BS_REAL(-1.001), BS_REAL(1.001), false);
 #endif
     }
     for (int end = 0; end < 2; ++end) {
@@ -1067,64 +1127,69 @@ static int limits(void)
     for (int i = 0; i < 1; ++i) {
         static const bs_real low[1] = { BS_REAL(-1.0) };
         static const bs_real high[1] = { BS_REAL(1.0) };
-        failures += accepts("init: tau", init, &given_nav.tau, low[i], high[i]);
+        failures += accepts("init: tau", init, &given_nav.tau, low[i], high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
         static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-        failures += accepts("init: lever_b", init, &given_mounting.lever_b[i], low[i], high[i]);
+        failures += accepts("init: lever_b", init, &given_mounting.lever_b[i], low[i], high[i],
+                            false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
         static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-        failures += accepts("init: flexure", init, &given_bending.flexure[i], low[i], high[i]);
+        failures += accepts("init: flexure", init, &given_bending.flexure[i], low[i], high[i],
+                            false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
         static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
         failures += accepts("init: flexure_rate", init, &given_bending.flexure_rate[i], low[i],
-                            high[i]);
+                            high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
         static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
         failures += accepts("init: flexure_omega", init, &given_bending.flexure_omega[i], low[i],
-                            high[i]);
+                            high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
         static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
         failures += accepts("init: flexure_damping", init, &given_bending.flexure_damping[i],
-                            low[i], high[i]);
+                            low[i], high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
         static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
         failures += accepts("init: flexure_noise", init, &given_bending.flexure_noise[i], low[i],
-                            high[i]);
+                            high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
         static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-        failures += accepts("init: gyro_scale", init, &given_triads.gyro_scale[i], low[i], high[i]);
+        failures += accepts("init: gyro_scale", init, &given_triads.gyro_scale[i], low[i], high[i],
+                            false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
         static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
         failures += accepts("init: accel_scale", init, &given_triads.accel_scale[i], low[i],
-                            high[i]);
+                            high[i], false);
     }
     for (int i = 0; i < 6; ++i) {
         static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
                                         BS_REAL(-0.1), BS_REAL(-0.1) };
         static const bs_real high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                          BS_REAL(0.1), BS_REAL(0.1) };
-        failures += accepts("init: gyro_axes", init, &given_triads.gyro_axes[i], low[i], high[i]);
+        failures += accepts("init: gyro_axes", init, &given_triads.gyro_axes[i], low[i], high[i],
+                            false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
         static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-        failures += accepts("init: accel_axes", init, &given_triads.accel_axes[i], low[i], high[i]);
+        failures += accepts("init: accel_axes", init, &given_triads.accel_axes[i], low[i], high[i],
+                            false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
@@ -1134,48 +1199,52 @@ static int limits(void)
                                          BS_REAL(0.017453292519943295),
                                          BS_REAL(0.017453292519943295) };
         failures += accepts("init: gyro_turn_on", init, &given_biases.gyro_turn_on[i], low[i],
-                            high[i]);
+                            high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
         static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
         failures += accepts("init: accel_turn_on", init, &given_biases.accel_turn_on[i], low[i],
-                            high[i]);
+                            high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
         static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
         failures += accepts("init: gyro_bias_beta", init, &given_biases.gyro_bias_beta[i], low[i],
-                            high[i]);
+                            high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
         static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
         failures += accepts("init: accel_bias_beta", init, &given_biases.accel_bias_beta[i], low[i],
-                            high[i]);
+                            high[i], false);
     }
-    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0));
+    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0),
+                        false);
     rows = 0U;
-    failures += accepts("measure_dcm: gate", measure_dcm, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    failures += accepts("measure_dcm: gate", measure_dcm, &gate, BS_REAL(0.0), BS_REAL(1e+30),
+                        false);
     for (int i = 0; i < 3; ++i) {
-        failures += accepts("measure_dcm: R", measure_dcm, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+        failures += accepts("measure_dcm: R", measure_dcm, &R[i], BS_REAL(1e-30), BS_REAL(1e+30),
+                            false);
     }
     failures += accepts("measure_quaternion: gate", measure_quaternion, &gate, BS_REAL(0.0),
-                        BS_REAL(1e+30));
+                        BS_REAL(1e+30), false);
     for (int i = 0; i < 3; ++i) {
         failures += accepts("measure_quaternion: R", measure_quaternion, &R[i], BS_REAL(1e-30),
-                            BS_REAL(1e+30));
+                            BS_REAL(1e+30), false);
     }
-    failures += accepts("measure_euler: gate", measure_euler, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    failures += accepts("measure_euler: gate", measure_euler, &gate, BS_REAL(0.0), BS_REAL(1e+30),
+                        false);
     for (int i = 0; i < 3; ++i) {
         failures += accepts("measure_euler: R", measure_euler, &R[i], BS_REAL(1e-30),
-                            BS_REAL(1e+30));
+                            BS_REAL(1e+30), false);
     }
     failures += accepts("measure_velocity: gate", measure_velocity, &gate, BS_REAL(0.0),
-                        BS_REAL(1e+30));
+                        BS_REAL(1e+30), false);
     for (int i = 0; i < 3; ++i) {
         failures += accepts("measure_velocity: R", measure_velocity, &R[i], BS_REAL(1e-30),
-                            BS_REAL(1e+30));
+                            BS_REAL(1e+30), false);
     }
     rows = BS_ALL_ROWS;
     for (int i = 0; i < (2 * N); ++i) { /* the first iteration may lead x out of its box: then the
@@ -1258,17 +1327,22 @@ static int kept(void)
                        (memcmp(bytes, again, sizeof(bytes)) == 0));
     failures += expect("restore: the rest", (flown.rejected[0] == 7U) && (flown.ceilings == 3U) &&
                        (flown.considered[N - 1] == 1U) && (flown.considering == 1U));
-    /* its head, and its first number as NaN */
-    for (int i = 0; i < (BS_SNAPSHOT_HEAD + (int)sizeof(bs_real)); ++i) {
+    seal();
+    failures += expect("checksum", memcmp(bytes, again, sizeof(bytes)) == 0);
+    for (int i = 0; i < VAS_SNAPSHOT_SIZE; ++i) { /* any byte on its way; a head that is another's,
+                                                   * however sealed; then its first number as NaN */
         memcpy(again, bytes, sizeof(bytes));
-        bytes[i] ^= 1U;
-        if (i >= BS_SNAPSHOT_HEAD) {
-            memset(&bytes[BS_SNAPSHOT_HEAD], 0xff, sizeof(bs_real));
+        bytes[i] ^= (unsigned char)(1U << (unsigned int)(i % 8));
+        failures += refuses("restore: changed on its way", restore, BS_OUT_OF_RANGE);
+        if (i < BS_SNAPSHOT_HEAD) {
+            seal();
+            failures += refuses("restore: of another", restore, BS_OUT_OF_RANGE);
         }
-        failures += refuses("restore", restore, (i < BS_SNAPSHOT_HEAD) ? BS_OUT_OF_RANGE
-                            : BS_NOT_FINITE);
         memcpy(bytes, again, sizeof(bytes));
     }
+    memset(&bytes[BS_SNAPSHOT_HEAD], 0xff, sizeof(bs_real));
+    seal();
+    failures += refuses("restore: NaN", restore, BS_NOT_FINITE);
     memset(considered, 0, sizeof(considered));
     /* beginnings */
     memset(dense, 0, sizeof(dense));
@@ -1305,9 +1379,9 @@ static int kept(void)
     for (int i = 0; i < N; ++i) {
         const bs_real root = BS_SQRT(ceiling[i]);
         sigmas[0] = BS_SQRT(P0[0]);
-        sigmas[i] = BS_REAL(1.01) * root;
+        sigmas[i] = BS_REAL(1.0002) * root;
         failures += refuses("init_sigmas: ceiling", init_sigmas, BS_OUT_OF_RANGE);
-        sigmas[i] = BS_REAL(0.99) * root;
+        sigmas[i] = BS_REAL(0.9998) * root;
         failures += expect("init_sigmas: below the ceiling", init_sigmas() == BS_OK);
         sigmas[i] = BS_SQRT(P0[i * (N + 1)]);
         failures += expect("init_sigmas", init_sigmas() == BS_OK);
@@ -2024,6 +2098,32 @@ static int kept(void)
                                           0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.017453292519943295,
                                           0.017453292519943295, 0.017453292519943295, 1.0, 1.0,
                                           1.0 };
+        static const double low[N] = { -0.50025, -0.50025, -0.50025, -100.05, -100.05, -100.05,
+                                       -0.01746201916620327, -0.01746201916620327,
+                                       -0.01746201916620327, -1.0005, -1.0005, -1.0005, -0.50025,
+                                       -0.50025, -0.50025, -1.0005, -100.05, -100.05, -100.05,
+                                       -0.10005, -0.10005, -0.10005, -1.0005, -1.0005, -1.0005,
+                                       -0.10005, -0.10005, -0.10005, -0.10005, -0.10005, -0.10005,
+                                       -0.10005, -0.10005, -0.10005, -0.10005, -0.10005, -0.10005,
+                                       -0.10005, -0.10005, -0.10005, -0.01746201916620327,
+                                       -0.01746201916620327, -0.01746201916620327, -1.0005, -1.0005,
+                                       -1.0005 };
+        static const double high[N] = { 0.50025, 0.50025, 0.50025, 100.05, 100.05, 100.05,
+                                        0.01746201916620327, 0.01746201916620327,
+                                        0.01746201916620327, 1.0005, 1.0005, 1.0005, 0.50025,
+                                        0.50025, 0.50025, 1.0005, 100.05, 100.05, 100.05, 0.10005,
+                                        0.10005, 0.10005, 1.0005, 1.0005, 1.0005, 0.10005, 0.10005,
+                                        0.10005, 0.10005, 0.10005, 0.10005, 0.10005, 0.10005,
+                                        0.10005, 0.10005, 0.10005, 0.10005, 0.10005, 0.10005,
+                                        0.10005, 0.01746201916620327, 0.01746201916620327,
+                                        0.01746201916620327, 1.0005, 1.0005, 1.0005 };
+        failures += begin();
+        failures += spoil("correct: x", correct, &flown.x[i], low[i], high[i]);
+        for (int end = 0; end < 2; ++end) {
+            const double at = (end == 0) ? x_low[i] : x_high[i];
+            failures += expect("correct: x at its end", corrects(i, at) ||
+                               !corrects(i, 0.998 * at));
+        }
         for (int end = 0; end < 2; ++end) {
             failures += begin();
             flown.x[i] = (bs_real)(0.999 * ((end == 0) ? x_low[i] : x_high[i]));
@@ -2043,65 +2143,122 @@ static int guards(void)
     {
         static const double low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
+        static const bs_real end[2][3] = { { BS_REAL(-1.4835298641951802),
+                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) },
+                                           { BS_REAL(1.4835298641951802),
+                                             BS_REAL(6.283185307179586), BS_REAL(30000.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
+            failures += accepts("init: position", init, &given_nav.position[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: position", set_nav, &given_nav.position[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
                               high[i]);
+            failures += accepts("propagate: position", propagate, &flown.nav.position[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
                               high[i]);
             failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
                               high[i]);
+            failures += accepts("correct: position", correct, &flown.nav.position[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_dcm: position", measure_dcm, &flown.nav.position[i], low[i],
                               high[i]);
+            failures += accepts("measure_dcm: position", measure_dcm, &flown.nav.position[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: position", measure_quaternion,
                               &flown.nav.position[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: position", measure_quaternion,
+                                &flown.nav.position[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: position", measure_euler, &flown.nav.position[i],
                               low[i], high[i]);
+            failures += accepts("measure_euler: position", measure_euler, &flown.nav.position[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: position", measure_velocity,
                               &flown.nav.position[i], low[i], high[i]);
+            failures += accepts("measure_velocity: position", measure_velocity,
+                                &flown.nav.position[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -1000.5, -1000.5, -1000.5 };
         static const double high[3] = { 1000.5, 1000.5, 1000.5 };
+        static const bs_real end[2][3] = { { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) },
+                                           { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+            failures += accepts("init: v_n", init, &given_nav.v_n[i], end[0][i], end[1][i], false);
             failures += spoil("set_nav: v_n", set_nav, &given_nav.v_n[i], low[i], high[i]);
+            failures += accepts("set_nav: v_n", set_nav, &given_nav.v_n[i], end[0][i], end[1][i],
+                                false);
             failures += spoil("propagate: v_n", propagate, &flown.nav.v_n[i], low[i], high[i]);
+            failures += accepts("propagate: v_n", propagate, &flown.nav.v_n[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("strapdown: v_n", strapdown, &flown.nav.v_n[i], low[i], high[i]);
             failures += spoil("correct: v_n", correct, &flown.nav.v_n[i], low[i], high[i]);
+            failures += accepts("correct: v_n", correct, &flown.nav.v_n[i], end[0][i], end[1][i],
+                                true);
             failures += spoil("measure_dcm: v_n", measure_dcm, &flown.nav.v_n[i], low[i], high[i]);
+            failures += accepts("measure_dcm: v_n", measure_dcm, &flown.nav.v_n[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("measure_quaternion: v_n", measure_quaternion, &flown.nav.v_n[i],
                               low[i], high[i]);
+            failures += accepts("measure_quaternion: v_n", measure_quaternion, &flown.nav.v_n[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_euler: v_n", measure_euler, &flown.nav.v_n[i], low[i],
                               high[i]);
+            failures += accepts("measure_euler: v_n", measure_euler, &flown.nav.v_n[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("measure_velocity: v_n", measure_velocity, &flown.nav.v_n[i], low[i],
                               high[i]);
+            failures += accepts("measure_velocity: v_n", measure_velocity, &flown.nav.v_n[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
         static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
+        static const bs_real end[2][4] = { { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                             BS_REAL(-1.001) },
+                                           { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                             BS_REAL(1.001) } };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
+            failures += accepts("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("strapdown: q_b2n_wxyz", strapdown, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += spoil("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_dcm: q_b2n_wxyz", measure_dcm, &flown.nav.q_b2n_wxyz[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: q_b2n_wxyz", measure_dcm, &flown.nav.q_b2n_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_quaternion: q_b2n_wxyz", measure_quaternion,
                               &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: q_b2n_wxyz", measure_quaternion,
+                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i], true);
             failures += spoil("measure_euler: q_b2n_wxyz", measure_euler, &flown.nav.q_b2n_wxyz[i],
                               low[i], high[i]);
+            failures += accepts("measure_euler: q_b2n_wxyz", measure_euler,
+                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i], true);
             failures += spoil("measure_velocity: q_b2n_wxyz", measure_velocity,
                               &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
+            failures += accepts("measure_velocity: q_b2n_wxyz", measure_velocity,
+                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i], true);
         }
     }
     {
@@ -2109,483 +2266,834 @@ static int guards(void)
                                        -0.01746201916620327 };
         static const double high[3] = { 0.01746201916620327, 0.01746201916620327,
                                         0.01746201916620327 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.017453292519943295),
+                                             BS_REAL(-0.017453292519943295),
+                                             BS_REAL(-0.017453292519943295) },
+                                           { BS_REAL(0.017453292519943295),
+                                             BS_REAL(0.017453292519943295),
+                                             BS_REAL(0.017453292519943295) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: gyro_bias", init, &given_nav.gyro_bias[i], low[i], high[i]);
+            failures += accepts("init: gyro_bias", init, &given_nav.gyro_bias[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: gyro_bias", set_nav, &given_nav.gyro_bias[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: gyro_bias", set_nav, &given_nav.gyro_bias[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("propagate: gyro_bias", propagate, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
+            failures += accepts("propagate: gyro_bias", propagate, &flown.nav.gyro_bias[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: gyro_bias", strapdown, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
             failures += spoil("correct: gyro_bias", correct, &flown.nav.gyro_bias[i], low[i],
                               high[i]);
+            failures += accepts("correct: gyro_bias", correct, &flown.nav.gyro_bias[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_dcm: gyro_bias", measure_dcm, &flown.nav.gyro_bias[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: gyro_bias", measure_dcm, &flown.nav.gyro_bias[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: gyro_bias", measure_quaternion,
                               &flown.nav.gyro_bias[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: gyro_bias", measure_quaternion,
+                                &flown.nav.gyro_bias[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: gyro_bias", measure_euler, &flown.nav.gyro_bias[i],
                               low[i], high[i]);
+            failures += accepts("measure_euler: gyro_bias", measure_euler, &flown.nav.gyro_bias[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: gyro_bias", measure_velocity,
                               &flown.nav.gyro_bias[i], low[i], high[i]);
+            failures += accepts("measure_velocity: gyro_bias", measure_velocity,
+                                &flown.nav.gyro_bias[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -1.0005, -1.0005, -1.0005 };
         static const double high[3] = { 1.0005, 1.0005, 1.0005 };
+        static const bs_real end[2][3] = { { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) },
+                                           { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: accel_bias", init, &given_nav.accel_bias[i], low[i], high[i]);
+            failures += accepts("init: accel_bias", init, &given_nav.accel_bias[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: accel_bias", set_nav, &given_nav.accel_bias[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: accel_bias", set_nav, &given_nav.accel_bias[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("propagate: accel_bias", propagate, &flown.nav.accel_bias[i], low[i],
                               high[i]);
+            failures += accepts("propagate: accel_bias", propagate, &flown.nav.accel_bias[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: accel_bias", strapdown, &flown.nav.accel_bias[i], low[i],
                               high[i]);
             failures += spoil("correct: accel_bias", correct, &flown.nav.accel_bias[i], low[i],
                               high[i]);
+            failures += accepts("correct: accel_bias", correct, &flown.nav.accel_bias[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_dcm: accel_bias", measure_dcm, &flown.nav.accel_bias[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: accel_bias", measure_dcm, &flown.nav.accel_bias[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: accel_bias", measure_quaternion,
                               &flown.nav.accel_bias[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: accel_bias", measure_quaternion,
+                                &flown.nav.accel_bias[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: accel_bias", measure_euler, &flown.nav.accel_bias[i],
                               low[i], high[i]);
+            failures += accepts("measure_euler: accel_bias", measure_euler,
+                                &flown.nav.accel_bias[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: accel_bias", measure_velocity,
                               &flown.nav.accel_bias[i], low[i], high[i]);
+            failures += accepts("measure_velocity: accel_bias", measure_velocity,
+                                &flown.nav.accel_bias[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
         static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
+        static const bs_real end[2][4] = { { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                             BS_REAL(-1.001) },
+                                           { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                             BS_REAL(1.001) } };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2m_wxyz", init, &given_nav.q_b2m_wxyz[i], low[i], high[i]);
+            failures += accepts("init: q_b2m_wxyz", init, &given_nav.q_b2m_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("set_nav: q_b2m_wxyz", set_nav, &given_nav.q_b2m_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: q_b2m_wxyz", set_nav, &given_nav.q_b2m_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("propagate: q_b2m_wxyz", propagate, &flown.nav.q_b2m_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("propagate: q_b2m_wxyz", propagate, &flown.nav.q_b2m_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("strapdown: q_b2m_wxyz", strapdown, &flown.nav.q_b2m_wxyz[i], low[i],
                               high[i]);
             failures += spoil("correct: q_b2m_wxyz", correct, &flown.nav.q_b2m_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("correct: q_b2m_wxyz", correct, &flown.nav.q_b2m_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_dcm: q_b2m_wxyz", measure_dcm, &flown.nav.q_b2m_wxyz[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: q_b2m_wxyz", measure_dcm, &flown.nav.q_b2m_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_quaternion: q_b2m_wxyz", measure_quaternion,
                               &flown.nav.q_b2m_wxyz[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: q_b2m_wxyz", measure_quaternion,
+                                &flown.nav.q_b2m_wxyz[i], end[0][i], end[1][i], true);
             failures += spoil("measure_euler: q_b2m_wxyz", measure_euler, &flown.nav.q_b2m_wxyz[i],
                               low[i], high[i]);
+            failures += accepts("measure_euler: q_b2m_wxyz", measure_euler,
+                                &flown.nav.q_b2m_wxyz[i], end[0][i], end[1][i], true);
             failures += spoil("measure_velocity: q_b2m_wxyz", measure_velocity,
                               &flown.nav.q_b2m_wxyz[i], low[i], high[i]);
+            failures += accepts("measure_velocity: q_b2m_wxyz", measure_velocity,
+                                &flown.nav.q_b2m_wxyz[i], end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[1] = { -1.0005 };
         static const double high[1] = { 1.0005 };
+        static const bs_real end[2][1] = { { BS_REAL(-1.0) }, { BS_REAL(1.0) } };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("init: tau", init, &given_nav.tau, low[i], high[i]);
+            failures += accepts("init: tau", init, &given_nav.tau, end[0][i], end[1][i], false);
             failures += spoil("set_nav: tau", set_nav, &given_nav.tau, low[i], high[i]);
+            failures += accepts("set_nav: tau", set_nav, &given_nav.tau, end[0][i], end[1][i],
+                                false);
             failures += spoil("propagate: tau", propagate, &flown.nav.tau, low[i], high[i]);
+            failures += accepts("propagate: tau", propagate, &flown.nav.tau, end[0][i], end[1][i],
+                                false);
             failures += spoil("strapdown: tau", strapdown, &flown.nav.tau, low[i], high[i]);
             failures += spoil("correct: tau", correct, &flown.nav.tau, low[i], high[i]);
+            failures += accepts("correct: tau", correct, &flown.nav.tau, end[0][i], end[1][i],
+                                true);
             failures += spoil("measure_dcm: tau", measure_dcm, &flown.nav.tau, low[i], high[i]);
+            failures += accepts("measure_dcm: tau", measure_dcm, &flown.nav.tau, end[0][i],
+                                end[1][i], false);
             failures += spoil("measure_quaternion: tau", measure_quaternion, &flown.nav.tau, low[i],
                               high[i]);
+            failures += accepts("measure_quaternion: tau", measure_quaternion, &flown.nav.tau,
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_euler: tau", measure_euler, &flown.nav.tau, low[i], high[i]);
+            failures += accepts("measure_euler: tau", measure_euler, &flown.nav.tau, end[0][i],
+                                end[1][i], false);
             failures += spoil("measure_velocity: tau", measure_velocity, &flown.nav.tau, low[i],
                               high[i]);
+            failures += accepts("measure_velocity: tau", measure_velocity, &flown.nav.tau,
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -500.25, -500.25, -500.25 };
         static const double high[3] = { 500.25, 500.25, 500.25 };
+        static const bs_real end[2][3] = { { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) },
+                                           { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
+            failures += accepts("propagate: f_b", propagate, &given_imu.f_b[i], end[0][i],
+                                end[1][i], false);
         }
     }
     {
         static const double low[3] = { -20.01, -20.01, -20.01 };
         static const double high[3] = { 20.01, 20.01, 20.01 };
+        static const bs_real end[2][3] = { { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) },
+                                           { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: omega_ib_b", propagate, &given_imu.omega_ib_b[i], low[i],
                               high[i]);
+            failures += accepts("propagate: omega_ib_b", propagate, &given_imu.omega_ib_b[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_dcm: omega_ib_b", measure_dcm, &given_imu.omega_ib_b[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: omega_ib_b", measure_dcm, &given_imu.omega_ib_b[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: omega_ib_b", measure_quaternion,
                               &given_imu.omega_ib_b[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: omega_ib_b", measure_quaternion,
+                                &given_imu.omega_ib_b[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: omega_ib_b", measure_euler, &given_imu.omega_ib_b[i],
                               low[i], high[i]);
+            failures += accepts("measure_euler: omega_ib_b", measure_euler,
+                                &given_imu.omega_ib_b[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: omega_ib_b", measure_velocity,
                               &given_imu.omega_ib_b[i], low[i], high[i]);
+            failures += accepts("measure_velocity: omega_ib_b", measure_velocity,
+                                &given_imu.omega_ib_b[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[1] = { 9.995e-07 };
         static const double high[1] = { 10.005 };
+        static const bs_real end[2][1] = { { BS_REAL(1e-06) }, { BS_REAL(10.0) } };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
+            failures += accepts("propagate: dt", propagate, &given_imu.dt, end[0][i], end[1][i],
+                                false);
             failures += spoil("strapdown: dt", strapdown, &given_imu.dt, low[i], high[i]);
+            failures += accepts("strapdown: dt", strapdown, &given_imu.dt, end[0][i], end[1][i],
+                                true);
         }
     }
     {
         static const double low[3] = { -0.50025, -0.50025, -0.50025 };
         static const double high[3] = { 0.50025, 0.50025, 0.50025 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) },
+                                           { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dtheta_ib_b", strapdown, &given_increments.dtheta_ib_b[i],
                               low[i], high[i]);
+            failures += accepts("strapdown: dtheta_ib_b", strapdown,
+                                &given_increments.dtheta_ib_b[i], end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[3] = { -100.05, -100.05, -100.05 };
         static const double high[3] = { 100.05, 100.05, 100.05 };
+        static const bs_real end[2][3] = { { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) },
+                                           { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dv_b", strapdown, &given_increments.dv_b[i], low[i],
                               high[i]);
+            failures += accepts("strapdown: dv_b", strapdown, &given_increments.dv_b[i], end[0][i],
+                                end[1][i], true);
         }
     }
     {
         static const double low[3] = { -0.50025, -0.50025, -0.50025 };
         static const double high[3] = { 0.50025, 0.50025, 0.50025 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) },
+                                           { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dtheta_before", strapdown,
                               &given_increments.dtheta_before[i], low[i], high[i]);
+            failures += accepts("strapdown: dtheta_before", strapdown,
+                                &given_increments.dtheta_before[i], end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[3] = { -100.05, -100.05, -100.05 };
         static const double high[3] = { 100.05, 100.05, 100.05 };
+        static const bs_real end[2][3] = { { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) },
+                                           { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dv_before", strapdown, &given_increments.dv_before[i],
                               low[i], high[i]);
+            failures += accepts("strapdown: dv_before", strapdown, &given_increments.dv_before[i],
+                                end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[3] = { -5e-05, -5e-05, -5e-05 };
         static const double high[3] = { 0.10005, 0.10005, 0.10005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i],
                               low[i], high[i]);
+            failures += accepts("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.005, -0.005, -0.005 };
         static const double high[3] = { 10.005, 10.005, 10.005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: accel_noise", propagate, &given_noise.accel_noise[i],
                               low[i], high[i]);
+            failures += accepts("propagate: accel_noise", propagate, &given_noise.accel_noise[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -5e-05, -5e-05, -5e-05 };
         static const double high[3] = { 0.10005, 0.10005, 0.10005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: gyro_bias_noise", propagate,
                               &given_noise.gyro_bias_noise[i], low[i], high[i]);
+            failures += accepts("propagate: gyro_bias_noise", propagate,
+                                &given_noise.gyro_bias_noise[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.005, -0.005, -0.005 };
         static const double high[3] = { 10.005, 10.005, 10.005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: accel_bias_noise", propagate,
                               &given_noise.accel_bias_noise[i], low[i], high[i]);
+            failures += accepts("propagate: accel_bias_noise", propagate,
+                                &given_noise.accel_bias_noise[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -5e-05, -5e-05, -5e-05 };
         static const double high[3] = { 0.10005, 0.10005, 0.10005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: mu_noise", propagate, &given_noise.mu_noise[i], low[i],
                               high[i]);
+            failures += accepts("propagate: mu_noise", propagate, &given_noise.mu_noise[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[1] = { -5e-05 };
         static const double high[1] = { 0.10005 };
+        static const bs_real end[2][1] = { { BS_REAL(0.0) }, { BS_REAL(0.1) } };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("propagate: tau_noise", propagate, &given_noise.tau_noise, low[i],
                               high[i]);
+            failures += accepts("propagate: tau_noise", propagate, &given_noise.tau_noise,
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -100.05, -100.05, -100.05 };
         static const double high[3] = { 100.05, 100.05, 100.05 };
+        static const bs_real end[2][3] = { { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) },
+                                           { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: lever_b", init, &given_mounting.lever_b[i], low[i], high[i]);
+            failures += accepts("init: lever_b", init, &given_mounting.lever_b[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: lever_b", set_nav, &given_mounting.lever_b[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: lever_b", set_nav, &given_mounting.lever_b[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("propagate: lever_b", propagate, &flown.mounting.lever_b[i], low[i],
                               high[i]);
+            failures += accepts("propagate: lever_b", propagate, &flown.mounting.lever_b[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: lever_b", strapdown, &flown.mounting.lever_b[i], low[i],
                               high[i]);
             failures += spoil("correct: lever_b", correct, &flown.mounting.lever_b[i], low[i],
                               high[i]);
+            failures += accepts("correct: lever_b", correct, &flown.mounting.lever_b[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_dcm: lever_b", measure_dcm, &flown.mounting.lever_b[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: lever_b", measure_dcm, &flown.mounting.lever_b[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: lever_b", measure_quaternion,
                               &flown.mounting.lever_b[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: lever_b", measure_quaternion,
+                                &flown.mounting.lever_b[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: lever_b", measure_euler, &flown.mounting.lever_b[i],
                               low[i], high[i]);
+            failures += accepts("measure_euler: lever_b", measure_euler, &flown.mounting.lever_b[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: lever_b", measure_velocity,
                               &flown.mounting.lever_b[i], low[i], high[i]);
+            failures += accepts("measure_velocity: lever_b", measure_velocity,
+                                &flown.mounting.lever_b[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -1000.5, -1000.5, -1000.5 };
         static const double high[3] = { 1000.5, 1000.5, 1000.5 };
+        static const bs_real end[2][3] = { { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) },
+                                           { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_velocity: v_m_n", measure_velocity, &given_master.v_m_n[i],
                               low[i], high[i]);
+            failures += accepts("measure_velocity: v_m_n", measure_velocity, &given_master.v_m_n[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
         static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
+        static const bs_real end[2][4] = { { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                             BS_REAL(-1.001) },
+                                           { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                             BS_REAL(1.001) } };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("measure_dcm: q_m2n_wxyz", measure_dcm, &given_master.q_m2n_wxyz[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: q_m2n_wxyz", measure_dcm, &given_master.q_m2n_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_quaternion: q_m2n_wxyz", measure_quaternion,
                               &given_master.q_m2n_wxyz[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: q_m2n_wxyz", measure_quaternion,
+                                &given_master.q_m2n_wxyz[i], end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[3] = { -3.143163449916588, -1.3969615332962613,
                                        -3.143163449916588 };
         static const double high[3] = { 3.143163449916588, 1.3969615332962613, 3.143163449916588 };
+        static const bs_real end[2][3] = { { BS_REAL(-3.141592653589793),
+                                             BS_REAL(-1.3962634015954636),
+                                             BS_REAL(-3.141592653589793) },
+                                           { BS_REAL(3.141592653589793),
+                                             BS_REAL(1.3962634015954636),
+                                             BS_REAL(3.141592653589793) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_euler: euler_m", measure_euler, &given_master.euler_m[i],
                               low[i], high[i]);
+            failures += accepts("measure_euler: euler_m", measure_euler, &given_master.euler_m[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -500.25, -500.25, -500.25 };
         static const double high[3] = { 500.25, 500.25, 500.25 };
+        static const bs_real end[2][3] = { { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) },
+                                           { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_velocity: a_n", measure_velocity, &given_master.a_n[i],
                               low[i], high[i]);
+            failures += accepts("measure_velocity: a_n", measure_velocity, &given_master.a_n[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[1] = { -1.0005 };
         static const double high[1] = { 1.0005 };
+        static const bs_real end[2][1] = { { BS_REAL(-1.0) }, { BS_REAL(1.0) } };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("measure_dcm: lag", measure_dcm, &given_master.lag, low[i], high[i]);
+            failures += accepts("measure_dcm: lag", measure_dcm, &given_master.lag, end[0][i],
+                                end[1][i], false);
             failures += spoil("measure_quaternion: lag", measure_quaternion, &given_master.lag,
                               low[i], high[i]);
+            failures += accepts("measure_quaternion: lag", measure_quaternion, &given_master.lag,
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_euler: lag", measure_euler, &given_master.lag, low[i],
                               high[i]);
+            failures += accepts("measure_euler: lag", measure_euler, &given_master.lag, end[0][i],
+                                end[1][i], false);
             failures += spoil("measure_velocity: lag", measure_velocity, &given_master.lag, low[i],
                               high[i]);
+            failures += accepts("measure_velocity: lag", measure_velocity, &given_master.lag,
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.10005, -0.10005, -0.10005 };
         static const double high[3] = { 0.10005, 0.10005, 0.10005 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) },
+                                           { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: flexure", init, &given_bending.flexure[i], low[i], high[i]);
+            failures += accepts("init: flexure", init, &given_bending.flexure[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: flexure", set_nav, &given_bending.flexure[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: flexure", set_nav, &given_bending.flexure[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("propagate: flexure", propagate, &flown.bending.flexure[i], low[i],
                               high[i]);
+            failures += accepts("propagate: flexure", propagate, &flown.bending.flexure[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: flexure", strapdown, &flown.bending.flexure[i], low[i],
                               high[i]);
             failures += spoil("correct: flexure", correct, &flown.bending.flexure[i], low[i],
                               high[i]);
+            failures += accepts("correct: flexure", correct, &flown.bending.flexure[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_dcm: flexure", measure_dcm, &flown.bending.flexure[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: flexure", measure_dcm, &flown.bending.flexure[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: flexure", measure_quaternion,
                               &flown.bending.flexure[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: flexure", measure_quaternion,
+                                &flown.bending.flexure[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: flexure", measure_euler, &flown.bending.flexure[i],
                               low[i], high[i]);
+            failures += accepts("measure_euler: flexure", measure_euler, &flown.bending.flexure[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: flexure", measure_velocity,
                               &flown.bending.flexure[i], low[i], high[i]);
+            failures += accepts("measure_velocity: flexure", measure_velocity,
+                                &flown.bending.flexure[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -1.0005, -1.0005, -1.0005 };
         static const double high[3] = { 1.0005, 1.0005, 1.0005 };
+        static const bs_real end[2][3] = { { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) },
+                                           { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: flexure_rate", init, &given_bending.flexure_rate[i], low[i],
                               high[i]);
+            failures += accepts("init: flexure_rate", init, &given_bending.flexure_rate[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("set_nav: flexure_rate", set_nav, &given_bending.flexure_rate[i],
                               low[i], high[i]);
+            failures += accepts("set_nav: flexure_rate", set_nav, &given_bending.flexure_rate[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("propagate: flexure_rate", propagate, &flown.bending.flexure_rate[i],
                               low[i], high[i]);
+            failures += accepts("propagate: flexure_rate", propagate,
+                                &flown.bending.flexure_rate[i], end[0][i], end[1][i], false);
             failures += spoil("strapdown: flexure_rate", strapdown, &flown.bending.flexure_rate[i],
                               low[i], high[i]);
             failures += spoil("correct: flexure_rate", correct, &flown.bending.flexure_rate[i],
                               low[i], high[i]);
+            failures += accepts("correct: flexure_rate", correct, &flown.bending.flexure_rate[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: flexure_rate", measure_dcm,
                               &flown.bending.flexure_rate[i], low[i], high[i]);
+            failures += accepts("measure_dcm: flexure_rate", measure_dcm,
+                                &flown.bending.flexure_rate[i], end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: flexure_rate", measure_quaternion,
                               &flown.bending.flexure_rate[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: flexure_rate", measure_quaternion,
+                                &flown.bending.flexure_rate[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: flexure_rate", measure_euler,
                               &flown.bending.flexure_rate[i], low[i], high[i]);
+            failures += accepts("measure_euler: flexure_rate", measure_euler,
+                                &flown.bending.flexure_rate[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: flexure_rate", measure_velocity,
                               &flown.bending.flexure_rate[i], low[i], high[i]);
+            failures += accepts("measure_velocity: flexure_rate", measure_velocity,
+                                &flown.bending.flexure_rate[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { 0.009995, 0.009995, 0.009995 };
         static const double high[3] = { 100.05, 100.05, 100.05 };
+        static const bs_real end[2][3] = { { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) },
+                                           { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: flexure_omega", init, &given_bending.flexure_omega[i], low[i],
                               high[i]);
+            failures += accepts("init: flexure_omega", init, &given_bending.flexure_omega[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("set_nav: flexure_omega", set_nav, &given_bending.flexure_omega[i],
                               low[i], high[i]);
+            failures += accepts("set_nav: flexure_omega", set_nav, &given_bending.flexure_omega[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("propagate: flexure_omega", propagate,
                               &flown.bending.flexure_omega[i], low[i], high[i]);
+            failures += accepts("propagate: flexure_omega", propagate,
+                                &flown.bending.flexure_omega[i], end[0][i], end[1][i], false);
             failures += spoil("strapdown: flexure_omega", strapdown,
                               &flown.bending.flexure_omega[i], low[i], high[i]);
             failures += spoil("correct: flexure_omega", correct, &flown.bending.flexure_omega[i],
                               low[i], high[i]);
+            failures += accepts("correct: flexure_omega", correct, &flown.bending.flexure_omega[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: flexure_omega", measure_dcm,
                               &flown.bending.flexure_omega[i], low[i], high[i]);
+            failures += accepts("measure_dcm: flexure_omega", measure_dcm,
+                                &flown.bending.flexure_omega[i], end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: flexure_omega", measure_quaternion,
                               &flown.bending.flexure_omega[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: flexure_omega", measure_quaternion,
+                                &flown.bending.flexure_omega[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: flexure_omega", measure_euler,
                               &flown.bending.flexure_omega[i], low[i], high[i]);
+            failures += accepts("measure_euler: flexure_omega", measure_euler,
+                                &flown.bending.flexure_omega[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: flexure_omega", measure_velocity,
                               &flown.bending.flexure_omega[i], low[i], high[i]);
+            failures += accepts("measure_velocity: flexure_omega", measure_velocity,
+                                &flown.bending.flexure_omega[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.005, -0.005, -0.005 };
         static const double high[3] = { 10.005, 10.005, 10.005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: flexure_damping", init, &given_bending.flexure_damping[i],
                               low[i], high[i]);
+            failures += accepts("init: flexure_damping", init, &given_bending.flexure_damping[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("set_nav: flexure_damping", set_nav,
                               &given_bending.flexure_damping[i], low[i], high[i]);
+            failures += accepts("set_nav: flexure_damping", set_nav,
+                                &given_bending.flexure_damping[i], end[0][i], end[1][i], false);
             failures += spoil("propagate: flexure_damping", propagate,
                               &flown.bending.flexure_damping[i], low[i], high[i]);
+            failures += accepts("propagate: flexure_damping", propagate,
+                                &flown.bending.flexure_damping[i], end[0][i], end[1][i], false);
             failures += spoil("strapdown: flexure_damping", strapdown,
                               &flown.bending.flexure_damping[i], low[i], high[i]);
             failures += spoil("correct: flexure_damping", correct,
                               &flown.bending.flexure_damping[i], low[i], high[i]);
+            failures += accepts("correct: flexure_damping", correct,
+                                &flown.bending.flexure_damping[i], end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: flexure_damping", measure_dcm,
                               &flown.bending.flexure_damping[i], low[i], high[i]);
+            failures += accepts("measure_dcm: flexure_damping", measure_dcm,
+                                &flown.bending.flexure_damping[i], end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: flexure_damping", measure_quaternion,
                               &flown.bending.flexure_damping[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: flexure_damping", measure_quaternion,
+                                &flown.bending.flexure_damping[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: flexure_damping", measure_euler,
                               &flown.bending.flexure_damping[i], low[i], high[i]);
+            failures += accepts("measure_euler: flexure_damping", measure_euler,
+                                &flown.bending.flexure_damping[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: flexure_damping", measure_velocity,
                               &flown.bending.flexure_damping[i], low[i], high[i]);
+            failures += accepts("measure_velocity: flexure_damping", measure_velocity,
+                                &flown.bending.flexure_damping[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.5, -0.5, -0.5 };
         static const double high[3] = { 1000.5, 1000.5, 1000.5 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: flexure_noise", init, &given_bending.flexure_noise[i], low[i],
                               high[i]);
+            failures += accepts("init: flexure_noise", init, &given_bending.flexure_noise[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("set_nav: flexure_noise", set_nav, &given_bending.flexure_noise[i],
                               low[i], high[i]);
+            failures += accepts("set_nav: flexure_noise", set_nav, &given_bending.flexure_noise[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("propagate: flexure_noise", propagate,
                               &flown.bending.flexure_noise[i], low[i], high[i]);
+            failures += accepts("propagate: flexure_noise", propagate,
+                                &flown.bending.flexure_noise[i], end[0][i], end[1][i], false);
             failures += spoil("strapdown: flexure_noise", strapdown,
                               &flown.bending.flexure_noise[i], low[i], high[i]);
             failures += spoil("correct: flexure_noise", correct, &flown.bending.flexure_noise[i],
                               low[i], high[i]);
+            failures += accepts("correct: flexure_noise", correct, &flown.bending.flexure_noise[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: flexure_noise", measure_dcm,
                               &flown.bending.flexure_noise[i], low[i], high[i]);
+            failures += accepts("measure_dcm: flexure_noise", measure_dcm,
+                                &flown.bending.flexure_noise[i], end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: flexure_noise", measure_quaternion,
                               &flown.bending.flexure_noise[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: flexure_noise", measure_quaternion,
+                                &flown.bending.flexure_noise[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: flexure_noise", measure_euler,
                               &flown.bending.flexure_noise[i], low[i], high[i]);
+            failures += accepts("measure_euler: flexure_noise", measure_euler,
+                                &flown.bending.flexure_noise[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: flexure_noise", measure_velocity,
                               &flown.bending.flexure_noise[i], low[i], high[i]);
+            failures += accepts("measure_velocity: flexure_noise", measure_velocity,
+                                &flown.bending.flexure_noise[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.10005, -0.10005, -0.10005 };
         static const double high[3] = { 0.10005, 0.10005, 0.10005 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) },
+                                           { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: gyro_scale", init, &given_triads.gyro_scale[i], low[i],
                               high[i]);
+            failures += accepts("init: gyro_scale", init, &given_triads.gyro_scale[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: gyro_scale", set_nav, &given_triads.gyro_scale[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: gyro_scale", set_nav, &given_triads.gyro_scale[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("propagate: gyro_scale", propagate, &flown.triads.gyro_scale[i],
                               low[i], high[i]);
+            failures += accepts("propagate: gyro_scale", propagate, &flown.triads.gyro_scale[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: gyro_scale", strapdown, &flown.triads.gyro_scale[i],
                               low[i], high[i]);
             failures += spoil("correct: gyro_scale", correct, &flown.triads.gyro_scale[i], low[i],
                               high[i]);
+            failures += accepts("correct: gyro_scale", correct, &flown.triads.gyro_scale[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: gyro_scale", measure_dcm, &flown.triads.gyro_scale[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: gyro_scale", measure_dcm, &flown.triads.gyro_scale[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: gyro_scale", measure_quaternion,
                               &flown.triads.gyro_scale[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: gyro_scale", measure_quaternion,
+                                &flown.triads.gyro_scale[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: gyro_scale", measure_euler,
                               &flown.triads.gyro_scale[i], low[i], high[i]);
+            failures += accepts("measure_euler: gyro_scale", measure_euler,
+                                &flown.triads.gyro_scale[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: gyro_scale", measure_velocity,
                               &flown.triads.gyro_scale[i], low[i], high[i]);
+            failures += accepts("measure_velocity: gyro_scale", measure_velocity,
+                                &flown.triads.gyro_scale[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.10005, -0.10005, -0.10005 };
         static const double high[3] = { 0.10005, 0.10005, 0.10005 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) },
+                                           { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: accel_scale", init, &given_triads.accel_scale[i], low[i],
                               high[i]);
+            failures += accepts("init: accel_scale", init, &given_triads.accel_scale[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: accel_scale", set_nav, &given_triads.accel_scale[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: accel_scale", set_nav, &given_triads.accel_scale[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("propagate: accel_scale", propagate, &flown.triads.accel_scale[i],
                               low[i], high[i]);
+            failures += accepts("propagate: accel_scale", propagate, &flown.triads.accel_scale[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: accel_scale", strapdown, &flown.triads.accel_scale[i],
                               low[i], high[i]);
             failures += spoil("correct: accel_scale", correct, &flown.triads.accel_scale[i], low[i],
                               high[i]);
+            failures += accepts("correct: accel_scale", correct, &flown.triads.accel_scale[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: accel_scale", measure_dcm, &flown.triads.accel_scale[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: accel_scale", measure_dcm,
+                                &flown.triads.accel_scale[i], end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: accel_scale", measure_quaternion,
                               &flown.triads.accel_scale[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: accel_scale", measure_quaternion,
+                                &flown.triads.accel_scale[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: accel_scale", measure_euler,
                               &flown.triads.accel_scale[i], low[i], high[i]);
+            failures += accepts("measure_euler: accel_scale", measure_euler,
+                                &flown.triads.accel_scale[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: accel_scale", measure_velocity,
                               &flown.triads.accel_scale[i], low[i], high[i]);
+            failures += accepts("measure_velocity: accel_scale", measure_velocity,
+                                &flown.triads.accel_scale[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[6] = { -0.10005, -0.10005, -0.10005, -0.10005, -0.10005, -0.10005 };
         static const double high[6] = { 0.10005, 0.10005, 0.10005, 0.10005, 0.10005, 0.10005 };
+        static const bs_real end[2][6] = { { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
+                                             BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) },
+                                           { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
+                                             BS_REAL(0.1), BS_REAL(0.1) } };
         for (int i = 0; i < 6; ++i) {
             failures += spoil("init: gyro_axes", init, &given_triads.gyro_axes[i], low[i], high[i]);
+            failures += accepts("init: gyro_axes", init, &given_triads.gyro_axes[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: gyro_axes", set_nav, &given_triads.gyro_axes[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: gyro_axes", set_nav, &given_triads.gyro_axes[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("propagate: gyro_axes", propagate, &flown.triads.gyro_axes[i], low[i],
                               high[i]);
+            failures += accepts("propagate: gyro_axes", propagate, &flown.triads.gyro_axes[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: gyro_axes", strapdown, &flown.triads.gyro_axes[i], low[i],
                               high[i]);
             failures += spoil("correct: gyro_axes", correct, &flown.triads.gyro_axes[i], low[i],
                               high[i]);
+            failures += accepts("correct: gyro_axes", correct, &flown.triads.gyro_axes[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: gyro_axes", measure_dcm, &flown.triads.gyro_axes[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: gyro_axes", measure_dcm, &flown.triads.gyro_axes[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: gyro_axes", measure_quaternion,
                               &flown.triads.gyro_axes[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: gyro_axes", measure_quaternion,
+                                &flown.triads.gyro_axes[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: gyro_axes", measure_euler, &flown.triads.gyro_axes[i],
                               low[i], high[i]);
+            failures += accepts("measure_euler: gyro_axes", measure_euler,
+                                &flown.triads.gyro_axes[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: gyro_axes", measure_velocity,
                               &flown.triads.gyro_axes[i], low[i], high[i]);
+            failures += accepts("measure_velocity: gyro_axes", measure_velocity,
+                                &flown.triads.gyro_axes[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.10005, -0.10005, -0.10005 };
         static const double high[3] = { 0.10005, 0.10005, 0.10005 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) },
+                                           { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: accel_axes", init, &given_triads.accel_axes[i], low[i],
                               high[i]);
+            failures += accepts("init: accel_axes", init, &given_triads.accel_axes[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: accel_axes", set_nav, &given_triads.accel_axes[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: accel_axes", set_nav, &given_triads.accel_axes[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("propagate: accel_axes", propagate, &flown.triads.accel_axes[i],
                               low[i], high[i]);
+            failures += accepts("propagate: accel_axes", propagate, &flown.triads.accel_axes[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: accel_axes", strapdown, &flown.triads.accel_axes[i],
                               low[i], high[i]);
             failures += spoil("correct: accel_axes", correct, &flown.triads.accel_axes[i], low[i],
                               high[i]);
+            failures += accepts("correct: accel_axes", correct, &flown.triads.accel_axes[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: accel_axes", measure_dcm, &flown.triads.accel_axes[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: accel_axes", measure_dcm, &flown.triads.accel_axes[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: accel_axes", measure_quaternion,
                               &flown.triads.accel_axes[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: accel_axes", measure_quaternion,
+                                &flown.triads.accel_axes[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: accel_axes", measure_euler,
                               &flown.triads.accel_axes[i], low[i], high[i]);
+            failures += accepts("measure_euler: accel_axes", measure_euler,
+                                &flown.triads.accel_axes[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: accel_axes", measure_velocity,
                               &flown.triads.accel_axes[i], low[i], high[i]);
+            failures += accepts("measure_velocity: accel_axes", measure_velocity,
+                                &flown.triads.accel_axes[i], end[0][i], end[1][i], false);
         }
     }
     {
@@ -2593,97 +3101,173 @@ static int guards(void)
                                        -0.01746201916620327 };
         static const double high[3] = { 0.01746201916620327, 0.01746201916620327,
                                         0.01746201916620327 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.017453292519943295),
+                                             BS_REAL(-0.017453292519943295),
+                                             BS_REAL(-0.017453292519943295) },
+                                           { BS_REAL(0.017453292519943295),
+                                             BS_REAL(0.017453292519943295),
+                                             BS_REAL(0.017453292519943295) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: gyro_turn_on", init, &given_biases.gyro_turn_on[i], low[i],
                               high[i]);
+            failures += accepts("init: gyro_turn_on", init, &given_biases.gyro_turn_on[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("set_nav: gyro_turn_on", set_nav, &given_biases.gyro_turn_on[i],
                               low[i], high[i]);
+            failures += accepts("set_nav: gyro_turn_on", set_nav, &given_biases.gyro_turn_on[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("propagate: gyro_turn_on", propagate, &flown.biases.gyro_turn_on[i],
                               low[i], high[i]);
+            failures += accepts("propagate: gyro_turn_on", propagate, &flown.biases.gyro_turn_on[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("strapdown: gyro_turn_on", strapdown, &flown.biases.gyro_turn_on[i],
                               low[i], high[i]);
             failures += spoil("correct: gyro_turn_on", correct, &flown.biases.gyro_turn_on[i],
                               low[i], high[i]);
+            failures += accepts("correct: gyro_turn_on", correct, &flown.biases.gyro_turn_on[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: gyro_turn_on", measure_dcm,
                               &flown.biases.gyro_turn_on[i], low[i], high[i]);
+            failures += accepts("measure_dcm: gyro_turn_on", measure_dcm,
+                                &flown.biases.gyro_turn_on[i], end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: gyro_turn_on", measure_quaternion,
                               &flown.biases.gyro_turn_on[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: gyro_turn_on", measure_quaternion,
+                                &flown.biases.gyro_turn_on[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: gyro_turn_on", measure_euler,
                               &flown.biases.gyro_turn_on[i], low[i], high[i]);
+            failures += accepts("measure_euler: gyro_turn_on", measure_euler,
+                                &flown.biases.gyro_turn_on[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: gyro_turn_on", measure_velocity,
                               &flown.biases.gyro_turn_on[i], low[i], high[i]);
+            failures += accepts("measure_velocity: gyro_turn_on", measure_velocity,
+                                &flown.biases.gyro_turn_on[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -1.0005, -1.0005, -1.0005 };
         static const double high[3] = { 1.0005, 1.0005, 1.0005 };
+        static const bs_real end[2][3] = { { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) },
+                                           { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: accel_turn_on", init, &given_biases.accel_turn_on[i], low[i],
                               high[i]);
+            failures += accepts("init: accel_turn_on", init, &given_biases.accel_turn_on[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("set_nav: accel_turn_on", set_nav, &given_biases.accel_turn_on[i],
                               low[i], high[i]);
+            failures += accepts("set_nav: accel_turn_on", set_nav, &given_biases.accel_turn_on[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("propagate: accel_turn_on", propagate, &flown.biases.accel_turn_on[i],
                               low[i], high[i]);
+            failures += accepts("propagate: accel_turn_on", propagate,
+                                &flown.biases.accel_turn_on[i], end[0][i], end[1][i], false);
             failures += spoil("strapdown: accel_turn_on", strapdown, &flown.biases.accel_turn_on[i],
                               low[i], high[i]);
             failures += spoil("correct: accel_turn_on", correct, &flown.biases.accel_turn_on[i],
                               low[i], high[i]);
+            failures += accepts("correct: accel_turn_on", correct, &flown.biases.accel_turn_on[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: accel_turn_on", measure_dcm,
                               &flown.biases.accel_turn_on[i], low[i], high[i]);
+            failures += accepts("measure_dcm: accel_turn_on", measure_dcm,
+                                &flown.biases.accel_turn_on[i], end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: accel_turn_on", measure_quaternion,
                               &flown.biases.accel_turn_on[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: accel_turn_on", measure_quaternion,
+                                &flown.biases.accel_turn_on[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: accel_turn_on", measure_euler,
                               &flown.biases.accel_turn_on[i], low[i], high[i]);
+            failures += accepts("measure_euler: accel_turn_on", measure_euler,
+                                &flown.biases.accel_turn_on[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: accel_turn_on", measure_velocity,
                               &flown.biases.accel_turn_on[i], low[i], high[i]);
+            failures += accepts("measure_velocity: accel_turn_on", measure_velocity,
+                                &flown.biases.accel_turn_on[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.005, -0.005, -0.005 };
         static const double high[3] = { 10.005, 10.005, 10.005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: gyro_bias_beta", init, &given_biases.gyro_bias_beta[i], low[i],
                               high[i]);
+            failures += accepts("init: gyro_bias_beta", init, &given_biases.gyro_bias_beta[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("set_nav: gyro_bias_beta", set_nav, &given_biases.gyro_bias_beta[i],
                               low[i], high[i]);
+            failures += accepts("set_nav: gyro_bias_beta", set_nav, &given_biases.gyro_bias_beta[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("propagate: gyro_bias_beta", propagate,
                               &flown.biases.gyro_bias_beta[i], low[i], high[i]);
+            failures += accepts("propagate: gyro_bias_beta", propagate,
+                                &flown.biases.gyro_bias_beta[i], end[0][i], end[1][i], false);
             failures += spoil("strapdown: gyro_bias_beta", strapdown,
                               &flown.biases.gyro_bias_beta[i], low[i], high[i]);
             failures += spoil("correct: gyro_bias_beta", correct, &flown.biases.gyro_bias_beta[i],
                               low[i], high[i]);
+            failures += accepts("correct: gyro_bias_beta", correct, &flown.biases.gyro_bias_beta[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: gyro_bias_beta", measure_dcm,
                               &flown.biases.gyro_bias_beta[i], low[i], high[i]);
+            failures += accepts("measure_dcm: gyro_bias_beta", measure_dcm,
+                                &flown.biases.gyro_bias_beta[i], end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: gyro_bias_beta", measure_quaternion,
                               &flown.biases.gyro_bias_beta[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: gyro_bias_beta", measure_quaternion,
+                                &flown.biases.gyro_bias_beta[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: gyro_bias_beta", measure_euler,
                               &flown.biases.gyro_bias_beta[i], low[i], high[i]);
+            failures += accepts("measure_euler: gyro_bias_beta", measure_euler,
+                                &flown.biases.gyro_bias_beta[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: gyro_bias_beta", measure_velocity,
                               &flown.biases.gyro_bias_beta[i], low[i], high[i]);
+            failures += accepts("measure_velocity: gyro_bias_beta", measure_velocity,
+                                &flown.biases.gyro_bias_beta[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.005, -0.005, -0.005 };
         static const double high[3] = { 10.005, 10.005, 10.005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: accel_bias_beta", init, &given_biases.accel_bias_beta[i],
                               low[i], high[i]);
+            failures += accepts("init: accel_bias_beta", init, &given_biases.accel_bias_beta[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("set_nav: accel_bias_beta", set_nav, &given_biases.accel_bias_beta[i],
                               low[i], high[i]);
+            failures += accepts("set_nav: accel_bias_beta", set_nav,
+                                &given_biases.accel_bias_beta[i], end[0][i], end[1][i], false);
             failures += spoil("propagate: accel_bias_beta", propagate,
                               &flown.biases.accel_bias_beta[i], low[i], high[i]);
+            failures += accepts("propagate: accel_bias_beta", propagate,
+                                &flown.biases.accel_bias_beta[i], end[0][i], end[1][i], false);
             failures += spoil("strapdown: accel_bias_beta", strapdown,
                               &flown.biases.accel_bias_beta[i], low[i], high[i]);
             failures += spoil("correct: accel_bias_beta", correct, &flown.biases.accel_bias_beta[i],
                               low[i], high[i]);
+            failures += accepts("correct: accel_bias_beta", correct,
+                                &flown.biases.accel_bias_beta[i], end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: accel_bias_beta", measure_dcm,
                               &flown.biases.accel_bias_beta[i], low[i], high[i]);
+            failures += accepts("measure_dcm: accel_bias_beta", measure_dcm,
+                                &flown.biases.accel_bias_beta[i], end[0][i], end[1][i], false);
             failures += spoil("measure_quaternion: accel_bias_beta", measure_quaternion,
                               &flown.biases.accel_bias_beta[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: accel_bias_beta", measure_quaternion,
+                                &flown.biases.accel_bias_beta[i], end[0][i], end[1][i], false);
             failures += spoil("measure_euler: accel_bias_beta", measure_euler,
                               &flown.biases.accel_bias_beta[i], low[i], high[i]);
+            failures += accepts("measure_euler: accel_bias_beta", measure_euler,
+                                &flown.biases.accel_bias_beta[i], end[0][i], end[1][i], false);
             failures += spoil("measure_velocity: accel_bias_beta", measure_velocity,
                               &flown.biases.accel_bias_beta[i], low[i], high[i]);
+            failures += accepts("measure_velocity: accel_bias_beta", measure_velocity,
+                                &flown.biases.accel_bias_beta[i], end[0][i], end[1][i], false);
         }
     }
     failures += spoil("measure_dcm: gate", measure_dcm, &gate, -1e-30, 1e+30 * 1.0005);
@@ -2692,6 +3276,12 @@ static int guards(void)
     }
     iterations = -1;
     failures += refuses("measure_dcm: iterations", measure_dcm, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS + 1;
+    failures += refuses("measure_dcm: iterations", measure_dcm, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS;
+    rows = 0U;
+    failures += expect("measure_dcm: the most iterations", measure_dcm() == BS_OK);
+    rows = BS_ALL_ROWS;
     iterations = 2;
     failures += spoil("measure_dcm: joint gate", measure_dcm, &joint, -1e-30, 1e+30 * 1.0005);
     {
@@ -2744,6 +3334,12 @@ static int guards(void)
     }
     iterations = -1;
     failures += refuses("measure_quaternion: iterations", measure_quaternion, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS + 1;
+    failures += refuses("measure_quaternion: iterations", measure_quaternion, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS;
+    rows = 0U;
+    failures += expect("measure_quaternion: the most iterations", measure_quaternion() == BS_OK);
+    rows = BS_ALL_ROWS;
     iterations = 2;
     failures += spoil("measure_quaternion: joint gate", measure_quaternion, &joint, -1e-30, 1e+30 *
                       1.0005);
@@ -2772,6 +3368,12 @@ static int guards(void)
     }
     iterations = -1;
     failures += refuses("measure_euler: iterations", measure_euler, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS + 1;
+    failures += refuses("measure_euler: iterations", measure_euler, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS;
+    rows = 0U;
+    failures += expect("measure_euler: the most iterations", measure_euler() == BS_OK);
+    rows = BS_ALL_ROWS;
     iterations = 2;
     failures += spoil("measure_euler: joint gate", measure_euler, &joint, -1e-30, 1e+30 * 1.0005);
     {
@@ -2800,6 +3402,12 @@ static int guards(void)
     }
     iterations = -1;
     failures += refuses("measure_velocity: iterations", measure_velocity, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS + 1;
+    failures += refuses("measure_velocity: iterations", measure_velocity, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS;
+    rows = 0U;
+    failures += expect("measure_velocity: the most iterations", measure_velocity() == BS_OK);
+    rows = BS_ALL_ROWS;
     iterations = 2;
     failures += spoil("measure_velocity: joint gate", measure_velocity, &joint, -1e-30, 1e+30 *
                       1.0005);

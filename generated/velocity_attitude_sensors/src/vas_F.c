@@ -146,6 +146,7 @@ bs_status vas_F(const vas_nav *nav,
         for (int i = 0; i < 2116; ++i) {
             F[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 107; ++i) {
             F[F_index[i]] = F_nz[i];
         }

@@ -166,6 +166,7 @@ bs_status vas_Phi(const vas_nav *nav,
         for (int i = 0; i < 2116; ++i) {
             Phi[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 232; ++i) {
             Phi[Phi_index[i]] = Phi_nz[i];
         }

@@ -188,6 +188,7 @@ bs_status vas_Q(const vas_nav *nav,
         for (int i = 0; i < 2116; ++i) {
             Q[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 130; ++i) {
             Q[Q_index[i]] = Q_nz[i];
         }

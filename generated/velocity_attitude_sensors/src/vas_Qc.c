@@ -126,6 +126,7 @@ bs_status vas_Qc(const vas_nav *nav,
         for (int i = 0; i < 2116; ++i) {
             Qc[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 31; ++i) {
             Qc[Qc_index[i]] = Qc_nz[i];
         }

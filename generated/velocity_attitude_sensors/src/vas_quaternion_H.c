@@ -181,6 +181,7 @@ bs_status vas_quaternion_H(const bs_real x[VAS_N_STATES],
         for (int i = 0; i < 138; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 75; ++i) {
             H[H_index[i]] = H_nz[i];
         }

@@ -137,6 +137,7 @@ bs_status vas_velocity_H(const vas_nav *nav,
         for (int i = 0; i < 138; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 78; ++i) {
             H[H_index[i]] = H_nz[i];
         }

@@ -18,7 +18,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "a6aa4e0d5ab9bf485a36373d215ecad5e6eaf57f85c2f1bfb73b51d63f3ad472"
+#define VD_MODEL_HASH "00d7d73aab617ea9fb3e0a862e9abb0da4299b12513e7e51a5d5b2fe984be966"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1

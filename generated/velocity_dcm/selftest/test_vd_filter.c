@@ -709,23 +709,81 @@ static int spoil(const char *what,
     return failures;
 }
 
-/* At either end of its box a number is taken.  What the function made of it is put back. */
+/* At either end of its box a number is taken; or, if it may leave one, with the other errors or
+ * their opposites, or else it does from just inside too.  What the function made of it is put
+ * back. */
 static int accepts(const char *what,
                    bs_status (*function)(void),
                    bs_real *value,
                    bs_real low,
-                   bs_real high)
+                   bs_real high,
+                   bool may_leave)
 {
     const bs_real good = *value;
     int failures = 0;
-    before = flown;
     for (int end = 0; end < 2; ++end) {
-        *value = (end == 0) ? low : high;
-        failures += expect(what, bs_good(function()));
+        const bs_real at = (end == 0) ? low : high;
+        const bool outward = (end == 0) ? (at < BS_REAL(0.0)) : (at > BS_REAL(0.0));
+        bs_status status;
+        before = flown;
+        *value = at;
+        status = function();
+        flown = before;
+        if (may_leave && (status == BS_OUT_OF_RANGE)) {
+            *value = at;
+            for (int i = 0; i < N; ++i) {
+                flown.x[i] = (&flown.x[i] == value) ? flown.x[i] : -flown.x[i];
+            }
+            status = function();
+            flown = before;
+        }
+        if (may_leave && (status == BS_OUT_OF_RANGE)) {
+            *value = at * (outward ? BS_REAL(0.9985) : BS_REAL(1.0015));
+            failures += expect(what, !bs_good(function()));
+            flown = before;
+        } else {
+            failures += expect(what, bs_good(status));
+        }
+        *value = good;
         flown = before;
     }
     *value = good;
     return failures;
+}
+
+/* Whether an error is taken that is as large as `at`, from one of three places that it leads away
+ * from. */
+static bool corrects(int i, double at)
+{
+    static const double before_it[3] = { 0.0, 0.5, 0.95 };
+    bool good = false;
+    for (int k = 0; (k < 3) && !good; ++k) {
+        (void)begin();
+        flown.x[i] = (bs_real)(-before_it[k] * at);
+        (void)correct();
+        flown.x[i] = (bs_real)at;
+        good = (correct() == BS_OK);
+    }
+    return good;
+}
+
+/* The checksum of a snapshot by its definition: the rest of its bits, each byte's least first, by
+ * x^32 + x^26 + x^23 + ... + 1. */
+static void seal(void)
+{
+    const int size = VD_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM;
+    unsigned long rest = 0xFFFFFFFFUL;
+    for (int i = 0; i < (8 * size); ++i) {
+        const unsigned long bit = ((unsigned long)bytes[i / 8] >> (unsigned int)(i % 8)) & 1UL;
+        const unsigned long top = (rest >> 31U) & 1UL;
+        rest = ((rest << 1U) & 0xFFFFFFFFUL) ^ ((top != bit) ? 0x04C11DB7UL : 0UL);
+    }
+    for (int i = 0; i < 32; ++i) { /* turned round, and each bit inverted */
+        unsigned char *const byte = &bytes[size + (i / 8)];
+        const unsigned int mask = 1U << (unsigned int)(i % 8);
+        const bool set = ((rest >> (31U - (unsigned int)i)) & 1UL) == 0UL;
+        *byte = (unsigned char)(set ? (*byte | mask) : (*byte & ~mask));
+    }
 }
 
 static int limits(void)
@@ -736,12 +794,12 @@ static int limits(void)
                                         BS_REAL(-500.0) };
         static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802),
                                          BS_REAL(30000.0) };
-        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i]);
+        failures += accepts("init: position", init, &given_nav.position[i], low[i], high[i], false);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
         static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+        failures += accepts("init: v_n", init, &given_nav.v_n[i], low[i], high[i], false);
     }
     for (int i = 0; i < 4; ++i) {
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
@@ -749,9 +807,9 @@ static int limits(void)
             given_nav.q_b2n_wxyz[j] = BS_REAL(0.0);
         }
         failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i],
-                            BS_REAL(-0.999), BS_REAL(0.999));
+                            BS_REAL(-0.999), BS_REAL(0.999), false);
         failures += accepts("init: q_b2n_wxyz, norm", init, &given_nav.q_b2n_wxyz[i],
-                            BS_REAL(-1.001), BS_REAL(1.001));
+                            BS_REAL(-1.001), BS_REAL(1.001), false);
 #endif
     }
     for (int end = 0; end < 2; ++end) {
@@ -765,30 +823,33 @@ static int limits(void)
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
         static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
-        failures += accepts("init: mu", init, &given_nav.mu[i], low[i], high[i]);
+        failures += accepts("init: mu", init, &given_nav.mu[i], low[i], high[i], false);
     }
     for (int i = 0; i < 1; ++i) {
         static const bs_real low[1] = { BS_REAL(-1.0) };
         static const bs_real high[1] = { BS_REAL(1.0) };
-        failures += accepts("init: tau", init, &given_nav.tau, low[i], high[i]);
+        failures += accepts("init: tau", init, &given_nav.tau, low[i], high[i], false);
     }
-    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0));
+    failures += accepts("propagate: dt", propagate, &given_imu.dt, BS_REAL(1e-06), BS_REAL(10.0),
+                        false);
     rows = 0U;
     failures += accepts("measure_velocity: gate", measure_velocity, &gate, BS_REAL(0.0),
-                        BS_REAL(1e+30));
+                        BS_REAL(1e+30), false);
     for (int i = 0; i < 3; ++i) {
         failures += accepts("measure_velocity: R", measure_velocity, &R[i], BS_REAL(1e-30),
-                            BS_REAL(1e+30));
+                            BS_REAL(1e+30), false);
     }
-    failures += accepts("measure_dcm: gate", measure_dcm, &gate, BS_REAL(0.0), BS_REAL(1e+30));
+    failures += accepts("measure_dcm: gate", measure_dcm, &gate, BS_REAL(0.0), BS_REAL(1e+30),
+                        false);
     for (int i = 0; i < 3; ++i) {
-        failures += accepts("measure_dcm: R", measure_dcm, &R[i], BS_REAL(1e-30), BS_REAL(1e+30));
+        failures += accepts("measure_dcm: R", measure_dcm, &R[i], BS_REAL(1e-30), BS_REAL(1e+30),
+                            false);
     }
     failures += accepts("measure_dcm_exact: gate", measure_dcm_exact, &gate, BS_REAL(0.0),
-                        BS_REAL(1e+30));
+                        BS_REAL(1e+30), false);
     for (int i = 0; i < 3; ++i) {
         failures += accepts("measure_dcm_exact: R", measure_dcm_exact, &R[i], BS_REAL(1e-30),
-                            BS_REAL(1e+30));
+                            BS_REAL(1e+30), false);
     }
     rows = BS_ALL_ROWS;
     for (int i = 0; i < (2 * N); ++i) { /* the first iteration may lead x out of its box: then the
@@ -842,17 +903,22 @@ static int kept(void)
                        (memcmp(bytes, again, sizeof(bytes)) == 0));
     failures += expect("restore: the rest", (flown.rejected[0] == 7U) && (flown.ceilings == 3U) &&
                        (flown.considered[N - 1] == 1U) && (flown.considering == 1U));
-    /* its head, and its first number as NaN */
-    for (int i = 0; i < (BS_SNAPSHOT_HEAD + (int)sizeof(bs_real)); ++i) {
+    seal();
+    failures += expect("checksum", memcmp(bytes, again, sizeof(bytes)) == 0);
+    for (int i = 0; i < VD_SNAPSHOT_SIZE; ++i) { /* any byte on its way; a head that is another's,
+                                                  * however sealed; then its first number as NaN */
         memcpy(again, bytes, sizeof(bytes));
-        bytes[i] ^= 1U;
-        if (i >= BS_SNAPSHOT_HEAD) {
-            memset(&bytes[BS_SNAPSHOT_HEAD], 0xff, sizeof(bs_real));
+        bytes[i] ^= (unsigned char)(1U << (unsigned int)(i % 8));
+        failures += refuses("restore: changed on its way", restore, BS_OUT_OF_RANGE);
+        if (i < BS_SNAPSHOT_HEAD) {
+            seal();
+            failures += refuses("restore: of another", restore, BS_OUT_OF_RANGE);
         }
-        failures += refuses("restore", restore, (i < BS_SNAPSHOT_HEAD) ? BS_OUT_OF_RANGE
-                            : BS_NOT_FINITE);
         memcpy(bytes, again, sizeof(bytes));
     }
+    memset(&bytes[BS_SNAPSHOT_HEAD], 0xff, sizeof(bs_real));
+    seal();
+    failures += refuses("restore: NaN", restore, BS_NOT_FINITE);
     memset(considered, 0, sizeof(considered));
     /* beginnings */
     memset(dense, 0, sizeof(dense));
@@ -885,9 +951,9 @@ static int kept(void)
     for (int i = 0; i < N; ++i) {
         const bs_real root = BS_SQRT(ceiling[i]);
         sigmas[0] = BS_SQRT(P0[0]);
-        sigmas[i] = BS_REAL(1.01) * root;
+        sigmas[i] = BS_REAL(1.0002) * root;
         failures += refuses("init_sigmas: ceiling", init_sigmas, BS_OUT_OF_RANGE);
-        sigmas[i] = BS_REAL(0.99) * root;
+        sigmas[i] = BS_REAL(0.9998) * root;
         failures += expect("init_sigmas: below the ceiling", init_sigmas() == BS_OK);
         sigmas[i] = BS_SQRT(P0[i * (N + 1)]);
         failures += expect("init_sigmas", init_sigmas() == BS_OK);
@@ -1161,6 +1227,17 @@ static int kept(void)
         static const double x_low[N] = { -100.0, -100.0, -100.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
                                          -1.0 };
         static const double x_high[N] = { 100.0, 100.0, 100.0, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 1.0 };
+        static const double low[N] = { -100.05, -100.05, -100.05, -0.50025, -0.50025, -0.50025,
+                                       -0.50025, -0.50025, -0.50025, -1.0005 };
+        static const double high[N] = { 100.05, 100.05, 100.05, 0.50025, 0.50025, 0.50025, 0.50025,
+                                        0.50025, 0.50025, 1.0005 };
+        failures += begin();
+        failures += spoil("correct: x", correct, &flown.x[i], low[i], high[i]);
+        for (int end = 0; end < 2; ++end) {
+            const double at = (end == 0) ? x_low[i] : x_high[i];
+            failures += expect("correct: x at its end", corrects(i, at) ||
+                               !corrects(i, 0.998 * at));
+        }
         for (int end = 0; end < 2; ++end) {
             failures += begin();
             flown.x[i] = (bs_real)(0.999 * ((end == 0) ? x_low[i] : x_high[i]));
@@ -1180,190 +1257,325 @@ static int guards(void)
     {
         static const double low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
+        static const bs_real end[2][3] = { { BS_REAL(-6.283185307179586),
+                                             BS_REAL(-1.4835298641951802), BS_REAL(-500.0) },
+                                           { BS_REAL(6.283185307179586),
+                                             BS_REAL(1.4835298641951802), BS_REAL(30000.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
+            failures += accepts("init: position", init, &given_nav.position[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: position", set_nav, &given_nav.position[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
                               high[i]);
+            failures += accepts("propagate: position", propagate, &flown.nav.position[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
                               high[i]);
             failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
                               high[i]);
+            failures += accepts("correct: position", correct, &flown.nav.position[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_velocity: position", measure_velocity,
                               &flown.nav.position[i], low[i], high[i]);
+            failures += accepts("measure_velocity: position", measure_velocity,
+                                &flown.nav.position[i], end[0][i], end[1][i], false);
             failures += spoil("measure_dcm: position", measure_dcm, &flown.nav.position[i], low[i],
                               high[i]);
+            failures += accepts("measure_dcm: position", measure_dcm, &flown.nav.position[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_dcm_exact: position", measure_dcm_exact,
                               &flown.nav.position[i], low[i], high[i]);
+            failures += accepts("measure_dcm_exact: position", measure_dcm_exact,
+                                &flown.nav.position[i], end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -1000.5, -1000.5, -1000.5 };
         static const double high[3] = { 1000.5, 1000.5, 1000.5 };
+        static const bs_real end[2][3] = { { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) },
+                                           { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: v_n", init, &given_nav.v_n[i], low[i], high[i]);
+            failures += accepts("init: v_n", init, &given_nav.v_n[i], end[0][i], end[1][i], false);
             failures += spoil("set_nav: v_n", set_nav, &given_nav.v_n[i], low[i], high[i]);
+            failures += accepts("set_nav: v_n", set_nav, &given_nav.v_n[i], end[0][i], end[1][i],
+                                false);
             failures += spoil("propagate: v_n", propagate, &flown.nav.v_n[i], low[i], high[i]);
+            failures += accepts("propagate: v_n", propagate, &flown.nav.v_n[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("strapdown: v_n", strapdown, &flown.nav.v_n[i], low[i], high[i]);
             failures += spoil("correct: v_n", correct, &flown.nav.v_n[i], low[i], high[i]);
+            failures += accepts("correct: v_n", correct, &flown.nav.v_n[i], end[0][i], end[1][i],
+                                true);
             failures += spoil("measure_velocity: v_n", measure_velocity, &flown.nav.v_n[i], low[i],
                               high[i]);
+            failures += accepts("measure_velocity: v_n", measure_velocity, &flown.nav.v_n[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_dcm: v_n", measure_dcm, &flown.nav.v_n[i], low[i], high[i]);
+            failures += accepts("measure_dcm: v_n", measure_dcm, &flown.nav.v_n[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("measure_dcm_exact: v_n", measure_dcm_exact, &flown.nav.v_n[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm_exact: v_n", measure_dcm_exact, &flown.nav.v_n[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
         static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
+        static const bs_real end[2][4] = { { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                             BS_REAL(-1.001) },
+                                           { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                             BS_REAL(1.001) } };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], low[i], high[i]);
+            failures += accepts("init: q_b2n_wxyz", init, &given_nav.q_b2n_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("set_nav: q_b2n_wxyz", set_nav, &given_nav.q_b2n_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("propagate: q_b2n_wxyz", propagate, &flown.nav.q_b2n_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("strapdown: q_b2n_wxyz", strapdown, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
             failures += spoil("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], low[i],
                               high[i]);
+            failures += accepts("correct: q_b2n_wxyz", correct, &flown.nav.q_b2n_wxyz[i], end[0][i],
+                                end[1][i], true);
             failures += spoil("measure_velocity: q_b2n_wxyz", measure_velocity,
                               &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
+            failures += accepts("measure_velocity: q_b2n_wxyz", measure_velocity,
+                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i], true);
             failures += spoil("measure_dcm: q_b2n_wxyz", measure_dcm, &flown.nav.q_b2n_wxyz[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: q_b2n_wxyz", measure_dcm, &flown.nav.q_b2n_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm_exact: q_b2n_wxyz", measure_dcm_exact,
                               &flown.nav.q_b2n_wxyz[i], low[i], high[i]);
+            failures += accepts("measure_dcm_exact: q_b2n_wxyz", measure_dcm_exact,
+                                &flown.nav.q_b2n_wxyz[i], end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[3] = { -0.50025, -0.50025, -0.50025 };
         static const double high[3] = { 0.50025, 0.50025, 0.50025 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) },
+                                           { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("init: mu", init, &given_nav.mu[i], low[i], high[i]);
+            failures += accepts("init: mu", init, &given_nav.mu[i], end[0][i], end[1][i], false);
             failures += spoil("set_nav: mu", set_nav, &given_nav.mu[i], low[i], high[i]);
+            failures += accepts("set_nav: mu", set_nav, &given_nav.mu[i], end[0][i], end[1][i],
+                                false);
             failures += spoil("propagate: mu", propagate, &flown.nav.mu[i], low[i], high[i]);
+            failures += accepts("propagate: mu", propagate, &flown.nav.mu[i], end[0][i], end[1][i],
+                                false);
             failures += spoil("strapdown: mu", strapdown, &flown.nav.mu[i], low[i], high[i]);
             failures += spoil("correct: mu", correct, &flown.nav.mu[i], low[i], high[i]);
+            failures += accepts("correct: mu", correct, &flown.nav.mu[i], end[0][i], end[1][i],
+                                true);
             failures += spoil("measure_velocity: mu", measure_velocity, &flown.nav.mu[i], low[i],
                               high[i]);
+            failures += accepts("measure_velocity: mu", measure_velocity, &flown.nav.mu[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_dcm: mu", measure_dcm, &flown.nav.mu[i], low[i], high[i]);
+            failures += accepts("measure_dcm: mu", measure_dcm, &flown.nav.mu[i], end[0][i],
+                                end[1][i], false);
             failures += spoil("measure_dcm_exact: mu", measure_dcm_exact, &flown.nav.mu[i], low[i],
                               high[i]);
+            failures += accepts("measure_dcm_exact: mu", measure_dcm_exact, &flown.nav.mu[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[1] = { -1.0005 };
         static const double high[1] = { 1.0005 };
+        static const bs_real end[2][1] = { { BS_REAL(-1.0) }, { BS_REAL(1.0) } };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("init: tau", init, &given_nav.tau, low[i], high[i]);
+            failures += accepts("init: tau", init, &given_nav.tau, end[0][i], end[1][i], false);
             failures += spoil("set_nav: tau", set_nav, &given_nav.tau, low[i], high[i]);
+            failures += accepts("set_nav: tau", set_nav, &given_nav.tau, end[0][i], end[1][i],
+                                false);
             failures += spoil("propagate: tau", propagate, &flown.nav.tau, low[i], high[i]);
+            failures += accepts("propagate: tau", propagate, &flown.nav.tau, end[0][i], end[1][i],
+                                false);
             failures += spoil("strapdown: tau", strapdown, &flown.nav.tau, low[i], high[i]);
             failures += spoil("correct: tau", correct, &flown.nav.tau, low[i], high[i]);
+            failures += accepts("correct: tau", correct, &flown.nav.tau, end[0][i], end[1][i],
+                                true);
             failures += spoil("measure_velocity: tau", measure_velocity, &flown.nav.tau, low[i],
                               high[i]);
+            failures += accepts("measure_velocity: tau", measure_velocity, &flown.nav.tau,
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_dcm: tau", measure_dcm, &flown.nav.tau, low[i], high[i]);
+            failures += accepts("measure_dcm: tau", measure_dcm, &flown.nav.tau, end[0][i],
+                                end[1][i], false);
             failures += spoil("measure_dcm_exact: tau", measure_dcm_exact, &flown.nav.tau, low[i],
                               high[i]);
+            failures += accepts("measure_dcm_exact: tau", measure_dcm_exact, &flown.nav.tau,
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -500.25, -500.25, -500.25 };
         static const double high[3] = { 500.25, 500.25, 500.25 };
+        static const bs_real end[2][3] = { { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) },
+                                           { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
+            failures += accepts("propagate: f_b", propagate, &given_imu.f_b[i], end[0][i],
+                                end[1][i], false);
         }
     }
     {
         static const double low[1] = { 9.995e-07 };
         static const double high[1] = { 10.005 };
+        static const bs_real end[2][1] = { { BS_REAL(1e-06) }, { BS_REAL(10.0) } };
         for (int i = 0; i < 1; ++i) {
             failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
+            failures += accepts("propagate: dt", propagate, &given_imu.dt, end[0][i], end[1][i],
+                                false);
             failures += spoil("strapdown: dt", strapdown, &given_imu.dt, low[i], high[i]);
+            failures += accepts("strapdown: dt", strapdown, &given_imu.dt, end[0][i], end[1][i],
+                                true);
         }
     }
     {
         static const double low[3] = { -0.50025, -0.50025, -0.50025 };
         static const double high[3] = { 0.50025, 0.50025, 0.50025 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) },
+                                           { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dtheta_ib_b", strapdown, &given_increments.dtheta_ib_b[i],
                               low[i], high[i]);
+            failures += accepts("strapdown: dtheta_ib_b", strapdown,
+                                &given_increments.dtheta_ib_b[i], end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[3] = { -100.05, -100.05, -100.05 };
         static const double high[3] = { 100.05, 100.05, 100.05 };
+        static const bs_real end[2][3] = { { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) },
+                                           { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dv_b", strapdown, &given_increments.dv_b[i], low[i],
                               high[i]);
+            failures += accepts("strapdown: dv_b", strapdown, &given_increments.dv_b[i], end[0][i],
+                                end[1][i], true);
         }
     }
     {
         static const double low[3] = { -0.50025, -0.50025, -0.50025 };
         static const double high[3] = { 0.50025, 0.50025, 0.50025 };
+        static const bs_real end[2][3] = { { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) },
+                                           { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dtheta_before", strapdown,
                               &given_increments.dtheta_before[i], low[i], high[i]);
+            failures += accepts("strapdown: dtheta_before", strapdown,
+                                &given_increments.dtheta_before[i], end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[3] = { -100.05, -100.05, -100.05 };
         static const double high[3] = { 100.05, 100.05, 100.05 };
+        static const bs_real end[2][3] = { { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) },
+                                           { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("strapdown: dv_before", strapdown, &given_increments.dv_before[i],
                               low[i], high[i]);
+            failures += accepts("strapdown: dv_before", strapdown, &given_increments.dv_before[i],
+                                end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[3] = { -5e-05, -5e-05, -5e-05 };
         static const double high[3] = { 0.10005, 0.10005, 0.10005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i],
                               low[i], high[i]);
+            failures += accepts("propagate: gyro_noise", propagate, &given_noise.gyro_noise[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -0.005, -0.005, -0.005 };
         static const double high[3] = { 10.005, 10.005, 10.005 };
+        static const bs_real end[2][3] = { { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+                                           { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("propagate: accel_noise", propagate, &given_noise.accel_noise[i],
                               low[i], high[i]);
+            failures += accepts("propagate: accel_noise", propagate, &given_noise.accel_noise[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -1000.5, -1000.5, -1000.5 };
         static const double high[3] = { 1000.5, 1000.5, 1000.5 };
+        static const bs_real end[2][3] = { { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) },
+                                           { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_velocity: v_m_n", measure_velocity, &given_master.v_m_n[i],
                               low[i], high[i]);
+            failures += accepts("measure_velocity: v_m_n", measure_velocity, &given_master.v_m_n[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[4] = { -1.0015005, -1.0015005, -1.0015005, -1.0015005 };
         static const double high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
+        static const bs_real end[2][4] = { { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                             BS_REAL(-1.001) },
+                                           { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                             BS_REAL(1.001) } };
         for (int i = 0; i < 4; ++i) {
             failures += spoil("measure_dcm: q_m2n_wxyz", measure_dcm, &given_master.q_m2n_wxyz[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: q_m2n_wxyz", measure_dcm, &given_master.q_m2n_wxyz[i],
+                                end[0][i], end[1][i], true);
             failures += spoil("measure_dcm_exact: q_m2n_wxyz", measure_dcm_exact,
                               &given_master.q_m2n_wxyz[i], low[i], high[i]);
+            failures += accepts("measure_dcm_exact: q_m2n_wxyz", measure_dcm_exact,
+                                &given_master.q_m2n_wxyz[i], end[0][i], end[1][i], true);
         }
     }
     {
         static const double low[3] = { -500.25, -500.25, -500.25 };
         static const double high[3] = { 500.25, 500.25, 500.25 };
+        static const bs_real end[2][3] = { { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) },
+                                           { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_velocity: a_n", measure_velocity, &given_master.a_n[i],
                               low[i], high[i]);
+            failures += accepts("measure_velocity: a_n", measure_velocity, &given_master.a_n[i],
+                                end[0][i], end[1][i], false);
         }
     }
     {
         static const double low[3] = { -20.01, -20.01, -20.01 };
         static const double high[3] = { 20.01, 20.01, 20.01 };
+        static const bs_real end[2][3] = { { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) },
+                                           { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_dcm: omega_nm_n", measure_dcm, &given_master.omega_nm_n[i],
                               low[i], high[i]);
+            failures += accepts("measure_dcm: omega_nm_n", measure_dcm, &given_master.omega_nm_n[i],
+                                end[0][i], end[1][i], false);
             failures += spoil("measure_dcm_exact: omega_nm_n", measure_dcm_exact,
                               &given_master.omega_nm_n[i], low[i], high[i]);
+            failures += accepts("measure_dcm_exact: omega_nm_n", measure_dcm_exact,
+                                &given_master.omega_nm_n[i], end[0][i], end[1][i], false);
         }
     }
     failures += spoil("measure_velocity: gate", measure_velocity, &gate, -1e-30, 1e+30 * 1.0005);
@@ -1373,6 +1585,12 @@ static int guards(void)
     }
     iterations = -1;
     failures += refuses("measure_velocity: iterations", measure_velocity, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS + 1;
+    failures += refuses("measure_velocity: iterations", measure_velocity, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS;
+    rows = 0U;
+    failures += expect("measure_velocity: the most iterations", measure_velocity() == BS_OK);
+    rows = BS_ALL_ROWS;
     iterations = 2;
     failures += spoil("measure_velocity: joint gate", measure_velocity, &joint, -1e-30, 1e+30 *
                       1.0005);
@@ -1398,6 +1616,12 @@ static int guards(void)
     }
     iterations = -1;
     failures += refuses("measure_dcm: iterations", measure_dcm, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS + 1;
+    failures += refuses("measure_dcm: iterations", measure_dcm, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS;
+    rows = 0U;
+    failures += expect("measure_dcm: the most iterations", measure_dcm() == BS_OK);
+    rows = BS_ALL_ROWS;
     iterations = 2;
     failures += spoil("measure_dcm: joint gate", measure_dcm, &joint, -1e-30, 1e+30 * 1.0005);
     {
@@ -1429,6 +1653,12 @@ static int guards(void)
     }
     iterations = -1;
     failures += refuses("measure_dcm_exact: iterations", measure_dcm_exact, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS + 1;
+    failures += refuses("measure_dcm_exact: iterations", measure_dcm_exact, BS_OUT_OF_RANGE);
+    iterations = BS_MOST_ITERATIONS;
+    rows = 0U;
+    failures += expect("measure_dcm_exact: the most iterations", measure_dcm_exact() == BS_OK);
+    rows = BS_ALL_ROWS;
     iterations = 2;
     failures += spoil("measure_dcm_exact: joint gate", measure_dcm_exact, &joint, -1e-30, 1e+30 *
                       1.0005);

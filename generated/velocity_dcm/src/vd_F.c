@@ -68,6 +68,7 @@ bs_status vd_F(const vd_nav *nav, const vd_imu *imu, bs_real F[10 * VD_N_STATES]
         for (int i = 0; i < 100; ++i) {
             F[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 18; ++i) {
             F[F_index[i]] = F_nz[i];
         }

@@ -76,6 +76,7 @@ bs_status vd_Phi(const vd_nav *nav, const vd_imu *imu, bs_real Phi[10 * VD_N_STA
         for (int i = 0; i < 100; ++i) {
             Phi[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 31; ++i) {
             Phi[Phi_index[i]] = Phi_nz[i];
         }

@@ -95,6 +95,7 @@ bs_status vd_Q(const vd_nav *nav,
         for (int i = 0; i < 100; ++i) {
             Q[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 36; ++i) {
             Q[Q_index[i]] = Q_nz[i];
         }

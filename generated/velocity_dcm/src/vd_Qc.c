@@ -60,6 +60,7 @@ bs_status vd_Qc(const vd_nav *nav, const vd_noise *noise, bs_real Qc[10 * VD_N_S
         for (int i = 0; i < 100; ++i) {
             Qc[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 18; ++i) {
             Qc[Qc_index[i]] = Qc_nz[i];
         }

@@ -51,6 +51,30 @@ static void clear(bs_real *value, int n)
     }
 }
 
+#ifdef BORESIGHT_ROWS
+/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
+ * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
+ * a finite number. */
+#define WIDE 12 /* N in whole blocks */
+#define DEEP 8 /* M in whole blocks */
+static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
+                                                      * instruction */
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
+ * blocks. */
+static const unsigned short whole[N][WIDE] = {
+    { 0, 1, 3, 6, 10, 15, 21, 28, 36, 45, 0, 0 },
+    { 1, 2, 4, 7, 11, 16, 22, 29, 37, 46, 0, 0 },
+    { 3, 4, 5, 8, 12, 17, 23, 30, 38, 47, 0, 0 },
+    { 6, 7, 8, 9, 13, 18, 24, 31, 39, 48, 0, 0 },
+    { 10, 11, 12, 13, 14, 19, 25, 32, 40, 49, 0, 0 },
+    { 15, 16, 17, 18, 19, 20, 26, 33, 41, 50, 0, 0 },
+    { 21, 22, 23, 24, 25, 26, 27, 34, 42, 51, 0, 0 },
+    { 28, 29, 30, 31, 32, 33, 34, 35, 43, 52, 0, 0 },
+    { 36, 37, 38, 39, 40, 41, 42, 43, 44, 53, 0, 0 },
+    { 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 0, 0 }
+};
+#endif
+
 /* The rows of A X that move, row i of them from to[i * stride] on.  Of X the first `inner` rows
  * count, or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3
  * x 5 sums stay in registers. */
@@ -66,7 +90,7 @@ static void product(const bs_real *A,
             const bs_real *const a = &A[i * ROW];
             const bs_real *const x = &X[j];
             bs_real *const out = &to[(i * stride) + j];
-            const int end = (triangular && ((j + 5) < inner)) ? (j + 5) : inner;
+            int end = inner;
             bs_real s00 = BS_REAL(0.0);
             bs_real s01 = BS_REAL(0.0);
             bs_real s02 = BS_REAL(0.0);
@@ -82,6 +106,9 @@ static void product(const bs_real *A,
             bs_real s22 = BS_REAL(0.0);
             bs_real s23 = BS_REAL(0.0);
             bs_real s24 = BS_REAL(0.0);
+            if (triangular && ((j + 5) < inner)) {
+                end = j + 5;
+            }
             for (int k = 0; k < end; ++k) {
                 const bs_real a0 = a[k];
                 const bs_real a1 = a[ROW + k];
@@ -211,7 +238,7 @@ static bool factorize(bs_real *UD, const bs_real *variance, int n)
 }
 
 /* The diagonal of a packed matrix. */
-static void diagonal(const bs_real *packed, bs_real *value)
+static void variances(const bs_real *packed, bs_real *value)
 {
     for (int j = 0; j < N; ++j) {
         value[j] = packed[column(j) + j];
@@ -249,8 +276,10 @@ void vd_discretize(const bs_real F[VD_N_F],
                    bs_real Q[VD_N_PACKED],
                    bs_real work[VD_N_WORK])
 {
+#ifndef BORESIGHT_ROWS
     static const unsigned short F_place[VD_N_F] = { 1, 2, 4, 5, 10, 12, 13, 15, 20, 21, 23, 24, 34,
                                                     35, 43, 45, 53, 54 };
+#endif
     /* of Qc the upper triangle: which of its numbers, and their place in Q; first those whose row
      * moves */
     static const unsigned short from[12] = { 0, 1, 2, 4, 5, 8, 9, 10, 11, 13, 14, 17 };
@@ -259,11 +288,107 @@ void vd_discretize(const bs_real F[VD_N_F],
      * these */
     static const unsigned short coupled[6] = { 5, 4, 3, 2, 1, 0 };
     static const unsigned short reach[6] = { 3, 3, 3, 0, 0, 0 };
+    bs_real w[N];
+    const bs_real share = BS_REAL(0.75) * dt;
+#ifdef BORESIGHT_ROWS
+    bs_real A[M][WIDE];
+    bs_real B[WIDE][DEEP]; /* transposed, as T is */
+    bs_real T[WIDE][DEEP];
+    bs_real sum[WIDE];
+    (void)work;
+    for (int i = 0; i < M; ++i) {
+        for (int j = 0; j < WIDE; ++j) {
+            A[i][j] = zeros[j];
+        }
+    }
+    A[0][1] = F[0] * dt;
+    A[0][2] = F[1] * dt;
+    A[0][4] = F[2] * dt;
+    A[0][5] = F[3] * dt;
+    A[1][0] = F[4] * dt;
+    A[1][2] = F[5] * dt;
+    A[1][3] = F[6] * dt;
+    A[1][5] = F[7] * dt;
+    A[2][0] = F[8] * dt;
+    A[2][1] = F[9] * dt;
+    A[2][3] = F[10] * dt;
+    A[2][4] = F[11] * dt;
+    A[3][4] = F[12] * dt;
+    A[3][5] = F[13] * dt;
+    A[4][3] = F[14] * dt;
+    A[4][5] = F[15] * dt;
+    A[5][3] = F[16] * dt;
+    A[5][4] = F[17] * dt;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < DEEP; ++i) {
+            B[j][i] = BS_REAL(0.0);
+        }
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]) +
+            (A[0][4] * A[4][j]) + (A[0][5] * A[5][j]);
+        sum[j] = A[0][j] + (BS_REAL(0.5) * twice);
+        B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[0 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[1][0] * A[0][j]) + (A[1][2] * A[2][j]) +
+            (A[1][3] * A[3][j]) + (A[1][5] * A[5][j]);
+        sum[j] = A[1][j] + (BS_REAL(0.5) * twice);
+        B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[10 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[2][0] * A[0][j]) + (A[2][1] * A[1][j]) +
+            (A[2][3] * A[3][j]) + (A[2][4] * A[4][j]);
+        sum[j] = A[2][j] + (BS_REAL(0.5) * twice);
+        B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[20 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[3][4] * A[4][j]) + (A[3][5] * A[5][j]);
+        sum[j] = A[3][j] + (BS_REAL(0.5) * twice);
+        B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[30 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[4][3] * A[3][j]) + (A[4][5] * A[5][j]);
+        sum[j] = A[4][j] + (BS_REAL(0.5) * twice);
+        B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[40 + j] = sum[j];
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        const bs_real twice = BS_REAL(0.0) + (A[5][3] * A[3][j]) + (A[5][4] * A[4][j]);
+        sum[j] = A[5][j] + (BS_REAL(0.5) * twice);
+        B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
+    }
+    for (int j = 0; j < N; ++j) {
+        Phi[50 + j] = sum[j];
+    }
+    for (int i = 0; i < M; ++i) {
+        Phi[i * (ROW + 1)] += BS_REAL(1.0);
+        B[i][i] += BS_REAL(1.0);
+    }
+#else
     bs_real *const B = work;
     bs_real *const T = &work[REGION];
     bs_real *const square = &T[DOWN * ROW];
-    bs_real w[N];
-    const bs_real share = BS_REAL(0.75) * dt;
     clear(Phi, VD_N_PHI);
     for (int p = 0; p < VD_N_F; ++p) {
         Phi[F_place[p]] = F[p] * dt; /* A */
@@ -279,13 +404,14 @@ void vd_discretize(const bs_real F[VD_N_F],
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
         B[i * (ROW + 1)] += BS_REAL(1.0);
     }
+#endif
     /* Q = S S' / 4 + 3/4 B S S' B', B = I + 2/3 A + 2/9 A^2.  Of 3/4 S S' = U W U', U stands in Q
      * until it is used, and B becomes B U column after column. */
     clear(Q, VD_N_PACKED);
     for (int p = 0; p < 12; ++p) {
         Q[place[p]] = Qc[from[p]] * share;
     }
-    diagonal(Q, w);
+    variances(Q, w);
     for (int p = 0; p < 6; ++p) {
         const int k = (int)coupled[p];
         bs_real *const u = &Q[column(k)];
@@ -298,15 +424,78 @@ void vd_discretize(const bs_real F[VD_N_F],
                 }
                 w[l] -= u[l] * gain;
                 u[l] = gain;
+#ifdef BORESIGHT_ROWS
+                for (int i = 0; i < DEEP; ++i) {
+                    B[k][i] += B[l][i] * gain;
+                }
+#else
                 for (int i = 0; i < M; ++i) {
                     B[(i * ROW) + k] += B[(i * ROW) + l] * gain;
                 }
+#endif
             }
         } else { /* rounding: the others have it all */
             clear(&u[reach[p]], k - (int)reach[p]);
             w[k] = BS_REAL(0.0);
         }
     }
+#ifdef BORESIGHT_ROWS
+    for (int k = 0; k < N; ++k) { /* columns before meet no noise */
+        for (int i = 0; i < DEEP; ++i) {
+            T[k][i] = B[k][i] * w[k];
+        }
+    }
+    for (int j = M; j < N; ++j) { /* B has rows of a unit matrix here */
+        for (int i = 0; i < M; ++i) {
+            Q[column(j) + i] = T[j][i];
+        }
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][0]) + (T[1][i] * B[1][0]) + (T[2][i] * B[2][0]) +
+            (T[3][i] * B[3][0]) + (T[4][i] * B[4][0]) + (T[5][i] * B[5][0]);
+    }
+    for (int i = 0; i < 1; ++i) {
+        Q[0 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][1]) + (T[1][i] * B[1][1]) + (T[2][i] * B[2][1]) +
+            (T[3][i] * B[3][1]) + (T[4][i] * B[4][1]) + (T[5][i] * B[5][1]);
+    }
+    for (int i = 0; i < 2; ++i) {
+        Q[1 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][2]) + (T[1][i] * B[1][2]) + (T[2][i] * B[2][2]) +
+            (T[3][i] * B[3][2]) + (T[4][i] * B[4][2]) + (T[5][i] * B[5][2]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        Q[3 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][3]) + (T[4][i] * B[4][3]) + (T[5][i] * B[5][3]);
+    }
+    for (int i = 0; i < 4; ++i) {
+        Q[6 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][4]) + (T[4][i] * B[4][4]) + (T[5][i] * B[5][4]);
+    }
+    for (int i = 0; i < 5; ++i) {
+        Q[10 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][5]) + (T[4][i] * B[4][5]) + (T[5][i] * B[5][5]);
+    }
+    for (int i = 0; i < 6; ++i) {
+        Q[15 + i] = sum[i];
+    }
+#else
     for (int i = 0; i < DOWN; ++i) {
         for (int k = 0; k < N; ++k) {
             T[(i * ROW) + k] = B[(i * ROW) + k] * w[k];
@@ -323,6 +512,7 @@ void vd_discretize(const bs_real F[VD_N_F],
             Q[column(j) + i] = square[(j * DOWN) + i];
         }
     }
+#endif
     for (int p = 0; p < 12; ++p) {
         Q[place[p]] += (BS_REAL(0.25) * dt) * Qc[from[p]];
     }
@@ -343,7 +533,7 @@ void vd_predict_state(const bs_real Phi[VD_N_PHI], bs_real x[VD_N_STATES])
 }
 
 /* The factors of a dense covariance, into work. */
-static bs_status judge(const bs_real *dense, bs_real *work)
+static bs_status judge_dense(const bs_real *dense, bs_real *work)
 {
     bs_real variance[N];
     bool positive = true;
@@ -361,7 +551,7 @@ static bs_status judge(const bs_real *dense, bs_real *work)
             work[column(j) + i] = dense[(i * N) + j];
         }
     }
-    diagonal(work, variance);
+    variances(work, variance);
     positive = factorize(work, variance, N) && positive;
     if (!positive) {
         return BS_NOT_POSITIVE;
@@ -373,7 +563,7 @@ bs_status vd_ud_init(const bs_real dense[VD_N_STATES * VD_N_STATES],
                      bs_real UD[VD_N_PACKED],
                      bs_real work[VD_N_WORK])
 {
-    const bs_status status = judge(dense, work);
+    const bs_status status = judge_dense(dense, work);
     if (status == BS_OK) {
         for (int i = 0; i < VD_N_PACKED; ++i) {
             UD[i] = work[i];
@@ -386,7 +576,7 @@ bs_status vd_joseph_init(const bs_real dense[VD_N_STATES * VD_N_STATES],
                          bs_real P[VD_N_PACKED],
                          bs_real work[VD_N_WORK])
 {
-    const bs_status status = judge(dense, work); /* judged by its factors, kept as it is */
+    const bs_status status = judge_dense(dense, work); /* judged by its factors, kept as it is */
     if (status == BS_OK) {
         for (int j = 0; j < N; ++j) {
             for (int i = 0; i <= j; ++i) {
@@ -397,6 +587,152 @@ bs_status vd_joseph_init(const bs_real dense[VD_N_STATES * VD_N_STATES],
     return status;
 }
 
+#ifdef BORESIGHT_ROWS
+void vd_joseph_predict(const bs_real P[VD_N_PACKED],
+                       const bs_real Phi[VD_N_PHI],
+                       const bs_real Q[VD_N_PACKED],
+                       bs_real next[VD_N_PACKED],
+                       bs_real work[VD_N_WORK])
+{
+    bs_real X[N][WIDE] = {
+        { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[1], P[2], P[4], P[7], P[11], P[16], P[22], P[29], P[37], P[46], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[3], P[4], P[5], P[8], P[12], P[17], P[23], P[30], P[38], P[47], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[6], P[7], P[8], P[9], P[13], P[18], P[24], P[31], P[39], P[48], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[10], P[11], P[12], P[13], P[14], P[19], P[25], P[32], P[40], P[49], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[15], P[16], P[17], P[18], P[19], P[20], P[26], P[33], P[41], P[50], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[21], P[22], P[23], P[24], P[25], P[26], P[27], P[34], P[42], P[51], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[28], P[29], P[30], P[31], P[32], P[33], P[34], P[35], P[43], P[52], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[36], P[37], P[38], P[39], P[40], P[41], P[42], P[43], P[44], P[53], BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { P[45], P[46], P[47], P[48], P[49], P[50], P[51], P[52], P[53], P[54], BS_REAL(0.0),
+          BS_REAL(0.0) }
+    };
+    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
+    bs_real sum[WIDE];
+    (void)work;
+    for (int j = 0; j < N; ++j) {
+        for (int i = M; i < WIDE; ++i) {
+            Y[j][i] = X[j][i];
+        }
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]) +
+            (Phi[3] * X[3][j]) + (Phi[4] * X[4][j]) + (Phi[5] * X[5][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][1] = BS_REAL(0.0) + (Phi[10] * X[0][j]) + (Phi[11] * X[1][j]) + (Phi[12] * X[2][j]) +
+            (Phi[13] * X[3][j]) + (Phi[14] * X[4][j]) + (Phi[15] * X[5][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][2] = BS_REAL(0.0) + (Phi[20] * X[0][j]) + (Phi[21] * X[1][j]) + (Phi[22] * X[2][j]) +
+            (Phi[23] * X[3][j]) + (Phi[24] * X[4][j]) + (Phi[25] * X[5][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][3] = BS_REAL(0.0) + (Phi[33] * X[3][j]) + (Phi[34] * X[4][j]) + (Phi[35] * X[5][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][4] = BS_REAL(0.0) + (Phi[43] * X[3][j]) + (Phi[44] * X[4][j]) + (Phi[45] * X[5][j]);
+    }
+    BS_ROLLED
+    for (int j = 0; j < WIDE; ++j) {
+        Y[j][5] = BS_REAL(0.0) + (Phi[53] * X[3][j]) + (Phi[54] * X[4][j]) + (Phi[55] * X[5][j]);
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i]) +
+                  (Phi[3] * Y[3][i]) + (Phi[4] * Y[4][i]) + (Phi[5] * Y[5][i])) + Q[0 + i];
+    }
+    for (int i = 0; i < 1; ++i) {
+        next[0 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[10] * Y[0][i]) + (Phi[11] * Y[1][i]) + (Phi[12] * Y[2][i]) +
+                  (Phi[13] * Y[3][i]) + (Phi[14] * Y[4][i]) + (Phi[15] * Y[5][i])) + Q[1 + i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        next[1 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[20] * Y[0][i]) + (Phi[21] * Y[1][i]) + (Phi[22] * Y[2][i]) +
+                  (Phi[23] * Y[3][i]) + (Phi[24] * Y[4][i]) + (Phi[25] * Y[5][i])) + Q[3 + i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        next[3 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 4; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[33] * Y[3][i]) + (Phi[34] * Y[4][i]) + (Phi[35] * Y[5][i])) +
+            Q[6 + i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        next[6 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[43] * Y[3][i]) + (Phi[44] * Y[4][i]) + (Phi[45] * Y[5][i])) +
+            Q[10 + i];
+    }
+    for (int i = 0; i < 5; ++i) {
+        next[10 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = (BS_REAL(0.0) + (Phi[53] * Y[3][i]) + (Phi[54] * Y[4][i]) + (Phi[55] * Y[5][i])) +
+            Q[15 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        next[15 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[6][i] + Q[21 + i];
+    }
+    for (int i = 0; i < 7; ++i) {
+        next[21 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[7][i] + Q[28 + i];
+    }
+    for (int i = 0; i < 8; ++i) {
+        next[28 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 12; ++i) {
+        sum[i] = Y[8][i] + Q[36 + i];
+    }
+    for (int i = 0; i < 9; ++i) {
+        next[36 + i] = sum[i];
+    }
+    BS_ROLLED
+    for (int i = 0; i < 8; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    BS_ROLLED
+    for (int i = 8; i < 10; ++i) {
+        sum[i] = Y[9][i] + Q[45 + i];
+    }
+    for (int i = 0; i < 10; ++i) {
+        next[45 + i] = sum[i];
+    }
+}
+#else
 void vd_joseph_predict(const bs_real P[VD_N_PACKED],
                        const bs_real Phi[VD_N_PHI],
                        const bs_real Q[VD_N_PACKED],
@@ -428,6 +764,7 @@ void vd_joseph_predict(const bs_real P[VD_N_PACKED],
         }
     }
 }
+#endif
 
 void vd_ud_predict(const bs_real UD[VD_N_PACKED],
                    const bs_real Phi[VD_N_PHI],
@@ -438,10 +775,12 @@ void vd_ud_predict(const bs_real UD[VD_N_PACKED],
     bs_real *const X = work;
     bs_real *const V = &work[REGION];
     bs_real weight[M + N]; /* of the columns of V */
-    for (int i = 0; (i < VD_N_PACKED) && (next != Q); ++i) {
-        next[i] = Q[i];
+    if (next != Q) {
+        for (int i = 0; i < VD_N_PACKED; ++i) {
+            next[i] = Q[i];
+        }
     }
-    diagonal(next, weight);
+    variances(next, weight);
     /* The columns of the states that stay: what they take from all others in rows that move, once
      * and for all of them. */
     for (int j = N - 1; j >= M; --j) {
@@ -597,10 +936,35 @@ void vd_ud_predict(const bs_real UD[VD_N_PACKED],
 
 bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_row *row)
 {
-    bs_real g[N]; /* P h */
-    bs_real K[N];
     bs_real nu = row->z;
     bs_real S = row->R;
+#ifdef BORESIGHT_ROWS
+    bs_real g[WIDE]; /* P h */
+    bs_real K[WIDE];
+    bs_real lines[N][WIDE]; /* of P, where h is not zero */
+    bs_real sums[N + 1][WIDE]; /* with one more of them each */
+    for (int p = 0; p < row->count; ++p) {
+        const unsigned short *const at = whole[row->at[p]];
+        nu -= row->h[p] * x[row->at[p]];
+        for (int i = 0; i < WIDE; ++i) {
+            lines[p][i] = P[at[i]];
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        sums[0][i] = zeros[i];
+    }
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        for (int i = 0; i < WIDE; ++i) {
+            sums[p + 1][i] = sums[p][i] + (h * lines[p][i]);
+        }
+    }
+    for (int i = 0; i < WIDE; ++i) {
+        g[i] = sums[row->count][i];
+    }
+#else
+    bs_real g[N]; /* P h */
+    bs_real K[N];
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -613,6 +977,7 @@ bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_ro
             g[i] += h * P[column(i) + k];
         }
     }
+#endif
     for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
@@ -627,7 +992,102 @@ bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_ro
     }
     if (row->used != 0) {
         const bs_real inverse = BS_REAL(1.0) / S;
-        bs_real b[N]; /* A h, of the rounded A = P - K g' */
+#ifdef BORESIGHT_ROWS
+        const bs_real R = row->R;
+        bs_real b[WIDE]; /* as below */
+        bs_real next[WIDE];
+        for (int i = 0; i < WIDE; ++i) {
+            K[i] = g[i] * inverse;
+        }
+        for (int i = 0; i < N; ++i) {
+            x[i] += K[i] * nu;
+        }
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            for (int i = 0; i < WIDE; ++i) {
+                sums[p + 1][i] = sums[p][i] + (h * (lines[p][i] - (K[i] * of_g)));
+            }
+        }
+        for (int i = 0; i < WIDE; ++i) {
+            b[i] = sums[row->count][i] - (R * K[i]);
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
+        }
+        for (int i = 0; i < 1; ++i) {
+            P[0 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
+        }
+        for (int i = 0; i < 2; ++i) {
+            P[1 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
+        }
+        for (int i = 0; i < 3; ++i) {
+            P[3 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 4; ++i) {
+            next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
+        }
+        for (int i = 0; i < 4; ++i) {
+            P[6 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
+        }
+        for (int i = 0; i < 5; ++i) {
+            P[10 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
+        }
+        for (int i = 0; i < 6; ++i) {
+            P[15 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
+        }
+        for (int i = 0; i < 7; ++i) {
+            P[21 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
+        }
+        for (int i = 0; i < 8; ++i) {
+            P[28 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 12; ++i) {
+            next[i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
+        }
+        for (int i = 0; i < 9; ++i) {
+            P[36 + i] = next[i];
+        }
+        BS_ROLLED
+        for (int i = 0; i < 8; ++i) {
+            next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
+        }
+        BS_ROLLED
+        for (int i = 8; i < 10; ++i) {
+            next[i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
+        }
+        for (int i = 0; i < 10; ++i) {
+            P[45 + i] = next[i];
+        }
+#else
+        bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
             x[i] += K[i] * nu;
@@ -637,15 +1097,17 @@ bs_status vd_joseph_update(bs_real P[VD_N_PACKED], bs_real x[VD_N_STATES], bs_ro
                 const bs_real of_P = (i < k) ? P[column(k) + i] : P[column(i) + k];
                 b[i] += row->h[p] * (of_P - (K[i] * g[k]));
             }
+            b[i] -= row->R * K[i];
         }
         /* (I - K h') P (I - K h')' + K R K' as two products, A - b K': multiplied out at once it
          * would lose as much as (I - K h') P does where a good measurement meets a coarse start. */
         for (int j = 0; j < N; ++j) {
             bs_real *const p = &P[column(j)];
             for (int i = 0; i <= j; ++i) {
-                p[i] = ((p[i] - (K[i] * g[j])) - (b[i] * K[j])) + (row->R * (K[i] * K[j]));
+                p[i] = (p[i] - (K[i] * g[j])) - (b[i] * K[j]);
             }
         }
+#endif
         for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }

@@ -92,6 +92,7 @@ bs_status vd_dcm_exact_H(const bs_real x[VD_N_STATES],
         for (int i = 0; i < 30; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 21; ++i) {
             H[H_index[i]] = H_nz[i];
         }

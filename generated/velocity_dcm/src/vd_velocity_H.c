@@ -43,6 +43,7 @@ bs_status vd_velocity_H(const vd_master *master, bs_real H[3 * VD_N_STATES])
         for (int i = 0; i < 30; ++i) {
             H[i] = BS_REAL(0.0);
         }
+        BS_UNROLLED
         for (int i = 0; i < 6; ++i) {
             H[H_index[i]] = H_nz[i];
         }
