@@ -24,7 +24,7 @@ ALIGNED = 64  # bytes: the widest block of numbers that C reads at once
 class Given(ctypes.Structure):
     """bs_given of boresight_lanes.h."""
 
-    _fields_ = [("at", ctypes.c_void_p), ("stride", ctypes.c_size_t), ("step", ctypes.c_size_t)]
+    _fields_ = [("at", ctypes.c_void_p), ("stride", ctypes.c_size_t), ("step", ctypes.c_ssize_t)]
 
 
 class Taking(ctypes.Structure):

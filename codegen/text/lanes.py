@@ -3,7 +3,7 @@
 from typing import Any
 
 from boresight.codegen.functions.units import Unit
-from boresight.codegen.text.covariance import Places, coupled, even, movers, nonzeros, reach  # noqa: F401
+from boresight.codegen.text.covariance import coupled, even, movers, nonzeros, reach
 from boresight.codegen.text.names import number
 from boresight.derive.model import Model, Variable
 
@@ -83,7 +83,6 @@ def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: d
             view["measurements"][u["name"]] = {
                 **taken, "z": kernel(f"{u['name']}_z", taken, ["z"]) if u["z"] else None,
                 "H": kernel(f"{u['name']}_H", taken, ["H"]),
-                "angles": [int(u["angles"][:-1]) >> i & 1 for i in range(u["m"])],
             }  # fmt: skip
     sparse = discretized(model, made) if model.order == 2 else None
     if sparse:

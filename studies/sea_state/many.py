@@ -242,7 +242,7 @@ def deliver(epoch: Epoch, samples: Array, first: int) -> None:
     """
     structs = epoch.loop.described["strapdown"]["structs"]
     given = epoch.strapdown.given[structs.index("increments")]
-    given.at, given.stride, given.step = samples[0, first].ctypes.data, samples[0].size, 2**64 - 6
+    given.at, given.stride, given.step = samples[0, first].ctypes.data, samples[0].size, -6
 
 
 def moving(

@@ -1946,7 +1946,7 @@ size_t ah_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *
             bs_given given[2];
             for (int i = 0; i < 2; ++i) {
                 given[i] = epoch->strapdown[i];
-                given[i].at += s * given[i].step;
+                given[i].at += (ptrdiff_t)s * given[i].step;
             }
             strapdown_block(one, &runs, given);
         }

@@ -39,7 +39,7 @@ typedef long long bs_bits __attribute__((vector_size(8 * BORESIGHT_LANES)));
 typedef struct {
     const double *at;
     size_t stride;
-    size_t step;
+    ptrdiff_t step; /* a negative one goes back in time */
 } bs_given;
 
 /* How a measurement is taken, and where its innovation goes: nu, S and used have a number for each
