@@ -304,6 +304,7 @@ def scattered(places: Places) -> dict[str, Any]:
 def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, Any]:
     """Points at which every unit answers, and which function of the filter reads what, for its self-test."""
     points = answered_by_all(model, made)
+    carry = carried_far(model, made, points)
     structs, spoilt, start = [], [], 0
     for s in model.structs:
         fields, offset = [], 0
@@ -323,7 +324,8 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
                     "name": a.name, "size": a.size, "functions": readers, "low": beyond(a)[0], "high": beyond(a)[1],
                     "ends": [", ".join(map(number, end)) for end in (a.low, a.high)],
                     "carried": own,  # from such an end a strapdown moves beyond it
-                    "leaves": a.norm is not None,  # the ends of a component may not be those of the norm
+                    # the ends of a component may not be those of the norm
+                    "leaves": a.norm is not None or a.name in carry,
                 }
             )  # fmt: skip
         rows = np.hstack(points[start : start + len(s.fields)])
@@ -369,6 +371,37 @@ def inside(model: Model) -> list[float]:
     """A state of zero, or where its box leaves that out, the middle of that."""
     bounds = [pair for block in model.states for pair in zip(block.low, block.high, strict=True)]
     return [0.0 if lo <= 0.0 <= hi else (lo + hi) / 2 for lo, hi in bounds]
+
+
+def carried_far(model: Model, made: list[Unit], points: list[np.ndarray]) -> set[str]:
+    """The inputs from an end of whose box the self-test's first measurement may carry x to a tenth of its ceilings."""
+    units, start = {unit.name: unit for unit in made}, np.array(inside(model))
+    sigma = np.array([(hi - lo) * 1e-4 for v in model.states for lo, hi in zip(v.low, v.high, strict=True)])
+    P, most = np.outer(sigma, sigma) * (0.25 + 0.75 * np.eye(model.n)), np.sqrt(ceilings(model))
+    found = set()
+    for m in model.measurements:
+        parts = [units[name] for part in "zhH" if (name := f"{m.name}_{part}") in units]
+        for a in model.inputs:
+            if not any(arg.name == a.name for unit in parts for arg in unit.args):
+                continue
+            for i, end in ((j, e) for j in range(a.size) for e in (a.low[j], a.high[j])):
+                at = {v.name: point[:1].copy() for v, point in zip(model.inputs, points, strict=True)}
+                at[a.name][0, i] = end
+                at["x"] = start[None]
+                nu, H = np.zeros(len(m.rows)), np.zeros((len(m.rows), model.n))
+                for unit in parts:
+                    results, _ = evaluate(unit.tape, [at[arg.name] for arg in unit.args])
+                    for (output, nz, _), value in zip(unit.tape.results, results, strict=True):
+                        row, column = unit.results[output].nonzeros[nz]
+                        if unit.name.endswith("_H"):
+                            H[row, column] = value[0]
+                        else:
+                            nu[row] += abs(value[0])
+                S = np.einsum("ij,jk,ik->i", H, P, H) + 1.0
+                far = abs(P @ H.T) @ (nu / S)
+                if not (far <= 0.1 * most).all():
+                    found.add(a.name)
+    return found
 
 
 def answered_by_all(model: Model, made: list[Unit]) -> list[np.ndarray]:
