@@ -1626,10 +1626,7 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
     ah_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = ah_filter_strapdown(&filter,
-                               (const ah_imu *)(const void *)&given[0].at[run * given[0].stride],
-                               (const ah_increments *)(const void *)&given[1].at[run *
-                                                                                 given[1].stride]);
+    said = ah_filter_strapdown(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1657,9 +1654,7 @@ static __attribute__((noinline)) void propagate_alone(block *b,
     ah_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = ah_filter_propagate(&filter,
-                               (const ah_imu *)(const void *)&given[0].at[run * given[0].stride],
-                               (const ah_noise *)(const void *)&given[1].at[run * given[1].stride]);
+    said = ah_filter_propagate(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1725,7 +1720,7 @@ static __attribute__((noinline)) void measure_zupt_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = ah_filter_measure_zupt(&filter, &given[0].at[run * given[0].stride], &how, &innovation);
+    said = ah_filter_measure_zupt(&filter, bs_of(&given[0], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -1770,9 +1765,8 @@ static __attribute__((noinline)) void measure_azimuth_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = ah_filter_measure_azimuth(&filter,
-                                     (const ah_reference *)(const void *)&given[0].at[run *
-                                                                                      given[0].stride], &given[1].at[run * given[1].stride], &how, &innovation);
+    said = ah_filter_measure_azimuth(&filter, bs_of(&given[0], run), bs_of(&given[1], run), &how,
+                                     &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 1U; ++k) {
@@ -1817,9 +1811,8 @@ static __attribute__((noinline)) void measure_zaru_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = ah_filter_measure_zaru(&filter,
-                                  (const ah_imu *)(const void *)&given[0].at[run * given[0].stride],
-                                  &given[1].at[run * given[1].stride], &how, &innovation);
+    said = ah_filter_measure_zaru(&filter, bs_of(&given[0], run), bs_of(&given[1], run), &how,
+                                  &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {

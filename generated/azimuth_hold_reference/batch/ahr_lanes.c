@@ -1635,10 +1635,7 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
     ahr_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = ahr_filter_strapdown(&filter,
-                                (const ahr_imu *)(const void *)&given[0].at[run * given[0].stride],
-                                (const ahr_increments *)(const void *)&given[1].at[run *
-                                                                                   given[1].stride]);
+    said = ahr_filter_strapdown(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1666,10 +1663,7 @@ static __attribute__((noinline)) void propagate_alone(block *b,
     ahr_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = ahr_filter_propagate(&filter,
-                                (const ahr_imu *)(const void *)&given[0].at[run * given[0].stride],
-                                (const ahr_noise *)(const void *)&given[1].at[run *
-                                                                              given[1].stride]);
+    said = ahr_filter_propagate(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1735,7 +1729,7 @@ static __attribute__((noinline)) void measure_zupt_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = ahr_filter_measure_zupt(&filter, &given[0].at[run * given[0].stride], &how, &innovation);
+    said = ahr_filter_measure_zupt(&filter, bs_of(&given[0], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -1780,10 +1774,8 @@ static __attribute__((noinline)) void measure_zaru_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = ahr_filter_measure_zaru(&filter,
-                                   (const ahr_imu *)(const void *)&given[0].at[run *
-                                                                               given[0].stride],
-                                   &given[1].at[run * given[1].stride], &how, &innovation);
+    said = ahr_filter_measure_zaru(&filter, bs_of(&given[0], run), bs_of(&given[1], run), &how,
+                                   &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -1828,8 +1820,7 @@ static __attribute__((noinline)) void measure_azimuth_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = ahr_filter_measure_azimuth(&filter, &given[0].at[run * given[0].stride], &how,
-                                      &innovation);
+    said = ahr_filter_measure_azimuth(&filter, bs_of(&given[0], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 1U; ++k) {

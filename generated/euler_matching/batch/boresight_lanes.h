@@ -42,6 +42,12 @@ typedef struct {
     ptrdiff_t step; /* a negative one goes back in time */
 } bs_given;
 
+/* What a run is given: its numbers, or the struct that they fill. */
+static inline const void *bs_of(const bs_given *given, size_t run)
+{
+    return &given->at[run * given->stride];
+}
+
 /* How a measurement is taken, and where its innovation goes: nu, S and used have a number for each
  * row of each run. */
 typedef struct {

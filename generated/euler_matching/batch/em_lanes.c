@@ -730,8 +730,7 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
     em_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = em_filter_strapdown(&filter,
-                               (const em_step *)(const void *)&given[0].at[run * given[0].stride]);
+    said = em_filter_strapdown(&filter, bs_of(&given[0], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -759,9 +758,7 @@ static __attribute__((noinline)) void propagate_alone(block *b,
     em_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = em_filter_propagate(&filter,
-                               (const em_step *)(const void *)&given[0].at[run * given[0].stride],
-                               (const em_noise *)(const void *)&given[1].at[run * given[1].stride]);
+    said = em_filter_propagate(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -827,10 +824,8 @@ static __attribute__((noinline)) void measure_euler_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = em_filter_measure_euler(&filter,
-                                   (const em_angles *)(const void *)&given[0].at[run *
-                                                                                 given[0].stride],
-                                   &given[1].at[run * given[1].stride], &how, &innovation);
+    said = em_filter_measure_euler(&filter, bs_of(&given[0], run), bs_of(&given[1], run), &how,
+                                   &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -875,9 +870,8 @@ static __attribute__((noinline)) void measure_euler_exact_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = em_filter_measure_euler_exact(&filter,
-                                         (const em_angles *)(const void *)&given[0].at[run *
-                                                                                       given[0].stride], &given[1].at[run * given[1].stride], &how, &innovation);
+    said = em_filter_measure_euler_exact(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                         &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {

@@ -1404,10 +1404,7 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
     va_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = va_filter_strapdown(&filter,
-                               (const va_imu *)(const void *)&given[0].at[run * given[0].stride],
-                               (const va_increments *)(const void *)&given[1].at[run *
-                                                                                 given[1].stride]);
+    said = va_filter_strapdown(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1435,9 +1432,7 @@ static __attribute__((noinline)) void propagate_alone(block *b,
     va_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = va_filter_propagate(&filter,
-                               (const va_imu *)(const void *)&given[0].at[run * given[0].stride],
-                               (const va_noise *)(const void *)&given[1].at[run * given[1].stride]);
+    said = va_filter_propagate(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1503,11 +1498,9 @@ static __attribute__((noinline)) void measure_velocity_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = va_filter_measure_velocity(&filter,
-                                      (const va_imu *)(const void *)&given[0].at[run *
-                                                                                 given[0].stride],
-                                      (const va_mounting *)(const void *)&given[1].at[run *
-                                                                                      given[1].stride], (const va_master *)(const void *)&given[2].at[run * given[2].stride], &given[3].at[run * given[3].stride], &how, &innovation);
+    said = va_filter_measure_velocity(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                      bs_of(&given[2], run), bs_of(&given[3], run), &how,
+                                      &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -1552,11 +1545,8 @@ static __attribute__((noinline)) void measure_dcm_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = va_filter_measure_dcm(&filter,
-                                 (const va_imu *)(const void *)&given[0].at[run * given[0].stride],
-                                 (const va_master *)(const void *)&given[1].at[run *
-                                                                               given[1].stride],
-                                 &given[2].at[run * given[2].stride], &how, &innovation);
+    said = va_filter_measure_dcm(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                 bs_of(&given[2], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -1601,11 +1591,8 @@ static __attribute__((noinline)) void measure_quaternion_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = va_filter_measure_quaternion(&filter,
-                                        (const va_imu *)(const void *)&given[0].at[run *
-                                                                                   given[0].stride],
-                                        (const va_master *)(const void *)&given[1].at[run *
-                                                                                      given[1].stride], &given[2].at[run * given[2].stride], &how, &innovation);
+    said = va_filter_measure_quaternion(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                        bs_of(&given[2], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -1647,12 +1634,8 @@ static __attribute__((noinline)) void measure_euler_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = va_filter_measure_euler(&filter,
-                                   (const va_imu *)(const void *)&given[0].at[run *
-                                                                              given[0].stride],
-                                   (const va_master *)(const void *)&given[1].at[run *
-                                                                                 given[1].stride],
-                                   &given[2].at[run * given[2].stride], &how, &innovation);
+    said = va_filter_measure_euler(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                   bs_of(&given[2], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {

@@ -1410,10 +1410,7 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
     val_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = val_filter_strapdown(&filter,
-                                (const val_imu *)(const void *)&given[0].at[run * given[0].stride],
-                                (const val_increments *)(const void *)&given[1].at[run *
-                                                                                   given[1].stride]);
+    said = val_filter_strapdown(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1441,10 +1438,7 @@ static __attribute__((noinline)) void propagate_alone(block *b,
     val_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = val_filter_propagate(&filter,
-                                (const val_imu *)(const void *)&given[0].at[run * given[0].stride],
-                                (const val_noise *)(const void *)&given[1].at[run *
-                                                                              given[1].stride]);
+    said = val_filter_propagate(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1510,12 +1504,8 @@ static __attribute__((noinline)) void measure_dcm_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = val_filter_measure_dcm(&filter,
-                                  (const val_imu *)(const void *)&given[0].at[run *
-                                                                              given[0].stride],
-                                  (const val_master *)(const void *)&given[1].at[run *
-                                                                                 given[1].stride],
-                                  &given[2].at[run * given[2].stride], &how, &innovation);
+    said = val_filter_measure_dcm(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                  bs_of(&given[2], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -1560,9 +1550,8 @@ static __attribute__((noinline)) void measure_quaternion_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = val_filter_measure_quaternion(&filter,
-                                         (const val_imu *)(const void *)&given[0].at[run *
-                                                                                     given[0].stride], (const val_master *)(const void *)&given[1].at[run * given[1].stride], &given[2].at[run * given[2].stride], &how, &innovation);
+    said = val_filter_measure_quaternion(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                         bs_of(&given[2], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -1604,12 +1593,8 @@ static __attribute__((noinline)) void measure_euler_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = val_filter_measure_euler(&filter,
-                                    (const val_imu *)(const void *)&given[0].at[run *
-                                                                                given[0].stride],
-                                    (const val_master *)(const void *)&given[1].at[run *
-                                                                                   given[1].stride],
-                                    &given[2].at[run * given[2].stride], &how, &innovation);
+    said = val_filter_measure_euler(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                    bs_of(&given[2], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -1654,11 +1639,8 @@ static __attribute__((noinline)) void measure_velocity_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = val_filter_measure_velocity(&filter,
-                                       (const val_imu *)(const void *)&given[0].at[run *
-                                                                                   given[0].stride],
-                                       (const val_master *)(const void *)&given[1].at[run *
-                                                                                      given[1].stride], &given[2].at[run * given[2].stride], &how, &innovation);
+    said = val_filter_measure_velocity(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                       bs_of(&given[2], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {

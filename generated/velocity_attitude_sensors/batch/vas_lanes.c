@@ -2080,10 +2080,7 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
     vas_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = vas_filter_strapdown(&filter,
-                                (const vas_imu *)(const void *)&given[0].at[run * given[0].stride],
-                                (const vas_increments *)(const void *)&given[1].at[run *
-                                                                                   given[1].stride]);
+    said = vas_filter_strapdown(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -2111,10 +2108,7 @@ static __attribute__((noinline)) void propagate_alone(block *b,
     vas_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = vas_filter_propagate(&filter,
-                                (const vas_imu *)(const void *)&given[0].at[run * given[0].stride],
-                                (const vas_noise *)(const void *)&given[1].at[run *
-                                                                              given[1].stride]);
+    said = vas_filter_propagate(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -2180,12 +2174,8 @@ static __attribute__((noinline)) void measure_dcm_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = vas_filter_measure_dcm(&filter,
-                                  (const vas_imu *)(const void *)&given[0].at[run *
-                                                                              given[0].stride],
-                                  (const vas_master *)(const void *)&given[1].at[run *
-                                                                                 given[1].stride],
-                                  &given[2].at[run * given[2].stride], &how, &innovation);
+    said = vas_filter_measure_dcm(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                  bs_of(&given[2], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -2230,9 +2220,8 @@ static __attribute__((noinline)) void measure_quaternion_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = vas_filter_measure_quaternion(&filter,
-                                         (const vas_imu *)(const void *)&given[0].at[run *
-                                                                                     given[0].stride], (const vas_master *)(const void *)&given[1].at[run * given[1].stride], &given[2].at[run * given[2].stride], &how, &innovation);
+    said = vas_filter_measure_quaternion(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                         bs_of(&given[2], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -2274,12 +2263,8 @@ static __attribute__((noinline)) void measure_euler_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = vas_filter_measure_euler(&filter,
-                                    (const vas_imu *)(const void *)&given[0].at[run *
-                                                                                given[0].stride],
-                                    (const vas_master *)(const void *)&given[1].at[run *
-                                                                                   given[1].stride],
-                                    &given[2].at[run * given[2].stride], &how, &innovation);
+    said = vas_filter_measure_euler(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                    bs_of(&given[2], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -2324,11 +2309,8 @@ static __attribute__((noinline)) void measure_velocity_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = vas_filter_measure_velocity(&filter,
-                                       (const vas_imu *)(const void *)&given[0].at[run *
-                                                                                   given[0].stride],
-                                       (const vas_master *)(const void *)&given[1].at[run *
-                                                                                      given[1].stride], &given[2].at[run * given[2].stride], &how, &innovation);
+    said = vas_filter_measure_velocity(&filter, bs_of(&given[0], run), bs_of(&given[1], run),
+                                       bs_of(&given[2], run), &how, &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {

@@ -953,10 +953,7 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
     vd_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = vd_filter_strapdown(&filter,
-                               (const vd_imu *)(const void *)&given[0].at[run * given[0].stride],
-                               (const vd_increments *)(const void *)&given[1].at[run *
-                                                                                 given[1].stride]);
+    said = vd_filter_strapdown(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -984,9 +981,7 @@ static __attribute__((noinline)) void propagate_alone(block *b,
     vd_filter filter;
     bs_status said;
     out_of(b, lane, &filter);
-    said = vd_filter_propagate(&filter,
-                               (const vd_imu *)(const void *)&given[0].at[run * given[0].stride],
-                               (const vd_noise *)(const void *)&given[1].at[run * given[1].stride]);
+    said = vd_filter_propagate(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1052,9 +1047,8 @@ static __attribute__((noinline)) void measure_velocity_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = vd_filter_measure_velocity(&filter,
-                                      (const vd_master *)(const void *)&given[0].at[run *
-                                                                                    given[0].stride], &given[1].at[run * given[1].stride], &how, &innovation);
+    said = vd_filter_measure_velocity(&filter, bs_of(&given[0], run), bs_of(&given[1], run), &how,
+                                      &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -1099,10 +1093,8 @@ static __attribute__((noinline)) void measure_dcm_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = vd_filter_measure_dcm(&filter,
-                                 (const vd_master *)(const void *)&given[0].at[run *
-                                                                               given[0].stride],
-                                 &given[1].at[run * given[1].stride], &how, &innovation);
+    said = vd_filter_measure_dcm(&filter, bs_of(&given[0], run), bs_of(&given[1], run), &how,
+                                 &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
@@ -1147,9 +1139,8 @@ static __attribute__((noinline)) void measure_dcm_exact_alone(block *b,
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
     }
     out_of(b, lane, &filter);
-    said = vd_filter_measure_dcm_exact(&filter,
-                                       (const vd_master *)(const void *)&given[0].at[run *
-                                                                                     given[0].stride], &given[1].at[run * given[1].stride], &how, &innovation);
+    said = vd_filter_measure_dcm_exact(&filter, bs_of(&given[0], run), bs_of(&given[1], run), &how,
+                                       &innovation);
     into(b, lane, &filter);
     taking->nis[run] = innovation.nis;
     for (unsigned int k = 0U; k < 3U; ++k) {
