@@ -115,8 +115,13 @@ def spans(n: int, j: int) -> list[tuple[int, int]]:
     """Of column j of a packed matrix, where loops over it begin and end: whole blocks, beyond its end where numbers
     follow, else what is left of it apart."""
     fits = j * (j + 1) // 2 + whole(j + 1) <= n * (n + 1) // 2
-    full = whole(j + 1) if fits else (j + 1) // LANES * LANES
-    return [span for span in ((0, full), (full, j + 1)) if span[0] < span[1]]
+    return [(0, whole(j + 1))] if fits else parts(j + 1, LANES)
+
+
+def parts(count: int, block: int) -> list[tuple[int, int]]:
+    """Of so many numbers, where loops over them begin and end: whole blocks, and what is left of them apart."""
+    full = count // block * block
+    return [span for span in ((0, full), (full, count)) if span[0] < span[1]]
 
 
 def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
@@ -154,6 +159,7 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "B_rows": met(m, Phi, first, begin),
         "packed_at": lambda i, j: max(i, j) * (max(i, j) + 1) // 2 + min(i, j),
         "spans": lambda j: spans(n, j),
+        "parts": parts,
         "packed": n * (n + 1) // 2,
         "block": block,
         "row": row,

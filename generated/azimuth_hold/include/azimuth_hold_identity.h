@@ -18,7 +18,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "7d54b7ffd0fe4d0c0e3e3cc43c797a5db1f3b509f47f26dd94faf222894067df"
+#define AH_MODEL_HASH "48f50599c4cab3747917821bc581ab182d37aff13273ba2d51bed01645b9aad1"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "5d8353ef9cbf68e41d790bff8dd7e486b5a9eda5e3757cc289a6f7f9030f0353"
+#define EM_MODEL_HASH "e28e90ff96ba910b83d99c2b6f78c02157e1722397a7e92b7ca6f2152428e2a5"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

@@ -791,25 +791,19 @@ bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_ro
     bs_real g[WIDE]; /* P h */
     bs_real K[WIDE];
     bs_real lines[N][WIDE]; /* of P, where h is not zero */
-    bs_real sums[N + 1][WIDE]; /* with one more of them each */
+    for (int i = 0; i < WIDE; ++i) {
+        g[i] = zeros[i];
+    }
     for (int p = 0; p < row->count; ++p) {
         const unsigned short *const at = whole[row->at[p]];
-        nu -= row->h[p] * x[row->at[p]];
+        const bs_real h = row->h[p];
+        nu -= h * x[row->at[p]];
         for (int i = 0; i < WIDE; ++i) {
             lines[p][i] = P[at[i]];
         }
-    }
-    for (int i = 0; i < WIDE; ++i) {
-        sums[0][i] = zeros[i];
-    }
-    for (int p = 0; p < row->count; ++p) {
-        const bs_real h = row->h[p];
         for (int i = 0; i < WIDE; ++i) {
-            sums[p + 1][i] = sums[p][i] + (h * lines[p][i]);
+            g[i] += h * lines[p][i];
         }
-    }
-    for (int i = 0; i < WIDE; ++i) {
-        g[i] = sums[row->count][i];
     }
 #else
     bs_real g[N]; /* P h */
@@ -844,68 +838,67 @@ bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_ro
 #ifdef BORESIGHT_ROWS
         const bs_real R = row->R;
         bs_real b[WIDE]; /* as below */
-        bs_real next[WIDE];
-        for (int i = 0; i < WIDE; ++i) {
-            K[i] = g[i] * inverse;
-        }
-        for (int i = 0; i < N; ++i) {
-            x[i] += K[i] * nu;
-        }
-        for (int p = 0; p < row->count; ++p) {
-            const bs_real h = row->h[p];
-            const bs_real of_g = g[row->at[p]];
+        if (row->count == 1) { /* as most are: in one pass */
+            const bs_real h = row->h[0];
+            const bs_real of_g = g[row->at[0]];
             for (int i = 0; i < WIDE; ++i) {
-                sums[p + 1][i] = sums[p][i] + (h * (lines[p][i] - (K[i] * of_g)));
+                const bs_real gain = g[i] * inverse;
+                K[i] = gain;
+                b[i] = (BS_REAL(0.0) + (h * (lines[0][i] - (gain * of_g)))) - (R * gain);
+            }
+        } else {
+            for (int i = 0; i < WIDE; ++i) {
+                K[i] = g[i] * inverse;
+                b[i] = zeros[i];
+            }
+            for (int p = 0; p < row->count; ++p) {
+                const bs_real h = row->h[p];
+                const bs_real of_g = g[row->at[p]];
+                for (int i = 0; i < WIDE; ++i) {
+                    b[i] += h * (lines[p][i] - (K[i] * of_g));
+                }
+            }
+            for (int i = 0; i < WIDE; ++i) {
+                b[i] -= R * K[i];
             }
         }
-        for (int i = 0; i < WIDE; ++i) {
-            b[i] = sums[row->count][i] - (R * K[i]);
-        }
-        BS_ROLLED
         for (int i = 0; i < 4; ++i) {
-            next[i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
+            x[i] += K[i] * nu;
         }
-        for (int i = 0; i < 1; ++i) {
-            P[0 + i] = next[i];
-        }
-        BS_ROLLED
-        for (int i = 0; i < 4; ++i) {
-            next[i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
-        }
-        for (int i = 0; i < 2; ++i) {
-            P[1 + i] = next[i];
-        }
-        BS_ROLLED
-        for (int i = 0; i < 4; ++i) {
-            next[i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
-        }
-        for (int i = 0; i < 3; ++i) {
-            P[3 + i] = next[i];
-        }
-        BS_ROLLED
-        for (int i = 0; i < 4; ++i) {
-            next[i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
-        }
-        for (int i = 0; i < 4; ++i) {
-            P[6 + i] = next[i];
-        }
-        BS_ROLLED
-        for (int i = 0; i < 8; ++i) {
-            next[i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
-        }
-        for (int i = 0; i < 5; ++i) {
-            P[10 + i] = next[i];
-        }
-        BS_ROLLED
-        for (int i = 0; i < 4; ++i) {
-            next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
-        }
-        BS_ROLLED
         for (int i = 4; i < 6; ++i) {
-            next[i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
+            x[i] += K[i] * nu;
         }
+        BS_BY_FOUR
+        for (int i = 0; i < 1; ++i) {
+            P[0 + i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
+        }
+        BS_BY_FOUR
+        for (int i = 0; i < 2; ++i) {
+            P[1 + i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
+        }
+        BS_BY_FOUR
+        for (int i = 0; i < 2; ++i) {
+            P[3 + i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
+        }
+        BS_BY_FOUR
+        for (int i = 2; i < 3; ++i) {
+            P[3 + i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
+        }
+        BS_BY_FOUR
+        for (int i = 0; i < 4; ++i) {
+            P[6 + i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
+        }
+        BS_BY_FOUR
+        for (int i = 0; i < 4; ++i) {
+            P[10 + i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
+        }
+        BS_BY_FOUR
+        for (int i = 4; i < 5; ++i) {
+            P[10 + i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
+        }
+        BS_BY_FOUR
         for (int i = 0; i < 6; ++i) {
-            P[15 + i] = next[i];
+            P[15 + i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
         }
 #else
         bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */

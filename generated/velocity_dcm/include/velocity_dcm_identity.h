@@ -18,7 +18,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "00d7d73aab617ea9fb3e0a862e9abb0da4299b12513e7e51a5d5b2fe984be966"
+#define VD_MODEL_HASH "f5baf1c75e6ef49910bfe5c8223d4faf60dd9bfe00c62a76afb5912eb7438f7a"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
