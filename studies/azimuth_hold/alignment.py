@@ -14,7 +14,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
-from boresight.runtime.filter import Filter
+from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.library import load
 from boresight.runtime.simulation import inertial, sensors
 from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, MILLI_G
@@ -309,7 +309,7 @@ def align(models: Models, scenario: Scenario, *, runs: int, seed: int, first_run
         return np.array([stream.standard_normal(6) for stream in drawn.sensors.streams])
 
     v_start, q_start = master(0, master_noise())
-    loop = Filter(
+    loop = CompiledFilter(
         models.alignment,
         {"position": truth.position[0] + d_position, "v_n": v_start, "q_b2n_wxyz": q_start,
          "mu": np.zeros((runs, 3)), "tau": np.zeros(runs)},

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from boresight.runtime import rotation
-from boresight.runtime.filter import Filter
+from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.units import ARCMIN, MILLI_G
 from boresight.studies.azimuth_hold import alignment
 from boresight.studies.azimuth_hold.hold import MODES, bias_summary, hold, marked, root_mean_square
@@ -47,7 +47,7 @@ def level_sigma(
         P[6:8, 12:] = floor @ np.diag(variances[3:])
         P[12:, 6:8] = P[6:8, 12:].T
     nav = {"position": position, "q_b2n_wxyz": q} | dict.fromkeys(("v_n", "gyro_bias", "accel_bias"), np.zeros(3))
-    loop = Filter(models.hold, nav, P)
+    loop = CompiledFilter(models.hold, nav, P)
     drift = accel_drift_ug_sqrt_h * 1e-3 * MILLI_G / 60
     noise = alignment.rest_noise(scenario) | {"accel_bias_noise": np.full(3, drift)}
     M = np.zeros(15)

@@ -15,7 +15,7 @@ import numpy as np
 
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
-from boresight.runtime.filter import Filter
+from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.simulation import inertial
 from boresight.runtime.units import ARCMIN, DEG, HOUR, MILLI_G
 from boresight.studies.azimuth_hold import alignment, figures
@@ -46,7 +46,7 @@ class Held:
     P: Array  # (4, runs, 16, 16) at the end
 
 
-def start_filter(models: Models, start: Aligned, state: Array) -> tuple[Filter, Array]:
+def start_filter(models: Models, start: Aligned, state: Array) -> tuple[CompiledFilter, Array]:
     """Ways to hold beside each other over the same runs, and the variance of the azimuth measurement, (..., runs, 1).
 
     state: (...,) bool, of which ways the reference's error is a state; of no variance in the others.
@@ -61,7 +61,7 @@ def start_filter(models: Models, start: Aligned, state: Array) -> tuple[Filter, 
     P[..., 15, 15] = np.where(state[..., None], variance, 0.0)
     # White in the paper's mode; with the state, what moves between one second and the next.
     R = np.where(state[..., None], REFERENCE_SIGMA**2, variance)[..., None]
-    return Filter(models.hold_reference, nav, P), R
+    return CompiledFilter(models.hold_reference, nav, P), R
 
 
 def hold(
@@ -130,7 +130,7 @@ def hold(
 
 
 def carry(
-    loop: Filter, dtheta: Array, dv: Array, before: tuple[Array, Array] | None, noise: dict[str, Array]
+    loop: CompiledFilter, dtheta: Array, dv: Array, before: tuple[Array, Array] | None, noise: dict[str, Array]
 ) -> tuple[Array, Array]:
     """Strapdown and covariance over a second of increments (hz, ...); before: those of the interval before it.
 
@@ -143,7 +143,7 @@ def carry(
     return dtheta[-1], dv[-1]
 
 
-def hold_vertical(loop: Filter, start: Aligned) -> None:
+def hold_vertical(loop: CompiledFilter, start: Aligned) -> None:
     """Of the inertial mode: height and vertical velocity are known from elsewhere, as every ship's or aircraft's are.
 
     Left alone, 1 mg would grow to 6 km in 1000 s and to 870 km in an hour, as exp(t / 570 s).

@@ -22,7 +22,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import detector, rotation
 from boresight.runtime.array import Array
-from boresight.runtime.filter import Filter
+from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.simulation import inertial
 from boresight.runtime.status import Status
 from boresight.runtime.units import ARCMIN, DEG, MILLI_G
@@ -234,19 +234,19 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
     }
 
 
-def gated(loop: Filter, name: str, R: Array, wanted: Array, gate: Array, **inputs: Any) -> Array:
+def gated(loop: CompiledFilter, name: str, R: Array, wanted: Array, gate: Array, **inputs: Any) -> Array:
     """(...,) bool: runs whose every row lies within the gate, by itself; all rows or none are taken."""
     z, H = loop.call(f"{name}_z", **inputs), loop.call(f"{name}_H", **inputs)
     S = np.einsum("...ij,...jk,...ik->...i", H, loop.P, H) + R
     return wanted & (z**2 <= gate[..., None] ** 2 * S).all(-1)
 
 
-def give_up(loop: Filter, z: Array, now: Array) -> None:
+def give_up(loop: CompiledFilter, z: Array, now: Array) -> None:
     """The reference is stale: what the azimuth may be wrong by is what it and the reference differ by."""
     loop.P[..., 8, 8] += np.where(now, z**2, 0.0)
 
 
-def reset(loop: Filter, now: Array) -> None:
+def reset(loop: CompiledFilter, now: Array) -> None:
     """Velocity and level begin anew; what they knew of other states goes with them."""
     for state, sigma in ((3, RESET_M_S), (4, RESET_M_S), (5, RESET_M_S), (6, RESET_TILT), (7, RESET_TILT)):
         row = np.where(now[..., None], 0.0, loop.P[..., state, :])
@@ -255,7 +255,7 @@ def reset(loop: Filter, now: Array) -> None:
         loop.P[..., state, state] = np.where(now, sigma**2, row[..., state])
 
 
-def acquire(loop: Filter, q_ref: Array, q_fresh: Array, now: Array, white: Array) -> None:
+def acquire(loop: CompiledFilter, q_ref: Array, q_fresh: Array, now: Array, white: Array) -> None:
     """A new reference, in error by itself and by nothing that the filter knows."""
     q_ref[now] = np.broadcast_to(q_fresh, q_ref.shape)[now]
     loop.nav["reference_error"][now] = 0.0
