@@ -13,9 +13,11 @@ from typing import Any
 
 import numpy as np
 
+from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.epoch import Epoch
 from boresight.runtime.simulation import inertial
 from boresight.runtime.units import ARCMIN, DEG, HOUR, MILLI_G
 from boresight.studies.azimuth_hold import alignment, figures
@@ -87,6 +89,7 @@ def hold(
     f_b = alignment.rest_specific_force(models, start.position, start.q_b2n_wxyz)
     R_zupt = np.full(3, scenario.zupt_sigma_m_s**2)
     noise = alignment.rest_noise(scenario)
+    epoch = a_second(loop, hz, noise)
     history: list[tuple[Array, ...]] = []
     nis: list[tuple[Array, Array]] = []
 
@@ -100,7 +103,7 @@ def hold(
     for second in range(1, seconds + 1):
         dtheta, dv = sensors.measured(omega_b * dt, f_b * dt, dt, hz)
         dtheta, dv = dtheta[:, None], dv[:, None]  # an axis of modes
-        before = carry(loop, dtheta, dv, before, noise)
+        before = carry(epoch, dtheta, dv, before)
         zupt = loop.update("zupt", R_zupt, rows=ZUPT[:, None, None])
         azimuth = loop.update("azimuth", R_azimuth, rows=AZIMUTH[:, None, None], q_ref_wxyz=q_ref)
         if zaru:
@@ -129,17 +132,22 @@ def hold(
     return Held(*(np.array(part) for kept in (history, nis) for part in zip(*kept, strict=True)), error, loop.P)  # type: ignore[call-arg]
 
 
-def carry(
-    loop: CompiledFilter, dtheta: Array, dv: Array, before: tuple[Array, Array] | None, noise: dict[str, Array]
-) -> tuple[Array, Array]:
-    """Strapdown and covariance over a second of increments (hz, ...); before: those of the interval before it.
+def a_second(loop: CompiledFilter, hz: int, noise: dict[str, Array]) -> Epoch:
+    """Strapdown and covariance over a second in one call."""
+    epoch = Epoch(loop, hz, feedback=False, shared=("dt", *noise))
+    epoch.strapdown["dt"], epoch.predict["dt"] = 1 / hz, 1.0
+    for name, value in noise.items():
+        epoch.predict[name] = value
+    return epoch
 
-    Returns those of its last interval.
-    """
-    fields, dt = inertial.intervals(dtheta, dv, before), 1 / len(dtheta)
-    for k in range(len(dtheta)):
-        loop.strapdown(**{name: values[k] for name, values in fields.items()}, dt=dt)
-    loop.predict(f_b=dv.mean(axis=0) / dt - loop.nav["accel_bias"], dt=1.0, **noise)
+
+def carry(epoch: Epoch, dtheta: Array, dv: Array, before: tuple[Array, Array] | None) -> tuple[Array, Array]:
+    """`a_second` of increments (hz, ...); before: those of the interval before it.  Returns those of its last one."""
+    for name, values in inertial.intervals(dtheta, dv, before).items():
+        epoch.strapdown[name] = values
+    epoch.predict["f_b"] = dv.sum(axis=0) - epoch.loop.nav["accel_bias"]  # m/s over a second
+    if epoch():
+        raise BoresightError(f"the hold at rest: {epoch.refused()}")
     return dtheta[-1], dv[-1]
 
 

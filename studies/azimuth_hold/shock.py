@@ -28,7 +28,7 @@ from boresight.runtime.status import Status
 from boresight.runtime.units import ARCMIN, DEG, MILLI_G
 from boresight.studies.azimuth_hold import alignment, figures
 from boresight.studies.azimuth_hold.alignment import Aligned, Models, Scenario
-from boresight.studies.azimuth_hold.hold import PHI, carry, root_mean_square, start_filter
+from boresight.studies.azimuth_hold.hold import PHI, a_second, carry, root_mean_square, start_filter
 from boresight.studies.consistency import nees
 from boresight.studies.study import Claim, Progress, Result, Study, claim_lines, option, silent, table
 
@@ -147,7 +147,7 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
     sensors = start.drawn.sensors
     settings, dll = thresholds(scenario, start), detector.library()
     R_zupt = np.full(3, scenario.zupt_sigma_m_s**2)
-    noise = alignment.rest_noise(scenario)
+    epoch = a_second(loop, hz, alignment.rest_noise(scenario))
     q_true = np.broadcast_to(start.q_b2n_wxyz, (events, runs, 4)).copy()
     kept, before, tail = [], None, [np.empty((events, runs, 0, 3))] * 2
     quiet = np.full((events, runs), WAIT_S)
@@ -181,7 +181,7 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
         quiet = np.where(moving, 0, quiet + 1)
         rest = (quiet > WAIT_S)[None] | ~has_detector
 
-        before = carry(loop, raw_dtheta[:, None], raw_dv[:, None], before, noise)
+        before = carry(epoch, raw_dtheta[:, None], raw_dv[:, None], before)
 
         zupt_rows = gated(loop, "zupt", R_zupt, rest, gate)
         loop.update("zupt", R_zupt, rows=zupt_rows[..., None])

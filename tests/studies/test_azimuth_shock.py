@@ -1,6 +1,7 @@
 """What notices a disturbance of the hold, and that a platform that turned is not pulled back silently."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -90,7 +91,7 @@ def test_thresholds_come_from_the_noise_alone_and_rest_passes():
 def test_the_reset_begins_velocity_and_level_anew():
     P = np.random.default_rng(0).normal(size=(2, 16, 16))
     P = P @ np.swapaxes(P, -1, -2)
-    loop = study.Filter(None, {}, P)
+    loop = SimpleNamespace(P=P.copy())
     study.reset(loop, np.array([True, False]))
     assert np.array_equal(loop.P[1], P[1])
     assert np.allclose(np.diag(loop.P[0])[3:8], [1, 1, 1, study.RESET_TILT**2, study.RESET_TILT**2])
