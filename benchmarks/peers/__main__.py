@@ -8,7 +8,7 @@ import importlib.metadata
 import re
 import shutil
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -22,7 +22,7 @@ from boresight.derive.model import Model
 from boresight.derive.models.azimuth_hold import azimuth_hold
 
 STATES = (6, 15, 30, 45, 60)
-GROWING = ("CasADi", "Eigen, dense by hand")
+GROWN = {"predict 2": ("CasADi", "Eigen, dense by hand"), "updates, Joseph": ()}  # kind -> peers beside it
 PACKAGES = ("casadi", "symforce", "wrenfold", "sympy", "numpy", "numba", "jax", "filterpy", "python-ins", "simdkalman")
 EIGEN = (Path("/usr/include/eigen3"), Path(sys.prefix) / "debian" / "usr" / "include" / "eigen3")
 WRENFOLD = Path(sys.prefix) / "include" / "site" / f"python{sys.version_info.major}.{sys.version_info.minor}"
@@ -97,20 +97,22 @@ def main() -> None:
     for label in compiled.HOSTS:
         missing |= compiled.measure(tasks, label, folder)
     no_sizes = compiled.sizes([task for task in tasks if task.kind in PAGE_KINDS], folder)
-    growing: list[tuple[int, dict[str, int], dict[str, Task]]] = []
+    growing: list[Task] = []
     curves: dict[str, list[tuple[float, float]]] = {}
     for n in STATES:
         model = grown(n)
         smaller = problem(model)
-        some = [*of_boresight({"other": model}, smaller, folder, ("predict 2",))]
-        some += of_peers(smaller, missing, GROWING, ("predict 2",))
+        some = [*of_boresight({"other": model}, smaller, folder, tuple(GROWN))]
+        for kind, peers in GROWN.items():
+            some += of_peers(smaller, missing, peers, (kind,))
         compiled.measure(some, "-O2", folder, rounds=9)
-        growing.append((n, operations(smaller, "predict 2"), {task.tool: task for task in some}))
+        compiled.sizes([task for task in some if task.tool.startswith(report.OURS)], folder)
+        growing += some
         for task in some:
-            curves.setdefault(task.tool, []).append((n, task.ns["-O2"]))
+            curves.setdefault(f"{task.tool}, {task.kind}", []).append((n, task.ns["-O2"]))
     batched, absent = batch.measure(p)
     missing |= absent
-    tables = [*single(tasks, p, compiled.clock(folder)), *many(batched), growth(growing)]
+    tables = [*single(tasks, p, compiled.clock(folder)), *many(batched), *growth(growing)]
     code = report.cells_of([task for task in tasks if task.kind in PAGE_KINDS], lambda task: task.text_bytes)
     if code:
         title = "Code and tables on a Cortex-M7 in double at -O2, bytes, without the C library's own."
@@ -172,13 +174,27 @@ def many(batched: Mapping[tuple[str, str, int], float]) -> Iterator[report.Table
         yield report.compared(title, cells, [f"N = {N}" for N in batch.SIZES])
 
 
-def growth(growing: list[tuple[int, dict[str, int], dict[str, Task]]]) -> report.Table:
-    each = [((tool, f"{n} states"), task) for n, _, some in growing for tool, task in some.items()]
-    ns, Ir = {key: task.ns["-O2"] for key, task in each}, {key: task.instructions.get("-O2", 0) for key, task in each}
-    count = {f"{n} states": str(sum(done.values())) for n, done, _ in growing}
-    title = "**Predict 2 at -O2 against the number of states: ns / instructions.**"
+def growth(tasks: list[Task]) -> Iterator[report.Table]:
+    """A table a kind: ns and instructions of each tool by the number of states; then the code on the target."""
     columns = [f"{n} states" for n in STATES]
-    return report.compared(title, ns, columns, Ir, [("operations of the formulas", count)])
+
+    def by_states(value: Callable[[Task], float | None], kind: str) -> dict[tuple[str, str], float]:
+        found = {(task.tool, f"{task.problem.n} states"): value(task) for task in tasks if task.kind == kind}
+        return {key: number for key, number in found.items() if number is not None}
+
+    for kind in GROWN:
+        count = {f"{t.problem.n} states": str(sum(operations(t.problem, kind).values())) for t in tasks}
+        yield report.compared(
+            f"**{kind[0].upper() + kind[1:]} at -O2 against the number of states: ns / instructions.**",
+            by_states(partial(under, "ns", "-O2"), kind),
+            columns,
+            by_states(partial(under, "instructions", "-O2"), kind),
+            [("operations of the formulas", count)],
+        )
+    for kind in GROWN:
+        code = by_states(lambda task: task.text_bytes, kind)
+        if code:
+            yield report.compared(f"**{kind[0].upper() + kind[1:]}: code on a Cortex-M7, bytes.**", code, columns)
 
 
 if __name__ == "__main__":

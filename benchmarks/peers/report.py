@@ -160,7 +160,7 @@ def figure(path: Path, bars: Cells, batch: Mapping[str, Line], growth: Mapping[s
 
     grouped(axes[0, 0], bars, "one call in C at -O2, ns")
     curves(axes[0, 1], batch, "runs at once", "propagate from Python, ns per run")
-    curves(axes[1, 0], growth, "states", "predict 2 at -O2, ns")
+    curves(axes[1, 0], growth, "states", "one call at -O2, ns")
     grouped(axes[1, 1], bytes_of, "code on a Cortex-M7, bytes")
     axes[1, 1].set_yscale("log")
     for axis in axes.flat:
