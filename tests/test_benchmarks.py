@@ -8,8 +8,9 @@ from conftest import ROOT
 
 from benchmarks.growth import grown
 from benchmarks.peers import __main__ as bench
-from benchmarks.peers import compiled, formulas, report
+from benchmarks.peers import batch, compiled, formulas, report
 from benchmarks.peers.printers import PRINTERS
+from boresight.derive.models.azimuth_hold import azimuth_hold
 
 KERNELS = {name: getattr(np, name) for name in formulas.FUNCTIONS}
 
@@ -59,6 +60,17 @@ def test_c_of_two_tools_is_built_held_counted_and_timed(small, tmp_path):
     assert all(task.ns["-O2"] > 0 and task.apart < compiled.EQUAL for task in tasks)
     if shutil.which("valgrind"):
         assert all(task.instructions["-O2"] > 100 for task in tasks)
+
+
+def test_many_runs_from_python_are_held_and_timed_by_every_way_to_fly_them(monkeypatch):
+    kept = {tool: made for tool, made in batch.TOOLS.items() if tool.startswith(("Boresight", "NumPy"))}
+    monkeypatch.setattr(batch, "TOOLS", kept)
+    found, missing = batch.measure(formulas.problem(azimuth_hold()), sizes=(1, 3), rounds=1)
+    assert not missing and all(ns > 0 for ns in found.values())
+    assert found.keys() == {(tool, step, N) for tool in kept for step in batch.STEPS for N in (1, 3)}
+    monkeypatch.setattr(batch, "EQUAL", 0.0)
+    with pytest.raises(compiled.Differs, match="Boresight, Epoch"):
+        batch.measure(formulas.problem(azimuth_hold()), sizes=(1,), rounds=1)
 
 
 def test_a_peer_that_fails_is_missing_and_says_why(small, monkeypatch):

@@ -1,7 +1,8 @@
 """Whole steps of many runs from Python: `propagate`, and the four updates in Joseph form.
 
 A tool is given v (N, width) and P (N, n, n), and returns functions that give P, and x, afterwards.  What is the same in
-each step, such as arrays of results, is made beforehand.
+each step, such as arrays of results, is made beforehand.  A tool that keeps P itself from call to call may return two:
+one that begins from P and gives the results, and the call alone, which is timed.
 """
 
 from collections.abc import Callable, Iterator
@@ -16,7 +17,9 @@ from benchmarks.peers.formulas import FUNCTIONS, Problem, apart, matrices, numbe
 
 STEPS = ("propagate", "updates, Joseph")
 SIZES = (1, 16, 256, 4096)
-Made = dict[str, Callable[[], Any]]
+CARRIED = ("position", "v_n", "q_b2n_wxyz", "gyro_bias", "accel_bias")  # by the filter in C
+Call = Callable[[], Any]
+Made = dict[str, Call | tuple[Call, Call]]
 
 
 def fields(p: Problem, v: np.ndarray) -> dict[str, np.ndarray]:
@@ -222,11 +225,10 @@ def by_boresight(compiled: bool, p: Problem, v: np.ndarray, P: np.ndarray) -> Ma
     from boresight.runtime.library import load
 
     model, given, x = load("azimuth-hold"), fields(p, v), v[:, -p.n :]
-    carried = ("position", "v_n", "q_b2n_wxyz", "gyro_bias", "accel_bias")
     imu = {name: given[name] for name in given if name == "f_b" or name.endswith("_noise")}
     R = v[:, len(p.names) + len(p.rows) :]
     dt, q_ref = given["dt"][:, 0], given["q_ref_wxyz"]
-    loop = (CompiledFilter if compiled else Filter)(model, {name: given[name] for name in carried}, P, x)
+    loop = (CompiledFilter if compiled else Filter)(model, {name: given[name] for name in CARRIED}, P, x)
 
     def propagate() -> Any:
         loop.P, loop.x = P, x
@@ -242,7 +244,32 @@ def by_boresight(compiled: bool, p: Problem, v: np.ndarray, P: np.ndarray) -> Ma
     return {"propagate": propagate, "updates, Joseph": update}
 
 
+def by_epoch(p: Problem, v: np.ndarray, P: np.ndarray) -> Made:
+    """A call that is bound to its arrays; P and x stay in the C."""
+    from boresight.runtime.compiled import CompiledFilter
+    from boresight.runtime.epoch import Epoch
+    from boresight.runtime.library import load
+
+    model, given, x = load("azimuth-hold"), fields(p, v), v[:, -p.n :]
+    loop = CompiledFilter(model, {name: given[name] for name in CARRIED}, P, x)
+    R = v[:, len(p.names) + len(p.rows) :]
+    step = Epoch(loop, 0, feedback=False)
+    for name in step.predict.fields.keys() & given.keys():
+        step.predict[name] = given[name].reshape(step.predict[name].shape)
+    update = Epoch(loop, 0, ("zupt", "azimuth"), predict=False, feedback=False)
+    update.measured["zupt"]["R"], update.measured["azimuth"]["R"] = R[:, :3], R[:, 3:4]
+    update.measured["azimuth"]["q_ref_wxyz"] = given["q_ref_wxyz"]
+
+    def begun(epoch: Epoch) -> Any:
+        loop.P, loop.x = P, x
+        assert not epoch(), epoch.refused()
+        return loop.P, loop.x
+
+    return {"propagate": (partial(begun, step), step), "updates, Joseph": (partial(begun, update), update)}
+
+
 TOOLS: dict[str, tuple[Callable[..., Made], int]] = {  # and the most runs at once
+    "Boresight, Epoch": (by_epoch, 4096),
     "Boresight, CompiledFilter": (partial(by_boresight, True), 4096),
     "Boresight, Filter": (partial(by_boresight, False), 4096),
     "Numba": (by_numba, 4096),
@@ -274,10 +301,11 @@ def measure(p: Problem, sizes: tuple[int, ...] = SIZES, rounds: int = 15) -> tup
                 missing[tool] = str(error)
                 continue
             for step, function in made.items():
-                C, x = (np.asarray(part) for part in function())
+                begun, timed = function if isinstance(function, tuple) else (function, function)
+                C, x = (np.asarray(part) for part in begun())
                 off = apart(p, step, np.concatenate([C[-1][place], x[-1]]), reference(p, step, given))
                 if not off <= EQUAL:
                     raise Differs(f"{tool}, {step}: {off:.1e} from NumPy, where {EQUAL:.0e} is allowed")
-                functions[tool, step, N] = function
+                functions[tool, step, N] = timed
         found |= {key: seconds / N * 1e9 for key, seconds in interleaved(functions, rounds).items()}
     return found, missing

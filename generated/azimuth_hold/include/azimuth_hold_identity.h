@@ -18,7 +18,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "48f50599c4cab3747917821bc581ab182d37aff13273ba2d51bed01645b9aad1"
+#define AH_MODEL_HASH "eac71ea9bd19d3478f7f08cc0aa94da4e06541feb3b7ecfe998c0f23a915aada"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

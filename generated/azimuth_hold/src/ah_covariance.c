@@ -561,7 +561,10 @@ void ah_discretize(const bs_real F[AH_N_F],
             (T[6][i] * B[6][2]) + (T[7][i] * B[7][2]) + (T[8][i] * B[8][2]) +
             (T[12][i] * B[12][2]) + (T[13][i] * B[13][2]) + (T[14][i] * B[14][2]);
     }
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 2; ++i) {
+        Q[3 + i] = sum[i];
+    }
+    for (int i = 2; i < 3; ++i) {
         Q[3 + i] = sum[i];
     }
     BS_ROLLED
@@ -581,7 +584,10 @@ void ah_discretize(const bs_real F[AH_N_F],
             (T[10][i] * B[10][4]) + (T[11][i] * B[11][4]) + (T[12][i] * B[12][4]) +
             (T[13][i] * B[13][4]) + (T[14][i] * B[14][4]);
     }
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 4; ++i) {
+        Q[10 + i] = sum[i];
+    }
+    for (int i = 4; i < 5; ++i) {
         Q[10 + i] = sum[i];
     }
     BS_ROLLED
@@ -601,7 +607,10 @@ void ah_discretize(const bs_real F[AH_N_F],
             (T[10][i] * B[10][6]) + (T[11][i] * B[11][6]) + (T[12][i] * B[12][6]) +
             (T[13][i] * B[13][6]) + (T[14][i] * B[14][6]);
     }
-    for (int i = 0; i < 7; ++i) {
+    for (int i = 0; i < 6; ++i) {
+        Q[21 + i] = sum[i];
+    }
+    for (int i = 6; i < 7; ++i) {
         Q[21 + i] = sum[i];
     }
     BS_ROLLED
@@ -621,7 +630,10 @@ void ah_discretize(const bs_real F[AH_N_F],
             (T[10][i] * B[10][8]) + (T[11][i] * B[11][8]) + (T[12][i] * B[12][8]) +
             (T[13][i] * B[13][8]) + (T[14][i] * B[14][8]);
     }
-    for (int i = 0; i < 9; ++i) {
+    for (int i = 0; i < 8; ++i) {
+        Q[36 + i] = sum[i];
+    }
+    for (int i = 8; i < 9; ++i) {
         Q[36 + i] = sum[i];
     }
 #else
@@ -859,7 +871,10 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
                   (Phi[37] * Y[7][i]) + (Phi[42] * Y[12][i]) + (Phi[43] * Y[13][i]) +
                   (Phi[44] * Y[14][i])) + Q[3 + i];
     }
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 2; ++i) {
+        next[3 + i] = sum[i];
+    }
+    for (int i = 2; i < 3; ++i) {
         next[3 + i] = sum[i];
     }
     BS_ROLLED
@@ -881,7 +896,10 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
                   (Phi[70] * Y[10][i]) + (Phi[71] * Y[11][i]) + (Phi[72] * Y[12][i]) +
                   (Phi[73] * Y[13][i]) + (Phi[74] * Y[14][i])) + Q[10 + i];
     }
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 4; ++i) {
+        next[10 + i] = sum[i];
+    }
+    for (int i = 4; i < 5; ++i) {
         next[10 + i] = sum[i];
     }
     BS_ROLLED
@@ -903,7 +921,10 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
                   (Phi[100] * Y[10][i]) + (Phi[101] * Y[11][i]) + (Phi[102] * Y[12][i]) +
                   (Phi[103] * Y[13][i]) + (Phi[104] * Y[14][i])) + Q[21 + i];
     }
-    for (int i = 0; i < 7; ++i) {
+    for (int i = 0; i < 6; ++i) {
+        next[21 + i] = sum[i];
+    }
+    for (int i = 6; i < 7; ++i) {
         next[21 + i] = sum[i];
     }
     BS_ROLLED
@@ -927,7 +948,10 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
                   (Phi[132] * Y[12][i]) + (Phi[133] * Y[13][i]) + (Phi[134] * Y[14][i])) +
             Q[36 + i];
     }
-    for (int i = 0; i < 9; ++i) {
+    for (int i = 0; i < 8; ++i) {
+        next[36 + i] = sum[i];
+    }
+    for (int i = 8; i < 9; ++i) {
         next[36 + i] = sum[i];
     }
     BS_ROLLED
@@ -941,7 +965,10 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
     for (int i = 0; i < 12; ++i) {
         sum[i] = Y[10][i] + Q[55 + i];
     }
-    for (int i = 0; i < 11; ++i) {
+    for (int i = 0; i < 10; ++i) {
+        next[55 + i] = sum[i];
+    }
+    for (int i = 10; i < 11; ++i) {
         next[55 + i] = sum[i];
     }
     BS_ROLLED
@@ -955,7 +982,10 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
     for (int i = 0; i < 16; ++i) {
         sum[i] = Y[12][i] + Q[78 + i];
     }
-    for (int i = 0; i < 13; ++i) {
+    for (int i = 0; i < 12; ++i) {
+        next[78 + i] = sum[i];
+    }
+    for (int i = 12; i < 13; ++i) {
         next[78 + i] = sum[i];
     }
     BS_ROLLED
@@ -973,7 +1003,10 @@ void ah_joseph_predict(const bs_real P[AH_N_PACKED],
     for (int i = 12; i < 15; ++i) {
         sum[i] = Y[14][i] + Q[105 + i];
     }
-    for (int i = 0; i < 15; ++i) {
+    for (int i = 0; i < 14; ++i) {
+        next[105 + i] = sum[i];
+    }
+    for (int i = 14; i < 15; ++i) {
         next[105 + i] = sum[i];
     }
 }
