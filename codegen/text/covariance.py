@@ -49,6 +49,20 @@ def even(count: int, most: int) -> tuple[int, int]:
     return size, size * blocks
 
 
+def drivers(F: Places, m: int, tall: int) -> list[tuple[int, int, int, int]]:
+    """The rows of F that move in whole blocks: the first, how many, and the first and the end of the moving states that
+    drive them, blocks of the same as one."""
+    found: list[tuple[int, int, int, int]] = []
+    for row in range(0, m, tall):
+        by = [k for i, k in F if row <= i < row + tall and k < m] or [0]
+        span, rows = (min(by), max(by) + 1), tall
+        if found and found[-1][2:] == span:
+            row, rows = found[-1][0], found[-1][1] + tall
+            found.pop()
+        found.append((row, rows, *span))
+    return found
+
+
 def coupled(first: list[int]) -> list[int]:
     """The states, from the last, whose columns of a factor have more than a diagonal, or are in the reach of such."""
     n = len(first)
@@ -62,10 +76,11 @@ def discretize_cost(n: int, F: Places, Qc: Places, order: int) -> int:
     upper = [(i, j) for i, j in Qc if i <= j]
     inner, wide = sum(i < m for i, _ in upper), n - min([m, *(i for i, _ in Qc)])
     nodes, blocks = 1 + (order == 3), down // tall * (down // tall + 1) // 2
-    cost = len(F) + (order - 1) * 2 * down * row * m + (1, 5, 12)[order - 1] * down * row + 2 * m  # Phi and B
+    powers_of_F = (order - 1) * sum(2 * rows * row * (end - begin) for _, rows, begin, end in drivers(F, m, tall))
+    cost = len(F) + powers_of_F + (1, 5, 12)[order - 1] * down * row + 2 * m  # Phi and B
     cost += (order == 2) + len(upper)
     for k in coupled(first):  # the factors of Qc, and B times them
-        cost += 3 + sum(3 + 2 * (i - first[k]) + 2 * m * nodes for i in range(first[k], k))
+        cost += 3 + sum(3 + 2 * (i - first[k]) + 2 * down * nodes for i in range(first[k], k))
     cost += (2 * nodes - 1) * down * wide + nodes * blocks * 2 * wide * tall * tall  # squares
     if staying_pairs(m, first):
         cost += m * (n - m) * (n - m - 1)
@@ -138,7 +153,7 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     sized = ("F", "Qc") if model.kind == "error-state" or model.loops else ()  # what the filter keeps
     m = movers(model, made)
     (block, row), (tall, down) = even(n, BLOCK), even(m, TALL)
-    region = max(n * row, down * down)
+    region = max(n * row, down * down, m + row + m + tall)
     # of Qc the upper triangle, first what has a part in rows that move
     upper = sorted((i >= m, p, j * (j + 1) // 2 + i) for p, (i, j) in enumerate(sorted(Qc)) if i <= j)
     first = reach(n, Qc)
@@ -180,6 +195,7 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "sizes": {name: len(nonzeros(made, name)) for name in sized},
         "order": model.order,
         "series": series(model.order),
+        "drivers": drivers(F, m, tall),
         "left_out": left_out(model.order),
         "left_of_Q": left_of_Q(model.order),
         "cost": discretize_cost(n, F, Qc, model.order) if model.kind == "error-state" else None,
