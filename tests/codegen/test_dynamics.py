@@ -351,6 +351,50 @@ int main()
     assert run(tmp_path / "count").stdout == str(said["operations"])
 
 
+def test_factors_of_states_that_stay_without_noise_cost_no_operation_to_raise(tmp_path):
+    """By numbers that count: the cubic part of a prediction is the noise of states that stay, and no other."""
+    folder = ROOT / "generated" / "azimuth_hold"
+    (tmp_path / "count.cpp").write_text(f"""{COUNTED}
+#include <stdio.h>
+#include "{folder / "src" / "ah_covariance.c"}"
+static long of_step(bs_real noise)
+{{
+    static bs_real UD[AH_N_PACKED], Phi[AH_N_PHI], Q[AH_N_PACKED], next[AH_N_PACKED], work[AH_N_WORK];
+    for (int i = 0; i < AH_N_PACKED; ++i) {{
+        UD[i] = 0.5;
+        Q[i] = 0.0;
+    }}
+    for (int j = AH_N_MOVING; j < AH_N_STATES; ++j) {{
+        Q[column(j) + j] = noise;
+    }}
+    for (int i = 0; i < AH_N_MOVING; ++i) {{
+        Phi[i * (AH_ROW + 1)] = 1.0;
+    }}
+    operations = 0;
+    ah_ud_predict(UD, Phi, Q, next, work);
+    return operations;
+}}
+int main()
+{{
+    const long with = of_step(1.0), without = of_step(0.0);
+    bs_real UD[AH_N_PACKED], v[AH_N_STATES];
+    operations = 0;
+    for (int j = AH_N_MOVING; j < AH_N_STATES; ++j) {{
+        UD[column(j) + j] = 1.0;
+        v[j] = 1.0;
+        (void)raise_by(UD, 1.0, v, j, AH_N_MOVING);
+    }}
+    const long raised = operations;
+    operations = 0;
+    (void)raise_by(UD, 0.0, v, AH_N_STATES - 1, 0);
+    printf("%d %d", with - without >= raised, operations == 0);
+}}
+""")
+    done = run("c++", "-w", "-I", folder / "include", tmp_path / "count.cpp", "-o", tmp_path / "count")
+    assert done.returncode == 0, done.stderr
+    assert run(tmp_path / "count").stdout == "1 1"
+
+
 # ---- discrete time
 
 TURN = Model(
