@@ -1,8 +1,9 @@
 """Random numbers that depend on a seed and on a run, and on nothing else: not on chunks, processes or machines.
 
 They are counted: number k of a run is a fixed function of seed, run, stream and k.  The words are those of
-`numpy.random.Philox`; the normal numbers are of two words each two, by Box and Muller with the logarithm, the sine and
-the cosine of the generated C, so that every machine has equal bits.
+`numpy.random.Philox`.  Each word gives two normal numbers by Box and Muller: its upper 40 bits are the radius, so that
+none is beyond 7.54, its lower 24 the angle.  The logarithm, the sine and the cosine are C of our own, so that every
+machine has equal bits.
 """
 
 import ctypes
