@@ -17,7 +17,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import compiler
 from boresight.runtime.array import Array
-from boresight.runtime.compiler import LANES, open_library, shared_library
+from boresight.runtime.compiler import in_lanes, open_library, shared_library
 from boresight.runtime.manifest import folder_of
 
 SOURCE = Path(__file__).with_name("random.c")
@@ -29,7 +29,7 @@ def library(lanes: int) -> ctypes.CDLL:
     folder = folder_of(HEADERS)
     files = (SOURCE, folder / "batch" / "boresight_lanes.h", *sorted((folder / "include").glob("boresight*.h")))
     contents = hashlib.sha256(b"\0".join(file.read_bytes() for file in files)).hexdigest()
-    flags = (*LANES, f"-DBORESIGHT_LANES={lanes}", "-I", folder / "batch")
+    flags = (*in_lanes(lanes), "-I", folder / "batch")
     return open_library(*shared_library(f"random-lanes{lanes}", contents, {SOURCE: flags}, folder / "include"))
 
 
