@@ -127,10 +127,10 @@ def harness(out):
     library = load(MODEL)
     source = out / "harness.c"
     source.write_text(HARNESS)
-    sources = {path: () for path in sorted((library.folder / "src").glob("*.c"))}
+    sources = {source: ("-O3", f"-DWIDEST={compiler.lanes()}")}
+    sources |= dict.fromkeys(sorted((library.folder / "src").glob("*.c")), ())
     digest = hashlib.sha256(HARNESS.encode()).hexdigest() + library.manifest["hash"]
-    made = open_library(*shared_library("bench-lanes", digest, {source: ("-O3", f"-DWIDEST={compiler.lanes()}"), **sources},
-                                        library.folder / "include"))  # fmt: skip
+    made = open_library(*shared_library("bench-lanes", digest, sources, library.folder / "include"))
     for function in (made.in_lanes, made.in_a_loop, made.product):
         function.restype = ctypes.c_double
     return made

@@ -52,7 +52,7 @@ def processor(*command: str) -> tuple[tuple[str, ...], str]:
 @functools.cache
 def in_lanes(width: int) -> tuple[str, ...]:
     """Flags of C over blocks of `width` runs."""
-    order = IN_ORDER
+    order: tuple[str, ...] = IN_ORDER
     try:
         run([*compiler(), *order, "-E", "-x", "c", os.devnull])
     except BoresightError:

@@ -43,10 +43,12 @@ def build(
 
 def build_lanes(folder: Path, manifest: dict[str, Any], width: int) -> tuple[Path, str]:
     """The compiled library of a generated folder's filter over blocks of `width` runs."""
+    sources: dict[Path, tuple[str, ...]]
     sources = {folder / path: () for path in manifest["files"] if path.startswith("src/") and path.endswith(".c")}
     lanes = folder / "batch" / f"{manifest['c_prefix']}_lanes.c"
     contents = json.dumps(manifest["files"], sort_keys=True)
-    return shared_library(f"{folder.name}-lanes{width}", contents, {**sources, lanes: in_lanes(width)}, folder / "include")
+    sources[lanes] = in_lanes(width)
+    return shared_library(f"{folder.name}-lanes{width}", contents, sources, folder / "include")
 
 
 class Unit:
