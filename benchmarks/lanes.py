@@ -1,7 +1,8 @@
 """What a run costs in a block of runs, beside a loop of the scalar functions: python -m benchmarks.lanes
 
 The azimuth hold of 15 states, by processor time inside C; all widths and the loop take turns in every round, and each
-has the least of its rounds.  Normal numbers are counted by each.
+has the least of its rounds.  The propagation stands beside the limit of the machine, see `peers.compiled.limit`; how
+many numbers it computes at a time is measured.  Normal numbers are counted by each.
 """
 
 import ctypes
@@ -13,6 +14,8 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from benchmarks import interleaved
+from benchmarks.peers.compiled import clock, limit
+from benchmarks.peers.formulas import operations, problem
 from boresight.runtime import compiler, random
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.compiler import open_library, shared_library
@@ -42,6 +45,31 @@ static double now(void)
 double in_lanes(int which, int often, size_t n, void *block, const void *function, const bs_given *given,
                 const void *taking, unsigned char *status);
 double in_a_loop(int which, int often, size_t n, ah_filter *filter, const bs_given *given, unsigned char *status);
+double product(double factor);
+
+/* Seconds of one multiplication of the widest numbers, where none of CHAINS waits for another. */
+#define CHAINS 12
+typedef double wide __attribute__((vector_size(8 * WIDEST)));
+double product(double factor)
+{
+    const int often = 1000000;
+    const double begin = now();
+    volatile double kept;
+    wide chain[CHAINS];
+    for (int c = 0; c < CHAINS; ++c) {
+        chain[c] = (wide){ 0.0 } + (factor + c);
+    }
+    for (int i = 0; i < often; ++i) {
+        for (int c = 0; c < CHAINS; ++c) {
+            chain[c] *= factor;
+        }
+    }
+    for (int c = 0; c < CHAINS; ++c) {
+        kept = chain[c][0];
+    }
+    (void)kept;
+    return (now() - begin) / often / CHAINS;
+}
 
 double in_lanes(int which, int often, size_t n, void *block, const void *function, const bs_given *given,
                 const void *taking, unsigned char *status)
@@ -99,10 +127,11 @@ def harness(out):
     library = load(MODEL)
     source = out / "harness.c"
     source.write_text(HARNESS)
-    sources = {path: () for path in sorted((library.folder / "src").glob("*.c"))}
+    sources = {source: ("-O3", f"-DWIDEST={compiler.lanes()}")}
+    sources |= dict.fromkeys(sorted((library.folder / "src").glob("*.c")), ())
     digest = hashlib.sha256(HARNESS.encode()).hexdigest() + library.manifest["hash"]
-    made = open_library(*shared_library("bench-lanes", digest, {source: (), **sources}, library.folder / "include"))
-    for function in (made.in_lanes, made.in_a_loop):
+    made = open_library(*shared_library("bench-lanes", digest, sources, library.folder / "include"))
+    for function in (made.in_lanes, made.in_a_loop, made.product):
         function.restype = ctypes.c_double
     return made
 
@@ -174,11 +203,22 @@ def measured(widths, n, made):
     return best
 
 
+def least(made, ghz):
+    """ns of a propagation at the least."""
+    a_cycle = compiler.lanes() / min(made.product(ctypes.c_double(1.0)) for _ in range(ROUNDS)) / (ghz * 1e9)
+    p = problem()
+    done = operations(p, "propagate")
+    print(f"{a_cycle:.1f} multiplications a cycle, {done['multiply']} a propagation")
+    return limit(p, "propagate", done, a_cycle / 2, ghz)
+
+
 def main():
     most = compiler.lanes()
     widths = [w for w in (1, 2, 4, 8) if w <= most]
     with TemporaryDirectory() as folder:
-        made = harness(Path(folder))
+        (Path(folder) / "objects").mkdir()
+        made, ghz = harness(Path(folder)), clock(Path(folder))
+        bound = least(made, ghz)
     for n in SIZES:
         best = measured(widths, n, made)
         print(
@@ -190,6 +230,8 @@ def main():
         for call, _ in CALLS:
             row = [best[call, w] for w in ("loop", *widths)]
             print(call.ljust(24) + "".join(f"{value:8.0f}" for value in row) + f"{row[0] / min(row[1:]):14.1f}")
+        share = bound / min(best["propagate", w] for w in widths)
+        print(f"limit of propagate at {ghz:.2f} GHz: {bound:.0f} ns, {share:.0%} of it reached")
     runs, out = np.arange(256), np.empty((256, 600))
     best = interleaved({w: (lambda w=w: random.normals(1, runs, 600, out=out, lanes=w)) for w in widths})
     print("normal numbers, ns each".ljust(32) + "".join(f"{best[w] / out.size * 1e9:8.1f}" for w in widths))

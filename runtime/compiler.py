@@ -19,6 +19,8 @@ FLAGS = ("-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-DBORESIGHT_ROWS", "-
 # gcc 12 makes sums and differences side by side into one fused instruction, whatever -ffp-contract says
 NOT_FUSED = "-fno-tree-slp-vectorize"
 LANES = ("-O3", "-fno-math-errno", "-Wno-psabi")  # of C over blocks of runs, which no function of another file is given
+# gcc's own order follows the text, whose chains of operations wait for one another; clang always chooses the order
+IN_ORDER = ("-fschedule-insns", "-fsched-pressure")
 PRECISIONS: dict[str, tuple[str, ...]] = {"float": ("-DBORESIGHT_FLOAT",), "double": ()}
 
 
@@ -45,6 +47,17 @@ def processor(*command: str) -> tuple[tuple[str, ...], str]:
             if not flags:
                 raise
     raise AssertionError
+
+
+@functools.cache
+def in_lanes(width: int) -> tuple[str, ...]:
+    """Flags of C over blocks of `width` runs."""
+    order: tuple[str, ...] = IN_ORDER
+    try:
+        run([*compiler(), *order, "-E", "-x", "c", os.devnull])
+    except BoresightError:
+        order = ()
+    return (*LANES, *order, f"-DBORESIGHT_LANES={width}")
 
 
 def lanes() -> int:

@@ -16,7 +16,7 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import compiler
-from boresight.runtime.compiler import LANES, PRECISIONS, open_library, shared_library
+from boresight.runtime.compiler import PRECISIONS, in_lanes, open_library, shared_library
 from boresight.runtime.manifest import built_in, folder_of, read_manifest
 from boresight.runtime.status import Status
 
@@ -43,11 +43,12 @@ def build(
 
 def build_lanes(folder: Path, manifest: dict[str, Any], width: int) -> tuple[Path, str]:
     """The compiled library of a generated folder's filter over blocks of `width` runs."""
-    ours = (*LANES, f"-DBORESIGHT_LANES={width}")
+    sources: dict[Path, tuple[str, ...]]
     sources = {folder / path: () for path in manifest["files"] if path.startswith("src/") and path.endswith(".c")}
     lanes = folder / "batch" / f"{manifest['c_prefix']}_lanes.c"
     contents = json.dumps(manifest["files"], sort_keys=True)
-    return shared_library(f"{folder.name}-lanes{width}", contents, {**sources, lanes: ours}, folder / "include")
+    sources[lanes] = in_lanes(width)
+    return shared_library(f"{folder.name}-lanes{width}", contents, sources, folder / "include")
 
 
 class Unit:

@@ -1,14 +1,14 @@
 /* Random numbers that depend on a seed and a run alone: Philox 4x64-10, whose words are those of numpy.random.Philox,
  * and normal numbers of them by Box and Muller, with equal bits on every machine and at every width of the lanes. */
 #include <stdint.h>
-
-#include "boresight_math.h"
+#include <string.h>
 
 #include "boresight_lanes.h"
 
 __extension__ typedef unsigned __int128 product;
+typedef unsigned long long words __attribute__((vector_size(8 * BORESIGHT_LANES)));
 
-#define BLOCKS 32 /* of four words, made at a time */
+#define GROUPS 16 /* of eight words, made at a time */
 
 void boresight_words(uint64_t seed, const uint64_t *run, size_t runs, uint64_t stream, uint64_t first, size_t count,
                      uint64_t *out, ptrdiff_t run_stride, ptrdiff_t stride);
@@ -52,27 +52,46 @@ void boresight_words(uint64_t seed, const uint64_t *run, size_t runs, uint64_t s
     }
 }
 
-/* Of each pair of words two normal numbers: the angle is in [-pi, pi), the radius at most 8.5. */
-static void transform(const uint64_t word[4 * BLOCKS], double normal[4 * BLOCKS])
+/* Coefficients in falling powers. */
+BS_INLINE bs_lanes polynomial(const double *coefficient, int n, bs_lanes x)
 {
-    for (int i = 0; i < (4 * BLOCKS); i += 2 * BORESIGHT_LANES) {
-        bs_bits one;
-        bs_bits other;
-        bs_lanes sine;
-        bs_lanes cosine;
-        for (int l = 0; l < BORESIGHT_LANES; ++l) {
-            one[l] = (long long)(word[i + (2 * l)] >> 12U);
-            other[l] = (long long)(word[i + (2 * l) + 1] >> 12U);
-        }
-        const bs_lanes u = 2.0 - (bs_lanes)(one | 0x3FF0000000000000LL); /* in (0, 1] */
-        const bs_lanes radius = bs_root(-2.0 * bs_log_lanes(u));
-        bs_sincos_lanes(((bs_lanes)(other | 0x3FF0000000000000LL) - 1.5) * 6.283185307179586, &sine, &cosine);
-        cosine *= radius;
-        sine *= radius;
-        for (int l = 0; l < BORESIGHT_LANES; ++l) {
-            normal[i + (2 * l)] = cosine[l];
-            normal[i + (2 * l) + 1] = sine[l];
-        }
+    bs_lanes sum = bs_all_of(coefficient[0]);
+    for (int i = 1; i < n; ++i) {
+        sum = coefficient[i] + (x * sum);
+    }
+    return sum;
+}
+
+/* Of each word of a group two normal numbers by Box and Muller, the second one eight places behind the first.  The
+ * word's upper 40 bits are the radius, of at most 7.54; of the others two are the quadrant, and 22 the angle in it. */
+static void transform(const uint64_t word[8], double normal[16])
+{
+    static const double of_log[] = { 0.29590730292999929, 0.3062822174287304, 0.3636712376750626, 0.44444396441372136,
+                                     0.57142857483775966, 0.79999999998834127, 1.3333333333333468, 4.0 };
+    static const double of_sine[] = { -1.5895975029828002e-10, 2.505074281422434e-08, -2.7557313585030056e-06,
+                                      0.0001984126982946497, -0.008333333333321924, 0.1666666666666663 };
+    static const double of_cosine[] = { -1.1358764866516342e-11, 2.0875705689505815e-09, -2.7557314219059267e-07,
+                                        2.4801587289008097e-05, -0.0013888888888873348, 0.041666666666666595 };
+    for (int i = 0; i < 8; i += BORESIGHT_LANES) {
+        words w;
+        memcpy(&w, &word[i], sizeof w);
+        /* u, in the middle between two multiples of 2^-40, is 2^k (1 + f), with 1 + f from sqrt(1/2) to sqrt(2) */
+        const bs_lanes u = (bs_lanes)(((w >> 12U) & 0x000FFFFFFFFFF000U) | 0x3FF0000000000800U) - 1.0;
+        const words above = (words)u + (0x3FF0000000000000U - 0x3FE6A09E667F3BCDU);
+        const bs_lanes k = (bs_lanes)((above >> 52U) | 0x4330000000000000U) - (4503599627370496.0 + 1023.0);
+        const bs_lanes f = (bs_lanes)((above & 0x000FFFFFFFFFFFFFU) + 0x3FE6A09E667F3BCDU) - 1.0;
+        const bs_lanes s = f / (2.0 + f);
+        const bs_lanes root = bs_root((k * -1.3862943611198906) - (s * polynomial(of_log, 8, s * s))); /* -2 log u */
+        const bs_lanes radius = (bs_lanes)((words)root ^ ((w << 40U) & 0x8000000000000000U)); /* a half turn on */
+        const bs_lanes angle = ((bs_lanes)(((w & 0x3FFFFFU) << 30U) | 0x3FF0000020000000U) - 1.5) * 1.5707963267948966;
+        const bs_lanes y = angle * angle;
+        const bs_lanes sine = angle - ((angle * y) * polynomial(of_sine, 6, y));
+        const bs_lanes cosine = 1.0 - (y * (0.5 - (y * polynomial(of_cosine, 6, y))));
+        const bs_bits across = -(bs_bits)((w >> 22U) & 1U);
+        const bs_lanes one = radius * bs_choose(across, sine, cosine);
+        const bs_lanes other = radius * bs_choose(across, cosine, sine);
+        memcpy(&normal[i], &one, sizeof one);
+        memcpy(&normal[8 + i], &other, sizeof other);
     }
 }
 
@@ -80,19 +99,24 @@ void boresight_normals(uint64_t seed, const uint64_t *run, size_t runs, uint64_t
                        double *out, ptrdiff_t run_stride, ptrdiff_t stride, const double *scale, const double *offset)
 {
     for (size_t r = 0U; r < runs; ++r) {
-        uint64_t begin = first % 4U; /* the first of a block that is wanted */
+        size_t begin = (size_t)(first % 16U); /* the first of a group that is wanted */
         for (size_t i = 0U; i < count; begin = 0U) {
-            const size_t left = (size_t)begin + (count - i);
-            const size_t end = (left < (4U * BLOCKS)) ? left : (4U * BLOCKS);
-            uint64_t word[4 * BLOCKS] = { 0U };
-            double normal[4 * BLOCKS];
-            for (size_t k = 0U; k < ((end + 3U) / 4U); ++k) {
-                philox(seed, run[r], stream, ((first + i) / 4U) + k + 1U, &word[4U * k]);
+            const size_t left = begin + (count - i);
+            const size_t end = (left < (16U * GROUPS)) ? left : (16U * GROUPS);
+            const uint64_t block = 2U * ((first + i) / 16U);
+            uint64_t word[8 * GROUPS];
+            double normal[16 * GROUPS];
+            for (size_t k = 0U; k < (2U * ((end + 15U) / 16U)); ++k) {
+                philox(seed, run[r], stream, block + k + 1U, &word[4U * k]);
             }
-            transform(word, normal);
-            for (size_t k = (size_t)begin; k < end; ++k, ++i) {
-                out[((ptrdiff_t)r * run_stride) + ((ptrdiff_t)i * stride)] = (normal[k] * scale[i]) + offset[i];
+            for (size_t k = 0U; k < end; k += 16U) {
+                transform(&word[k / 2U], &normal[k]);
             }
+            double *const to = &out[((ptrdiff_t)r * run_stride) + ((ptrdiff_t)i * stride)];
+            for (size_t k = 0U; k < (end - begin); ++k) {
+                to[(ptrdiff_t)k * stride] = (normal[begin + k] * scale[i + k]) + offset[i + k];
+            }
+            i += end - begin;
         }
     }
 }

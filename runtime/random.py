@@ -1,8 +1,9 @@
 """Random numbers that depend on a seed and on a run, and on nothing else: not on chunks, processes or machines.
 
 They are counted: number k of a run is a fixed function of seed, run, stream and k.  The words are those of
-`numpy.random.Philox`; the normal numbers are of two words each two, by Box and Muller with the logarithm, the sine and
-the cosine of the generated C, so that every machine has equal bits.
+`numpy.random.Philox`.  Each word gives two normal numbers by Box and Muller: its upper 40 bits are the radius, so that
+none is beyond 7.54, its lower 24 the angle.  The logarithm, the sine and the cosine are C of our own, so that every
+machine has equal bits.
 """
 
 import ctypes
@@ -16,7 +17,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import compiler
 from boresight.runtime.array import Array
-from boresight.runtime.compiler import LANES, open_library, shared_library
+from boresight.runtime.compiler import in_lanes, open_library, shared_library
 from boresight.runtime.manifest import folder_of
 
 SOURCE = Path(__file__).with_name("random.c")
@@ -28,7 +29,7 @@ def library(lanes: int) -> ctypes.CDLL:
     folder = folder_of(HEADERS)
     files = (SOURCE, folder / "batch" / "boresight_lanes.h", *sorted((folder / "include").glob("boresight*.h")))
     contents = hashlib.sha256(b"\0".join(file.read_bytes() for file in files)).hexdigest()
-    flags = (*LANES, f"-DBORESIGHT_LANES={lanes}", "-I", folder / "batch")
+    flags = (*in_lanes(lanes), "-I", folder / "batch")
     return open_library(*shared_library(f"random-lanes{lanes}", contents, {SOURCE: flags}, folder / "include"))
 
 

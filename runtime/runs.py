@@ -45,7 +45,7 @@ def many(
     *,
     runs: int,
     seed: int = 0,
-    chunk: int = 256,
+    chunk: int = 512,
     jobs: int = 1,
     dask: str | None = None,
     directory: str | Path | None = None,

@@ -7,7 +7,7 @@ from boresight.codegen.text.covariance import coupled, even, movers, nonzeros, r
 from boresight.codegen.text.names import number
 from boresight.derive.model import Model, Variable
 
-WIDE, TALL = 8, 3  # sums of a product that are made at a time
+WIDE, TALL = 16, 3  # sums of a product that are made at a time
 
 
 def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: dict[str, Any]) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import subprocess
 import sys
 from dataclasses import replace
@@ -11,6 +12,7 @@ import pytest
 from conftest import ROOT
 
 from boresight import BoresightError, cli
+from boresight.runtime import compiler
 from boresight.runtime import runs as r
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, sensors
@@ -55,12 +57,50 @@ def test_the_heading_is_as_good_as_that_of_the_study_s_own_filter(slope):
 
 
 @pytest.mark.parametrize("motion", ["wave", "slope", "sea"])
-def test_the_final_states_are_the_same_in_every_chunk(motion):
+def test_one_hash_in_chunks_lanes_and_processes_of_any_number(motion, monkeypatch):
+    """Of the final states and of their summaries."""
     kind = sea.experiment(sea.Sea(motion, 4, SHORT))
-    (one,) = {r.many(kind, runs=150, seed=1, chunk=chunk).digest for chunk in (7, 64, 150)}
-    assert r.many(kind, runs=150, seed=1, chunk=64, jobs=2).digest == one
-    alone = sea.fly(load(sea.MODEL), kind.settings, 1, range(140, 141))
-    np.testing.assert_array_equal(alone, r.many(kind, runs=150, seed=1).values[[140]])
+
+    def digest(chunk, lanes, jobs):
+        monkeypatch.setattr(compiler, "lanes", lambda: lanes)
+        r._library.cache_clear()
+        return r.many(kind, runs=300, seed=1, chunk=chunk, jobs=jobs).digest
+
+    ways = [(256, 8, 1), (64, 4, 1), (7, 2, 1), (64, 1, 2), (256, 4, 2)]
+    ways += [(1, 8, 2), (1, 1, 1)] if motion == "slope" else []
+    found = {way: digest(*way) for way in ways}
+    r._library.cache_clear()
+    assert len(set(found.values())) == 1, found
+    alone = sea.fly(load(sea.MODEL), kind.settings, 1, range(290, 291))
+    np.testing.assert_array_equal(alone, r.many(kind, runs=300, seed=1).values[[290]])
+
+
+KILLED = """
+import os, signal
+from pathlib import Path
+from boresight.runtime import compiler
+from boresight.runtime import runs as r
+from boresight.studies.sea_state import many as sea
+from boresight.studies.sea_state import flight
+
+def killed(done, total, text):
+    if list(Path({folder!r}).glob("runs/block-*")):
+        os.kill(os.getpid(), signal.SIGKILL)
+
+kind = sea.experiment(sea.Sea("slope", 4, flight.Scenario(covariance_hz=1, seconds=12)))
+r.many(kind, runs=1300, seed=1, chunk=64, jobs={jobs}, directory={folder!r}, progress=killed)
+"""
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_killed_and_resumed_the_hash_is_the_same(jobs, tmp_path):
+    code = KILLED.format(jobs=jobs, folder=str(tmp_path))
+    done = subprocess.run([sys.executable, "-c", code], env={**os.environ, "PYTHONPATH": str(ROOT)}, check=False)
+    assert done.returncode == -signal.SIGKILL and len(list((tmp_path / "runs").glob("block-*"))) == 1
+    kind, flown = sea.experiment(sea.Sea("slope", 4, SHORT)), []
+    whole = r.many(kind, runs=1300, seed=1, directory=tmp_path, progress=lambda *now: flown.append(now[0]))
+    assert flown[0] > 1024  # what the first block holds is not flown again
+    assert whole.digest == r.many(kind, runs=1300, seed=1).digest
 
 
 def test_the_final_states_are_the_same_in_lanes_of_every_width():
