@@ -58,9 +58,17 @@ def turned(q_b2n_wxyz: Any, rotation_vector: Any) -> Array:
 
 def attitude_error(q_b2n_hat_wxyz: Any, q_b2n_wxyz: Any) -> Array:
     """eps of C_hat = exp(-[eps x]) C, in navigation axes, (..., 3) rad: the turn that removes the error."""
-    shape = np.broadcast_shapes(np.shape(q_b2n_hat_wxyz), np.shape(q_b2n_wxyz))
-    hat, true = _from_wxyz(_full(q_b2n_hat_wxyz, shape)), _from_wxyz(_full(q_b2n_wxyz, shape))
-    return (true * hat.inv()).as_rotvec().reshape((*shape[:-1], 3))
+    a, b, c, d = np.moveaxis(np.asarray(q_b2n_wxyz, float), -1, 0)
+    e, f, g, h = np.moveaxis(np.asarray(q_b2n_hat_wxyz, float), -1, 0)
+    # true times the inverse of hat, of any norm and sign: half the turn is the angle between its two parts
+    w = a * e + b * f + c * g + d * h
+    v = [b * e - a * f + d * g - c * h, c * e - a * g + b * h - d * f, d * e - a * h + c * f - b * g]
+    sign, w = np.where(w < 0, -2.0, 2.0), np.abs(w)
+    length = np.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
+    small = length < 1e-8 * w
+    with np.errstate(divide="ignore", invalid="ignore"):
+        scale = sign * np.where(small, 1 / w, np.arctan2(length, w) / length)
+    return np.stack([scale * one for one in v], axis=-1)
 
 
 def body_increments(q_b2n_wxyz: Any, omega_in_n: Any, dt: float) -> Array:
