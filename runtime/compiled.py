@@ -347,7 +347,7 @@ class CompiledFilter(Filter):
         R, rows = np.atleast_1d(np.asarray(R, dtype=float)), np.atleast_1d(np.asarray(rows, dtype=bool))
         L_inverse, correlated = None, self._described(measurement, "correlated")
         plain = R.shape == (m,) and rows.shape[-1] in (1, m) and not correlated
-        if not (plain and (R > 0).all() and (R < np.inf).all()):
+        if not (plain and (R > 0).all() and np.isfinite(R).all()):
             _, L_inverse = self._noise(measurement, R, (m,) if z is None else z.shape, rows)
         if L_inverse is not None:
             if not correlated:
@@ -386,9 +386,9 @@ class CompiledFilter(Filter):
         vectors = vectors or {}
         by_run = [] if measured is None else [each for each in (measured[0], measured[3]) if each is not None]
         key = (
-            function, self._runs, *self._nav, *((name, value.shape) for name, value in self._held.items()),
-            *((name, np.shape(value)) for name, value in inputs.items()),
-            *(value.shape for value in (*vectors.values(), *by_run)),
+            function, self._runs, tuple(self._nav), tuple([(name, value.shape) for name, value in self._held.items()]),
+            tuple([(name, np.shape(value)) for name, value in inputs.items()]),
+            tuple([value.shape for value in vectors.values()]), tuple([value.shape for value in by_run]),
         )  # fmt: skip
         call = self._prepared.get(key)
         if call is None:
@@ -399,20 +399,19 @@ class CompiledFilter(Filter):
             if name in self.nav:
                 self._lend(name)
             self._write(name, np.asarray(inputs[name], dtype=float))
-        name, index, taking = function, (), ()
+        name = function
+        asked: tuple[Any, ...] = (call.given,)
         if measured is not None:
             call.rows[...], call.gates[...], call.iterations[0] = measured[:3]
             self._consider(measured[3])
-            name, index, taking = "measure", (described["index"],), (ctypes.byref(call.taking),)
+            name, asked = "measure", (described["index"], call.given, ctypes.byref(call.taking))
         changed = self._changed(name)
         memory.keep(changed)
         call.status[...] = 0
-        if self._called(name)(memory.n, memory.address, *index, call.given, *taking, call.status.ctypes.data):
+        if self._called(name)(memory.n, memory.address, *asked, call.status.ctypes.data):
             memory.give_back(changed)
             given = call.arranged(self, function, inputs)
-            self._explain(
-                function, {**{n: self._column(n) for n in self.nav if n in self._part}, **given}, call.status
-            )
+            self._explain(function, {**{n: self._column(n) for n in self.nav if n in self._part}, **given}, call.status)
         if function == "propagate":
             self.at_ceiling = (call.status == Status.AT_CEILING).reshape(call.runs)
         self._forget((*described.get("written", ()), *(("x", "P") if name != "strapdown" else ())))

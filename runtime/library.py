@@ -146,8 +146,9 @@ class Bound:
         ends = [out.ctypes.data for out in self.outputs.values()]
         self.call: Callable[[], int]
         if runs:
-            strides = [library.width[struct] if struct == "x" else 1 for struct in unit.structs]
-            words = [w for a, stride in zip(self._arrays.values(), strides, strict=True) for w in (a.ctypes.data, stride)]
+            words: list[int] = []
+            for struct, array in self._arrays.items():
+                words += array.ctypes.data, library.width[struct] if struct == "x" else 1
             self.call = functools.partial(unit._many, n, *words, *ends, self._status.ctypes.data)
         else:
             addresses = [a.ctypes.data for a in self._arrays.values()] + ends

@@ -189,7 +189,8 @@ class Transfer:
         seconds = np.where(sound, dt, 1.0).reshape((-1, *(1 for _ in self.runs)))
         parts = [part.reshape((len(time), *(1 for _ in range(count + 2 - part.ndim)), *part.shape[1:]))
                  for part in delivered]  # fmt: skip
-        increments = np.concatenate(np.broadcast_arrays(*self.known.increments(*parts, seconds)), axis=-1)
+        dtheta, dv = self.known.increments(parts[0], parts[1], seconds)
+        increments = np.concatenate(np.broadcast_arrays(dtheta, dv), axis=-1)
         sound &= self.gaps.usable(increments, seconds[..., None]).reshape(len(time), -1).all(-1)
         for part, full in zip(parts, self.rules.full_scale or (), strict=False):
             sound &= (np.abs(part) < full * seconds[..., None] * (1 - 1e-9)).reshape(len(time), -1).all(-1)
@@ -199,7 +200,8 @@ class Transfer:
         """Whether nothing of the past has a part in what becomes of an interval."""
         gaps, watch = self.gaps, self.watch
         disturbed = (gaps.missing_s, gaps.lost, watch.saturated_s, watch.at_full, self.guard.outside)
-        return self._stretch is not None and abs(begin - self.time) < 0.5 * dt and not any(one.any() for one in disturbed)
+        behind = abs(begin - self.time) < 0.5 * dt
+        return self._stretch is not None and behind and not any(one.any() for one in disturbed)
 
     def _together(self, time: Array, increments: Array, dt: Array) -> int:
         """How many of these intervals were flown, all of them but where the model's range ends: as one by one."""
@@ -217,8 +219,9 @@ class Transfer:
             states = stretch.fly(k, end)
             if not states:
                 break
-            angle, push = (sums[k + 1 : end + 1, ..., part] for part in (GYRO, ACCEL))
-            history.extend(time[k:end], **{name: states[name] for name in ("v_n", "q_b2n_wxyz")}, angle=angle, push=push)
+            kept = {"v_n": states["v_n"], "q_b2n_wxyz": states["q_b2n_wxyz"],
+                    "angle": sums[k + 1 : end + 1, ..., GYRO], "push": sums[k + 1 : end + 1, ..., ACCEL]}  # fmt: skip
+            history.extend(time[k:end], **kept)
             self.filter.nav.update({name: value[-1].copy() for name, value in states.items()})
             self.time = self.watch.time = float(time[end - 1])
             self._steps += end - k

@@ -29,7 +29,7 @@ class Stretch:
         return Stretch(model, nav, P, constants) if described else None
 
     def begin(self, nav: Mapping[str, Array], P: Array, increments: Array, dt: Array) -> None:
-        """From nav and P on.  increments: (1 + K, ..., 6) rad and m/s, the first of the interval before.  dt: (K,) s."""
+        """From nav and P on.  increments: (1 + K, ..., 6) rad and m/s, first that of the interval before.  dt: (K,)."""
         loop = self.loop
         for name in loop._carried:
             if name in nav or name in self.constants:
