@@ -108,6 +108,66 @@ class Held(MutableMapping[str, Array]):
         return repr(dict(self))
 
 
+class Prepared:
+    """What one function is called with, for names and shapes that have been looked at: arrays that the C reads.
+
+    runs: of the call.  own: carried fields that are given, for this call alone.
+    """
+
+    def __init__(self, loop: "CompiledFilter", function: str, described: dict[str, Any], inputs: dict[str, Any],
+                 vectors: dict[str, Array], measured: list[Array]):  # fmt: skip
+        library = loop._library
+        check_inputs(function, library, inputs, loop.nav, np.empty((*loop._runs, 0, 0)))
+        missing = [name for name in described["fields"] if name not in inputs and name not in loop.nav]
+        if missing:
+            raise BoresightError(f"{function} needs {', '.join(missing)}; pass it as a keyword")
+        self.own = [name for name in loop._carried if name in inputs]
+        self._read = [name for name in described["fields"] if name not in loop._carried]
+        given, runs = library.arrange(function, {n: self.value(loop, n, inputs) for n in [*self._read, *self.own]})
+        shapes = [runs, loop._runs, *(v.shape[:-1] for v in [*vectors.values(), *measured])]
+        shapes += [v.shape[: -loop._axes(n) or None] for n, v in loop._held.items() if n in loop._part]
+        self.runs = np.broadcast_shapes(*shapes)
+
+        self._fields: list[tuple[str, Array]] = []
+        blocks = []
+        for struct, (packed, stride) in zip(
+            described["structs"], library.pack(described["structs"], given, self.runs), strict=True
+        ):
+            blocks.append((packed, stride * packed.shape[-1]))
+            for name, part in library.layout[struct].items():
+                if name in given:
+                    view = packed[..., part if library.field[name]["size"] > 1 else part.start]
+                    self._fields.append((name, view))
+        for name, vector in vectors.items():
+            shared, m = vector.ndim == 1, vector.shape[-1]
+            blocks.append((np.zeros(m if shared else (*self.runs, m)), 0 if shared else m))
+            self._fields.append((name, blocks[-1][0]))
+        self._blocks = blocks  # from the collector
+        self.given = (Given * max(1, len(blocks)))(*(Given(each.ctypes.data, stride, 0) for each, stride in blocks))
+        self.status = np.zeros(int(np.prod(self.runs, dtype=int)), dtype=np.uint8)
+        if measured:
+            m = described["m"]
+            self.rows, self.gates = np.zeros((*self.runs, m), dtype=np.uint8), np.zeros(2)
+            self.iterations = np.zeros(1, dtype=np.intc)
+            self.out = np.zeros((*self.runs, m)), np.zeros((*self.runs, m)), np.zeros(self.runs)
+            self.used = np.zeros((*self.runs, m), dtype=np.uint8)
+            ends = (part.ctypes.data for part in (self.gates, self.iterations, *self.out, self.used))
+            self.taking = Taking(self.rows.ctypes.data, m, *ends)
+
+    @staticmethod
+    def value(loop: "CompiledFilter", name: str, inputs: dict[str, Any]) -> Any:
+        return inputs[name] if name in inputs else loop._seen(name)
+
+    def fill(self, loop: "CompiledFilter", inputs: dict[str, Any]) -> None:
+        for name, view in self._fields:
+            view[...] = self.value(loop, name, inputs)
+
+    def arranged(self, loop: "CompiledFilter", function: str, inputs: dict[str, Any]) -> dict[str, Array]:
+        """What was given, as `Library.arrange` has it."""
+        names = [*self._read, *self.own]
+        return loop._library.arrange(function, {name: self.value(loop, name, inputs) for name in names})[0]
+
+
 class CompiledFilter(Filter):
     """Predict, update by a named measurement, feed back.  model: a library of `boresight.runtime.library.load`.
 
@@ -129,6 +189,7 @@ class CompiledFilter(Filter):
         self._lent: set[str] = set()  # what the caller may have changed since the last call
         self._runs: tuple[int, ...] = ()
         self._memory: Memory | None = None
+        self._prepared: dict[Any, Prepared] = {}  # by names and shapes
         self._places(model)
         super().__init__(model, nav, P, x)
         self._runs = np.broadcast_shapes(self._held["P"].shape[:-2], self._held["x"].shape[:-1])
@@ -205,7 +266,7 @@ class CompiledFilter(Filter):
 
     def _forget(self, names: Any) -> None:
         """What these are stands in the C alone."""
-        if self._held:
+        if not self._held.keys().isdisjoint(names):
             for name in names:
                 if self._held.pop(name, None) is not None:
                     self._lent.discard(name)
@@ -284,18 +345,21 @@ class CompiledFilter(Filter):
         described = self.described["measurements"][measurement]
         m = described["m"]
         R, rows = np.atleast_1d(np.asarray(R, dtype=float)), np.atleast_1d(np.asarray(rows, dtype=bool))
-        _, L_inverse = self._noise(measurement, R, (m,) if z is None else z.shape, rows)
+        L_inverse, correlated = None, self._described(measurement, "correlated")
+        plain = R.shape == (m,) and rows.shape[-1] in (1, m) and not correlated
+        if not (plain and 0 < R.min() and R.max() < np.inf):
+            _, L_inverse = self._noise(measurement, R, (m,) if z is None else z.shape, rows)
         if L_inverse is not None:
-            if not self._described(measurement, "correlated"):
+            if not correlated:
                 raise BoresightError(
                     f"{measurement}: R has shape {R.shape}, and its C takes the variances of independent rows; give "
                     "these, generate the Measurement with correlated=True, or fly Filter"
                 )
             R = R.reshape((*R.shape[:-2], m * m))
         vectors = {"R": R} if z is None else {"z": z, "R": R}
-        gates = np.array([gate or 0.0, joint or 0.0])
+        gates = gate or 0.0, joint or 0.0
         nu, S, nis, used = self._fly(
-            f"measure_{measurement}", described, inputs, vectors, (rows, m, gates, iterations, kept)
+            f"measure_{measurement}", described, inputs, vectors, (rows, gates, iterations, kept)
         )
         return Innovation(nu, S, used, nis)
 
@@ -311,74 +375,47 @@ class CompiledFilter(Filter):
         described: dict[str, Any],
         inputs: dict[str, Any],
         vectors: dict[str, Array] | None = None,
-        measured: tuple[Array, int, Array, int, Array | None] | None = None,
+        measured: tuple[Array, tuple[float, float], int, Array | None] | None = None,
     ) -> Any:
         """Call `function` of the C filter for all runs.  vectors: z if brought (..., m), and R.
 
-        measured: rows (..., m) bool, m, the gates of a row and the joint one, iterations and the considered states
+        measured: rows (..., m) bool, the gates of a row and the joint one, iterations and the considered states
         (..., n) bool, or None, of a measurement, for which nu, S, nis and used are returned.
         Where a run is refused, all are as they were, and BoresightError names it.
         """
-        library = self._library
-        check_inputs(function, library, inputs, self.nav, np.empty((*self._runs, 0, 0)))
-        missing = [name for name in described["fields"] if name not in inputs and name not in self.nav]
-        if missing:
-            raise BoresightError(f"{function} needs {', '.join(missing)}; pass it as a keyword")
-        own = {name: np.asarray(inputs[name], dtype=float) for name in self._carried if name in inputs}
-        read = {n: inputs[n] if n in inputs else self._seen(n) for n in described["fields"] if n not in self._carried}
-        given, runs = library.arrange(function, {**read, **own})
-        shapes = [runs, self._runs, *(v.shape[:-1] for v in (vectors or {}).values())]
-        shapes += [self._held[n].shape[: -self._axes(n) or None] for n in (*self._carried, "x", "P") if n in self._held]
-        if measured is not None:
-            shapes += [each.shape[:-1] for each in (measured[0], measured[4]) if each is not None]
-        distinct = {*shapes} - {()}
-        runs = distinct.pop() if len(distinct) == 1 else np.broadcast_shapes(*shapes)
-
-        memory = self._settle(runs)
-        for name in own:  # for this call alone
+        vectors = vectors or {}
+        by_run = [] if measured is None else [each for each in (measured[0], measured[3]) if each is not None]
+        key = (
+            function, self._runs, tuple(self._nav), tuple([(name, value.shape) for name, value in self._held.items()]),
+            tuple([(name, np.shape(value)) for name, value in inputs.items()]),
+            tuple([value.shape for value in vectors.values()]), tuple([value.shape for value in by_run]),
+        )  # fmt: skip
+        call = self._prepared.get(key)
+        if call is None:
+            call = self._prepared[key] = Prepared(self, function, described, inputs, vectors, by_run)
+        call.fill(self, {**inputs, **vectors} if vectors else inputs)
+        memory = self._settle(call.runs)
+        for name in call.own:  # for this call alone
             if name in self.nav:
                 self._lend(name)
-            self._write(name, own[name])
-        arguments: list[Any] = [memory.n, memory.address]
-        kept: list[Any] = []  # from the collector, until the call is over
-        blocks = []
-        for packed, stride in library.pack(described["structs"], given, runs):
-            kept.append(packed)
-            blocks.append((packed.ctypes.data, stride * packed.shape[-1]))
-        out: tuple[Array, ...] = ()
+            self._write(name, np.asarray(inputs[name], dtype=float))
         name = function
+        asked: tuple[Any, ...] = (call.given,)
         if measured is not None:
-            rows, m, gates, iterations, considered = measured
-            self._consider(considered)
-            for vector in (vectors or {}).values():
-                shared = vector.ndim == 1
-                kept.append(
-                    np.ascontiguousarray(vector if shared else np.broadcast_to(vector, (*runs, vector.shape[-1])))
-                )
-                blocks.append((kept[-1].ctypes.data, 0 if shared else vector.shape[-1]))
-            out = np.zeros((*runs, m)), np.zeros((*runs, m)), np.zeros(runs), np.zeros((*runs, m), dtype=np.uint8)
-            asked = np.ascontiguousarray(np.broadcast_to(rows, (*runs, m)), dtype=np.uint8)
-            often = np.array([iterations], dtype=np.intc)
-            kept += [asked, often, gates]
-            name = "measure"
-            arguments.append(described["index"])
-        arguments.append((Given * max(1, len(blocks)))(*(Given(at, stride, 0) for at, stride in blocks)))
-        if out:
-            pointers = (part.ctypes.data for part in out)
-            arguments.append(
-                ctypes.byref(Taking(asked.ctypes.data, m, gates.ctypes.data, often.ctypes.data, *pointers))
-            )
-        status = np.zeros(memory.n, dtype=np.uint8)
-        arguments.append(status.ctypes.data)
+            call.rows[...], call.gates[...], call.iterations[0] = measured[:3]
+            self._consider(measured[3])
+            name, asked = "measure", (described["index"], call.given, ctypes.byref(call.taking))
         changed = self._changed(name)
         memory.keep(changed)
-        if self._called(name)(*arguments):
+        call.status[...] = 0
+        if self._called(name)(memory.n, memory.address, *asked, call.status.ctypes.data):
             memory.give_back(changed)
-            self._explain(function, {**{n: self._column(n) for n in self.nav if n in self._part}, **given}, status)
+            given = call.arranged(self, function, inputs)
+            self._explain(function, {**{n: self._column(n) for n in self.nav if n in self._part}, **given}, call.status)
         if function == "propagate":
-            self.at_ceiling = (status == Status.AT_CEILING).reshape(runs)
+            self.at_ceiling = (call.status == Status.AT_CEILING).reshape(call.runs)
         self._forget((*described.get("written", ()), *(("x", "P") if name != "strapdown" else ())))
-        return (*out[:3], out[3].astype(bool)) if out else None
+        return (*(part.copy() for part in call.out), call.used.astype(bool)) if measured is not None else None
 
     def _axes(self, name: str) -> int:
         """How many axes of a value are none of runs."""

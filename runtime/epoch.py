@@ -160,9 +160,7 @@ class Epoch:
     def __call__(self) -> int:
         """How many runs a step refused; 0 is all well."""
         loop = self.loop
-        if loop._lent or loop._runs != self.runs or loop._memory is None:
-            loop._settle(self.runs)
-        if self._memory is not loop._memory:
+        if loop._lent or self._bound is None or self._memory is not loop._memory or loop._runs != self.runs:
             self._memory = loop._settle(self.runs)
             function = getattr(loop._dll, f"{loop._library.manifest['c_prefix']}_lanes_epoch")
             function.restype = ctypes.c_size_t

@@ -113,9 +113,9 @@ class Unit:
         inputs = [word for packed, stride in kept for word in (packed.ctypes.data, stride)]
         return self._many(n, *inputs, *(out.ctypes.data for out in (*outputs, status))), status
 
-    def bind(self) -> "Bound":
-        """The function for one run, bound to its own arrays: for loops where a microsecond counts."""
-        return Bound(self)
+    def bind(self, runs: tuple[int, ...] = ()) -> "Bound":
+        """The function for one run, or these, bound to its own arrays: for loops where a microsecond counts."""
+        return Bound(self, runs)
 
     def __repr__(self) -> str:
         return f"<{self.described['c_name']}({', '.join(self.fields)})>"
@@ -124,26 +124,37 @@ class Unit:
 class Bound:
     """A function with its pointers taken once.  Write `inputs`, call, read `outputs`.
 
-    inputs: field -> (size,) view.  outputs: name -> (rows,) or (rows, columns).  The call returns the number of a
-    `Status`, which the caller must look at: 0 is OK, and with any other the outputs are as they were.
+    inputs: field -> (..., size) view.  outputs: name -> (..., rows) or (..., rows, columns).  Of one run the call
+    returns the number of a `Status`, of several how many were refused.  The caller must look at it: with 0 all is well,
+    and a run that was refused leaves its outputs as they were.
     """
 
-    def __init__(self, unit: Unit):
+    def __init__(self, unit: Unit, runs: tuple[int, ...] = ()):
         library = unit.library
-        self._arrays = {struct: np.zeros(library.width[struct], library.real) for struct in unit.structs}
+        self._arrays = {struct: np.zeros((*runs, library.width[struct]), library.real) for struct in unit.structs}
         self.inputs = {
-            name: self._arrays[struct][part]
+            name: self._arrays[struct][..., part]
             for struct in unit.structs
             for name, part in library.layout[struct].items()
             if name in unit.fields
         }
         self.outputs = {
-            r["name"]: np.zeros(r["shape"][0] if r["vector"] else tuple(r["shape"]), library.real)
+            r["name"]: np.zeros((*runs, *(r["shape"][:1] if r["vector"] else r["shape"])), library.real)
             for r in unit.described["results"]
         }
-        addresses = [a.ctypes.data for a in (*self._arrays.values(), *self.outputs.values())]
-        self._pointers = (ctypes.c_void_p * len(addresses))(*addresses)
-        self.call: Callable[[], int] = functools.partial(unit._one, ctypes.byref(self._pointers))
+        n = math.prod(runs)
+        self._status = np.zeros(n, np.uint8)
+        ends = [out.ctypes.data for out in self.outputs.values()]
+        self.call: Callable[[], int]
+        if runs:
+            words: list[int] = []
+            for struct, array in self._arrays.items():
+                words += array.ctypes.data, library.width[struct] if struct == "x" else 1
+            self.call = functools.partial(unit._many, n, *words, *ends, self._status.ctypes.data)
+        else:
+            addresses = [a.ctypes.data for a in self._arrays.values()] + ends
+            self._pointers = (ctypes.c_void_p * len(addresses))(*addresses)
+            self.call = functools.partial(unit._one, ctypes.byref(self._pointers))
 
     def __call__(self) -> int:
         return self.call()

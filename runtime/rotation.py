@@ -1,4 +1,4 @@
-"""Attitudes in one form or another, many at once: SciPy's rotations behind the conventions of Boresight.
+"""Attitudes in one form or another, many at once; SciPy's rotations do what no flight asks for at every step.
 
 C_b2n takes body components to navigation components, Euler angles are roll, pitch, yaw with C_b2n = Rz(yaw) Ry(pitch)
 Rx(roll), quaternions are scalar first.  Angles in rad; every array may have leading axes.
@@ -19,7 +19,12 @@ def matrix_from_euler(euler: Any) -> Array:
 
 def quaternion_from_euler(euler: Any) -> Array:
     """(..., 3) -> q_b2n_wxyz (..., 4)."""
-    return _wxyz(_from_euler(euler), np.shape(euler)[:-1])
+    # half a turn about each axis; yaw, then pitch, then roll
+    (cr, cp, cy), (sr, sp, sy) = (np.moveaxis(of(np.asarray(euler, float) / 2), -1, 0) for of in (np.cos, np.sin))
+    level, steep, cross, both = cy * cp, cy * sp, sy * cp, sy * sp
+    return np.stack(
+        [level * cr + both * sr, level * sr - both * cr, steep * cr + cross * sr, cross * cr - steep * sr], axis=-1
+    )
 
 
 def euler_from_matrix(C_b2n: Any) -> Array:
@@ -30,7 +35,17 @@ def euler_from_matrix(C_b2n: Any) -> Array:
 
 def matrix_from_quaternion(q_b2n_wxyz: Any) -> Array:
     """(..., 4) of any norm but zero -> C_b2n (..., 3, 3)."""
-    return _matrix(_from_wxyz(q_b2n_wxyz), np.shape(q_b2n_wxyz)[:-1])
+    w, x, y, z = np.moveaxis(np.asarray(q_b2n_wxyz, float), -1, 0)
+    ww, xx, yy, zz = w * w, x * x, y * y, z * z
+    rows = [[ww + xx - yy - zz, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), ww - xx + yy - zz, 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), ww - xx - yy + zz]]  # fmt: skip
+    C = np.empty((*np.shape(w), 3, 3))
+    norm = ww + xx + yy + zz
+    for i, row in enumerate(rows):
+        for j, value in enumerate(row):
+            C[..., i, j] = value / norm
+    return C
 
 
 def quaternion_from_matrix(C_b2n: Any) -> Array:
@@ -58,9 +73,17 @@ def turned(q_b2n_wxyz: Any, rotation_vector: Any) -> Array:
 
 def attitude_error(q_b2n_hat_wxyz: Any, q_b2n_wxyz: Any) -> Array:
     """eps of C_hat = exp(-[eps x]) C, in navigation axes, (..., 3) rad: the turn that removes the error."""
-    shape = np.broadcast_shapes(np.shape(q_b2n_hat_wxyz), np.shape(q_b2n_wxyz))
-    hat, true = _from_wxyz(_full(q_b2n_hat_wxyz, shape)), _from_wxyz(_full(q_b2n_wxyz, shape))
-    return (true * hat.inv()).as_rotvec().reshape((*shape[:-1], 3))
+    a, b, c, d = np.moveaxis(np.asarray(q_b2n_wxyz, float), -1, 0)
+    e, f, g, h = np.moveaxis(np.asarray(q_b2n_hat_wxyz, float), -1, 0)
+    # true times the inverse of hat, of any norm and sign: half the turn is the angle between its two parts
+    w = a * e + b * f + c * g + d * h
+    v = [b * e - a * f + d * g - c * h, c * e - a * g + b * h - d * f, d * e - a * h + c * f - b * g]
+    sign, w = np.where(w < 0, -2.0, 2.0), np.abs(w)
+    length = np.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
+    small = length < 1e-8 * w
+    with np.errstate(divide="ignore", invalid="ignore"):
+        scale = sign * np.where(small, 1 / w, np.arctan2(length, w) / length)
+    return np.stack([scale * one for one in v], axis=-1)
 
 
 def body_increments(q_b2n_wxyz: Any, omega_in_n: Any, dt: float) -> Array:

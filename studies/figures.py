@@ -26,7 +26,7 @@ STYLE: Any = {
     "ytick.major.width": 0.7,
     "legend.frameon": False,
     "legend.fontsize": 8,
-    "savefig.dpi": 150,
+    "figure.dpi": 150,
     "svg.fonttype": "none",  # text stays text
     "svg.hashsalt": "boresight",  # the same file from one run to the next
 }
@@ -57,15 +57,18 @@ def figure(
         part = edge / (width_in + edge)
         layout = ConstrainedLayoutEngine(rect=(0, 0, 1 - part, 1))
         drawing = Figure(figsize=(width_in + edge, height_in), layout=layout)
-        FigureCanvasAgg(drawing)
+        svg = path.suffix == ".svg"
+        canvas = FigureCanvasAgg(drawing)
         drawing.text(0.995, 0.01, made_from, ha="right", va="bottom", fontsize=6, color="0.45", rotation=90)
         axes = drawing.subplots(**subplots)
         yield drawing, axes
         # No software name or date inside: the file is the same from one run to the next.
-        nothing = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}
+        nothing = {"Date": None, "Creator": None} if svg else {"Software": None}
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            drawing.savefig(path, metadata={**nothing, "Description": made_from})
+            # `savefig` draws twice, first for the margins: one drawing finds them and makes the same picture
+            write = drawing.savefig if svg else canvas.print_png
+            write(path, metadata={**nothing, "Description": made_from})
         except OSError as error:
             reason = f"cannot write {path} ({error.strerror}); choose another folder with -o"
             raise BoresightError(reason) from None

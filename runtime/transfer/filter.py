@@ -22,6 +22,7 @@ from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
 from boresight.runtime.transfer.score import Score
 from boresight.runtime.transfer.start import SHORTEST, Increments, again
+from boresight.runtime.transfer.stretch import Stretch
 from boresight.runtime.units import STANDARD_GRAVITY
 
 GYRO, ACCEL = slice(0, 3), slice(3, 6)  # of increments (..., 6)
@@ -32,7 +33,7 @@ LARGEST = 0.9  # of the model's range for the error state, in one correction
 
 
 class Transfer:
-    """The filter with its past.  `slave` takes increments, `master` takes messages.
+    """The filter with its past.  `slave` takes increments, one interval or many; `master` takes messages.
 
     model: `load("velocity-attitude")` or a composition.  nav, P: as of `Filter`, at `time`; `first` makes them.
     past: that of `first`, until `time`; without it messages that were measured before are too old.
@@ -100,6 +101,7 @@ class Transfer:
         )
         self.gaps = Gaps(self.watch, np.concatenate([np.zeros_like(standing), standing], axis=-1))
         self._left_out = 0
+        self._stretch: Stretch | None = None  # of many intervals at once, from the first time on
         where, why = outside(model, self.filter.nav, self.runs)
         if where.any():
             raise BoresightError(f"transfer: the slave's {why}")
@@ -131,12 +133,18 @@ class Transfer:
 
     # ---- the slave
 
-    def slave(self, time: float, dtheta_ib_b: Any, dv_b: Any, dt: float) -> None:
+    def slave(self, time: Any, dtheta_ib_b: Any, dv_b: Any, dt: Any) -> None:
         """One interval of dt seconds that ends at `time`: increments (..., 3) rad and (..., 3) m/s, biases in them.
 
         What is missing between two intervals, or is no number, is bridged up to `bridge_s`; beyond it the filter begins
         anew from the next message.  An interval that begins before the last one ended is left out, and raises nothing.
+
+        Or K intervals, one after the other: time (K,), increments (K, ..., 3), dt (K,) or one number.  That is the same
+        to rounding of P, and takes a fraction of the time where the intervals are as they should be.
         """
+        if np.ndim(time):
+            self._intervals(time, dtheta_ib_b, dv_b, dt)
+            return
         begin = time - dt
         if not (dt > 0 and begin > self.time - 0.5 * dt and np.isfinite([time, dt]).all()):
             self._overlapping(time, dt)
@@ -156,6 +164,79 @@ class Transfer:
         if self.rules.full_scale is not None:
             raw = np.where(np.isfinite(raw), raw, 0.0)
             self._open(self.watch.saturation(raw[..., :3], raw[..., 3:], dt))
+
+    def _intervals(self, time: Any, dtheta_ib_b: Any, dv_b: Any, dt: Any) -> None:
+        """Those that are as they should be together, the others one by one."""
+        time, dt = np.asarray(time, float), np.broadcast_to(np.asarray(dt, float), np.shape(time))
+        delivered = [np.asarray(part, float) for part in (dtheta_ib_b, dv_b)]
+        if self._stretch is None and self.coning is None:
+            self._stretch = Stretch.of(self.guard.model, self.nav, self.P, self.constants)
+        sound, increments = self._sound(time, delivered, dt)
+        k = 0
+        while k < len(time):
+            stop = k + int(np.argmin(np.append(sound[k:], False)))
+            if stop > k and self._undisturbed(time[k] - dt[k], dt[k]):
+                k += self._together(time[k:stop], increments[k:stop], dt[k:stop])
+            if k < len(time):
+                self.slave(float(time[k]), delivered[0][k], delivered[1][k], float(dt[k]))
+                k += 1
+
+    def _sound(self, time: Array, delivered: list[Array], dt: Array) -> tuple[Array, Array]:
+        """(K,) bool: intervals with all that they should have, right behind the one before; the increments (K, ..., 6)
+        without what is known."""
+        behind, count = np.append(0.0, time[1:] - dt[1:] - time[:-1]), len(self.runs)
+        sound = (dt > 0) & np.isfinite(dt) & np.isfinite(time) & (np.abs(behind) < 0.5 * dt)
+        seconds = np.where(sound, dt, 1.0).reshape((-1, *(1 for _ in self.runs)))
+        parts = [part.reshape((len(time), *(1 for _ in range(count + 2 - part.ndim)), *part.shape[1:]))
+                 for part in delivered]  # fmt: skip
+        dtheta, dv = self.known.increments(parts[0], parts[1], seconds)
+        increments = np.concatenate(np.broadcast_arrays(dtheta, dv), axis=-1)
+        sound &= self.gaps.usable(increments, seconds[..., None]).reshape(len(time), -1).all(-1)
+        for part, full in zip(parts, self.rules.full_scale or (), strict=False):
+            sound &= (np.abs(part) < full * seconds[..., None] * (1 - 1e-9)).reshape(len(time), -1).all(-1)
+        return sound, increments
+
+    def _undisturbed(self, begin: float, dt: float) -> bool:
+        """Whether nothing of the past has a part in what becomes of an interval."""
+        gaps, watch = self.gaps, self.watch
+        disturbed = (gaps.missing_s, gaps.lost, watch.saturated_s, watch.at_full, self.guard.outside)
+        behind = abs(begin - self.time) < 0.5 * dt
+        return self._stretch is not None and behind and not any(one.any() for one in disturbed)
+
+    def _together(self, time: Array, increments: Array, dt: Array) -> int:
+        """How many of these intervals were flown, all of them but where the model's range ends: as one by one."""
+        assert self._stretch is not None
+        stretch, history = self._stretch, self.history
+        given = np.empty((1 + len(time), *self.runs, 6))
+        given[1:] = increments
+        given[0] = np.concatenate([self._angle, self._push], axis=-1)
+        sums = np.cumsum(given, axis=0)
+        given[0] = (self._earlier or given[1:])[0]
+        stretch.begin(self.nav, self.P, given, dt)
+        k = 0
+        while k < len(time):
+            end = min(len(time), k + max(1, self.every - self._steps))
+            states = stretch.fly(k, end)
+            if not states:
+                break
+            kept = {"v_n": states["v_n"], "q_b2n_wxyz": states["q_b2n_wxyz"],
+                    "angle": sums[k + 1 : end + 1, ..., GYRO], "push": sums[k + 1 : end + 1, ..., ACCEL]}  # fmt: skip
+            history.extend(time[k:end], **kept)
+            self.filter.nav.update({name: value[-1].copy() for name, value in states.items()})
+            self.time = self.watch.time = float(time[end - 1])
+            self._steps += end - k
+            k = end
+            if self._steps >= self.every and not self._covariance(stretch):
+                break
+        if k:
+            self._left_out = 0
+            self._angle, self._push = sums[k][..., GYRO], sums[k][..., ACCEL]
+            self._earlier = [*given[max(1, k - 2) : k + 1][::-1], *self._earlier][:3]
+            self.gaps.rates, self.gaps.stood_in = given[k] / dt[k - 1], np.zeros_like(given[k])
+            self.filter.P = stretch.loop.P
+            if self._steps >= self.every:
+                self._covariance()
+        return k
 
     def _missing(self, begin: float, dt: float, rates: Array) -> None:
         """Nothing came until `begin`; the rates (..., 6) are those of the interval that follows."""
@@ -247,16 +328,20 @@ class Transfer:
             "q_b2n_wxyz": self.history.at("q_b2n_wxyz", now - seconds / 2).reshape((*self.runs, 4)),
         }
 
-    def _covariance(self) -> None:
-        """Carry P up to now."""
+    def _covariance(self, stretch: Stretch | None = None) -> bool:
+        """Carry P up to now, that of a stretch if it is flown; False where that refuses, and all is as it was."""
         dt = self.time - self._predicted
+        if dt > 0:
+            inputs = {**self._over(np.full(self.history.runs, dt)), **self.constants, "dt": dt}
+            if stretch is None:
+                self.filter.predict(**inputs)
+            elif not stretch.predict(**inputs):
+                return False
+            self.guard.taken()  # a rate beyond the range is in the slave's own step, if it is
+            self._predicted = self.time
+            self.watch.silence()
         self._steps = 0
-        if dt <= 0:
-            return
-        self.filter.predict(**self._over(np.full(self.history.runs, dt)), dt=dt, **self.constants)
-        self.guard.taken()  # a rate beyond the range is in the slave's own step, if it is
-        self._predicted = self.time
-        self.watch.silence()
+        return True
 
     def _open(self, variance: Array | None) -> None:
         """P gains so much (..., 6) rad^2 and (m/s)^2 about and along the slave's axes."""

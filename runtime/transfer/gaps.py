@@ -37,7 +37,7 @@ class Gaps:
         # of a lost run: how long its state was known, P then, and from when on there are samples again
         self.lost_at, self.P, self.back_at = np.zeros(runs), np.zeros(()), np.full(runs, np.inf)
 
-    def usable(self, increments: Array, dt: float) -> Array:
+    def usable(self, increments: Array, dt: Any) -> Array:
         """(...,) bool: whether the increments (..., 6) are numbers in the models' range."""
         return np.asarray((np.abs(increments) <= np.minimum(RATES * dt, INCREMENTS)).all(-1))
 

@@ -104,7 +104,8 @@ class Headings:
         weight = np.exp(self.log_weight - self.log_weight.max(0))
         return weight / weight.sum(0)
 
-    def slave(self, time: float, dtheta_ib_b: Any, dv_b: Any, dt: float) -> None:
+    def slave(self, time: Any, dtheta_ib_b: Any, dv_b: Any, dt: Any) -> None:
+        """As of `Transfer`."""
         self.loop.slave(time, dtheta_ib_b, dv_b, dt)
 
     def master(self, message: Message) -> Result:

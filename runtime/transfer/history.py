@@ -32,14 +32,20 @@ class History:
         self.times, self.values, self.start, self.end = times, values, 0, count
 
     def append(self, time: float, **values: Array) -> None:
-        """A sample; drops what is older than `seconds`, but for one sample, so that all of `seconds` is covered."""
-        if self.end == len(self.times):  # twice the room that is used, so that this is rare
-            self._allocate(max(64, 2 * (self.end - self.start) + 2))
-        self.times[self.end] = time
+        """A sample, as of `extend`."""
+        self.extend(np.array([time]), **values)
+
+    def extend(self, times: Array, **values: Array) -> None:
+        """Samples (K, ...); drops what is older than `seconds`, but for one, so that all of `seconds` is covered."""
+        new = self.end + len(times)
+        if new > len(self.times):  # twice the room that is used, so that this is rare
+            self._allocate(max(64, 2 * (new - self.start) + 2))
+            new = self.end + len(times)
+        self.times[self.end : new] = times
         for name, value in values.items():
-            self.values[name][self.end] = value.reshape(-1, SIZES[name])
-        self.end += 1
-        while self.end - self.start > 2 and self.times[self.start + 1] < time - self.seconds:
+            self.values[name][self.end : new] = value.reshape(len(times), -1, SIZES[name])
+        self.end = new
+        while self.end - self.start > 2 and self.times[self.start + 1] < times[-1] - self.seconds:
             self.start += 1
 
     def clear(self) -> None:

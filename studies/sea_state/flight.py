@@ -378,8 +378,8 @@ def fly(
 
     keep(begun)
     for update in range(begun + 1, s.seconds * s.update_hz + 1):
-        for _, end, dtheta, dv in zip(*sensed(update), strict=True):
-            loop.slave(end, dtheta, dv, dt)
+        _, end, dtheta, dv = sensed(update)
+        loop.slave(end, dtheta, dv, dt)
         taken = loop.master(message(update)).innovations
         nis.append(np.stack([one.nis for one in taken.values()], axis=-1))
         used.append(sum((one.used.sum(-1) for one in taken.values()), start=np.zeros(())))
