@@ -51,6 +51,7 @@ class Machine:
     made: Build
     image: Path
     watched: tuple[str, ...] = ()
+    answering: tuple[str, ...] = ()  # watched, and counted where their status is 0 alone
     costs: dict[str, Cost] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -135,7 +136,8 @@ class Machine:
             below = bytes(core.mem_read(done.pointer - PAINTED, PAINTED))
             touched = PAINTED - (len(below) - len(below.lstrip(PAINT)))
             deepest = max(touched, done.pointer - done.lowest)
-            self.costs.setdefault(done.name, Cost()).add(self.executed - done.instructions, deepest)
+            if done.name not in self.answering or core.reg_read(self.r0) == 0:
+                self.costs.setdefault(done.name, Cost()).add(self.executed - done.instructions, deepest)
             if self.frames:
                 self.frames[-1].lowest = min(self.frames[-1].lowest, done.pointer - deepest)
         for frame in self.frames:

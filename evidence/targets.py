@@ -104,10 +104,14 @@ def compile_units(folder: Folder, target: Target, precision: str, out: Path, *fl
 
 
 def build(folder: Folder, target: Target, precision: str, out: Path, *flags: str) -> Build:
-    """The folder's units, by these flags in place of the usual ones, and its self-test for one target, below `out`."""
+    """The folder's units, by these flags in place of the usual ones, and its self-test for one target, below `out`.
+
+    Of the flags its self-test has the macros.
+    """
     out = out / f"{folder.name}-{target.name.replace(' ', '-')}-{precision}"
     objects = compile_units(folder, target, precision, out, *flags)
     common = [target.compiler, *WARNINGS, *target.flags, *PRECISIONS[precision], "-O0", "-I", folder.include]
+    common += [flag for flag in flags if flag.startswith("-D")]
     common += ["-I", folder.path / "selftest", f"-DEVIDENCE_ROOM={ROOM}", f"-DEVIDENCE_GROUPS={GROUPS}"]
     harness = {HARNESS / f"{name}.c": ("-fno-builtin",) for name in ("recorder", "quiet")}
     tests = dict.fromkeys([*folder.files("selftest/*.c"), *folder.identity], ())

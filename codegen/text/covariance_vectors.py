@@ -24,7 +24,7 @@ import numpy as np
 from boresight.codegen.text.names import rows_of, three_digits
 from boresight.derive.model import SPREAD
 
-VECTORS = 8  # one of each kind: three kill every mutant of the loops that 64 kill
+VECTORS = 4  # one of each kind of P: four kill every mutant of the loops that eight kill
 DT_POWER = -4
 Places = tuple[tuple[int, int], ...]
 

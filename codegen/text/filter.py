@@ -15,6 +15,7 @@ from boresight.codegen.text.covariance import Places, arranged, nonzeros, table
 from boresight.codegen.text.names import beyond, norms_beyond, number, rows_of, shared_tables
 from boresight.derive.model import Model, Variable
 
+ENDS = ("low", "high")
 PLACES = {"place": "given_", "held": "flown."}  # of a carried field in the self-test: as given, and in the filter
 FLOWN = 2  # points at which the self-test flies the filter
 LEAST_R, MOST_R = 1e-30, 1e30  # variances of measurements, within the range of a float
@@ -73,16 +74,20 @@ class Checks:
             check["tables"], check["table"] = shared_tables(own)
         lines, names = shared_tables(front)
         for check in self.made.values():
-            check["table"] |= {name: names[name] for name in check["bounds"] if name in names}
+            table = check["table"] | {name: names[name] for name in check["bounds"] if name in names}
+            for a in check["fields"]:
+                a["each"] = "" if f"{a['name']}_low" in table else "_each"
+                a["ends"] = [table.get(f"{a['name']}_{end}") or number(getattr(a["of"], end)[0]) for end in ENDS]
         return lines
 
-    def table_of(self, function: str) -> list[str] | None:
-        """The names of the low and the high end that a function reads, if there is such a function."""
-        return next((list(c["table"].values()) for c in self.made.values() if c["function"] == function), None)
+    def box_of(self, function: str) -> dict[str, Any] | None:
+        """The box of the vector that a function checks, if there is such a function."""
+        return next((check["fields"][0] for check in self.made.values() if check["function"] == function), None)
 
     def _add(self, key: tuple[Any, ...], name: str, parameter: str, fields: list[dict[str, Any]]) -> str:
         if key not in self.made:
-            bounds = {f"{a['name']}_{e}": getattr(a["of"], e) for a in fields for e in ("low", "high")}
+            unlike = [a for a in fields if len({*zip(a["of"].low, a["of"].high, strict=True)}) > 1]
+            bounds = {f"{a['name']}_{end}": getattr(a["of"], end) for a in unlike for end in ENDS}
             self.made[key] = {
                 "function": name, "parameter": parameter, "fields": fields, "carried": key[0] == "carried",
                 "bounds": bounds,
@@ -256,7 +261,7 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         "files": list(files),
         "tables": tables,
         "checks": list(checks.made.values()),
-        "x_table": checks.table_of("check_x"),
+        "box_of_x": checks.box_of("check_x"),
         "ceiling": ", ".join(map(number, ceilings(model))),
         "ceilings": [
             (v.name, v.unit, ", ".join(f"{math.sqrt(c):.0e}" for c in part))

@@ -42,6 +42,7 @@ def identity_view(files: dict[str, str], m: dict[str, Any], has_filter: bool, ex
     files: all C of the folder.  m: `name`, `snake`, `prefix`.  exported: the precision of an export, or nothing.
     """
     major, minor, patch = numbers()
+    names = sorted({*public_functions(files, m["prefix"]), f"{m['prefix']}_identity"})
     return {
         "m": {key: m[key] for key in ("name", "snake", "prefix")},
         "filter": has_filter,
@@ -50,5 +51,6 @@ def identity_view(files: dict[str, str], m: dict[str, Any], has_filter: bool, ex
         "version": f"{major}.{minor}.{patch}",
         "numbers": [major, minor, patch],
         "number": 10000 * major + 100 * minor + patch,
-        "names": sorted({*public_functions(files, m["prefix"]), f"{m['prefix']}_identity"}),
+        "names": names,
+        "of_form": [name for name in names if name.startswith(f"{m['prefix']}_filter_")],
     }

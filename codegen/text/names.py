@@ -77,8 +77,8 @@ def rows_of(rows: Any, printed: Callable[[float], str] = float.hex) -> str:
 
 
 def three_digits(value: float) -> str:
-    """Not smaller, and larger by 1.5 % at most."""
-    return f"{value * 1.01:.3g}" if value else "0.0"
+    """A float in C: not smaller, and larger by 1.5 % at most; below the least of floats none is left."""
+    return f"{value * 1.01:.2e}F" if value > 1e-45 else "0.0F"
 
 
 def norms_beyond(a: Variable) -> str:

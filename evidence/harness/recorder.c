@@ -2,7 +2,7 @@
  * The self-test's own comparison is compiled under the name shipped_compare. */
 #include "selftest.h"
 
-int shipped_compare(const char *what, int vector, const bs_real *out, int n, const double *expected, const double *tolerance,
+int shipped_compare(const char *what, int vector, const bs_real *out, int n, const double *expected, const float *tolerance,
                     const unsigned short *at, int nnz, unsigned int angles);
 
 bs_real evidence_record[EVIDENCE_ROOM];
@@ -10,7 +10,7 @@ int evidence_count = 0; /* beyond EVIDENCE_ROOM: too little room, which the read
 int evidence_lengths[EVIDENCE_GROUPS]; /* how many numbers each comparison saw */
 int evidence_groups = 0;
 
-int selftest_compare(const char *what, int vector, const bs_real *out, int n, const double *expected, const double *tolerance,
+int selftest_compare(const char *what, int vector, const bs_real *out, int n, const double *expected, const float *tolerance,
                      const unsigned short *at, int nnz, unsigned int angles)
 {
     if (evidence_groups < EVIDENCE_GROUPS) {

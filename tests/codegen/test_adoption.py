@@ -1,6 +1,7 @@
 """An exported folder in somebody else's build: languages, precisions, flags that are refused, what it says it is."""
 
 import hashlib
+import itertools
 import json
 import re
 import shutil
@@ -139,6 +140,25 @@ def test_a_header_of_one_precision_does_not_link_with_a_library_of_the_other(hea
     assert run(*command, libraries("azimuth-hold", header)[1], "-lm", "-o", tmp_path / "right").returncode == 0
     done = run(*command, libraries("azimuth-hold", library)[1], "-lm", "-o", tmp_path / "wrong")
     assert done.returncode != 0 and "undefined reference" in done.stderr
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_a_header_of_one_form_does_not_link_with_a_library_of_the_other(precision, libraries, tmp_path):
+    """Both directions: the library as it is built with a user told of the other form, and the other way."""
+    folder, library = libraries("azimuth-hold", precision)
+    (tmp_path / "main.c").write_text(USER)
+    own = {"double": 0, "float": 1}[precision]
+    other = tmp_path / "other"
+    other.mkdir()
+    form = f"-DBORESIGHT_UD={1 - own}"
+    made = run("gcc", "-std=c99", form, *include(folder), "-c", *(folder / "src").glob("*.c"), cwd=other)
+    assert made.returncode == 0, made.stderr
+    halves = {own: [library], 1 - own: list(other.glob("*.o"))}
+    for header, built in itertools.product(halves, halves):
+        flags = [f"-DBORESIGHT_UD={header}", *include(folder)]
+        done = run("gcc", "-std=c99", *flags, tmp_path / "main.c", *halves[built], "-lm", "-o", tmp_path / "user")
+        assert (done.returncode == 0) == (header == built), done.stderr
+        assert header == built or "undefined reference to `ah_filter_" in done.stderr
 
 
 @pytest.mark.parametrize("precisions", [("double", "float"), ("float", "double")])

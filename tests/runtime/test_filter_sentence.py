@@ -17,6 +17,7 @@ from boresight.runtime.manifest import read_manifest
 from boresight.runtime.status import Status
 
 FOLDER = ROOT / "generated" / "azimuth_hold"
+ENDINGS = {"joseph": "", "ud": "_ud", "float": "_f32"}  # of a filter's functions, by macro
 FORMS = {"joseph": (), "ud": ("-DBORESIGHT_UD=1",), "float": ("-DBORESIGHT_FLOAT",)}
 GOOD = (Status.OK, Status.AT_CEILING)
 REST = [0.1, 0.6, 100.0, 0.1, 0.2, 0.3, 1.0, 0.0, 0.0, 0.0, *np.zeros(6)]  # nav: position, v_n, q, biases
@@ -54,9 +55,10 @@ bs_status measure(ah_filter *filter, int which, const bs_real *q, const bs_real 
 class Flown:
     """The filter of the azimuth hold in C: its functions take arrays, its memory lies open."""
 
-    def __init__(self, dll, real):
+    def __init__(self, dll, form):
+        real = np.float32 if form == "float" else np.float64
         self.dll, self.real = dll, real
-        self.suffix = "_f32" if real is np.float32 else ""  # every name of the model has it in float
+        self.suffix = ENDINGS[form]
         self.memory = np.zeros(dll.size(), np.uint8)
         start, P, end = (dll.place(k) for k in range(3))
         numbers = self.memory.view(real)
@@ -117,7 +119,7 @@ def flown(request, tmp_path_factory):
     dll = ctypes.CDLL(str(image))
 
     def begun(**start):
-        return Flown(dll, np.float32 if request.param == "float" else np.float64).begin(**start)
+        return Flown(dll, request.param).begin(**start)
 
     begun.form = request.param
     return begun
