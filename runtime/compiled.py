@@ -347,7 +347,7 @@ class CompiledFilter(Filter):
         R, rows = np.atleast_1d(np.asarray(R, dtype=float)), np.atleast_1d(np.asarray(rows, dtype=bool))
         L_inverse, correlated = None, self._described(measurement, "correlated")
         plain = R.shape == (m,) and rows.shape[-1] in (1, m) and not correlated
-        if not (plain and 0 < R.min() and R.max() < np.inf):
+        if not (plain and R.min() > 0 and R.max() < np.inf):
             _, L_inverse = self._noise(measurement, R, (m,) if z is None else z.shape, rows)
         if L_inverse is not None:
             if not correlated:

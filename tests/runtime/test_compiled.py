@@ -220,3 +220,17 @@ def test_a_model_without_navigation_brings_its_own_residual(pendulum_folder):
     assert np.allclose(loop.P, P - K @ S @ K.T, rtol=1e-12)
     with pytest.raises(BoresightError, match="tip needs z"):
         loop.update("tip", [0.01], plant=np.array([1.0, 0.1]))
+
+
+def test_a_call_is_prepared_once_for_its_shapes_and_takes_the_numbers_of_each():
+    python, compiled = (at_rest(kind, runs=(3,)) for kind in (Filter, CompiledFilter))
+    pushes = [np.array([0.1, 0.2, -9.8]), np.array([3.0, 0.0, -9.0]), np.eye(3), np.array([0.0, 0.0, -9.8])]
+    for k, f_b in enumerate(pushes):
+        for loop in (python, compiled):
+            loop.predict(f_b=f_b, dt=0.1 * (k + 1), **NOISE)
+            loop.update("zupt", np.full(3, 1e-2 * (k + 1)), rows=[True, k != 1, True])
+            loop.feedback()
+        np.testing.assert_allclose(compiled.P, python.P, rtol=1e-9, atol=1e-18)
+        np.testing.assert_allclose(compiled.nav["v_n"], python.nav["v_n"], rtol=1e-9, atol=1e-15)
+    # with what the filter begins with; then for one push of all runs, and for one of each
+    assert sum(key[0] == "propagate" for key in compiled._prepared) == 3

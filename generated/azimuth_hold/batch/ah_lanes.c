@@ -71,8 +71,8 @@ typedef struct {
     bs_lanes T[AH_N_STATES * 9]; /* (B times the noise)', rows of 9 */
     bs_lanes S[81]; /* Q of the states that move, rows of 9 */
     bs_lanes Q[AH_N_PACKED]; /* of the others */
-    bs_lanes X[AH_N_STATES * 16]; /* P, dense, rows of 16 */
-    bs_lanes Y[16 * 9]; /* (Phi P)', rows of 9 */
+    bs_lanes X[AH_N_STATES * 15]; /* P, dense, rows of 15 */
+    bs_lanes Y[15 * 9]; /* (Phi P)', rows of 9 */
 } scratch;
 
 /* Which block of a call it is. */
@@ -119,10 +119,10 @@ static void prepare(scratch *s)
     for (int i = 0; i < AH_N_PACKED; ++i) {
         s->Q[i] = bs_all_of(0.0);
     }
-    for (int i = 0; i < (AH_N_STATES * 16); ++i) {
+    for (int i = 0; i < (AH_N_STATES * 15); ++i) {
         s->X[i] = bs_all_of(0.0);
     }
-    for (int i = 0; i < (16 * 9); ++i) {
+    for (int i = 0; i < (15 * 9); ++i) {
         s->Y[i] = bs_all_of(0.0);
     }
 }
@@ -274,7 +274,7 @@ static void correct_lanes(block *b, const chosen *runs, const bs_given *given, b
 
 #if !BORESIGHT_UD
 
-/* out = the sum of coefficients times 8 numbers each. */
+/* out = the sum of coefficients times 15 numbers each. */
 BS_INLINE void wide_sums(const bs_lanes *coefficient,
                          const unsigned short *at,
                          int count,
@@ -290,6 +290,13 @@ BS_INLINE void wide_sums(const bs_lanes *coefficient,
     bs_lanes s5 = bs_all_of(0.0);
     bs_lanes s6 = bs_all_of(0.0);
     bs_lanes s7 = bs_all_of(0.0);
+    bs_lanes s8 = bs_all_of(0.0);
+    bs_lanes s9 = bs_all_of(0.0);
+    bs_lanes s10 = bs_all_of(0.0);
+    bs_lanes s11 = bs_all_of(0.0);
+    bs_lanes s12 = bs_all_of(0.0);
+    bs_lanes s13 = bs_all_of(0.0);
+    bs_lanes s14 = bs_all_of(0.0);
     for (int p = 0; p < count; ++p) {
         const bs_lanes a = coefficient[p];
         const bs_lanes *const from = &x[at[p]];
@@ -301,6 +308,13 @@ BS_INLINE void wide_sums(const bs_lanes *coefficient,
         s5 += a * from[5];
         s6 += a * from[6];
         s7 += a * from[7];
+        s8 += a * from[8];
+        s9 += a * from[9];
+        s10 += a * from[10];
+        s11 += a * from[11];
+        s12 += a * from[12];
+        s13 += a * from[13];
+        s14 += a * from[14];
     }
     out[0] = s0;
     out[1 * stride] = s1;
@@ -310,6 +324,13 @@ BS_INLINE void wide_sums(const bs_lanes *coefficient,
     out[5 * stride] = s5;
     out[6 * stride] = s6;
     out[7 * stride] = s7;
+    out[8 * stride] = s8;
+    out[9 * stride] = s9;
+    out[10 * stride] = s10;
+    out[11 * stride] = s11;
+    out[12 * stride] = s12;
+    out[13 * stride] = s13;
+    out[14 * stride] = s14;
 }
 
 /* out = the sum of coefficients times 3 numbers each. */
@@ -1238,16 +1259,16 @@ static void discretize(scratch *s, const bs_lanes *dt)
 static void predict(scratch *s, bs_lanes *P)
 {
     static const unsigned short start[10] = { 0, 11, 21, 31, 45, 59, 73, 87, 101, 115 };
-    static const unsigned short at[115] = { 0, 16, 32, 48, 64, 80, 112, 128, 192, 208, 224, 16, 32,
-                                            48, 64, 80, 96, 128, 192, 208, 224, 16, 32, 48, 64, 80,
-                                            96, 112, 192, 208, 224, 16, 32, 48, 64, 80, 96, 112,
-                                            128, 144, 160, 176, 192, 208, 224, 16, 32, 48, 64, 80,
-                                            96, 112, 128, 144, 160, 176, 192, 208, 224, 16, 32, 48,
-                                            64, 80, 96, 112, 128, 144, 160, 176, 192, 208, 224, 16,
-                                            32, 48, 64, 80, 96, 112, 128, 144, 160, 176, 192, 208,
-                                            224, 16, 32, 48, 64, 80, 96, 112, 128, 144, 160, 176,
-                                            192, 208, 224, 16, 32, 48, 64, 80, 96, 112, 128, 144,
-                                            160, 176, 192, 208, 224 };
+    static const unsigned short at[115] = { 0, 15, 30, 45, 60, 75, 105, 120, 180, 195, 210, 15, 30,
+                                            45, 60, 75, 90, 120, 180, 195, 210, 15, 30, 45, 60, 75,
+                                            90, 105, 180, 195, 210, 15, 30, 45, 60, 75, 90, 105,
+                                            120, 135, 150, 165, 180, 195, 210, 15, 30, 45, 60, 75,
+                                            90, 105, 120, 135, 150, 165, 180, 195, 210, 15, 30, 45,
+                                            60, 75, 90, 105, 120, 135, 150, 165, 180, 195, 210, 15,
+                                            30, 45, 60, 75, 90, 105, 120, 135, 150, 165, 180, 195,
+                                            210, 15, 30, 45, 60, 75, 90, 105, 120, 135, 150, 165,
+                                            180, 195, 210, 15, 30, 45, 60, 75, 90, 105, 120, 135,
+                                            150, 165, 180, 195, 210 };
     static const unsigned short across[115] = { 0, 9, 18, 27, 36, 45, 63, 72, 108, 117, 126, 9, 18,
                                                 27, 36, 45, 54, 72, 108, 117, 126, 9, 18, 27, 36,
                                                 45, 54, 63, 108, 117, 126, 9, 18, 27, 36, 45, 54,
@@ -1261,12 +1282,12 @@ static void predict(scratch *s, bs_lanes *P)
     const bs_lanes *next = P;
     for (int j = 0; j < AH_N_STATES; ++j) {
         for (int i = 0; i <= j; ++i, ++next) {
-            s->X[(i * 16) + j] = *next;
-            s->X[(j * 16) + i] = *next;
+            s->X[(i * 15) + j] = *next;
+            s->X[(j * 15) + i] = *next;
         }
     }
     for (int i = 0; i < 9; ++i) {
-        for (int j = 0; j < 16; j += 8) {
+        for (int j = 0; j < 15; j += 15) {
             wide_sums(&s->Phi[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &s->X[j],
                       &s->Y[(j * 9) + i], 9);
         }
@@ -1340,7 +1361,7 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
         bs_lanes *to = b->P;
         for (int j = 0; j < AH_N_STATES; ++j) {
             for (int i = 0; i <= j; ++i, ++to) {
-                *to = bs_choose(good, *to, s->X[(i * 16) + j]);
+                *to = bs_choose(good, *to, s->X[(i * 15) + j]);
             }
         }
     }

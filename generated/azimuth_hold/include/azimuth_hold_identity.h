@@ -3,7 +3,9 @@
  * sha256sum prints of them in the order of their names (LC_ALL=C).  It is the same in both
  * precisions.
  * In single precision each function has the ending _f32, so that both precisions link into one
- * program and a header of one does not link with a library of the other. */
+ * program and a header of one does not link with a library of the other.
+ * In a form that is not that of its precision (BORESIGHT_UD) each function of the filter has the
+ * ending _ud, or _f32_joseph: P of one form is never read as the other. */
 #ifndef AZIMUTH_HOLD_IDENTITY_H
 #define AZIMUTH_HOLD_IDENTITY_H
 
@@ -18,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "eac71ea9bd19d3478f7f08cc0aa94da4e06541feb3b7ecfe998c0f23a915aada"
+#define AH_MODEL_HASH "ff29e06bf8d9094d95c9c357a22aa57f4d4238fa53b02430afda270dcdfe5ebf"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1
@@ -44,24 +46,6 @@
 #define ah_azimuth_z ah_azimuth_z_f32
 #define ah_discretize ah_discretize_f32
 #define ah_feedback ah_feedback_f32
-#define ah_filter_consider ah_filter_consider_f32
-#define ah_filter_correct ah_filter_correct_f32
-#define ah_filter_covariance ah_filter_covariance_f32
-#define ah_filter_digest ah_filter_digest_f32
-#define ah_filter_health ah_filter_health_f32
-#define ah_filter_init ah_filter_init_f32
-#define ah_filter_init_blocks ah_filter_init_blocks_f32
-#define ah_filter_init_sigmas ah_filter_init_sigmas_f32
-#define ah_filter_measure_azimuth ah_filter_measure_azimuth_f32
-#define ah_filter_measure_zaru ah_filter_measure_zaru_f32
-#define ah_filter_measure_zupt ah_filter_measure_zupt_f32
-#define ah_filter_propagate ah_filter_propagate_f32
-#define ah_filter_restore ah_filter_restore_f32
-#define ah_filter_set_nav ah_filter_set_nav_f32
-#define ah_filter_sigmas ah_filter_sigmas_f32
-#define ah_filter_snapshot ah_filter_snapshot_f32
-#define ah_filter_strapdown ah_filter_strapdown_f32
-#define ah_filter_variance ah_filter_variance_f32
 #define ah_identity ah_identity_f32
 #define ah_joseph_add ah_joseph_add_f32
 #define ah_joseph_dense ah_joseph_dense_f32
@@ -81,6 +65,26 @@
 #define ah_zupt_H ah_zupt_H_f32
 #define ah_zupt_H_nz ah_zupt_H_nz_f32
 #define ah_zupt_z ah_zupt_z_f32
+#endif
+#ifdef BS_FORM
+#define ah_filter_consider BS_FORM(ah_filter_consider)
+#define ah_filter_correct BS_FORM(ah_filter_correct)
+#define ah_filter_covariance BS_FORM(ah_filter_covariance)
+#define ah_filter_digest BS_FORM(ah_filter_digest)
+#define ah_filter_health BS_FORM(ah_filter_health)
+#define ah_filter_init BS_FORM(ah_filter_init)
+#define ah_filter_init_blocks BS_FORM(ah_filter_init_blocks)
+#define ah_filter_init_sigmas BS_FORM(ah_filter_init_sigmas)
+#define ah_filter_measure_azimuth BS_FORM(ah_filter_measure_azimuth)
+#define ah_filter_measure_zaru BS_FORM(ah_filter_measure_zaru)
+#define ah_filter_measure_zupt BS_FORM(ah_filter_measure_zupt)
+#define ah_filter_propagate BS_FORM(ah_filter_propagate)
+#define ah_filter_restore BS_FORM(ah_filter_restore)
+#define ah_filter_set_nav BS_FORM(ah_filter_set_nav)
+#define ah_filter_sigmas BS_FORM(ah_filter_sigmas)
+#define ah_filter_snapshot BS_FORM(ah_filter_snapshot)
+#define ah_filter_strapdown BS_FORM(ah_filter_strapdown)
+#define ah_filter_variance BS_FORM(ah_filter_variance)
 #endif
 
 #ifdef __cplusplus

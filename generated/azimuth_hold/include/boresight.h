@@ -132,10 +132,10 @@ static inline bs_status bs_check(const bs_real *value,
 {
     bs_status status = BS_OK;
     for (int i = 0; i < n; ++i) {
-        if (!((value[i] - value[i]) <= BS_REAL(0.0))) {
-            return BS_NOT_FINITE; /* inf - inf and NaN - NaN are NaN, which compares false */
-        }
-        if ((value[i] < low[i]) || (value[i] > high[i])) {
+        if (!((value[i] >= low[i]) && (value[i] <= high[i]))) {
+            if (!((value[i] - value[i]) <= BS_REAL(0.0))) {
+                return BS_NOT_FINITE; /* inf - inf and NaN - NaN are NaN, which compares false */
+            }
             status = BS_OUT_OF_RANGE;
         }
     }

@@ -2,26 +2,25 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { 0x1.1f88560000000p+1, -0x1.2cfffe0000000p-1, 0x1.a879b80000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.4e4dce0000000p+9, 0x1.d512520000000p+9, -0x1.e061400000000p+7 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.195cbc0000000p-1, 0x1.4233060000000p-2, -0x1.7acdb20000000p-1, 0x1.cc502c0000000p-3 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, 0x1.f400000000000p+8, 0x1.f400000000000p+8 },
     { 0x1.f729a20000000p+7, -0x1.66e6420000000p+8, 0x1.1c56480000000p+8 }
 };
@@ -31,14 +30,14 @@ static const double out_F[N_VECTORS][60] = {
     { -0x1.5cb39bc916964p-14, -0x1.57d36790f223fp-36, 0x1.927f2f5c18aa3p-23, 0x1.6ce76588d40f9p-20, -0x1.952d4f5aef2ffp-36, 0x1.507a974c6b561p-23, 0x1.0000000000000p+0, 0x1.19063b19aed43p-2, 0x1.ae5e0ddb9f170p-28, -0x1.f7ce576f95266p-15, -0x1.3b61cf1cab2aep-13, -0x1.d9301df7c5781p-13, 0x1.2240b7e08f114p+3, -0x1.aab0d51039f06p+8, 0x1.934295838a480p-3, 0x1.bf99b457e0080p-3, -0x1.e8c013405b590p-1, -0x1.736e10d441f6bp-3, -0x1.b71787135af81p-27, 0x1.cd22bafd9c501p-13, 0x1.3bb2d720a1849p-15, -0x1.344455ca743d5p-13, -0x1.2240b7e08f114p+3, -0x1.2c53c25809f15p+8, 0x1.6cdbcca9502a0p-1, -0x1.6652583cd4290p-1, -0x1.b1d33d8463800p-7, 0x1.a7caf433f209cp-4, 0x1.949e5b93ad191p-19, 0x1.59ef8b42d7526p-12, 0x1.344455ca743d5p-12, 0x1.aab0d51039f06p+8, 0x1.2c53c25809f15p+8, 0x1.57e9edb9b2170p-1, 0x1.5b576b938eda0p-1, 0x1.2ced767c06440p-2, -0x1.6ce76588d40f9p-20, 0x1.952d4f5aef2ffp-36, -0x1.507a974c6b561p-23, -0x1.cd22bafd9c501p-14, -0x1.59ef8b42d7526p-13, -0x1.934295838a480p-3, -0x1.bf99b457e0080p-3, 0x1.e8c013405b590p-1, 0x1.55f4161ae877ap-15, -0x1.1e1a0a8c2f92bp-36, 0x1.4eec2ff33b7b2p-23, 0x1.cd22bafd9c501p-14, -0x1.344455ca743d5p-13, -0x1.6cdbcca9502a0p-1, 0x1.6652583cd4290p-1, 0x1.b1d33d8463800p-7, 0x1.baa1c3539d662p-13, 0x1.7d6059cbaa912p-37, -0x1.be74802a84565p-24, 0x1.59ef8b42d7526p-13, 0x1.344455ca743d5p-13, -0x1.57e9edb9b2170p-1, -0x1.5b576b938eda0p-1, -0x1.2ced767c06440p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_F[N_VECTORS][60] = {
-    { 2.27e-08, 2.68e-16, 1.02e-12, 5.51e-13, 2.63e-17, 8e-14, 1.12e-16, 2.04e-05, 3.7e-13, 1.62e-09, 1.58e-09, 7.26e-11, 0.00027, 0.000278, 7.51e-08, 1.2e-07, 1.8e-07, 2.04e-05, 3.76e-13, 3.35e-09, 8.93e-11, 8.93e-11, 0.00027, 0.000278, 1.8e-07, 7.51e-08, 1.2e-07, 8.89e-08, 1.81e-12, 1.62e-10, 1.97e-10, 0.000278, 0.000278, 1.2e-07, 1.8e-07, 6.01e-08, 5.51e-13, 2.63e-17, 8e-14, 1.57e-09, 7.14e-11, 7.51e-08, 1.2e-07, 1.8e-07, 2.2e-11, 1.75e-17, 5.16e-14, 1.57e-09, 8.93e-11, 1.8e-07, 7.51e-08, 1.2e-07, 1.79e-08, 3.17e-16, 1.34e-12, 7.14e-11, 8.93e-11, 1.2e-07, 1.8e-07, 6.01e-08 },
-    { 9.31e-11, 1.88e-17, 1.07e-13, 2.74e-12, 2.49e-17, 8.01e-14, 1.12e-16, 1.97e-07, 1.57e-14, 9.75e-11, 8.5e-11, 8.36e-11, 0.000152, 0.000176, 9.56e-08, 9.9e-08, 1.72e-07, 1.35e-07, 1.58e-14, 1.54e-10, 2.15e-11, 8.4e-11, 0.000152, 0.000164, 1.29e-07, 1.6e-07, 8.25e-08, 8.86e-08, 1.79e-12, 1.43e-10, 1.86e-10, 0.000176, 0.000164, 1.55e-07, 1.23e-07, 1.2e-07, 2.74e-12, 2.49e-17, 8.01e-14, 7.28e-11, 6.53e-11, 9.56e-08, 9.9e-08, 1.72e-07, 1.27e-11, 1.17e-17, 5.16e-14, 7.28e-11, 8.4e-11, 1.29e-07, 1.6e-07, 8.25e-08, 1.5e-10, 1.24e-17, 7.82e-14, 6.53e-11, 8.4e-11, 1.55e-07, 1.23e-07, 1.2e-07 }
+static const float tol_F[N_VECTORS][60] = {
+    { 2.27e-08F, 2.68e-16F, 1.02e-12F, 5.51e-13F, 2.63e-17F, 8.00e-14F, 1.12e-16F, 2.04e-05F, 3.70e-13F, 1.62e-09F, 1.58e-09F, 7.26e-11F, 2.70e-04F, 2.78e-04F, 7.51e-08F, 1.20e-07F, 1.80e-07F, 2.04e-05F, 3.76e-13F, 3.35e-09F, 8.93e-11F, 8.93e-11F, 2.70e-04F, 2.78e-04F, 1.80e-07F, 7.51e-08F, 1.20e-07F, 8.89e-08F, 1.81e-12F, 1.62e-10F, 1.97e-10F, 2.78e-04F, 2.78e-04F, 1.20e-07F, 1.80e-07F, 6.01e-08F, 5.51e-13F, 2.63e-17F, 8.00e-14F, 1.57e-09F, 7.14e-11F, 7.51e-08F, 1.20e-07F, 1.80e-07F, 2.20e-11F, 1.75e-17F, 5.16e-14F, 1.57e-09F, 8.93e-11F, 1.80e-07F, 7.51e-08F, 1.20e-07F, 1.79e-08F, 3.17e-16F, 1.34e-12F, 7.14e-11F, 8.93e-11F, 1.20e-07F, 1.80e-07F, 6.01e-08F },
+    { 9.31e-11F, 1.88e-17F, 1.07e-13F, 2.74e-12F, 2.49e-17F, 8.01e-14F, 1.12e-16F, 1.97e-07F, 1.57e-14F, 9.75e-11F, 8.50e-11F, 8.36e-11F, 1.52e-04F, 1.76e-04F, 9.56e-08F, 9.90e-08F, 1.72e-07F, 1.35e-07F, 1.58e-14F, 1.54e-10F, 2.15e-11F, 8.40e-11F, 1.52e-04F, 1.64e-04F, 1.29e-07F, 1.60e-07F, 8.25e-08F, 8.86e-08F, 1.79e-12F, 1.43e-10F, 1.86e-10F, 1.76e-04F, 1.64e-04F, 1.55e-07F, 1.23e-07F, 1.20e-07F, 2.74e-12F, 2.49e-17F, 8.01e-14F, 7.28e-11F, 6.53e-11F, 9.56e-08F, 9.90e-08F, 1.72e-07F, 1.27e-11F, 1.17e-17F, 5.16e-14F, 7.28e-11F, 8.40e-11F, 1.29e-07F, 1.60e-07F, 8.25e-08F, 1.50e-10F, 1.24e-17F, 7.82e-14F, 6.53e-11F, 8.40e-11F, 1.55e-07F, 1.23e-07F, 1.20e-07F }
 };
 #else
-static const double tol_F[N_VECTORS][60] = {
-    { 4.46e-17, 5.3e-25, 2.1e-21, 1.06e-21, 5.18e-26, 1.66e-22, 1.12e-16, 4.03e-14, 7.23e-22, 3.24e-18, 3.12e-18, 1.51e-19, 5.6e-13, 5.74e-13, 1.4e-16, 2.24e-16, 4.48e-16, 4.02e-14, 7.29e-22, 6.61e-18, 1.84e-19, 1.84e-19, 5.6e-13, 5.74e-13, 4.48e-16, 1.4e-16, 2.24e-16, 1.81e-16, 3.71e-21, 3.34e-19, 4.03e-19, 5.74e-13, 5.74e-13, 2.24e-16, 4.48e-16, 1.12e-16, 1.06e-21, 5.18e-26, 1.66e-22, 3.11e-18, 1.5e-19, 1.4e-16, 2.24e-16, 4.48e-16, 4.91e-20, 3.53e-26, 1.13e-22, 3.11e-18, 1.84e-19, 4.48e-16, 1.4e-16, 2.24e-16, 3.56e-17, 6.21e-25, 2.69e-21, 1.5e-19, 1.84e-19, 2.24e-16, 4.48e-16, 1.12e-16 },
-    { 1.83e-19, 3.72e-26, 2.21e-22, 5.26e-21, 4.9e-26, 1.67e-22, 1.12e-16, 3.98e-16, 2.99e-23, 1.88e-19, 1.75e-19, 1.81e-19, 2.84e-13, 3.75e-13, 2e-16, 2.09e-16, 4.28e-16, 2.72e-16, 3.09e-23, 3.11e-19, 4.43e-20, 1.73e-19, 2.84e-13, 3.39e-13, 3.2e-16, 3.76e-16, 1.55e-16, 1.77e-16, 3.67e-21, 3.04e-19, 3.79e-19, 3.75e-13, 3.39e-13, 3.65e-16, 3.04e-16, 2.56e-16, 5.26e-21, 4.9e-26, 1.67e-22, 1.48e-19, 1.4e-19, 2e-16, 2.09e-16, 4.28e-16, 2.82e-20, 2.37e-26, 1.14e-22, 1.48e-19, 1.73e-19, 3.2e-16, 3.76e-16, 1.55e-16, 3.03e-19, 2.43e-26, 1.57e-22, 1.4e-19, 1.73e-19, 3.65e-16, 3.04e-16, 2.56e-16 }
+static const float tol_F[N_VECTORS][60] = {
+    { 4.46e-17F, 5.30e-25F, 2.10e-21F, 1.06e-21F, 5.18e-26F, 1.66e-22F, 1.12e-16F, 4.03e-14F, 7.23e-22F, 3.24e-18F, 3.12e-18F, 1.51e-19F, 5.60e-13F, 5.74e-13F, 1.40e-16F, 2.24e-16F, 4.48e-16F, 4.02e-14F, 7.29e-22F, 6.61e-18F, 1.84e-19F, 1.84e-19F, 5.60e-13F, 5.74e-13F, 4.48e-16F, 1.40e-16F, 2.24e-16F, 1.81e-16F, 3.71e-21F, 3.34e-19F, 4.03e-19F, 5.74e-13F, 5.74e-13F, 2.24e-16F, 4.48e-16F, 1.12e-16F, 1.06e-21F, 5.18e-26F, 1.66e-22F, 3.11e-18F, 1.50e-19F, 1.40e-16F, 2.24e-16F, 4.48e-16F, 4.91e-20F, 3.53e-26F, 1.13e-22F, 3.11e-18F, 1.84e-19F, 4.48e-16F, 1.40e-16F, 2.24e-16F, 3.56e-17F, 6.21e-25F, 2.69e-21F, 1.50e-19F, 1.84e-19F, 2.24e-16F, 4.48e-16F, 1.12e-16F },
+    { 1.83e-19F, 3.72e-26F, 2.21e-22F, 5.26e-21F, 4.90e-26F, 1.67e-22F, 1.12e-16F, 3.98e-16F, 2.99e-23F, 1.88e-19F, 1.75e-19F, 1.81e-19F, 2.84e-13F, 3.75e-13F, 2.00e-16F, 2.09e-16F, 4.28e-16F, 2.72e-16F, 3.09e-23F, 3.11e-19F, 4.43e-20F, 1.73e-19F, 2.84e-13F, 3.39e-13F, 3.20e-16F, 3.76e-16F, 1.55e-16F, 1.77e-16F, 3.67e-21F, 3.04e-19F, 3.79e-19F, 3.75e-13F, 3.39e-13F, 3.65e-16F, 3.04e-16F, 2.56e-16F, 5.26e-21F, 4.90e-26F, 1.67e-22F, 1.48e-19F, 1.40e-19F, 2.00e-16F, 2.09e-16F, 4.28e-16F, 2.82e-20F, 2.37e-26F, 1.14e-22F, 1.48e-19F, 1.73e-19F, 3.20e-16F, 3.76e-16F, 1.55e-16F, 3.03e-19F, 2.43e-26F, 1.57e-22F, 1.40e-19F, 1.73e-19F, 3.65e-16F, 3.04e-16F, 2.56e-16F }
 };
 #endif
 static const unsigned short at_F[60] = { 1, 2, 3, 16, 17, 19, 35, 46, 47, 48, 49, 50, 52, 53, 57,
@@ -90,7 +89,7 @@ int test_ah_F(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 225);
             if (ah_F(&nav, &imu, F) != expected) {
-                (void)printf("ah_F: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_F: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_F F", F, 225);
@@ -103,7 +102,7 @@ int test_ah_F(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (ah_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("ah_F: position[%d] end %d refused\n", i, end);
+                selftest_print("ah_F: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -119,7 +118,7 @@ int test_ah_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 225);
             if (ah_F(&nav, &imu, F) != expected) {
-                (void)printf("ah_F: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_F F", F, 225);
@@ -130,7 +129,7 @@ int test_ah_F(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (ah_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("ah_F: v_n[%d] end %d refused\n", i, end);
+                selftest_print("ah_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -148,7 +147,7 @@ int test_ah_F(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 225);
             if (ah_F(&nav, &imu, F) != expected) {
-                (void)printf("ah_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_F F", F, 225);
@@ -162,7 +161,7 @@ int test_ah_F(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ah_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("ah_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ah_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -175,7 +174,7 @@ int test_ah_F(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ah_F(&nav, &imu, F) != BS_OUT_OF_RANGE) {
-            (void)printf("ah_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("ah_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -190,7 +189,7 @@ int test_ah_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 225);
             if (ah_F(&nav, &imu, F) != expected) {
-                (void)printf("ah_F: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_F F", F, 225);
@@ -201,7 +200,7 @@ int test_ah_F(void)
             set_point(0, &nav, &imu);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (ah_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("ah_F: f_b[%d] end %d refused\n", i, end);
+                selftest_print("ah_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.4cc0ba0000000p+2, 0x1.1fae7c0000000p+0, 0x1.a3de120000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.1aaf5a0000000p+8, 0x1.f2090c0000000p+8, -0x1.5b01f40000000p+6 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.a2bcc80000000p-2, 0x1.9f4bd60000000p-2, -0x1.2b733e0000000p-2, 0x1.868d480000000p-1 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, 0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { 0x1.0e689c0000000p+8, -0x1.82e32c0000000p+8, -0x1.039dfc0000000p+5 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.1fe1f60000000p+1 }
 };
@@ -35,14 +34,14 @@ static const double out_Phi[N_VECTORS][121] = {
     { 0x1.0000000000000p+0, 0x1.f569a1e45b5e6p-12, -0x1.3b105196dca15p-35, 0x1.b3e670355eee8p-21, 0x1.3caff70ef1e5cp-32, -0x1.2fa5623f42edfp-33, -0x1.72cafa44ae7b2p-12, -0x1.24270f73fac32p-15, 0x1.4905f961e5af8p-22, -0x1.7afd3616d5007p-22, -0x1.a4717c892066fp-21, 0x1.ffffd0c18bae5p-1, -0x1.e0ec870cc5b39p-36, -0x1.1226aaf74903ep-33, 0x1.794856c4eedb7p-22, -0x1.0e6be23aa3614p-34, 0x1.40fd430302524p-13, 0x1.bc7bcc02d720bp-14, 0x1.6d4fe685f932ap-22, 0x1.a2d6711219a7ap-23, 0x1.846f6ed6ba9f9p-25, -0x1.948da6c7ea06fp-3, 0x1.000081b4a188dp+0, 0x1.912798c323a06p-12, 0x1.9cb12e29fb697p-12, 0x1.1fe1f60000000p+1, 0x1.81f86aab3f326p+6, -0x1.532a31f2c9f5cp+9, -0x1.eb821e4fb1fc1p-1, 0x1.f79de4d391d76p+0, -0x1.4323d85caedb0p+0, 0x1.6429afc90f0f2p-2, -0x1.5c0938b5c33bap-27, 0x1.000dcd19c8614p+0, 0x1.079f801fc7097p-11, -0x1.f9a5b57d8e737p-13, 0x1.6c72c4212de8cp-2, -0x1.b3aa6bbd0ee51p+9, -0x1.56618aeee1f6cp+6, 0x1.937c230599b52p+9, 0x1.175391900a5f6p+9, 0x1.ffbb537b22767p+5, 0x1.82eb499faf9cap-1, -0x1.bd4b569e29ee9p-1, -0x1.edfd141a4c9f9p+0, -0x1.0f89ef336314fp-7, 0x1.1e59de5e03752p-27, -0x1.00652b6f668c9p-11, 0x1.ffefe6d9c5c7ep-1, -0x1.6ecc1b12dbdc7p-13, 0x1.b3a40b5cc3c49p+9, 0x1.237359ad0a5cap-1, 0x1.2d95e31bbba11p+9, -0x1.1d9e437688826p+6, -0x1.299c0f6433e3bp+7, 0x1.26c268639196ep+10, 0x1.efb874584b670p+0, 0x1.1c3eb2d8aa982p+0, 0x1.0860814353e00p-2, -0x1.0c14823989985p-3, 0x1.cdc164dde003ap-18, 0x1.eb5f4998a7136p-13, 0x1.5f3e2cc49dd8bp-12, 0x1.0000808109ecep+0, 0x1.5843336e75950p+6, -0x1.2dab518cebf72p+9, 0x1.176ead0425007p-3, 0x1.13d7b379ed82ap+9, 0x1.7422d75a8ef0ep+8, 0x1.40d233f1f2fdep+7, -0x1.b4d5c691d835cp-1, 0x1.bfda8aff55cffp+0, -0x1.1f6cd5e9141ffp+0, 0x1.652bd5c08d08bp-20, 0x1.e0ec870cc5b39p-36, 0x1.1226aaf74903ep-33, -0x1.794856c4eedb7p-22, 0x1.0e6be23aa3614p-34, 0x1.ffebed92d6364p-1, 0x1.740865425ef80p-12, -0x1.21845fbb67ff8p-12, -0x1.82c10211933a9p-1, 0x1.bd377543d3e21p-1, 0x1.ede7f5b073538p+0, -0x1.6d4fe685f932ap-22, -0x1.a2d6711219a7ap-23, -0x1.846f6ed6ba9f9p-25, -0x1.36aff3b9d6cb7p-13, -0x1.105a7b0f4f298p-36, 0x1.78cf245898c72p-22, 0x1.11ce91d8cfdadp-33, -0x1.06880aeccdd6cp-34, -0x1.741062cb64e9ap-12, 0x1.ffebf3fdfa769p-1, -0x1.8e7f794c4152bp-13, -0x1.efbf4c39d7d27p+0, -0x1.1c337aad7d3e8p+0, -0x1.0805beb313643p-2, 0x1.1c78f97dc277cp-23, -0x1.47ac3d11fdc64p-23, -0x1.6b83942b37647p-22, 0x1.3b3e9c5d02fcbp-11, -0x1.1c1d51b595a55p-35, 0x1.8914bb3b801bcp-21, 0x1.1d911211a21dap-32, -0x1.11ce91d8cfdadp-33, 0x1.64a983e6d7c0cp-13, -0x1.2da90b10e355ep-13, 0x1.fffbe13aa8942p-1, 0x1.b4f466ab3f58cp-1, -0x1.bfd90632d8a2bp+0, 0x1.1f638e95ad5a9p+0, 0x1.28b0be7412e5fp-22, -0x1.55befe64520ebp-22, -0x1.7b206826839c3p-21, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Phi[N_VECTORS][121] = {
-    { 1.12e-16, 2.57e-07, 3.16e-15, 1.27e-11, 6.05e-13, 3.68e-14, 6.07e-08, 6.13e-08, 6.73e-12, 8.9e-11, 1.08e-11, 1.21e-07, 3.01e-16, 4.84e-14, 9.96e-13, 2.96e-15, 5.06e-09, 4.89e-09, 9.39e-13, 5.87e-13, 7.31e-12, 5.9e-06, 6.03e-08, 1.11e-08, 1.28e-08, 1.12e-15, 0.0184, 0.0169, 1.8e-05, 6.01e-06, 3e-06, 0.00114, 1.91e-11, 2.15e-07, 1.91e-08, 1.02e-09, 0.000179, 0.00339, 0.00354, 0.0289, 0.00487, 0.027, 7.77e-07, 3.13e-06, 1.35e-06, 0.00113, 1.94e-11, 1.11e-07, 1.28e-07, 1.17e-09, 0.00332, 0.000266, 0.00327, 0.0262, 0.0285, 0.0045, 1.23e-06, 1.03e-06, 3.04e-06, 4.38e-06, 2.4e-11, 6.83e-09, 7.64e-09, 6.04e-08, 0.00347, 0.00317, 3.51e-05, 0.00487, 0.0277, 0.0274, 3.01e-06, 1.22e-06, 6.19e-07, 5.6e-10, 3.01e-16, 4.84e-14, 9.96e-13, 2.96e-15, 6.58e-08, 1.81e-08, 6.11e-09, 7.7e-07, 3.01e-06, 1.33e-06, 9.39e-13, 5.87e-13, 7.31e-12, 8.33e-10, 2.2e-16, 7.48e-13, 4.94e-14, 2.6e-15, 1.81e-08, 6.51e-08, 5.99e-09, 1.22e-06, 8.81e-07, 3.02e-06, 5.87e-13, 5.88e-12, 9.39e-13, 2.09e-07, 3.65e-15, 1.59e-11, 6.19e-13, 3.97e-14, 9.48e-10, 7.5e-08, 1.37e-07, 3.01e-06, 1.21e-06, 6.11e-07, 6.71e-12, 1.05e-10, 1.07e-11, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 1.12e-16, 5.91e-10, 3.89e-17, 5.63e-13, 4.5e-16, 1.7e-16, 4.38e-10, 1.42e-10, 3.41e-13, 4.03e-13, 7.78e-13, 1.2e-07, 3.31e-17, 1.78e-16, 2.23e-13, 7.44e-17, 1.81e-10, 1.28e-10, 3.18e-13, 1.85e-13, 7.39e-14, 2.09e-07, 6.02e-08, 2.31e-10, 3.21e-10, 2.52e-16, 0.000331, 0.000428, 4.92e-07, 7.11e-07, 5.32e-07, 5.17e-07, 4.07e-14, 1.21e-07, 3.31e-10, 1.17e-10, 5.87e-07, 0.000477, 0.00029, 0.0009, 0.000725, 0.000351, 3.17e-07, 3.91e-07, 5.81e-07, 4.63e-07, 5.43e-14, 8.8e-10, 1.21e-07, 1.22e-10, 0.000477, 8.35e-07, 0.000344, 0.000554, 0.0008, 0.0011, 5.83e-07, 3.49e-07, 2.58e-07, 2.2e-07, 4.84e-12, 2.94e-10, 3.25e-10, 6.02e-08, 0.00029, 0.000344, 3.08e-07, 0.000661, 0.000461, 0.000435, 3.87e-07, 5.27e-07, 4.06e-07, 3.11e-12, 3.31e-17, 1.78e-16, 2.23e-13, 7.44e-17, 6.04e-08, 2.68e-10, 2.27e-10, 3.16e-07, 3.91e-07, 5.81e-07, 3.18e-13, 1.85e-13, 7.39e-14, 6.29e-11, 1.31e-17, 1.59e-13, 2.26e-16, 5.89e-17, 2.68e-10, 6.04e-08, 1.81e-10, 5.83e-07, 3.48e-07, 2.58e-07, 1.15e-13, 1.37e-13, 2.55e-13, 5.59e-10, 4.09e-17, 6.4e-13, 5.1e-16, 1.43e-16, 8.67e-11, 5.92e-10, 6.03e-08, 3.87e-07, 5.27e-07, 4.06e-07, 3.57e-13, 4.21e-13, 8.29e-13, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][121] = {
+    { 1.12e-16F, 2.57e-07F, 3.16e-15F, 1.27e-11F, 6.05e-13F, 3.68e-14F, 6.07e-08F, 6.13e-08F, 6.73e-12F, 8.90e-11F, 1.08e-11F, 1.21e-07F, 3.01e-16F, 4.84e-14F, 9.96e-13F, 2.96e-15F, 5.06e-09F, 4.89e-09F, 9.39e-13F, 5.87e-13F, 7.31e-12F, 5.90e-06F, 6.03e-08F, 1.11e-08F, 1.28e-08F, 1.12e-15F, 1.84e-02F, 1.69e-02F, 1.80e-05F, 6.01e-06F, 3.00e-06F, 1.14e-03F, 1.91e-11F, 2.15e-07F, 1.91e-08F, 1.02e-09F, 1.79e-04F, 3.39e-03F, 3.54e-03F, 2.89e-02F, 4.87e-03F, 2.70e-02F, 7.77e-07F, 3.13e-06F, 1.35e-06F, 1.13e-03F, 1.94e-11F, 1.11e-07F, 1.28e-07F, 1.17e-09F, 3.32e-03F, 2.66e-04F, 3.27e-03F, 2.62e-02F, 2.85e-02F, 4.50e-03F, 1.23e-06F, 1.03e-06F, 3.04e-06F, 4.38e-06F, 2.40e-11F, 6.83e-09F, 7.64e-09F, 6.04e-08F, 3.47e-03F, 3.17e-03F, 3.51e-05F, 4.87e-03F, 2.77e-02F, 2.74e-02F, 3.01e-06F, 1.22e-06F, 6.19e-07F, 5.60e-10F, 3.01e-16F, 4.84e-14F, 9.96e-13F, 2.96e-15F, 6.58e-08F, 1.81e-08F, 6.11e-09F, 7.70e-07F, 3.01e-06F, 1.33e-06F, 9.39e-13F, 5.87e-13F, 7.31e-12F, 8.33e-10F, 2.20e-16F, 7.48e-13F, 4.94e-14F, 2.60e-15F, 1.81e-08F, 6.51e-08F, 5.99e-09F, 1.22e-06F, 8.81e-07F, 3.02e-06F, 5.87e-13F, 5.88e-12F, 9.39e-13F, 2.09e-07F, 3.65e-15F, 1.59e-11F, 6.19e-13F, 3.97e-14F, 9.48e-10F, 7.50e-08F, 1.37e-07F, 3.01e-06F, 1.21e-06F, 6.11e-07F, 6.71e-12F, 1.05e-10F, 1.07e-11F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 1.12e-16F, 5.91e-10F, 3.89e-17F, 5.63e-13F, 4.50e-16F, 1.70e-16F, 4.38e-10F, 1.42e-10F, 3.41e-13F, 4.03e-13F, 7.78e-13F, 1.20e-07F, 3.31e-17F, 1.78e-16F, 2.23e-13F, 7.44e-17F, 1.81e-10F, 1.28e-10F, 3.18e-13F, 1.85e-13F, 7.39e-14F, 2.09e-07F, 6.02e-08F, 2.31e-10F, 3.21e-10F, 2.52e-16F, 3.31e-04F, 4.28e-04F, 4.92e-07F, 7.11e-07F, 5.32e-07F, 5.17e-07F, 4.07e-14F, 1.21e-07F, 3.31e-10F, 1.17e-10F, 5.87e-07F, 4.77e-04F, 2.90e-04F, 9.00e-04F, 7.25e-04F, 3.51e-04F, 3.17e-07F, 3.91e-07F, 5.81e-07F, 4.63e-07F, 5.43e-14F, 8.80e-10F, 1.21e-07F, 1.22e-10F, 4.77e-04F, 8.35e-07F, 3.44e-04F, 5.54e-04F, 8.00e-04F, 1.10e-03F, 5.83e-07F, 3.49e-07F, 2.58e-07F, 2.20e-07F, 4.84e-12F, 2.94e-10F, 3.25e-10F, 6.02e-08F, 2.90e-04F, 3.44e-04F, 3.08e-07F, 6.61e-04F, 4.61e-04F, 4.35e-04F, 3.87e-07F, 5.27e-07F, 4.06e-07F, 3.11e-12F, 3.31e-17F, 1.78e-16F, 2.23e-13F, 7.44e-17F, 6.04e-08F, 2.68e-10F, 2.27e-10F, 3.16e-07F, 3.91e-07F, 5.81e-07F, 3.18e-13F, 1.85e-13F, 7.39e-14F, 6.29e-11F, 1.31e-17F, 1.59e-13F, 2.26e-16F, 5.89e-17F, 2.68e-10F, 6.04e-08F, 1.81e-10F, 5.83e-07F, 3.48e-07F, 2.58e-07F, 1.15e-13F, 1.37e-13F, 2.55e-13F, 5.59e-10F, 4.09e-17F, 6.40e-13F, 5.10e-16F, 1.43e-16F, 8.67e-11F, 5.92e-10F, 6.03e-08F, 3.87e-07F, 5.27e-07F, 4.06e-07F, 3.57e-13F, 4.21e-13F, 8.29e-13F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #else
-static const double tol_Phi[N_VECTORS][121] = {
-    { 1.12e-16, 5.01e-16, 6.19e-24, 2.56e-20, 1.16e-21, 7.19e-23, 1.18e-16, 1.19e-16, 1.25e-20, 1.76e-19, 2.01e-20, 3.37e-16, 5.89e-25, 9.34e-23, 2.03e-21, 5.79e-24, 9.87e-18, 9.54e-18, 1.75e-21, 1.09e-21, 1.45e-20, 1.19e-14, 2.25e-16, 2.26e-17, 2.55e-17, 1.12e-15, 3.71e-11, 3.43e-11, 3.92e-14, 1.12e-14, 5.6e-15, 2.15e-12, 3.61e-20, 5.15e-16, 3.76e-17, 2.09e-18, 3.45e-13, 6.87e-12, 7.14e-12, 5.66e-11, 9.08e-12, 5.31e-11, 1.45e-15, 6.95e-15, 2.53e-15, 2.18e-12, 3.72e-20, 2.16e-16, 3.5e-16, 2.36e-18, 6.74e-12, 5.13e-13, 6.65e-12, 5.17e-11, 5.59e-11, 8.38e-12, 2.28e-15, 1.95e-15, 6.78e-15, 8.54e-15, 4.8e-20, 1.35e-17, 1.43e-17, 2.25e-16, 7.03e-12, 6.45e-12, 6.8e-14, 9.08e-12, 5.45e-11, 5.38e-11, 6.72e-15, 2.27e-15, 1.16e-15, 1.04e-18, 5.89e-25, 9.34e-23, 2.03e-21, 5.79e-24, 2.34e-16, 3.58e-17, 1.16e-17, 1.44e-15, 6.73e-15, 2.49e-15, 1.75e-21, 1.09e-21, 1.45e-20, 1.63e-18, 4.37e-25, 1.57e-21, 9.53e-23, 5.13e-24, 3.58e-17, 2.33e-16, 1.18e-17, 2.27e-15, 1.65e-15, 6.74e-15, 1.09e-21, 1.18e-20, 1.75e-21, 4.11e-16, 7.11e-24, 3.16e-20, 1.19e-21, 7.71e-23, 1.95e-18, 1.45e-16, 3.73e-16, 6.72e-15, 2.26e-15, 1.14e-15, 1.25e-20, 2.05e-19, 2e-20, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 1.12e-16, 1.16e-18, 7.64e-26, 1.14e-21, 8.7e-25, 3.31e-25, 8.56e-19, 2.68e-19, 6.69e-22, 7.9e-22, 1.54e-21, 3.36e-16, 6.47e-26, 3.45e-25, 4.55e-22, 1.45e-25, 3.54e-19, 2.5e-19, 6.31e-22, 3.66e-22, 1.43e-22, 4.11e-16, 2.24e-16, 4.74e-19, 6.42e-19, 2.52e-16, 6.28e-13, 8.73e-13, 1.02e-15, 1.54e-15, 1.13e-15, 1e-15, 7.69e-23, 3.38e-16, 6.72e-19, 2.44e-19, 1.13e-15, 9.86e-13, 5.49e-13, 1.77e-12, 1.41e-12, 6.61e-13, 6.75e-16, 8.26e-16, 1.3e-15, 8.64e-16, 1.02e-22, 1.69e-18, 3.37e-16, 2.46e-19, 9.86e-13, 1.62e-15, 7.09e-13, 1.04e-12, 1.51e-12, 2.18e-12, 1.3e-15, 7.74e-16, 5.1e-16, 4.24e-16, 9.8e-21, 5.74e-19, 6.43e-19, 2.24e-16, 5.49e-13, 7.09e-13, 5.89e-16, 1.29e-12, 9e-13, 8.29e-13, 8.16e-16, 1.18e-15, 8.82e-16, 5.94e-21, 6.47e-26, 3.45e-25, 4.55e-22, 1.45e-25, 2.25e-16, 5.39e-19, 4.54e-19, 6.74e-16, 8.25e-16, 1.3e-15, 6.31e-22, 3.66e-22, 1.43e-22, 1.34e-19, 2.61e-26, 3.35e-22, 4.35e-25, 1.16e-25, 5.39e-19, 2.25e-16, 3.58e-19, 1.3e-15, 7.73e-16, 5.09e-16, 2.3e-22, 2.73e-22, 5.13e-22, 1.11e-18, 7.98e-26, 1.27e-21, 9.8e-25, 2.8e-25, 1.81e-19, 1.12e-18, 2.25e-16, 8.16e-16, 1.18e-15, 8.82e-16, 6.96e-22, 8.2e-22, 1.62e-21, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][121] = {
+    { 1.12e-16F, 5.01e-16F, 6.19e-24F, 2.56e-20F, 1.16e-21F, 7.19e-23F, 1.18e-16F, 1.19e-16F, 1.25e-20F, 1.76e-19F, 2.01e-20F, 3.37e-16F, 5.89e-25F, 9.34e-23F, 2.03e-21F, 5.79e-24F, 9.87e-18F, 9.54e-18F, 1.75e-21F, 1.09e-21F, 1.45e-20F, 1.19e-14F, 2.25e-16F, 2.26e-17F, 2.55e-17F, 1.12e-15F, 3.71e-11F, 3.43e-11F, 3.92e-14F, 1.12e-14F, 5.60e-15F, 2.15e-12F, 3.61e-20F, 5.15e-16F, 3.76e-17F, 2.09e-18F, 3.45e-13F, 6.87e-12F, 7.14e-12F, 5.66e-11F, 9.08e-12F, 5.31e-11F, 1.45e-15F, 6.95e-15F, 2.53e-15F, 2.18e-12F, 3.72e-20F, 2.16e-16F, 3.50e-16F, 2.36e-18F, 6.74e-12F, 5.13e-13F, 6.65e-12F, 5.17e-11F, 5.59e-11F, 8.38e-12F, 2.28e-15F, 1.95e-15F, 6.78e-15F, 8.54e-15F, 4.80e-20F, 1.35e-17F, 1.43e-17F, 2.25e-16F, 7.03e-12F, 6.45e-12F, 6.80e-14F, 9.08e-12F, 5.45e-11F, 5.38e-11F, 6.72e-15F, 2.27e-15F, 1.16e-15F, 1.04e-18F, 5.89e-25F, 9.34e-23F, 2.03e-21F, 5.79e-24F, 2.34e-16F, 3.58e-17F, 1.16e-17F, 1.44e-15F, 6.73e-15F, 2.49e-15F, 1.75e-21F, 1.09e-21F, 1.45e-20F, 1.63e-18F, 4.37e-25F, 1.57e-21F, 9.53e-23F, 5.13e-24F, 3.58e-17F, 2.33e-16F, 1.18e-17F, 2.27e-15F, 1.65e-15F, 6.74e-15F, 1.09e-21F, 1.18e-20F, 1.75e-21F, 4.11e-16F, 7.11e-24F, 3.16e-20F, 1.19e-21F, 7.71e-23F, 1.95e-18F, 1.45e-16F, 3.73e-16F, 6.72e-15F, 2.26e-15F, 1.14e-15F, 1.25e-20F, 2.05e-19F, 2.00e-20F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 1.12e-16F, 1.16e-18F, 7.64e-26F, 1.14e-21F, 8.70e-25F, 3.31e-25F, 8.56e-19F, 2.68e-19F, 6.69e-22F, 7.90e-22F, 1.54e-21F, 3.36e-16F, 6.47e-26F, 3.45e-25F, 4.55e-22F, 1.45e-25F, 3.54e-19F, 2.50e-19F, 6.31e-22F, 3.66e-22F, 1.43e-22F, 4.11e-16F, 2.24e-16F, 4.74e-19F, 6.42e-19F, 2.52e-16F, 6.28e-13F, 8.73e-13F, 1.02e-15F, 1.54e-15F, 1.13e-15F, 1.00e-15F, 7.69e-23F, 3.38e-16F, 6.72e-19F, 2.44e-19F, 1.13e-15F, 9.86e-13F, 5.49e-13F, 1.77e-12F, 1.41e-12F, 6.61e-13F, 6.75e-16F, 8.26e-16F, 1.30e-15F, 8.64e-16F, 1.02e-22F, 1.69e-18F, 3.37e-16F, 2.46e-19F, 9.86e-13F, 1.62e-15F, 7.09e-13F, 1.04e-12F, 1.51e-12F, 2.18e-12F, 1.30e-15F, 7.74e-16F, 5.10e-16F, 4.24e-16F, 9.80e-21F, 5.74e-19F, 6.43e-19F, 2.24e-16F, 5.49e-13F, 7.09e-13F, 5.89e-16F, 1.29e-12F, 9.00e-13F, 8.29e-13F, 8.16e-16F, 1.18e-15F, 8.82e-16F, 5.94e-21F, 6.47e-26F, 3.45e-25F, 4.55e-22F, 1.45e-25F, 2.25e-16F, 5.39e-19F, 4.54e-19F, 6.74e-16F, 8.25e-16F, 1.30e-15F, 6.31e-22F, 3.66e-22F, 1.43e-22F, 1.34e-19F, 2.61e-26F, 3.35e-22F, 4.35e-25F, 1.16e-25F, 5.39e-19F, 2.25e-16F, 3.58e-19F, 1.30e-15F, 7.73e-16F, 5.09e-16F, 2.30e-22F, 2.73e-22F, 5.13e-22F, 1.11e-18F, 7.98e-26F, 1.27e-21F, 9.80e-25F, 2.80e-25F, 1.81e-19F, 1.12e-18F, 2.25e-16F, 8.16e-16F, 1.18e-15F, 8.82e-16F, 6.96e-22F, 8.20e-22F, 1.62e-21F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #endif
 static const unsigned short at_Phi[121] = { 0, 1, 2, 3, 4, 5, 7, 8, 12, 13, 14, 16, 17, 18, 19, 20,
@@ -103,7 +102,7 @@ int test_ah_Phi(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 225);
             if (ah_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("ah_Phi: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_Phi: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_Phi Phi", Phi, 225);
@@ -116,7 +115,7 @@ int test_ah_Phi(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (ah_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("ah_Phi: position[%d] end %d refused\n", i, end);
+                selftest_print("ah_Phi: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -132,7 +131,7 @@ int test_ah_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 225);
             if (ah_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("ah_Phi: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_Phi Phi", Phi, 225);
@@ -143,7 +142,7 @@ int test_ah_Phi(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (ah_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("ah_Phi: v_n[%d] end %d refused\n", i, end);
+                selftest_print("ah_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -161,7 +160,7 @@ int test_ah_Phi(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 225);
             if (ah_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("ah_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_Phi Phi", Phi, 225);
@@ -175,7 +174,7 @@ int test_ah_Phi(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ah_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("ah_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ah_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -188,7 +187,7 @@ int test_ah_Phi(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ah_Phi(&nav, &imu, Phi) != BS_OUT_OF_RANGE) {
-            (void)printf("ah_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("ah_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -203,7 +202,7 @@ int test_ah_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 225);
             if (ah_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("ah_Phi: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_Phi Phi", Phi, 225);
@@ -214,7 +213,7 @@ int test_ah_Phi(void)
             set_point(0, &nav, &imu);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (ah_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("ah_Phi: f_b[%d] end %d refused\n", i, end);
+                selftest_print("ah_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -230,7 +229,7 @@ int test_ah_Phi(void)
                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 225);
             if (ah_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("ah_Phi: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_Phi Phi", Phi, 225);
@@ -241,7 +240,7 @@ int test_ah_Phi(void)
             set_point(0, &nav, &imu);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (ah_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("ah_Phi: dt[%d] end %d refused\n", i, end);
+                selftest_print("ah_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

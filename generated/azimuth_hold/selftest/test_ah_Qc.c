@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.303d500000000p-1, 0x1.fecc700000000p-2, -0x1.371cd80000000p-1, 0x1.644a3a0000000p-3 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.53726c0000000p-5, 0x1.9731040000000p-7, 0x1.280a320000000p-4 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x0.0p+0, 0x1.4000000000000p+3 },
     { 0x1.3921460000000p+3, 0x1.af1a000000000p+1, 0x1.4ba9620000000p-4 }
 };
-static const double in_gyro_bias_noise[N_VECTORS][3] = {
+static const float in_gyro_bias_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x0.0p+0, 0x1.9999980000000p-4 },
     { 0x1.c1ec6a0000000p-5, 0x1.2e22cc0000000p-4, 0x1.65bfb40000000p-5 }
 };
-static const double in_accel_bias_noise[N_VECTORS][3] = {
+static const float in_accel_bias_noise[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.644efe0000000p+2, 0x1.a86f220000000p-1, 0x1.0d72440000000p+2 }
 };
@@ -35,14 +34,14 @@ static const double out_Qc[N_VECTORS][24] = {
     { 0x1.6d8628ed838dap+3, -0x1.7a79155679c76p+3, 0x1.bb0b4c3e3e76ap+3, -0x1.7a79155679c76p+3, 0x1.183143dbfc105p+4, -0x1.02bb8e31c5b4dp+5, 0x1.bb0b4c3e3e76ap+3, -0x1.02bb8e31c5b4dp+5, 0x1.39e296f928a80p+6, 0x1.c94c41d3668eep-10, 0x1.1496862aab4f0p-9, 0x1.eababa780f16bp-11, 0x1.1496862aab4f0p-9, 0x1.e2bfc409465cfp-9, 0x1.a1163e1863a34p-12, 0x1.eababa780f16bp-11, 0x1.a1163e1863a34p-12, 0x1.ba6bfb60583e4p-10, 0x1.8b5f9313cdf20p-9, 0x1.64961e0ad2900p-8, 0x1.f3f03b9616900p-10, 0x1.efebcacfc4040p+4, 0x1.5fd8286f40420p-1, 0x1.1b9955e8a2100p+4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Qc[N_VECTORS][24] = {
-    { 4.83e-05, 6.04e-06, 1.06e-05, 6.04e-06, 3.6e-13, 6.3e-13, 1.06e-05, 6.3e-13, 1.1e-12, 4.83e-09, 6.04e-10, 1.66e-09, 6.04e-10, 7.2e-17, 6.04e-10, 1.66e-09, 6.04e-10, 5.44e-09, 1.19e-38, 1.19e-38, 6.02e-10, 6.02e-06, 1.19e-38, 1.19e-38 },
-    { 9.09e-06, 1.03e-05, 1.71e-05, 1.03e-05, 1.2e-05, 2.17e-05, 1.71e-05, 2.17e-05, 4.27e-05, 1.02e-09, 1.35e-09, 9.35e-10, 1.35e-09, 1.83e-09, 1.21e-09, 9.35e-10, 1.21e-09, 1.14e-09, 1.82e-10, 3.28e-10, 1.15e-10, 1.87e-06, 4.14e-08, 1.07e-06 }
+static const float tol_Qc[N_VECTORS][24] = {
+    { 4.83e-05F, 6.04e-06F, 1.06e-05F, 6.04e-06F, 3.60e-13F, 6.30e-13F, 1.06e-05F, 6.30e-13F, 1.10e-12F, 4.83e-09F, 6.04e-10F, 1.66e-09F, 6.04e-10F, 7.20e-17F, 6.04e-10F, 1.66e-09F, 6.04e-10F, 5.44e-09F, 1.19e-38F, 1.19e-38F, 6.02e-10F, 6.02e-06F, 1.19e-38F, 1.19e-38F },
+    { 9.09e-06F, 1.03e-05F, 1.71e-05F, 1.03e-05F, 1.20e-05F, 2.17e-05F, 1.71e-05F, 2.17e-05F, 4.27e-05F, 1.02e-09F, 1.35e-09F, 9.35e-10F, 1.35e-09F, 1.83e-09F, 1.21e-09F, 9.35e-10F, 1.21e-09F, 1.14e-09F, 1.82e-10F, 3.28e-10F, 1.15e-10F, 1.87e-06F, 4.14e-08F, 1.07e-06F }
 };
 #else
-static const double tol_Qc[N_VECTORS][24] = {
-    { 1.01e-13, 1.13e-14, 1.97e-14, 1.13e-14, 1.25e-30, 2.19e-30, 1.97e-14, 2.19e-30, 3.83e-30, 1.01e-17, 1.13e-18, 3.09e-18, 1.13e-18, 2.5e-34, 1.13e-18, 3.09e-18, 1.13e-18, 1.13e-17, 1.01e-45, 1.01e-45, 2.24e-18, 2.24e-14, 1.01e-45, 1.01e-45 },
-    { 1.82e-14, 2.05e-14, 3.34e-14, 2.05e-14, 2.43e-14, 4.4e-14, 3.34e-14, 4.4e-14, 8.84e-14, 2.1e-18, 2.75e-18, 1.85e-18, 2.75e-18, 3.83e-18, 2.29e-18, 1.85e-18, 2.29e-18, 2.32e-18, 6.76e-19, 1.22e-18, 4.28e-19, 6.95e-15, 1.54e-16, 3.98e-15 }
+static const float tol_Qc[N_VECTORS][24] = {
+    { 1.01e-13F, 1.13e-14F, 1.97e-14F, 1.13e-14F, 1.25e-30F, 2.19e-30F, 1.97e-14F, 2.19e-30F, 3.83e-30F, 1.01e-17F, 1.13e-18F, 3.09e-18F, 1.13e-18F, 2.50e-34F, 1.13e-18F, 3.09e-18F, 1.13e-18F, 1.13e-17F, 0.0F, 0.0F, 2.24e-18F, 2.24e-14F, 0.0F, 0.0F },
+    { 1.82e-14F, 2.05e-14F, 3.34e-14F, 2.05e-14F, 2.43e-14F, 4.40e-14F, 3.34e-14F, 4.40e-14F, 8.84e-14F, 2.10e-18F, 2.75e-18F, 1.85e-18F, 2.75e-18F, 3.83e-18F, 2.29e-18F, 1.85e-18F, 2.29e-18F, 2.32e-18F, 6.76e-19F, 1.22e-18F, 4.28e-19F, 6.95e-15F, 1.54e-16F, 3.98e-15F }
 };
 #endif
 static const unsigned short at_Qc[24] = { 48, 49, 50, 63, 64, 65, 78, 79, 80, 96, 97, 98, 111, 112,
@@ -94,7 +93,7 @@ int test_ah_Qc(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 225);
             if (ah_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("ah_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_Qc Qc", Qc, 225);
@@ -108,7 +107,7 @@ int test_ah_Qc(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ah_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("ah_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ah_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -121,7 +120,7 @@ int test_ah_Qc(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ah_Qc(&nav, &noise, Qc) != BS_OUT_OF_RANGE) {
-            (void)printf("ah_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("ah_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -138,7 +137,7 @@ int test_ah_Qc(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 225);
             if (ah_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("ah_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_Qc Qc", Qc, 225);
@@ -149,7 +148,7 @@ int test_ah_Qc(void)
             set_point(0, &nav, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (ah_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("ah_Qc: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("ah_Qc: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -167,7 +166,7 @@ int test_ah_Qc(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 225);
             if (ah_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("ah_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_Qc Qc", Qc, 225);
@@ -178,7 +177,7 @@ int test_ah_Qc(void)
             set_point(0, &nav, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (ah_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("ah_Qc: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("ah_Qc: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -196,7 +195,7 @@ int test_ah_Qc(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 225);
             if (ah_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("ah_Qc: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_Qc: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_Qc Qc", Qc, 225);
@@ -207,7 +206,7 @@ int test_ah_Qc(void)
             set_point(0, &nav, &noise);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (ah_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("ah_Qc: gyro_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("ah_Qc: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -225,7 +224,7 @@ int test_ah_Qc(void)
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 225);
             if (ah_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("ah_Qc: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_Qc: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_Qc Qc", Qc, 225);
@@ -236,7 +235,7 @@ int test_ah_Qc(void)
             set_point(0, &nav, &noise);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (ah_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("ah_Qc: accel_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("ah_Qc: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,18 +2,17 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.baf96e0000000p-3, 0x1.b6af840000000p-2, -0x1.f9e4700000000p-4, 0x1.bcd57e0000000p-1 }
 };
-static const double in_q_ref_wxyz[N_VECTORS][4] = {
+static const float in_q_ref_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { 0x1.364f140000000p-5, -0x1.d12f5c0000000p-2, 0x1.135fb40000000p-2, 0x1.b26e9a0000000p-1 }
 };
@@ -23,14 +22,14 @@ static const double out_z[N_VECTORS][1] = {
     { 0x1.bc934bd89c483p-3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][1] = {
-    { 3.76e-07 },
-    { 4.57e-07 }
+static const float tol_z[N_VECTORS][1] = {
+    { 3.76e-07F },
+    { 4.57e-07F }
 };
 #else
-static const double tol_z[N_VECTORS][1] = {
-    { 7.57e-16 },
-    { 8.76e-16 }
+static const float tol_z[N_VECTORS][1] = {
+    { 7.57e-16F },
+    { 8.76e-16F }
 };
 #endif
 static const unsigned short at_z[1] = { 0 };
@@ -72,7 +71,7 @@ int test_ah_azimuth_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 1);
             if (ah_azimuth_z(&nav, &reference, z) != expected) {
-                (void)printf("ah_azimuth_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_azimuth_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_azimuth_z z", z, 1);
@@ -86,7 +85,7 @@ int test_ah_azimuth_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ah_azimuth_z(&nav, &reference, z) != BS_OK) {
-                (void)printf("ah_azimuth_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ah_azimuth_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -99,8 +98,8 @@ int test_ah_azimuth_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ah_azimuth_z(&nav, &reference, z) != BS_OUT_OF_RANGE) {
-            (void)printf("ah_azimuth_z: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("ah_azimuth_z: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -117,7 +116,7 @@ int test_ah_azimuth_z(void)
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 1);
             if (ah_azimuth_z(&nav, &reference, z) != expected) {
-                (void)printf("ah_azimuth_z: q_ref_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_azimuth_z: q_ref_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_azimuth_z z", z, 1);
@@ -131,7 +130,7 @@ int test_ah_azimuth_z(void)
                 reference.q_ref_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ah_azimuth_z(&nav, &reference, z) != BS_OK) {
-                (void)printf("ah_azimuth_z: q_ref_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ah_azimuth_z: q_ref_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -144,8 +143,8 @@ int test_ah_azimuth_z(void)
             reference.q_ref_wxyz[i] = (bs_real)beyond[end];
         }
         if (ah_azimuth_z(&nav, &reference, z) != BS_OUT_OF_RANGE) {
-            (void)printf("ah_azimuth_z: q_ref_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("ah_azimuth_z: q_ref_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }

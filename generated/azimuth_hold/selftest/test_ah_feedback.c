@@ -2,34 +2,33 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_x[N_VECTORS][15] = {
+static const float in_x[N_VECTORS][15] = {
     { -0x1.1df46a0000000p-7, -0x1.1df46a0000000p-7, -0x1.f400000000000p+9, 0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, -0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { -0x1.d457f20000000p-8, -0x1.a6b51e0000000p-9, 0x1.8b9ff80000000p+8, 0x1.c6d2fc0000000p+2, 0x1.05d3dc0000000p+5, -0x1.19eb2c0000000p+6, 0x1.02f7e20000000p-2, -0x1.739d440000000p-2, -0x1.4f657e0000000p-2, 0x1.07f3b60000000p-6, 0x1.64312e0000000p-9, -0x1.2ea7b20000000p-7, 0x1.f53b0e0000000p-2, -0x1.90fd880000000p-1, 0x1.d37a3e0000000p-3 }
 };
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { 0x1.4572d80000000p+2, 0x1.21ed8c0000000p+0, 0x1.1efb640000000p+12 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.4734660000000p+6, 0x1.526c8c0000000p+9, 0x1.14c4360000000p+7 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.4bb8dc0000000p-1, 0x1.0c9a980000000p-2, -0x1.6c3c500000000p-1, 0x1.06f58a0000000p-4 }
 };
-static const double in_gyro_bias[N_VECTORS][3] = {
+static const float in_gyro_bias[N_VECTORS][3] = {
     { 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6 },
     { -0x1.b9abd80000000p-7, -0x1.f214760000000p-10, 0x1.fb52280000000p-7 }
 };
-static const double in_accel_bias[N_VECTORS][3] = {
+static const float in_accel_bias[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { -0x1.acd3240000000p-1, -0x1.c13ed00000000p-1, -0x1.848f5a0000000p-1 }
 };
@@ -39,14 +38,14 @@ static const double out_position[N_VECTORS][3] = {
     { 0x1.45e7edfc80000p+2, 0x1.22c0e68f00000p+0, 0x1.0641648000000p+12 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_position[N_VECTORS][3] = {
-    { 3.78e-07, 8.98e-08, 3.01e-05 },
-    { 3.07e-07, 6.84e-08, 0.000253 }
+static const float tol_position[N_VECTORS][3] = {
+    { 3.78e-07F, 8.98e-08F, 3.01e-05F },
+    { 3.07e-07F, 6.84e-08F, 2.53e-04F }
 };
 #else
-static const double tol_position[N_VECTORS][3] = {
-    { 1.41e-15, 3.35e-16, 1.12e-13 },
-    { 1.14e-15, 2.55e-16, 9.41e-13 }
+static const float tol_position[N_VECTORS][3] = {
+    { 1.41e-15F, 3.35e-16F, 1.12e-13F },
+    { 1.14e-15F, 2.55e-16F, 9.41e-13F }
 };
 #endif
 static const unsigned short at_position[3] = { 0, 1, 2 };
@@ -56,14 +55,14 @@ static const double out_v_n[N_VECTORS][3] = {
     { 0x1.2ac7364000000p+6, 0x1.420f4e4000000p+9, 0x1.a1b9cc0000000p+7 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 6.62e-05, 5.42e-05, 5.42e-05 },
-    { 4.5e-06, 3.88e-05, 1.26e-05 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 6.62e-05F, 5.42e-05F, 5.42e-05F },
+    { 4.50e-06F, 3.88e-05F, 1.26e-05F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 2.47e-13, 2.02e-13, 2.02e-13 },
-    { 1.68e-14, 1.44e-13, 4.68e-14 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 2.47e-13F, 2.02e-13F, 2.02e-13F },
+    { 1.68e-14F, 1.44e-13F, 4.68e-14F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -73,14 +72,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.8c31f20778174p-1, 0x1.70df2c2ce16c0p-5, -0x1.3d1c330db91adp-1, 0x1.ff312f1449128p-4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 7.45e-07, 7.74e-07, 1.34e-06, 7.45e-07 },
-    { 1.01e-06, 2.44e-07, 8.67e-07, 2.86e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 7.45e-07F, 7.74e-07F, 1.34e-06F, 7.45e-07F },
+    { 1.01e-06F, 2.44e-07F, 8.67e-07F, 2.86e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.42e-15, 1.48e-15, 2.58e-15, 1.42e-15 },
-    { 1.97e-15, 4.6e-16, 1.68e-15, 5.47e-16 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 1.42e-15F, 1.48e-15F, 2.58e-15F, 1.42e-15F },
+    { 1.97e-15F, 4.60e-16F, 1.68e-15F, 5.47e-16F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -90,14 +89,14 @@ static const double out_gyro_bias[N_VECTORS][3] = {
     { -0x1.e4c9a20000000p-6, -0x1.2e9db48000000p-8, 0x1.94fced0000000p-6 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_gyro_bias[N_VECTORS][3] = {
-    { 1.19e-38, 1.19e-38, 1.19e-38 },
-    { 1.78e-09, 2.78e-10, 1.49e-09 }
+static const float tol_gyro_bias[N_VECTORS][3] = {
+    { 1.19e-38F, 1.19e-38F, 1.19e-38F },
+    { 1.78e-09F, 2.78e-10F, 1.49e-09F }
 };
 #else
-static const double tol_gyro_bias[N_VECTORS][3] = {
-    { 1.01e-45, 1.01e-45, 1.01e-45 },
-    { 6.64e-18, 1.04e-18, 5.54e-18 }
+static const float tol_gyro_bias[N_VECTORS][3] = {
+    { 0.0F, 0.0F, 0.0F },
+    { 6.64e-18F, 1.04e-18F, 5.54e-18F }
 };
 #endif
 static const unsigned short at_gyro_bias[3] = { 0, 1, 2 };
@@ -107,14 +106,14 @@ static const double out_accel_bias[N_VECTORS][3] = {
     { -0x1.53b8558000000p+0, -0x1.820a400000000p-4, -0x1.f96de98000000p-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_accel_bias[N_VECTORS][3] = {
-    { 1.2e-07, 1.19e-38, 1.19e-38 },
-    { 7.99e-08, 5.67e-09, 5.94e-08 }
+static const float tol_accel_bias[N_VECTORS][3] = {
+    { 1.20e-07F, 1.19e-38F, 1.19e-38F },
+    { 7.99e-08F, 5.67e-09F, 5.94e-08F }
 };
 #else
-static const double tol_accel_bias[N_VECTORS][3] = {
-    { 4.49e-16, 1.01e-45, 1.01e-45 },
-    { 2.98e-16, 2.11e-17, 2.21e-16 }
+static const float tol_accel_bias[N_VECTORS][3] = {
+    { 4.49e-16F, 0.0F, 0.0F },
+    { 2.98e-16F, 2.11e-17F, 2.21e-16F }
 };
 #endif
 static const unsigned short at_accel_bias[3] = { 0, 1, 2 };
@@ -191,7 +190,7 @@ int test_ah_feedback(void)
             selftest_paint(accel_bias, 3);
             if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
                             accel_bias) != expected) {
-                (void)printf("ah_feedback: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_feedback position", position, 3);
@@ -220,7 +219,7 @@ int test_ah_feedback(void)
             set_point(0, x, &nav);
             x[i] = (end == 0) ? low[i] : high[i];
             if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("ah_feedback: x[%d] end %d refused\n", i, end);
+                selftest_print("ah_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -243,7 +242,7 @@ int test_ah_feedback(void)
             selftest_paint(accel_bias, 3);
             if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
                             accel_bias) != expected) {
-                (void)printf("ah_feedback: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_feedback: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_feedback position", position, 3);
@@ -260,7 +259,7 @@ int test_ah_feedback(void)
             set_point(0, x, &nav);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("ah_feedback: position[%d] end %d refused\n", i, end);
+                selftest_print("ah_feedback: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -281,7 +280,7 @@ int test_ah_feedback(void)
             selftest_paint(accel_bias, 3);
             if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
                             accel_bias) != expected) {
-                (void)printf("ah_feedback: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_feedback position", position, 3);
@@ -296,7 +295,7 @@ int test_ah_feedback(void)
             set_point(0, x, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("ah_feedback: v_n[%d] end %d refused\n", i, end);
+                selftest_print("ah_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -319,7 +318,7 @@ int test_ah_feedback(void)
             selftest_paint(accel_bias, 3);
             if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
                             accel_bias) != expected) {
-                (void)printf("ah_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_feedback position", position, 3);
@@ -337,7 +336,7 @@ int test_ah_feedback(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("ah_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ah_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -351,7 +350,8 @@ int test_ah_feedback(void)
         }
         if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
                         accel_bias) != BS_OUT_OF_RANGE) {
-            (void)printf("ah_feedback: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("ah_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -375,7 +375,7 @@ int test_ah_feedback(void)
             selftest_paint(accel_bias, 3);
             if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
                             accel_bias) != expected) {
-                (void)printf("ah_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_feedback position", position, 3);
@@ -394,7 +394,7 @@ int test_ah_feedback(void)
             set_point(0, x, &nav);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
             if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("ah_feedback: gyro_bias[%d] end %d refused\n", i, end);
+                selftest_print("ah_feedback: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -417,7 +417,7 @@ int test_ah_feedback(void)
             selftest_paint(accel_bias, 3);
             if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
                             accel_bias) != expected) {
-                (void)printf("ah_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_feedback position", position, 3);
@@ -432,7 +432,7 @@ int test_ah_feedback(void)
             set_point(0, x, &nav);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
             if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("ah_feedback: accel_bias[%d] end %d refused\n", i, end);
+                selftest_print("ah_feedback: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,50 +2,49 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { -0x1.90d9fe0000000p-1, 0x1.ebfe5e0000000p-3, 0x1.97cc720000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.ed58560000000p+7, 0x1.63a2620000000p+9, 0x1.13da3e0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.29327c0000000p-2, -0x1.4181040000000p-3, 0x1.df62ee0000000p-1, 0x1.e315ba0000000p-4 }
 };
-static const double in_gyro_bias[N_VECTORS][3] = {
+static const float in_gyro_bias[N_VECTORS][3] = {
     { -0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6 },
     { 0x1.5f7c8c0000000p-7, 0x1.8c4b800000000p-7, 0x1.43956a0000000p-10 }
 };
-static const double in_accel_bias[N_VECTORS][3] = {
+static const float in_accel_bias[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { -0x1.b6fe280000000p-5, 0x1.9b73e60000000p-1, 0x1.97c0ba0000000p-1 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.0c6f7c0000000p-20 },
     { 0x1.97b95c0000000p+0 }
 };
-static const double in_dtheta_ib_b[N_VECTORS][3] = {
+static const float in_dtheta_ib_b[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { 0x1.14f55c0000000p-2, 0x1.f971400000000p-6, 0x1.0ac0dc0000000p-5 }
 };
-static const double in_dv_b[N_VECTORS][3] = {
+static const float in_dv_b[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { -0x1.3f13c20000000p+5, -0x1.55f84e0000000p+6, 0x1.c4fc5c0000000p+5 }
 };
-static const double in_dtheta_before[N_VECTORS][3] = {
+static const float in_dtheta_before[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { -0x1.9463020000000p-2, -0x1.c2c4700000000p-4, -0x1.be735e0000000p-3 }
 };
-static const double in_dv_before[N_VECTORS][3] = {
+static const float in_dv_before[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { 0x1.1214d80000000p+6, -0x1.0b170c0000000p+5, -0x1.29f0ee0000000p+5 }
 };
@@ -55,14 +54,14 @@ static const double out_position[N_VECTORS][3] = {
     { -0x1.90e2064cf324dp-1, 0x1.ec57d09b2654dp-3, 0x1.b14162aaafec8p+13 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_position[N_VECTORS][3] = {
-    { 3.78e-07, 8.93e-08, 0.00181 },
-    { 4.72e-08, 1.47e-08, 0.0014 }
+static const float tol_position[N_VECTORS][3] = {
+    { 3.78e-07F, 8.93e-08F, 1.81e-03F },
+    { 4.72e-08F, 1.47e-08F, 1.40e-03F }
 };
 #else
-static const double tol_position[N_VECTORS][3] = {
-    { 1.41e-15, 3.33e-16, 6.73e-12 },
-    { 1.76e-16, 5.43e-17, 4.17e-12 }
+static const float tol_position[N_VECTORS][3] = {
+    { 1.41e-15F, 3.33e-16F, 6.73e-12F },
+    { 1.76e-16F, 5.43e-17F, 4.17e-12F }
 };
 #endif
 static const unsigned short at_position[3] = { 0, 1, 2 };
@@ -72,14 +71,14 @@ static const double out_v_n[N_VECTORS][3] = {
     { -0x1.bbdb1ad0b3a4ep+7, 0x1.43a1f13eb7862p+9, 0x1.c131bce2973b2p+8 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 0.000332, 0.000284, 0.000294 },
-    { 0.00011, 0.000214, 0.000179 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 3.32e-04F, 2.84e-04F, 2.94e-04F },
+    { 1.10e-04F, 2.14e-04F, 1.79e-04F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 7.13e-13, 6.47e-13, 6.51e-13 },
-    { 2.3e-13, 4.7e-13, 3.83e-13 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 7.13e-13F, 6.47e-13F, 6.51e-13F },
+    { 2.30e-13F, 4.70e-13F, 3.83e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -89,14 +88,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.185064d49a509p-2, -0x1.6b8f77d78ca3bp-3, 0x1.e3f88051a1cfap-1, -0x1.af4691534ffd6p-8 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.34e-06, 1.34e-06, 2.5e-06, 1.43e-06 },
-    { 5.06e-07, 3.8e-07, 1.7e-06, 2.07e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 1.34e-06F, 1.34e-06F, 2.50e-06F, 1.43e-06F },
+    { 5.06e-07F, 3.80e-07F, 1.70e-06F, 2.07e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.53e-15, 2.53e-15, 4.75e-15, 2.71e-15 },
-    { 9.74e-16, 7.28e-16, 3.26e-15, 3.86e-16 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 2.53e-15F, 2.53e-15F, 4.75e-15F, 2.71e-15F },
+    { 9.74e-16F, 7.28e-16F, 3.26e-15F, 3.86e-16F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -172,7 +171,7 @@ int test_ah_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ah_strapdown: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_strapdown: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_strapdown position", position, 3);
@@ -187,7 +186,7 @@ int test_ah_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ah_strapdown: position[%d] end %d refused\n", i, end);
+                selftest_print("ah_strapdown: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -205,7 +204,7 @@ int test_ah_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ah_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_strapdown position", position, 3);
@@ -218,7 +217,7 @@ int test_ah_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ah_strapdown: v_n[%d] end %d refused\n", i, end);
+                selftest_print("ah_strapdown: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -238,7 +237,7 @@ int test_ah_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ah_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_strapdown position", position, 3);
@@ -254,7 +253,7 @@ int test_ah_strapdown(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ah_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ah_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -267,8 +266,8 @@ int test_ah_strapdown(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
-            (void)printf("ah_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("ah_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -289,7 +288,7 @@ int test_ah_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ah_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_strapdown position", position, 3);
@@ -306,7 +305,7 @@ int test_ah_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ah_strapdown: gyro_bias[%d] end %d refused\n", i, end);
+                selftest_print("ah_strapdown: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -326,7 +325,7 @@ int test_ah_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ah_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_strapdown position", position, 3);
@@ -339,7 +338,7 @@ int test_ah_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ah_strapdown: accel_bias[%d] end %d refused\n", i, end);
+                selftest_print("ah_strapdown: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -357,7 +356,7 @@ int test_ah_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ah_strapdown: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_strapdown position", position, 3);
@@ -370,7 +369,7 @@ int test_ah_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ah_strapdown: dt[%d] end %d refused\n", i, end);
+                selftest_print("ah_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -390,7 +389,7 @@ int test_ah_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ah_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_strapdown position", position, 3);
@@ -403,7 +402,7 @@ int test_ah_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ah_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("ah_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -422,7 +421,7 @@ int test_ah_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ah_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_strapdown position", position, 3);
@@ -435,7 +434,7 @@ int test_ah_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dv_b[i] = (end == 0) ? low[i] : high[i];
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ah_strapdown: dv_b[%d] end %d refused\n", i, end);
+                selftest_print("ah_strapdown: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -455,7 +454,8 @@ int test_ah_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ah_strapdown: dtheta_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_strapdown: dtheta_before[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("ah_strapdown position", position, 3);
@@ -468,7 +468,7 @@ int test_ah_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dtheta_before[i] = (end == 0) ? low[i] : high[i];
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ah_strapdown: dtheta_before[%d] end %d refused\n", i, end);
+                selftest_print("ah_strapdown: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -488,7 +488,7 @@ int test_ah_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ah_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_strapdown position", position, 3);
@@ -501,7 +501,7 @@ int test_ah_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dv_before[i] = (end == 0) ? low[i] : high[i];
             if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ah_strapdown: dv_before[%d] end %d refused\n", i, end);
+                selftest_print("ah_strapdown: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,18 +2,17 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.5661b80000000p+2, 0x1.354d920000000p+0, 0x1.0dca4a0000000p+14 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.21c0600000000p-1, -0x1.98eb740000000p-2, 0x1.5928180000000p-2, -0x1.46feb60000000p-1 }
 };
@@ -23,14 +22,14 @@ static const double out_H[N_VECTORS][15] = {
     { -0x1.29a60d0bd7a31p-14, -0x1.29a60d0bd7a31p-14, 0x1.7e37dc5c05a90p-19, -0x1.21fdbdcacd5dbp-20, -0x1.0000000000000p+0, 0x1.cc8d0cd057ea0p-17, 0x1.cc8d0cd057ea0p-17, -0x1.0376bdb534498p-15, 0x1.89b6a3ec71413p-17, -0x1.0000000000000p+0, -0x1.59e3991942898p-17, -0x1.59e3991942898p-17, -0x1.fdee6f594d387p-15, 0x1.82e34e18923cfp-16, -0x1.0000000000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][15] = {
-    { 7.42e-12, 7.42e-12, 4.37e-12, 3.82e-13, 1.12e-16, 5.84e-12, 5.84e-12, 3.06e-11, 2.67e-12, 1.12e-16, 3.54e-11, 3.54e-11, 4.37e-12, 3.82e-13, 1.12e-16 },
-    { 3.54e-11, 3.54e-11, 5.69e-12, 2.16e-12, 1.12e-16, 1.83e-11, 1.83e-11, 1.52e-11, 5.78e-12, 1.12e-16, 1.19e-11, 1.19e-11, 2.56e-11, 9.72e-12, 1.12e-16 }
+static const float tol_H[N_VECTORS][15] = {
+    { 7.42e-12F, 7.42e-12F, 4.37e-12F, 3.82e-13F, 1.12e-16F, 5.84e-12F, 5.84e-12F, 3.06e-11F, 2.67e-12F, 1.12e-16F, 3.54e-11F, 3.54e-11F, 4.37e-12F, 3.82e-13F, 1.12e-16F },
+    { 3.54e-11F, 3.54e-11F, 5.69e-12F, 2.16e-12F, 1.12e-16F, 1.83e-11F, 1.83e-11F, 1.52e-11F, 5.78e-12F, 1.12e-16F, 1.19e-11F, 1.19e-11F, 2.56e-11F, 9.72e-12F, 1.12e-16F }
 };
 #else
-static const double tol_H[N_VECTORS][15] = {
-    { 1.45e-20, 1.45e-20, 8.13e-21, 7.11e-22, 1.12e-16, 1.09e-20, 1.09e-20, 6.5e-20, 5.69e-21, 1.12e-16, 7.41e-20, 7.41e-20, 8.13e-21, 7.11e-22, 1.12e-16 },
-    { 7.38e-20, 7.38e-20, 1.09e-20, 4.14e-21, 1.12e-16, 3.56e-20, 3.56e-20, 3.19e-20, 1.21e-20, 1.12e-16, 2.32e-20, 2.32e-20, 5.45e-20, 2.07e-20, 1.12e-16 }
+static const float tol_H[N_VECTORS][15] = {
+    { 1.45e-20F, 1.45e-20F, 8.13e-21F, 7.11e-22F, 1.12e-16F, 1.09e-20F, 1.09e-20F, 6.50e-20F, 5.69e-21F, 1.12e-16F, 7.41e-20F, 7.41e-20F, 8.13e-21F, 7.11e-22F, 1.12e-16F },
+    { 7.38e-20F, 7.38e-20F, 1.09e-20F, 4.14e-21F, 1.12e-16F, 3.56e-20F, 3.56e-20F, 3.19e-20F, 1.21e-20F, 1.12e-16F, 2.32e-20F, 2.32e-20F, 5.45e-20F, 2.07e-20F, 1.12e-16F }
 };
 #endif
 static const unsigned short at_H[15] = { 1, 6, 7, 8, 9, 16, 21, 22, 23, 25, 31, 36, 37, 38, 41 };
@@ -71,7 +70,7 @@ int test_ah_zaru_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 45);
             if (ah_zaru_H(&nav, H) != expected) {
-                (void)printf("ah_zaru_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_zaru_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_zaru_H H", H, 45);
@@ -84,7 +83,7 @@ int test_ah_zaru_H(void)
             set_point(0, &nav);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (ah_zaru_H(&nav, H) != BS_OK) {
-                (void)printf("ah_zaru_H: position[%d] end %d refused\n", i, end);
+                selftest_print("ah_zaru_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -102,7 +101,7 @@ int test_ah_zaru_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 45);
             if (ah_zaru_H(&nav, H) != expected) {
-                (void)printf("ah_zaru_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_zaru_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_zaru_H H", H, 45);
@@ -116,7 +115,7 @@ int test_ah_zaru_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ah_zaru_H(&nav, H) != BS_OK) {
-                (void)printf("ah_zaru_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ah_zaru_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -129,7 +128,7 @@ int test_ah_zaru_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ah_zaru_H(&nav, H) != BS_OUT_OF_RANGE) {
-            (void)printf("ah_zaru_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("ah_zaru_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }

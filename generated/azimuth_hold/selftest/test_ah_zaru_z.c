@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { -0x1.cc93680000000p+0, -0x1.de856e0000000p-2, 0x1.2854460000000p+14 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.2ec38e0000000p-6, -0x1.6cd5840000000p-1, 0x1.38e4b80000000p-1, 0x1.605b360000000p-2 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, 0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.ea41100000000p+3, -0x1.f1190c0000000p-1, -0x1.203bc00000000p+2 }
 };
@@ -27,14 +26,14 @@ static const double out_z[N_VECTORS][3] = {
     { 0x1.ea41686ae4a8ep+3, -0x1.f114f8268c2cdp-1, -0x1.203c94b48c3fbp+2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 2.41e-06, 2.41e-06, 2.41e-06 },
-    { 1.84e-06, 1.17e-07, 5.42e-07 }
+static const float tol_z[N_VECTORS][3] = {
+    { 2.41e-06F, 2.41e-06F, 2.41e-06F },
+    { 1.84e-06F, 1.17e-07F, 5.42e-07F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 6.73e-15, 6.73e-15, 6.73e-15 },
-    { 5.15e-15, 3.27e-16, 1.52e-15 }
+static const float tol_z[N_VECTORS][3] = {
+    { 6.73e-15F, 6.73e-15F, 6.73e-15F },
+    { 5.15e-15F, 3.27e-16F, 1.52e-15F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -79,7 +78,7 @@ int test_ah_zaru_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (ah_zaru_z(&nav, &imu, z) != expected) {
-                (void)printf("ah_zaru_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_zaru_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_zaru_z z", z, 3);
@@ -92,7 +91,7 @@ int test_ah_zaru_z(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (ah_zaru_z(&nav, &imu, z) != BS_OK) {
-                (void)printf("ah_zaru_z: position[%d] end %d refused\n", i, end);
+                selftest_print("ah_zaru_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -110,7 +109,7 @@ int test_ah_zaru_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (ah_zaru_z(&nav, &imu, z) != expected) {
-                (void)printf("ah_zaru_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_zaru_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_zaru_z z", z, 3);
@@ -124,7 +123,7 @@ int test_ah_zaru_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ah_zaru_z(&nav, &imu, z) != BS_OK) {
-                (void)printf("ah_zaru_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ah_zaru_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -137,7 +136,7 @@ int test_ah_zaru_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ah_zaru_z(&nav, &imu, z) != BS_OUT_OF_RANGE) {
-            (void)printf("ah_zaru_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("ah_zaru_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -154,7 +153,7 @@ int test_ah_zaru_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (ah_zaru_z(&nav, &imu, z) != expected) {
-                (void)printf("ah_zaru_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_zaru_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_zaru_z z", z, 3);
@@ -165,7 +164,7 @@ int test_ah_zaru_z(void)
             set_point(0, &nav, &imu);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (ah_zaru_z(&nav, &imu, z) != BS_OK) {
-                (void)printf("ah_zaru_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("ah_zaru_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

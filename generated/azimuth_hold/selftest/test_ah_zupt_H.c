@@ -2,7 +2,6 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold.h"
 #include "selftest.h"
@@ -14,12 +13,12 @@ static const double out_H[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][3] = {
-    { 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_H[N_VECTORS][3] = {
+    { 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #else
-static const double tol_H[N_VECTORS][3] = {
-    { 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_H[N_VECTORS][3] = {
+    { 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #endif
 static const unsigned short at_H[3] = { 3, 19, 35 };

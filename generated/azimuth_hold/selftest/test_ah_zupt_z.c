@@ -2,14 +2,13 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.2286460000000p+9, -0x1.f940900000000p+8, -0x1.c0ca5e0000000p+9 }
 };
@@ -19,14 +18,14 @@ static const double out_z[N_VECTORS][3] = {
     { -0x1.2286460000000p+9, -0x1.f940900000000p+8, -0x1.c0ca5e0000000p+9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 1.12e-13, 1.12e-13, 1.12e-13 },
-    { 6.52e-14, 5.67e-14, 1.01e-13 }
+static const float tol_z[N_VECTORS][3] = {
+    { 1.12e-13F, 1.12e-13F, 1.12e-13F },
+    { 6.52e-14F, 5.67e-14F, 1.01e-13F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 1.12e-13, 1.12e-13, 1.12e-13 },
-    { 6.52e-14, 5.67e-14, 1.01e-13 }
+static const float tol_z[N_VECTORS][3] = {
+    { 1.12e-13F, 1.12e-13F, 1.12e-13F },
+    { 6.52e-14F, 5.67e-14F, 1.01e-13F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -62,7 +61,7 @@ int test_ah_zupt_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (ah_zupt_z(&nav, z) != expected) {
-                (void)printf("ah_zupt_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_zupt_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_zupt_z z", z, 3);
@@ -73,7 +72,7 @@ int test_ah_zupt_z(void)
             set_point(0, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (ah_zupt_z(&nav, z) != BS_OK) {
-                (void)printf("ah_zupt_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("ah_zupt_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -3,7 +3,9 @@
  * sha256sum prints of them in the order of their names (LC_ALL=C).  It is the same in both
  * precisions.
  * In single precision each function has the ending _f32, so that both precisions link into one
- * program and a header of one does not link with a library of the other. */
+ * program and a header of one does not link with a library of the other.
+ * In a form that is not that of its precision (BORESIGHT_UD) each function of the filter has the
+ * ending _ud, or _f32_joseph: P of one form is never read as the other. */
 #ifndef AZIMUTH_HOLD_REFERENCE_IDENTITY_H
 #define AZIMUTH_HOLD_REFERENCE_IDENTITY_H
 
@@ -18,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "80740f32c69d4cd86981383771cb1fdd059af9c803656b043a8976e7a9c3cee3"
+#define AHR_MODEL_HASH "89770c87a466745cc748782b7c5df06c25ce5ef46ae08b160983d24344a03f14"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1
@@ -44,24 +46,6 @@
 #define ahr_azimuth_z ahr_azimuth_z_f32
 #define ahr_discretize ahr_discretize_f32
 #define ahr_feedback ahr_feedback_f32
-#define ahr_filter_consider ahr_filter_consider_f32
-#define ahr_filter_correct ahr_filter_correct_f32
-#define ahr_filter_covariance ahr_filter_covariance_f32
-#define ahr_filter_digest ahr_filter_digest_f32
-#define ahr_filter_health ahr_filter_health_f32
-#define ahr_filter_init ahr_filter_init_f32
-#define ahr_filter_init_blocks ahr_filter_init_blocks_f32
-#define ahr_filter_init_sigmas ahr_filter_init_sigmas_f32
-#define ahr_filter_measure_azimuth ahr_filter_measure_azimuth_f32
-#define ahr_filter_measure_zaru ahr_filter_measure_zaru_f32
-#define ahr_filter_measure_zupt ahr_filter_measure_zupt_f32
-#define ahr_filter_propagate ahr_filter_propagate_f32
-#define ahr_filter_restore ahr_filter_restore_f32
-#define ahr_filter_set_nav ahr_filter_set_nav_f32
-#define ahr_filter_sigmas ahr_filter_sigmas_f32
-#define ahr_filter_snapshot ahr_filter_snapshot_f32
-#define ahr_filter_strapdown ahr_filter_strapdown_f32
-#define ahr_filter_variance ahr_filter_variance_f32
 #define ahr_identity ahr_identity_f32
 #define ahr_joseph_add ahr_joseph_add_f32
 #define ahr_joseph_dense ahr_joseph_dense_f32
@@ -81,6 +65,26 @@
 #define ahr_zupt_H ahr_zupt_H_f32
 #define ahr_zupt_H_nz ahr_zupt_H_nz_f32
 #define ahr_zupt_z ahr_zupt_z_f32
+#endif
+#ifdef BS_FORM
+#define ahr_filter_consider BS_FORM(ahr_filter_consider)
+#define ahr_filter_correct BS_FORM(ahr_filter_correct)
+#define ahr_filter_covariance BS_FORM(ahr_filter_covariance)
+#define ahr_filter_digest BS_FORM(ahr_filter_digest)
+#define ahr_filter_health BS_FORM(ahr_filter_health)
+#define ahr_filter_init BS_FORM(ahr_filter_init)
+#define ahr_filter_init_blocks BS_FORM(ahr_filter_init_blocks)
+#define ahr_filter_init_sigmas BS_FORM(ahr_filter_init_sigmas)
+#define ahr_filter_measure_azimuth BS_FORM(ahr_filter_measure_azimuth)
+#define ahr_filter_measure_zaru BS_FORM(ahr_filter_measure_zaru)
+#define ahr_filter_measure_zupt BS_FORM(ahr_filter_measure_zupt)
+#define ahr_filter_propagate BS_FORM(ahr_filter_propagate)
+#define ahr_filter_restore BS_FORM(ahr_filter_restore)
+#define ahr_filter_set_nav BS_FORM(ahr_filter_set_nav)
+#define ahr_filter_sigmas BS_FORM(ahr_filter_sigmas)
+#define ahr_filter_snapshot BS_FORM(ahr_filter_snapshot)
+#define ahr_filter_strapdown BS_FORM(ahr_filter_strapdown)
+#define ahr_filter_variance BS_FORM(ahr_filter_variance)
 #endif
 
 #ifdef __cplusplus

@@ -93,12 +93,15 @@ static inline void bs_sincos_of_library(bs_real angle, bs_real *sine, bs_real *c
 #if defined(BORESIGHT_ROWS) && defined(__clang__)
 #define BS_UNROLLED _Pragma("clang loop unroll(full)")
 #define BS_ROLLED _Pragma("clang loop unroll(disable)")
+#define BS_BY_FOUR _Pragma("clang loop unroll_count(4)")
 #elif defined(BORESIGHT_ROWS) && defined(__GNUC__)
 #define BS_UNROLLED _Pragma("GCC unroll 4096")
 #define BS_ROLLED _Pragma("GCC unroll 1")
+#define BS_BY_FOUR _Pragma("GCC unroll 4")
 #else
 #define BS_UNROLLED
 #define BS_ROLLED
+#define BS_BY_FOUR
 #endif
 
 #define BS_SELECT(condition, value) (((condition) > BS_REAL(0.0)) ? (value) : BS_REAL(0.0))
@@ -129,10 +132,10 @@ static inline bs_status bs_check(const bs_real *value,
 {
     bs_status status = BS_OK;
     for (int i = 0; i < n; ++i) {
-        if (!((value[i] - value[i]) <= BS_REAL(0.0))) {
-            return BS_NOT_FINITE; /* inf - inf and NaN - NaN are NaN, which compares false */
-        }
-        if ((value[i] < low[i]) || (value[i] > high[i])) {
+        if (!((value[i] >= low[i]) && (value[i] <= high[i]))) {
+            if (!((value[i] - value[i]) <= BS_REAL(0.0))) {
+                return BS_NOT_FINITE; /* inf - inf and NaN - NaN are NaN, which compares false */
+            }
             status = BS_OUT_OF_RANGE;
         }
     }

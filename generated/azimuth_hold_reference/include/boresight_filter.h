@@ -17,6 +17,16 @@
 #endif
 #endif
 
+/* What a filter's functions are called by the linker, in the precision and the form that this
+ * header was seen in. */
+#if defined(BORESIGHT_FLOAT) && BORESIGHT_UD
+#define BS_FORM(name) name##_f32
+#elif defined(BORESIGHT_FLOAT)
+#define BS_FORM(name) name##_f32_joseph
+#elif BORESIGHT_UD
+#define BS_FORM(name) name##_ud
+#endif
+
 /* One scalar measurement z = h x + noise of variance R, for the covariance functions. */
 typedef struct {
     const bs_real *h;         /* the non-zeros of h */
@@ -60,6 +70,21 @@ static inline bool bs_good(bs_status status)
     return (status == BS_OK) || (status == BS_AT_CEILING);
 }
 
+/* As bs_check, where the n boxes are one. */
+static inline bs_status bs_check_each(const bs_real *value, bs_real low, bs_real high, int n)
+{
+    bs_status status = BS_OK;
+    for (int i = 0; i < n; ++i) {
+        if (!((value[i] >= low) && (value[i] <= high))) {
+            if (!((value[i] - value[i]) <= BS_REAL(0.0))) {
+                return BS_NOT_FINITE;
+            }
+            status = BS_OUT_OF_RANGE;
+        }
+    }
+    return status;
+}
+
 /* Finite numbers outside their box are put on its edge. */
 static inline void bs_clamp(bs_real *value, const bs_real *low, const bs_real *high, int n)
 {
@@ -67,6 +92,13 @@ static inline void bs_clamp(bs_real *value, const bs_real *low, const bs_real *h
         if ((value[i] - value[i]) <= BS_REAL(0.0)) {
             value[i] = (value[i] < low[i]) ? low[i] : ((value[i] > high[i]) ? high[i] : value[i]);
         }
+    }
+}
+
+static inline void bs_clamp_each(bs_real *value, bs_real low, bs_real high, int n)
+{
+    for (int i = 0; i < n; ++i) {
+        bs_clamp(&value[i], &low, &high, 1);
     }
 }
 

@@ -2,26 +2,25 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold_reference.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { 0x1.1bf5ce0000000p+1, -0x1.310ec00000000p+0, 0x1.6a109a0000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.9c0f760000000p+9, -0x1.565c8a0000000p+8, 0x1.2d2cac0000000p+6 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.61c31c0000000p-3, 0x1.2d28e60000000p-2, -0x1.b56ab20000000p-1, -0x1.91edbc0000000p-2 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { 0x1.2386560000000p+7, -0x1.4458e60000000p+8, -0x1.2f29fe0000000p+8 }
 };
@@ -31,14 +30,14 @@ static const double out_F[N_VECTORS][60] = {
     { -0x1.c8c1238a9e06ep-11, -0x1.dce805f7f4e68p-35, 0x1.c4adc7ba893d0p-22, -0x1.8e1795375c278p-22, 0x1.25df62fdd08efp-37, 0x1.4f6c229a3dc49p-23, 0x1.0000000000000p+0, -0x1.6634fd6c267b8p-2, -0x1.0e493cbb92137p-26, 0x1.008e1fa1f7f2fp-13, -0x1.e081ddb154c30p-12, -0x1.7ee94b65ce99bp-13, 0x1.8af745aa3d88ap+5, -0x1.b1eb7585b29aap+8, 0x1.890408e1b2f70p-1, 0x1.77b98be19ec80p-2, 0x1.0d528ef70e180p-1, -0x1.a2847588e8ca4p-1, -0x1.69f538bd7e49ep-25, 0x1.99798ce8844c0p-11, -0x1.8a9caca1f4626p-17, 0x1.c093b5e6c89a0p-15, -0x1.8af745aa3d88ap+5, -0x1.4d2ea2ba1c69ep+7, 0x1.46b78f02dc880p-1, -0x1.09cf1a7105240p-1, -0x1.235bcd61dcf70p-1, 0x1.2ec71ce3221f5p-3, 0x1.99116ef87e658p-19, 0x1.464e669dfe052p-12, -0x1.c093b5e6c89a0p-14, 0x1.b1eb7585b29aap+8, 0x1.4d2ea2ba1c69ep+7, -0x1.0741868495200p-4, -0x1.8b66887147c10p-1, 0x1.43d3accb761c0p-1, 0x1.8e1795375c278p-22, -0x1.25df62fdd08efp-37, -0x1.4f6c229a3dc49p-23, -0x1.99798ce8844c0p-12, -0x1.464e669dfe052p-13, -0x1.890408e1b2f70p-1, -0x1.77b98be19ec80p-2, -0x1.0d528ef70e180p-1, 0x1.1d6064a935fadp-14, -0x1.610c859688e5bp-36, 0x1.4f1d1077eb095p-23, 0x1.99798ce8844c0p-12, 0x1.c093b5e6c89a0p-15, -0x1.46b78f02dc880p-1, 0x1.09cf1a7105240p-1, 0x1.235bcd61dcf70p-1, 0x1.f9e3bbb0cca75p-11, 0x1.bb089a46e90a5p-35, -0x1.a486e13f669a0p-22, 0x1.464e669dfe052p-13, -0x1.c093b5e6c89a0p-15, 0x1.0741868495200p-4, 0x1.8b66887147c10p-1, -0x1.43d3accb761c0p-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_F[N_VECTORS][60] = {
-    { 2.27e-08, 2.68e-16, 1.02e-12, 5.51e-13, 2.63e-17, 8e-14, 1.12e-16, 2.04e-05, 3.67e-13, 1.6e-09, 1.6e-09, 7.41e-11, 0.000271, 0.000279, 7.54e-08, 1.81e-07, 1.21e-07, 2.04e-05, 3.79e-13, 3.36e-09, 8.93e-11, 8.93e-11, 0.000271, 0.000249, 1.21e-07, 7.54e-08, 1.81e-07, 9.01e-08, 1.81e-12, 1.63e-10, 1.97e-10, 0.000279, 0.000249, 1.81e-07, 1.21e-07, 6.03e-08, 5.51e-13, 2.63e-17, 8e-14, 1.57e-09, 7.22e-11, 7.54e-08, 1.81e-07, 1.21e-07, 2.2e-11, 1.75e-17, 5.16e-14, 1.57e-09, 8.93e-11, 1.21e-07, 7.54e-08, 1.81e-07, 1.79e-08, 3.17e-16, 1.34e-12, 7.22e-11, 8.93e-11, 1.81e-07, 1.21e-07, 6.03e-08 },
-    { 9.72e-10, 5.23e-17, 2.41e-13, 7.52e-13, 9.1e-18, 8.04e-14, 1.12e-16, 3.32e-07, 2.29e-14, 1.21e-10, 3.23e-10, 7.44e-11, 0.000141, 0.000168, 1.86e-07, 9.89e-08, 9.5e-08, 7.89e-07, 5.33e-14, 6.44e-10, 6.76e-12, 3.07e-11, 0.000141, 0.000124, 1.15e-07, 1.35e-07, 1.27e-07, 1.03e-07, 1.79e-12, 1.48e-10, 6.79e-11, 0.000168, 0.000124, 6.72e-08, 1.39e-07, 1.36e-07, 7.52e-13, 9.1e-18, 8.04e-14, 3.02e-10, 6.63e-11, 1.86e-07, 9.89e-08, 9.5e-08, 2.09e-11, 1.45e-17, 5.18e-14, 3.02e-10, 3.07e-11, 1.15e-07, 1.35e-07, 1.27e-07, 8.3e-10, 5.77e-17, 2.95e-13, 6.63e-11, 3.07e-11, 6.72e-08, 1.39e-07, 1.36e-07 }
+static const float tol_F[N_VECTORS][60] = {
+    { 2.27e-08F, 2.68e-16F, 1.02e-12F, 5.51e-13F, 2.63e-17F, 8.00e-14F, 1.12e-16F, 2.04e-05F, 3.67e-13F, 1.60e-09F, 1.60e-09F, 7.41e-11F, 2.71e-04F, 2.79e-04F, 7.54e-08F, 1.81e-07F, 1.21e-07F, 2.04e-05F, 3.79e-13F, 3.36e-09F, 8.93e-11F, 8.93e-11F, 2.71e-04F, 2.49e-04F, 1.21e-07F, 7.54e-08F, 1.81e-07F, 9.01e-08F, 1.81e-12F, 1.63e-10F, 1.97e-10F, 2.79e-04F, 2.49e-04F, 1.81e-07F, 1.21e-07F, 6.03e-08F, 5.51e-13F, 2.63e-17F, 8.00e-14F, 1.57e-09F, 7.22e-11F, 7.54e-08F, 1.81e-07F, 1.21e-07F, 2.20e-11F, 1.75e-17F, 5.16e-14F, 1.57e-09F, 8.93e-11F, 1.21e-07F, 7.54e-08F, 1.81e-07F, 1.79e-08F, 3.17e-16F, 1.34e-12F, 7.22e-11F, 8.93e-11F, 1.81e-07F, 1.21e-07F, 6.03e-08F },
+    { 9.72e-10F, 5.23e-17F, 2.41e-13F, 7.52e-13F, 9.10e-18F, 8.04e-14F, 1.12e-16F, 3.32e-07F, 2.29e-14F, 1.21e-10F, 3.23e-10F, 7.44e-11F, 1.41e-04F, 1.68e-04F, 1.86e-07F, 9.89e-08F, 9.50e-08F, 7.89e-07F, 5.33e-14F, 6.44e-10F, 6.76e-12F, 3.07e-11F, 1.41e-04F, 1.24e-04F, 1.15e-07F, 1.35e-07F, 1.27e-07F, 1.03e-07F, 1.79e-12F, 1.48e-10F, 6.79e-11F, 1.68e-04F, 1.24e-04F, 6.72e-08F, 1.39e-07F, 1.36e-07F, 7.52e-13F, 9.10e-18F, 8.04e-14F, 3.02e-10F, 6.63e-11F, 1.86e-07F, 9.89e-08F, 9.50e-08F, 2.09e-11F, 1.45e-17F, 5.18e-14F, 3.02e-10F, 3.07e-11F, 1.15e-07F, 1.35e-07F, 1.27e-07F, 8.30e-10F, 5.77e-17F, 2.95e-13F, 6.63e-11F, 3.07e-11F, 6.72e-08F, 1.39e-07F, 1.36e-07F }
 };
 #else
-static const double tol_F[N_VECTORS][60] = {
-    { 4.46e-17, 5.3e-25, 2.1e-21, 1.06e-21, 5.18e-26, 1.66e-22, 1.12e-16, 4.03e-14, 7.12e-22, 3.17e-18, 3.19e-18, 1.57e-19, 5.62e-13, 5.76e-13, 1.4e-16, 4.49e-16, 2.25e-16, 4.02e-14, 7.4e-22, 6.68e-18, 1.84e-19, 1.84e-19, 5.62e-13, 5.2e-13, 2.25e-16, 1.4e-16, 4.49e-16, 1.85e-16, 3.71e-21, 3.4e-19, 4.03e-19, 5.76e-13, 5.2e-13, 4.49e-16, 2.25e-16, 1.12e-16, 1.06e-21, 5.18e-26, 1.66e-22, 3.14e-18, 1.53e-19, 1.4e-16, 4.49e-16, 2.25e-16, 4.92e-20, 3.53e-26, 1.13e-22, 3.14e-18, 1.84e-19, 2.25e-16, 1.4e-16, 4.49e-16, 3.56e-17, 6.21e-25, 2.69e-21, 1.53e-19, 1.84e-19, 4.49e-16, 2.25e-16, 1.12e-16 },
-    { 1.91e-18, 1.04e-25, 4.97e-22, 1.44e-21, 1.79e-26, 1.67e-22, 1.12e-16, 6.58e-16, 4.45e-23, 2.39e-19, 6.53e-19, 1.59e-19, 2.68e-13, 3.61e-13, 4.32e-16, 2.25e-16, 2.36e-16, 1.56e-15, 1.04e-22, 1.29e-18, 1.39e-20, 6.33e-20, 2.68e-13, 2.5e-13, 2.86e-16, 3.1e-16, 3.01e-16, 2.09e-16, 3.68e-21, 3.11e-19, 1.39e-19, 3.61e-13, 2.5e-13, 1.32e-16, 3.46e-16, 3.25e-16, 1.44e-21, 1.79e-26, 1.67e-22, 6.07e-19, 1.41e-19, 4.32e-16, 2.25e-16, 2.36e-16, 4.65e-20, 2.93e-26, 1.14e-22, 6.07e-19, 6.33e-20, 2.86e-16, 3.1e-16, 3.01e-16, 1.65e-18, 1.13e-25, 5.93e-22, 1.41e-19, 6.33e-20, 1.32e-16, 3.46e-16, 3.25e-16 }
+static const float tol_F[N_VECTORS][60] = {
+    { 4.46e-17F, 5.30e-25F, 2.10e-21F, 1.06e-21F, 5.18e-26F, 1.66e-22F, 1.12e-16F, 4.03e-14F, 7.12e-22F, 3.17e-18F, 3.19e-18F, 1.57e-19F, 5.62e-13F, 5.76e-13F, 1.40e-16F, 4.49e-16F, 2.25e-16F, 4.02e-14F, 7.40e-22F, 6.68e-18F, 1.84e-19F, 1.84e-19F, 5.62e-13F, 5.20e-13F, 2.25e-16F, 1.40e-16F, 4.49e-16F, 1.85e-16F, 3.71e-21F, 3.40e-19F, 4.03e-19F, 5.76e-13F, 5.20e-13F, 4.49e-16F, 2.25e-16F, 1.12e-16F, 1.06e-21F, 5.18e-26F, 1.66e-22F, 3.14e-18F, 1.53e-19F, 1.40e-16F, 4.49e-16F, 2.25e-16F, 4.92e-20F, 3.53e-26F, 1.13e-22F, 3.14e-18F, 1.84e-19F, 2.25e-16F, 1.40e-16F, 4.49e-16F, 3.56e-17F, 6.21e-25F, 2.69e-21F, 1.53e-19F, 1.84e-19F, 4.49e-16F, 2.25e-16F, 1.12e-16F },
+    { 1.91e-18F, 1.04e-25F, 4.97e-22F, 1.44e-21F, 1.79e-26F, 1.67e-22F, 1.12e-16F, 6.58e-16F, 4.45e-23F, 2.39e-19F, 6.53e-19F, 1.59e-19F, 2.68e-13F, 3.61e-13F, 4.32e-16F, 2.25e-16F, 2.36e-16F, 1.56e-15F, 1.04e-22F, 1.29e-18F, 1.39e-20F, 6.33e-20F, 2.68e-13F, 2.50e-13F, 2.86e-16F, 3.10e-16F, 3.01e-16F, 2.09e-16F, 3.68e-21F, 3.11e-19F, 1.39e-19F, 3.61e-13F, 2.50e-13F, 1.32e-16F, 3.46e-16F, 3.25e-16F, 1.44e-21F, 1.79e-26F, 1.67e-22F, 6.07e-19F, 1.41e-19F, 4.32e-16F, 2.25e-16F, 2.36e-16F, 4.65e-20F, 2.93e-26F, 1.14e-22F, 6.07e-19F, 6.33e-20F, 2.86e-16F, 3.10e-16F, 3.01e-16F, 1.65e-18F, 1.13e-25F, 5.93e-22F, 1.41e-19F, 6.33e-20F, 1.32e-16F, 3.46e-16F, 3.25e-16F }
 };
 #endif
 static const unsigned short at_F[60] = { 1, 2, 3, 17, 18, 20, 37, 49, 50, 51, 52, 53, 55, 56, 60,
@@ -90,7 +89,7 @@ int test_ahr_F(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 256);
             if (ahr_F(&nav, &imu, F) != expected) {
-                (void)printf("ahr_F: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_F: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_F F", F, 256);
@@ -103,7 +102,7 @@ int test_ahr_F(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (ahr_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("ahr_F: position[%d] end %d refused\n", i, end);
+                selftest_print("ahr_F: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -119,7 +118,7 @@ int test_ahr_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 256);
             if (ahr_F(&nav, &imu, F) != expected) {
-                (void)printf("ahr_F: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_F F", F, 256);
@@ -130,7 +129,7 @@ int test_ahr_F(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (ahr_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("ahr_F: v_n[%d] end %d refused\n", i, end);
+                selftest_print("ahr_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -148,7 +147,7 @@ int test_ahr_F(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 256);
             if (ahr_F(&nav, &imu, F) != expected) {
-                (void)printf("ahr_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_F F", F, 256);
@@ -162,7 +161,7 @@ int test_ahr_F(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ahr_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("ahr_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ahr_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -175,7 +174,7 @@ int test_ahr_F(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ahr_F(&nav, &imu, F) != BS_OUT_OF_RANGE) {
-            (void)printf("ahr_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("ahr_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -190,7 +189,7 @@ int test_ahr_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 256);
             if (ahr_F(&nav, &imu, F) != expected) {
-                (void)printf("ahr_F: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_F F", F, 256);
@@ -201,7 +200,7 @@ int test_ahr_F(void)
             set_point(0, &nav, &imu);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (ahr_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("ahr_F: f_b[%d] end %d refused\n", i, end);
+                selftest_print("ahr_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

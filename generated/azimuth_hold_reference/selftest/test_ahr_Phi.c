@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold_reference.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { 0x1.9f08820000000p+0, 0x1.3d507c0000000p+0, 0x1.9e1fa20000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.2f5b7e0000000p+9, 0x1.033b1e0000000p+5, -0x1.4948dc0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.af6d000000000p-1, 0x1.3a01c40000000p-2, 0x1.3636840000000p-2, 0x1.4d30620000000p-2 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { -0x1.e48fbc0000000p+8, 0x1.aff6360000000p+8, 0x1.11e7800000000p+4 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.52491c0000000p+2 }
 };
@@ -35,14 +34,14 @@ static const double out_Phi[N_VECTORS][122] = {
     { 0x1.0000000000000p+0, -0x1.24e269c618a4bp-8, 0x1.07e2bc45c788bp-32, 0x1.5458998c8d9d0p-19, -0x1.7bbaac374147cp-29, 0x1.0539d79b9ce47p-30, -0x1.9c9a17ff920bap-9, -0x1.6384826034d0ep-11, -0x1.10a4c44c6ce4cp-18, 0x1.460338031897bp-19, -0x1.3f4232d83db5cp-18, 0x1.ffffd4d9fb0e9p-1, -0x1.21c8dbb7aba2ap-38, 0x1.ee651496782f4p-31, 0x1.bb1a29bec32d4p-21, -0x1.841ac80b59f8dp-36, 0x1.0c98d71203f23p-10, 0x1.f51a97c4dc00bp-11, -0x1.adbe57b16cf08p-20, -0x1.60542d0cc0353p-20, 0x1.7635fc7562896p-21, 0x1.70617277cd05ap-1, 0x1.0002cc256c47cp+0, -0x1.03b99b064f209p-9, 0x1.2860d54f8afb2p-13, 0x1.52491c0000000p+2, 0x1.6179944825521p+10, -0x1.7eabb7c5a7baap+12, 0x1.1607c28c1d485p+2, -0x1.3f23388962e25p+3, -0x1.19a97beb6970ap+3, 0x1.0eeb82d8862b5p+0, -0x1.a0049fa3a1413p-24, 0x1.ff7703bbb0c04p-1, -0x1.7caecd5e28ff5p-11, 0x1.05e4b25b71cf2p-12, -0x1.0b29c429beac2p+1, -0x1.369429320e3dfp+11, -0x1.0bfb2fde9e3b8p+9, -0x1.11afcf905396bp+12, -0x1.3600dcb50ae3fp+12, 0x1.2dc7a3a322668p+10, -0x1.9a332e20866a2p+1, 0x1.eaeaaca281051p+0, -0x1.e0b4ee60c73a6p+1, -0x1.017006f27135cp+3, 0x1.b07902f2040e6p-22, 0x1.44eaa9349437cp-8, 0x1.ffc0b1c8e4ed3p-1, -0x1.b6268cf48ace4p-16, 0x1.36797ca0cfee3p+11, -0x1.ffc9143fa0a52p+1, 0x1.21a71d4f6be0dp+11, 0x1.0387556afa353p+11, 0x1.f1dca855371e1p+10, 0x1.0a3566b1b5096p+13, -0x1.f148b3e797bb0p+1, -0x1.970f48f5614a2p+1, 0x1.af988e2ecf16dp+0, 0x1.630ba281f6fe4p-1, 0x1.0d79e81615931p-16, -0x1.bef7df664902bp-10, -0x1.5de48637bceffp-13, 0x1.0002ca909891bp+0, 0x1.0ae586f412c62p+9, -0x1.21824509dafd5p+11, 0x1.933427c57ab27p-2, -0x1.c6b1a16eab239p+11, -0x1.065d78ccabbbbp+12, 0x1.72217d2643aacp+11, 0x1.a515776cf9c16p+0, -0x1.e31f4048d756fp+1, -0x1.aa1d145ab7168p+1, 0x1.4dc75062db7c0p-21, 0x1.21c8dbb7aba2ap-38, -0x1.ee651496782f4p-31, -0x1.bb1a29bec32d4p-21, 0x1.841ac80b59f8dp-36, 0x1.ff799d4ae712dp-1, -0x1.1db5d82513799p-10, -0x1.308c28d6a1dabp-11, 0x1.99f808ff5b290p+1, -0x1.eada315372c1cp+0, 0x1.e09fb13ce2ac8p+1, 0x1.adbe57b16cf08p-20, 0x1.60542d0cc0353p-20, -0x1.7635fc7562896p-21, -0x1.7d4ec9a4ba1c8p-12, 0x1.575014471d3f0p-34, 0x1.bac97e5a85eccp-21, -0x1.ee0b171875734p-31, 0x1.53dd9fb6a5589p-32, 0x1.1db6845845c8cp-10, 0x1.ff79b81567582p-1, -0x1.0317d5ae1307dp-12, 0x1.f0eceaf921586p+1, 0x1.97152e607e2e7p+1, -0x1.b00084a4bf53cp+0, -0x1.62b8781bb0c17p-20, 0x1.a827e1d2569b4p-21, -0x1.9f5e5b09f12a6p-20, -0x1.2d8711400e9cdp-8, 0x1.f3136a892ee90p-33, 0x1.41d751be7c690p-19, -0x1.6714cbc419cf5p-29, 0x1.ee0b171875734p-31, -0x1.89150b52b80cdp-12, -0x1.82a29fc51fec0p-9, 0x1.ffabf1b708c1bp-1, -0x1.a4f17dc8502bcp+0, 0x1.e312163c3c168p+1, 0x1.aa34df845ecbcp+1, -0x1.01d188c56134bp-18, 0x1.3449157b70d4bp-19, -0x1.2de6147cb6ef1p-18, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Phi[N_VECTORS][122] = {
-    { 1.12e-16, 2.57e-07, 3.16e-15, 1.27e-11, 6.05e-13, 3.68e-14, 6.07e-08, 6.13e-08, 6.73e-12, 1.08e-11, 8.9e-11, 1.21e-07, 3.01e-16, 4.84e-14, 9.96e-13, 2.96e-15, 5.06e-09, 5.12e-09, 7.31e-12, 5.87e-13, 9.39e-13, 5.9e-06, 6.03e-08, 1.11e-08, 1.28e-08, 1.12e-15, 0.0184, 0.0184, 6.01e-06, 1.8e-05, 3e-06, 0.00114, 1.94e-11, 2.16e-07, 1.91e-08, 1.02e-09, 0.000176, 0.00339, 0.00353, 0.0285, 0.0277, 0.0045, 8.96e-07, 1.23e-06, 3.14e-06, 0.00114, 1.95e-11, 1.09e-07, 1.28e-07, 1.17e-09, 0.00332, 0.000267, 0.00355, 0.00487, 0.0289, 0.027, 3.03e-06, 7.83e-07, 1.48e-06, 4.3e-06, 2.42e-11, 6.66e-09, 7.64e-09, 6.04e-08, 0.00347, 0.00347, 3.11e-05, 0.0277, 0.00487, 0.0289, 1.22e-06, 3.01e-06, 6.18e-07, 5.6e-10, 3.01e-16, 4.84e-14, 9.96e-13, 2.96e-15, 6.63e-08, 1.81e-08, 6.54e-09, 8.81e-07, 1.22e-06, 3.02e-06, 7.31e-12, 5.87e-13, 9.39e-13, 8.33e-10, 2.2e-16, 7.48e-13, 4.94e-14, 2.6e-15, 1.81e-08, 6.55e-08, 5.99e-09, 3.01e-06, 7.71e-07, 1.33e-06, 5.87e-13, 9.39e-13, 5.88e-12, 2.09e-07, 3.65e-15, 1.59e-11, 6.19e-13, 3.97e-14, 9.48e-10, 7.48e-08, 1.37e-07, 1.21e-06, 3.01e-06, 6.1e-07, 6.71e-12, 1.07e-11, 1.05e-10, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 1.12e-16, 5.52e-09, 2.61e-16, 1.76e-12, 6.14e-15, 1.39e-15, 3.85e-09, 1.94e-09, 4.49e-12, 2.71e-12, 4.73e-12, 1.2e-07, 5.17e-18, 1.85e-15, 5.24e-13, 2.67e-17, 1.19e-09, 1.17e-09, 1.5e-12, 1.38e-12, 7.56e-13, 1.24e-06, 6.02e-08, 1.83e-09, 1.15e-10, 5.93e-16, 0.00315, 0.00399, 2.24e-06, 3.6e-06, 3.49e-06, 4.95e-06, 4.23e-13, 1.24e-07, 1.49e-09, 3.02e-10, 5.68e-06, 0.00132, 0.00116, 0.00537, 0.00652, 0.00425, 1.33e-06, 8.18e-07, 1.13e-06, 1.25e-05, 7.24e-13, 7.52e-09, 1.22e-07, 2e-11, 0.00132, 8.56e-06, 0.00138, 0.00564, 0.00601, 0.00797, 1.18e-06, 1.32e-06, 7.67e-07, 9.31e-07, 1.15e-11, 1.76e-09, 6.81e-10, 6.02e-08, 0.00116, 0.00137, 1.09e-06, 0.00634, 0.00529, 0.0047, 7.5e-07, 1.14e-06, 1.12e-06, 4.39e-12, 5.17e-18, 1.85e-15, 5.24e-13, 2.67e-17, 6.15e-08, 1.47e-09, 1.54e-09, 1.32e-06, 8.17e-07, 1.13e-06, 1.5e-12, 1.38e-12, 7.56e-13, 1.55e-10, 6.6e-17, 3.73e-13, 1.94e-15, 3.76e-16, 1.47e-09, 6.13e-08, 6.24e-10, 1.17e-06, 1.32e-06, 7.63e-07, 1.14e-12, 6.93e-13, 1.17e-12, 4.71e-09, 2.87e-16, 2.1e-12, 6.22e-15, 1.56e-15, 2.94e-10, 4.55e-09, 6.22e-08, 7.5e-07, 1.14e-06, 1.12e-06, 4.94e-12, 2.98e-12, 5.28e-12, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][122] = {
+    { 1.12e-16F, 2.57e-07F, 3.16e-15F, 1.27e-11F, 6.05e-13F, 3.68e-14F, 6.07e-08F, 6.13e-08F, 6.73e-12F, 1.08e-11F, 8.90e-11F, 1.21e-07F, 3.01e-16F, 4.84e-14F, 9.96e-13F, 2.96e-15F, 5.06e-09F, 5.12e-09F, 7.31e-12F, 5.87e-13F, 9.39e-13F, 5.90e-06F, 6.03e-08F, 1.11e-08F, 1.28e-08F, 1.12e-15F, 1.84e-02F, 1.84e-02F, 6.01e-06F, 1.80e-05F, 3.00e-06F, 1.14e-03F, 1.94e-11F, 2.16e-07F, 1.91e-08F, 1.02e-09F, 1.76e-04F, 3.39e-03F, 3.53e-03F, 2.85e-02F, 2.77e-02F, 4.50e-03F, 8.96e-07F, 1.23e-06F, 3.14e-06F, 1.14e-03F, 1.95e-11F, 1.09e-07F, 1.28e-07F, 1.17e-09F, 3.32e-03F, 2.67e-04F, 3.55e-03F, 4.87e-03F, 2.89e-02F, 2.70e-02F, 3.03e-06F, 7.83e-07F, 1.48e-06F, 4.30e-06F, 2.42e-11F, 6.66e-09F, 7.64e-09F, 6.04e-08F, 3.47e-03F, 3.47e-03F, 3.11e-05F, 2.77e-02F, 4.87e-03F, 2.89e-02F, 1.22e-06F, 3.01e-06F, 6.18e-07F, 5.60e-10F, 3.01e-16F, 4.84e-14F, 9.96e-13F, 2.96e-15F, 6.63e-08F, 1.81e-08F, 6.54e-09F, 8.81e-07F, 1.22e-06F, 3.02e-06F, 7.31e-12F, 5.87e-13F, 9.39e-13F, 8.33e-10F, 2.20e-16F, 7.48e-13F, 4.94e-14F, 2.60e-15F, 1.81e-08F, 6.55e-08F, 5.99e-09F, 3.01e-06F, 7.71e-07F, 1.33e-06F, 5.87e-13F, 9.39e-13F, 5.88e-12F, 2.09e-07F, 3.65e-15F, 1.59e-11F, 6.19e-13F, 3.97e-14F, 9.48e-10F, 7.48e-08F, 1.37e-07F, 1.21e-06F, 3.01e-06F, 6.10e-07F, 6.71e-12F, 1.07e-11F, 1.05e-10F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 1.12e-16F, 5.52e-09F, 2.61e-16F, 1.76e-12F, 6.14e-15F, 1.39e-15F, 3.85e-09F, 1.94e-09F, 4.49e-12F, 2.71e-12F, 4.73e-12F, 1.20e-07F, 5.17e-18F, 1.85e-15F, 5.24e-13F, 2.67e-17F, 1.19e-09F, 1.17e-09F, 1.50e-12F, 1.38e-12F, 7.56e-13F, 1.24e-06F, 6.02e-08F, 1.83e-09F, 1.15e-10F, 5.93e-16F, 3.15e-03F, 3.99e-03F, 2.24e-06F, 3.60e-06F, 3.49e-06F, 4.95e-06F, 4.23e-13F, 1.24e-07F, 1.49e-09F, 3.02e-10F, 5.68e-06F, 1.32e-03F, 1.16e-03F, 5.37e-03F, 6.52e-03F, 4.25e-03F, 1.33e-06F, 8.18e-07F, 1.13e-06F, 1.25e-05F, 7.24e-13F, 7.52e-09F, 1.22e-07F, 2.00e-11F, 1.32e-03F, 8.56e-06F, 1.38e-03F, 5.64e-03F, 6.01e-03F, 7.97e-03F, 1.18e-06F, 1.32e-06F, 7.67e-07F, 9.31e-07F, 1.15e-11F, 1.76e-09F, 6.81e-10F, 6.02e-08F, 1.16e-03F, 1.37e-03F, 1.09e-06F, 6.34e-03F, 5.29e-03F, 4.70e-03F, 7.50e-07F, 1.14e-06F, 1.12e-06F, 4.39e-12F, 5.17e-18F, 1.85e-15F, 5.24e-13F, 2.67e-17F, 6.15e-08F, 1.47e-09F, 1.54e-09F, 1.32e-06F, 8.17e-07F, 1.13e-06F, 1.50e-12F, 1.38e-12F, 7.56e-13F, 1.55e-10F, 6.60e-17F, 3.73e-13F, 1.94e-15F, 3.76e-16F, 1.47e-09F, 6.13e-08F, 6.24e-10F, 1.17e-06F, 1.32e-06F, 7.63e-07F, 1.14e-12F, 6.93e-13F, 1.17e-12F, 4.71e-09F, 2.87e-16F, 2.10e-12F, 6.22e-15F, 1.56e-15F, 2.94e-10F, 4.55e-09F, 6.22e-08F, 7.50e-07F, 1.14e-06F, 1.12e-06F, 4.94e-12F, 2.98e-12F, 5.28e-12F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #else
-static const double tol_Phi[N_VECTORS][122] = {
-    { 1.12e-16, 5.01e-16, 6.19e-24, 2.56e-20, 1.16e-21, 7.19e-23, 1.18e-16, 1.19e-16, 1.25e-20, 2.01e-20, 1.76e-19, 3.37e-16, 5.89e-25, 9.34e-23, 2.03e-21, 5.79e-24, 9.87e-18, 9.98e-18, 1.45e-20, 1.09e-21, 1.75e-21, 1.19e-14, 2.25e-16, 2.26e-17, 2.55e-17, 1.12e-15, 3.71e-11, 3.71e-11, 1.12e-14, 3.92e-14, 5.6e-15, 2.15e-12, 3.66e-20, 5.18e-16, 3.76e-17, 2.09e-18, 3.38e-13, 6.87e-12, 7.14e-12, 5.59e-11, 5.45e-11, 8.38e-12, 1.68e-15, 2.29e-15, 6.95e-15, 2.15e-12, 3.67e-20, 2.04e-16, 3.51e-16, 2.36e-18, 6.75e-12, 5.13e-13, 7.17e-12, 9.08e-12, 5.66e-11, 5.31e-11, 6.76e-15, 1.46e-15, 2.78e-15, 8.05e-15, 4.87e-20, 1.25e-17, 1.43e-17, 2.25e-16, 7.01e-12, 7.03e-12, 5.79e-14, 5.45e-11, 9.08e-12, 5.66e-11, 2.27e-15, 6.72e-15, 1.15e-15, 1.04e-18, 5.89e-25, 9.34e-23, 2.03e-21, 5.79e-24, 2.36e-16, 3.58e-17, 1.28e-17, 1.65e-15, 2.27e-15, 6.74e-15, 1.45e-20, 1.09e-21, 1.75e-21, 1.63e-18, 4.37e-25, 1.57e-21, 9.53e-23, 5.13e-24, 3.58e-17, 2.35e-16, 1.18e-17, 6.73e-15, 1.44e-15, 2.49e-15, 1.09e-21, 1.75e-21, 1.18e-20, 4.11e-16, 7.11e-24, 3.16e-20, 1.19e-21, 7.71e-23, 1.95e-18, 1.44e-16, 3.73e-16, 2.26e-15, 6.72e-15, 1.14e-15, 1.25e-20, 2e-20, 2.05e-19, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 1.12e-16, 1.08e-17, 5.12e-25, 3.56e-21, 1.17e-23, 2.69e-24, 7.53e-18, 3.69e-18, 8.82e-21, 5.33e-21, 9.34e-21, 3.36e-16, 1.01e-26, 3.56e-24, 1.07e-21, 5.22e-26, 2.34e-18, 2.29e-18, 2.97e-21, 2.71e-21, 1.49e-21, 2.38e-15, 2.24e-16, 3.64e-18, 2.31e-19, 5.93e-16, 6.03e-12, 8.13e-12, 4.66e-15, 7.83e-15, 7.49e-15, 9.34e-15, 7.98e-22, 3.43e-16, 2.86e-18, 5.91e-19, 1.08e-14, 2.74e-12, 2.23e-12, 1.05e-11, 1.27e-11, 8.06e-12, 2.83e-15, 1.74e-15, 2.53e-15, 2.41e-14, 1.39e-21, 1.46e-17, 3.39e-16, 4.01e-20, 2.74e-12, 1.64e-14, 2.82e-12, 1.07e-11, 1.14e-11, 1.58e-11, 2.63e-15, 2.81e-15, 1.62e-15, 1.81e-15, 2.32e-20, 3.47e-18, 1.29e-18, 2.24e-16, 2.23e-12, 2.82e-12, 2.07e-15, 1.22e-11, 1.03e-11, 9.08e-12, 1.58e-15, 2.54e-15, 2.46e-15, 8.25e-21, 1.01e-26, 3.56e-24, 1.07e-21, 5.22e-26, 2.26e-16, 2.86e-18, 2.93e-18, 2.83e-15, 1.74e-15, 2.53e-15, 2.97e-21, 2.71e-21, 1.49e-21, 3.3e-19, 1.32e-25, 7.88e-22, 3.72e-24, 7.35e-25, 2.86e-18, 2.26e-16, 1.19e-18, 2.62e-15, 2.81e-15, 1.61e-15, 2.28e-21, 1.38e-21, 2.34e-21, 9.3e-18, 5.61e-25, 4.17e-21, 1.19e-23, 3.01e-24, 5.9e-19, 8.81e-18, 2.28e-16, 1.58e-15, 2.54e-15, 2.46e-15, 9.63e-21, 5.81e-21, 1.03e-20, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][122] = {
+    { 1.12e-16F, 5.01e-16F, 6.19e-24F, 2.56e-20F, 1.16e-21F, 7.19e-23F, 1.18e-16F, 1.19e-16F, 1.25e-20F, 2.01e-20F, 1.76e-19F, 3.37e-16F, 5.89e-25F, 9.34e-23F, 2.03e-21F, 5.79e-24F, 9.87e-18F, 9.98e-18F, 1.45e-20F, 1.09e-21F, 1.75e-21F, 1.19e-14F, 2.25e-16F, 2.26e-17F, 2.55e-17F, 1.12e-15F, 3.71e-11F, 3.71e-11F, 1.12e-14F, 3.92e-14F, 5.60e-15F, 2.15e-12F, 3.66e-20F, 5.18e-16F, 3.76e-17F, 2.09e-18F, 3.38e-13F, 6.87e-12F, 7.14e-12F, 5.59e-11F, 5.45e-11F, 8.38e-12F, 1.68e-15F, 2.29e-15F, 6.95e-15F, 2.15e-12F, 3.67e-20F, 2.04e-16F, 3.51e-16F, 2.36e-18F, 6.75e-12F, 5.13e-13F, 7.17e-12F, 9.08e-12F, 5.66e-11F, 5.31e-11F, 6.76e-15F, 1.46e-15F, 2.78e-15F, 8.05e-15F, 4.87e-20F, 1.25e-17F, 1.43e-17F, 2.25e-16F, 7.01e-12F, 7.03e-12F, 5.79e-14F, 5.45e-11F, 9.08e-12F, 5.66e-11F, 2.27e-15F, 6.72e-15F, 1.15e-15F, 1.04e-18F, 5.89e-25F, 9.34e-23F, 2.03e-21F, 5.79e-24F, 2.36e-16F, 3.58e-17F, 1.28e-17F, 1.65e-15F, 2.27e-15F, 6.74e-15F, 1.45e-20F, 1.09e-21F, 1.75e-21F, 1.63e-18F, 4.37e-25F, 1.57e-21F, 9.53e-23F, 5.13e-24F, 3.58e-17F, 2.35e-16F, 1.18e-17F, 6.73e-15F, 1.44e-15F, 2.49e-15F, 1.09e-21F, 1.75e-21F, 1.18e-20F, 4.11e-16F, 7.11e-24F, 3.16e-20F, 1.19e-21F, 7.71e-23F, 1.95e-18F, 1.44e-16F, 3.73e-16F, 2.26e-15F, 6.72e-15F, 1.14e-15F, 1.25e-20F, 2.00e-20F, 2.05e-19F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 1.12e-16F, 1.08e-17F, 5.12e-25F, 3.56e-21F, 1.17e-23F, 2.69e-24F, 7.53e-18F, 3.69e-18F, 8.82e-21F, 5.33e-21F, 9.34e-21F, 3.36e-16F, 1.01e-26F, 3.56e-24F, 1.07e-21F, 5.22e-26F, 2.34e-18F, 2.29e-18F, 2.97e-21F, 2.71e-21F, 1.49e-21F, 2.38e-15F, 2.24e-16F, 3.64e-18F, 2.31e-19F, 5.93e-16F, 6.03e-12F, 8.13e-12F, 4.66e-15F, 7.83e-15F, 7.49e-15F, 9.34e-15F, 7.98e-22F, 3.43e-16F, 2.86e-18F, 5.91e-19F, 1.08e-14F, 2.74e-12F, 2.23e-12F, 1.05e-11F, 1.27e-11F, 8.06e-12F, 2.83e-15F, 1.74e-15F, 2.53e-15F, 2.41e-14F, 1.39e-21F, 1.46e-17F, 3.39e-16F, 4.01e-20F, 2.74e-12F, 1.64e-14F, 2.82e-12F, 1.07e-11F, 1.14e-11F, 1.58e-11F, 2.63e-15F, 2.81e-15F, 1.62e-15F, 1.81e-15F, 2.32e-20F, 3.47e-18F, 1.29e-18F, 2.24e-16F, 2.23e-12F, 2.82e-12F, 2.07e-15F, 1.22e-11F, 1.03e-11F, 9.08e-12F, 1.58e-15F, 2.54e-15F, 2.46e-15F, 8.25e-21F, 1.01e-26F, 3.56e-24F, 1.07e-21F, 5.22e-26F, 2.26e-16F, 2.86e-18F, 2.93e-18F, 2.83e-15F, 1.74e-15F, 2.53e-15F, 2.97e-21F, 2.71e-21F, 1.49e-21F, 3.30e-19F, 1.32e-25F, 7.88e-22F, 3.72e-24F, 7.35e-25F, 2.86e-18F, 2.26e-16F, 1.19e-18F, 2.62e-15F, 2.81e-15F, 1.61e-15F, 2.28e-21F, 1.38e-21F, 2.34e-21F, 9.30e-18F, 5.61e-25F, 4.17e-21F, 1.19e-23F, 3.01e-24F, 5.90e-19F, 8.81e-18F, 2.28e-16F, 1.58e-15F, 2.54e-15F, 2.46e-15F, 9.63e-21F, 5.81e-21F, 1.03e-20F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #endif
 static const unsigned short at_Phi[122] = { 0, 1, 2, 3, 4, 5, 7, 8, 12, 13, 14, 17, 18, 19, 20, 21,
@@ -103,7 +102,7 @@ int test_ahr_Phi(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
             if (ahr_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("ahr_Phi: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_Phi: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_Phi Phi", Phi, 256);
@@ -116,7 +115,7 @@ int test_ahr_Phi(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (ahr_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("ahr_Phi: position[%d] end %d refused\n", i, end);
+                selftest_print("ahr_Phi: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -132,7 +131,7 @@ int test_ahr_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
             if (ahr_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("ahr_Phi: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_Phi Phi", Phi, 256);
@@ -143,7 +142,7 @@ int test_ahr_Phi(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (ahr_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("ahr_Phi: v_n[%d] end %d refused\n", i, end);
+                selftest_print("ahr_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -161,7 +160,7 @@ int test_ahr_Phi(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
             if (ahr_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("ahr_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_Phi Phi", Phi, 256);
@@ -175,7 +174,7 @@ int test_ahr_Phi(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ahr_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("ahr_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ahr_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -188,7 +187,7 @@ int test_ahr_Phi(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ahr_Phi(&nav, &imu, Phi) != BS_OUT_OF_RANGE) {
-            (void)printf("ahr_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("ahr_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -203,7 +202,7 @@ int test_ahr_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
             if (ahr_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("ahr_Phi: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_Phi Phi", Phi, 256);
@@ -214,7 +213,7 @@ int test_ahr_Phi(void)
             set_point(0, &nav, &imu);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (ahr_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("ahr_Phi: f_b[%d] end %d refused\n", i, end);
+                selftest_print("ahr_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -230,7 +229,7 @@ int test_ahr_Phi(void)
                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
             if (ahr_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("ahr_Phi: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_Phi Phi", Phi, 256);
@@ -241,7 +240,7 @@ int test_ahr_Phi(void)
             set_point(0, &nav, &imu);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (ahr_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("ahr_Phi: dt[%d] end %d refused\n", i, end);
+                selftest_print("ahr_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

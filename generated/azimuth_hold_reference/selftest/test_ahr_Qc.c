@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold_reference.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.5c22900000000p-1, 0x1.3ffa240000000p-2, -0x1.4b1f0c0000000p-3, 0x1.48acf00000000p-1 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.c210000000000p-5, 0x1.284d2e0000000p-6, 0x1.5200ac0000000p-5 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.4000000000000p+3, 0x0.0p+0 },
     { 0x1.65953c0000000p+2, 0x1.07062a0000000p+2, 0x1.056dfe0000000p+1 }
 };
-static const double in_gyro_bias_noise[N_VECTORS][3] = {
+static const float in_gyro_bias_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.9651740000000p-5, 0x1.f483d60000000p-6, 0x1.75c6480000000p-4 }
 };
-static const double in_accel_bias_noise[N_VECTORS][3] = {
+static const float in_accel_bias_noise[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x1.4000000000000p+3 },
     { 0x1.1744620000000p+0, 0x1.4da7e40000000p+2, 0x1.04f7820000000p+3 }
 };
@@ -35,14 +34,14 @@ static const double out_Qc[N_VECTORS][24] = {
     { 0x1.845c4d1f3acbcp+3, -0x1.b539e2495f1d3p+1, -0x1.673c009484807p+2, -0x1.b539e2495f1d3p+1, 0x1.dd23a9c0ce5b9p+4, -0x1.26bf6881cc495p+2, -0x1.673c009484807p+2, -0x1.26bf6881cc495p+2, 0x1.444aed63000bbp+3, 0x1.d5e5d2e41f17ep-11, -0x1.17e8eccec5f6fp-13, 0x1.6f4dc76089db4p-11, -0x1.17e8eccec5f6fp-13, 0x1.81e4be084df9dp-9, -0x1.0715e71f28c80p-12, 0x1.6f4dc76089db4p-11, -0x1.0715e71f28c80p-12, 0x1.37c5fd1ef5505p-10, 0x1.42733aed4e480p-9, 0x1.e9499fea5b720p-11, 0x1.10ddb3b1ba200p-7, 0x1.30a61fe035840p+0, 0x1.b2de354343100p+4, 0x1.0a07af5c1e040p+6 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Qc[N_VECTORS][24] = {
-    { 3.6e-13, 3.6e-13, 6.04e-06, 3.6e-13, 3.6e-13, 6.04e-06, 6.04e-06, 6.04e-06, 5.44e-05, 3.6e-17, 6.04e-10, 3.6e-17, 6.04e-10, 5.44e-09, 6.04e-10, 3.6e-17, 6.04e-10, 3.6e-17, 6.02e-10, 6.02e-10, 6.02e-10, 6.02e-06, 1.19e-38, 6.02e-06 },
-    { 7.25e-06, 5.12e-06, 6.06e-06, 5.12e-06, 1.62e-05, 4.93e-06, 6.06e-06, 4.93e-06, 5.92e-06, 4.96e-10, 5e-10, 5.68e-10, 5e-10, 1.61e-09, 5.3e-10, 5.68e-10, 5.3e-10, 7.25e-10, 1.48e-10, 5.62e-11, 5.01e-10, 7.16e-08, 1.64e-06, 4e-06 }
+static const float tol_Qc[N_VECTORS][24] = {
+    { 3.60e-13F, 3.60e-13F, 6.04e-06F, 3.60e-13F, 3.60e-13F, 6.04e-06F, 6.04e-06F, 6.04e-06F, 5.44e-05F, 3.60e-17F, 6.04e-10F, 3.60e-17F, 6.04e-10F, 5.44e-09F, 6.04e-10F, 3.60e-17F, 6.04e-10F, 3.60e-17F, 6.02e-10F, 6.02e-10F, 6.02e-10F, 6.02e-06F, 1.19e-38F, 6.02e-06F },
+    { 7.25e-06F, 5.12e-06F, 6.06e-06F, 5.12e-06F, 1.62e-05F, 4.93e-06F, 6.06e-06F, 4.93e-06F, 5.92e-06F, 4.96e-10F, 5.00e-10F, 5.68e-10F, 5.00e-10F, 1.61e-09F, 5.30e-10F, 5.68e-10F, 5.30e-10F, 7.25e-10F, 1.48e-10F, 5.62e-11F, 5.01e-10F, 7.16e-08F, 1.64e-06F, 4.00e-06F }
 };
 #else
-static const double tol_Qc[N_VECTORS][24] = {
-    { 1.25e-30, 1.25e-30, 1.13e-14, 1.25e-30, 1.25e-30, 1.13e-14, 1.13e-14, 1.13e-14, 1.13e-13, 1.25e-34, 1.13e-18, 1.25e-34, 1.13e-18, 1.13e-17, 1.13e-18, 1.25e-34, 1.13e-18, 1.25e-34, 2.24e-18, 2.24e-18, 2.24e-18, 2.24e-14, 1.01e-45, 2.24e-14 },
-    { 1.49e-14, 9.92e-15, 1.19e-14, 9.92e-15, 3.36e-14, 9.7e-15, 1.19e-14, 9.7e-15, 1.22e-14, 1.03e-18, 9.46e-19, 1.14e-18, 9.46e-19, 3.33e-18, 1.01e-18, 1.14e-18, 1.01e-18, 1.48e-18, 5.52e-19, 2.09e-19, 1.87e-18, 2.67e-16, 6.1e-15, 1.49e-14 }
+static const float tol_Qc[N_VECTORS][24] = {
+    { 1.25e-30F, 1.25e-30F, 1.13e-14F, 1.25e-30F, 1.25e-30F, 1.13e-14F, 1.13e-14F, 1.13e-14F, 1.13e-13F, 1.25e-34F, 1.13e-18F, 1.25e-34F, 1.13e-18F, 1.13e-17F, 1.13e-18F, 1.25e-34F, 1.13e-18F, 1.25e-34F, 2.24e-18F, 2.24e-18F, 2.24e-18F, 2.24e-14F, 0.0F, 2.24e-14F },
+    { 1.49e-14F, 9.92e-15F, 1.19e-14F, 9.92e-15F, 3.36e-14F, 9.70e-15F, 1.19e-14F, 9.70e-15F, 1.22e-14F, 1.03e-18F, 9.46e-19F, 1.14e-18F, 9.46e-19F, 3.33e-18F, 1.01e-18F, 1.14e-18F, 1.01e-18F, 1.48e-18F, 5.52e-19F, 2.09e-19F, 1.87e-18F, 2.67e-16F, 6.10e-15F, 1.49e-14F }
 };
 #endif
 static const unsigned short at_Qc[24] = { 51, 52, 53, 67, 68, 69, 83, 84, 85, 102, 103, 104, 118,
@@ -94,7 +93,7 @@ int test_ahr_Qc(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 256);
             if (ahr_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("ahr_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_Qc Qc", Qc, 256);
@@ -108,7 +107,7 @@ int test_ahr_Qc(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ahr_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("ahr_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ahr_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -121,7 +120,7 @@ int test_ahr_Qc(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ahr_Qc(&nav, &noise, Qc) != BS_OUT_OF_RANGE) {
-            (void)printf("ahr_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("ahr_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -138,7 +137,7 @@ int test_ahr_Qc(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 256);
             if (ahr_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("ahr_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_Qc Qc", Qc, 256);
@@ -149,7 +148,7 @@ int test_ahr_Qc(void)
             set_point(0, &nav, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (ahr_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("ahr_Qc: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("ahr_Qc: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -167,7 +166,7 @@ int test_ahr_Qc(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 256);
             if (ahr_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("ahr_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_Qc Qc", Qc, 256);
@@ -178,7 +177,7 @@ int test_ahr_Qc(void)
             set_point(0, &nav, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (ahr_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("ahr_Qc: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("ahr_Qc: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -196,7 +195,7 @@ int test_ahr_Qc(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 256);
             if (ahr_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("ahr_Qc: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_Qc: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_Qc Qc", Qc, 256);
@@ -207,7 +206,7 @@ int test_ahr_Qc(void)
             set_point(0, &nav, &noise);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (ahr_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("ahr_Qc: gyro_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("ahr_Qc: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -225,7 +224,7 @@ int test_ahr_Qc(void)
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 256);
             if (ahr_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("ahr_Qc: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_Qc: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_Qc Qc", Qc, 256);
@@ -236,7 +235,7 @@ int test_ahr_Qc(void)
             set_point(0, &nav, &noise);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (ahr_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("ahr_Qc: accel_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("ahr_Qc: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold_reference.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.37ade00000000p-3, 0x1.bf9a180000000p-1, 0x1.d4c9b00000000p-2, 0x1.cf85de0000000p-5 }
 };
-static const double in_q_ref_wxyz[N_VECTORS][4] = {
+static const float in_q_ref_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { 0x1.84ea660000000p-1, -0x1.a3bb7e0000000p-2, 0x1.d5cc5c0000000p-2, 0x1.b730100000000p-3 }
 };
-static const double in_reference_error[N_VECTORS][1] = {
+static const float in_reference_error[N_VECTORS][1] = {
     { 0x1.0000000000000p-1 },
     { 0x1.497f4a0000000p-2 }
 };
@@ -27,14 +26,14 @@ static const double out_z[N_VECTORS][1] = {
     { 0x1.312158e02e80ep-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][1] = {
-    { 4.66e-07 },
-    { 5.44e-07 }
+static const float tol_z[N_VECTORS][1] = {
+    { 4.66e-07F },
+    { 5.44e-07F }
 };
 #else
-static const double tol_z[N_VECTORS][1] = {
-    { 9.79e-16 },
-    { 1.05e-15 }
+static const float tol_z[N_VECTORS][1] = {
+    { 9.79e-16F },
+    { 1.05e-15F }
 };
 #endif
 static const unsigned short at_z[1] = { 0 };
@@ -79,7 +78,7 @@ int test_ahr_azimuth_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 1);
             if (ahr_azimuth_z(&nav, &reference, z) != expected) {
-                (void)printf("ahr_azimuth_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_azimuth_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_azimuth_z z", z, 1);
@@ -93,7 +92,7 @@ int test_ahr_azimuth_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ahr_azimuth_z(&nav, &reference, z) != BS_OK) {
-                (void)printf("ahr_azimuth_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ahr_azimuth_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -106,8 +105,8 @@ int test_ahr_azimuth_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ahr_azimuth_z(&nav, &reference, z) != BS_OUT_OF_RANGE) {
-            (void)printf("ahr_azimuth_z: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("ahr_azimuth_z: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -124,7 +123,7 @@ int test_ahr_azimuth_z(void)
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 1);
             if (ahr_azimuth_z(&nav, &reference, z) != expected) {
-                (void)printf("ahr_azimuth_z: q_ref_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_azimuth_z: q_ref_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_azimuth_z z", z, 1);
@@ -138,7 +137,7 @@ int test_ahr_azimuth_z(void)
                 reference.q_ref_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ahr_azimuth_z(&nav, &reference, z) != BS_OK) {
-                (void)printf("ahr_azimuth_z: q_ref_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ahr_azimuth_z: q_ref_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -151,8 +150,8 @@ int test_ahr_azimuth_z(void)
             reference.q_ref_wxyz[i] = (bs_real)beyond[end];
         }
         if (ahr_azimuth_z(&nav, &reference, z) != BS_OUT_OF_RANGE) {
-            (void)printf("ahr_azimuth_z: q_ref_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("ahr_azimuth_z: q_ref_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -169,8 +168,8 @@ int test_ahr_azimuth_z(void)
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 1);
             if (ahr_azimuth_z(&nav, &reference, z) != expected) {
-                (void)printf("ahr_azimuth_z: reference_error[%d] bad value %d not refused\n", i,
-                             bad);
+                selftest_print("ahr_azimuth_z: reference_error[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_azimuth_z z", z, 1);
@@ -181,7 +180,7 @@ int test_ahr_azimuth_z(void)
             set_point(0, &nav, &reference);
             reference.reference_error = (end == 0) ? low[i] : high[i];
             if (ahr_azimuth_z(&nav, &reference, z) != BS_OK) {
-                (void)printf("ahr_azimuth_z: reference_error[%d] end %d refused\n", i, end);
+                selftest_print("ahr_azimuth_z: reference_error[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

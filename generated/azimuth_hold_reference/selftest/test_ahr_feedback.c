@@ -2,38 +2,37 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold_reference.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_x[N_VECTORS][16] = {
+static const float in_x[N_VECTORS][16] = {
     { -0x1.1df46a0000000p-7, -0x1.1df46a0000000p-7, -0x1.f400000000000p+9, -0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p-1 },
     { -0x1.f363400000000p-12, -0x1.34cbee0000000p-10, -0x1.3ee2560000000p+9, 0x1.2b1dbc0000000p+6, -0x1.5f9e440000000p+5, 0x1.04a75e0000000p+5, 0x1.8b90880000000p-3, -0x1.23be480000000p-5, -0x1.fac70e0000000p-4, 0x1.dfd35a0000000p-9, 0x1.009d720000000p-7, 0x1.1ffe3c0000000p-7, -0x1.b767c00000000p-1, -0x1.06ab360000000p-3, -0x1.d141480000000p-1, -0x1.7e88340000000p-3 }
 };
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.fc574e0000000p+1, -0x1.eeb6320000000p-2, 0x1.5b876e0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.f17e840000000p+9, -0x1.ded1100000000p+8, 0x1.e60b140000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.3dacb60000000p-2, 0x1.5f1dc20000000p-2, 0x1.002b2a0000000p-2, -0x1.b3b1640000000p-1 }
 };
-static const double in_gyro_bias[N_VECTORS][3] = {
+static const float in_gyro_bias[N_VECTORS][3] = {
     { 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6 },
     { 0x1.a7aafc0000000p-8, 0x1.3a68f80000000p-7, 0x1.d145c40000000p-7 }
 };
-static const double in_accel_bias[N_VECTORS][3] = {
+static const float in_accel_bias[N_VECTORS][3] = {
     { -0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { -0x1.0e1a5e0000000p-1, -0x1.f42ef80000000p-2, 0x1.b75cee0000000p-1 }
 };
-static const double in_reference_error[N_VECTORS][1] = {
+static const float in_reference_error[N_VECTORS][1] = {
     { -0x1.0000000000000p-1 },
     { 0x1.1602d60000000p-3 }
 };
@@ -43,14 +42,14 @@ static const double out_position[N_VECTORS][3] = {
     { -0x1.fc47b2e600000p+1, -0x1.ed81661200000p-2, 0x1.657e80b000000p+14 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_position[N_VECTORS][3] = {
-    { 3.78e-07, 8.88e-08, 3.01e-05 },
-    { 2.39e-07, 2.9e-08, 0.00138 }
+static const float tol_position[N_VECTORS][3] = {
+    { 3.78e-07F, 8.88e-08F, 3.01e-05F },
+    { 2.39e-07F, 2.90e-08F, 1.38e-03F }
 };
 #else
-static const double tol_position[N_VECTORS][3] = {
-    { 1.41e-15, 3.31e-16, 1.12e-13 },
-    { 8.91e-16, 1.08e-16, 5.13e-12 }
+static const float tol_position[N_VECTORS][3] = {
+    { 1.41e-15F, 3.31e-16F, 1.12e-13F },
+    { 8.91e-16F, 1.08e-16F, 5.13e-12F }
 };
 #endif
 static const unsigned short at_position[3] = { 0, 1, 2 };
@@ -60,14 +59,14 @@ static const double out_v_n[N_VECTORS][3] = {
     { 0x1.cc1acc8000000p+9, -0x1.b2dd478000000p+8, 0x1.d5c09e2000000p+9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 6.62e-05, 5.42e-05, 6.62e-05 },
-    { 5.54e-05, 2.62e-05, 5.66e-05 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 6.62e-05F, 5.42e-05F, 6.62e-05F },
+    { 5.54e-05F, 2.62e-05F, 5.66e-05F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 2.47e-13, 2.02e-13, 2.47e-13 },
-    { 2.06e-13, 9.75e-14, 2.11e-13 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 2.47e-13F, 2.02e-13F, 2.47e-13F },
+    { 2.06e-13F, 9.75e-14F, 2.11e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -77,14 +76,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.d0d17a241e4f1p-3, 0x1.9a8c432627c92p-2, 0x1.370288e0d9df4p-2, -0x1.aafdb232ea43fp-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 4.7e-07, 1.03e-06, 1.03e-06, 1.02e-06 },
-    { 3.23e-07, 4.52e-07, 3.77e-07, 9.19e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 4.70e-07F, 1.03e-06F, 1.03e-06F, 1.02e-06F },
+    { 3.23e-07F, 4.52e-07F, 3.77e-07F, 9.19e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 8.85e-16, 1.99e-15, 1.99e-15, 1.96e-15 },
-    { 6.27e-16, 8.87e-16, 7.37e-16, 1.8e-15 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 8.85e-16F, 1.99e-15F, 1.99e-15F, 1.96e-15F },
+    { 6.27e-16F, 8.87e-16F, 7.37e-16F, 1.80e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -94,14 +93,14 @@ static const double out_gyro_bias[N_VECTORS][3] = {
     { 0x1.6f829e0000000p-9, 0x1.ce5c300000000p-10, 0x1.628f100000000p-8 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_gyro_bias[N_VECTORS][3] = {
-    { 1.19e-38, 1.19e-38, 1.19e-38 },
-    { 1.69e-10, 1.06e-10, 3.26e-10 }
+static const float tol_gyro_bias[N_VECTORS][3] = {
+    { 1.19e-38F, 1.19e-38F, 1.19e-38F },
+    { 1.69e-10F, 1.06e-10F, 3.26e-10F }
 };
 #else
-static const double tol_gyro_bias[N_VECTORS][3] = {
-    { 1.01e-45, 1.01e-45, 1.01e-45 },
-    { 6.29e-19, 3.96e-19, 1.21e-18 }
+static const float tol_gyro_bias[N_VECTORS][3] = {
+    { 0.0F, 0.0F, 0.0F },
+    { 6.29e-19F, 3.96e-19F, 1.21e-18F }
 };
 #endif
 static const unsigned short at_gyro_bias[3] = { 0, 1, 2 };
@@ -111,14 +110,14 @@ static const double out_accel_bias[N_VECTORS][3] = {
     { 0x1.529ac40000000p-2, -0x1.70d95d0000000p-2, 0x1.c44f1b0000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_accel_bias[N_VECTORS][3] = {
-    { 1.2e-07, 1.2e-07, 1.19e-38 },
-    { 1.99e-08, 2.17e-08, 1.06e-07 }
+static const float tol_accel_bias[N_VECTORS][3] = {
+    { 1.20e-07F, 1.20e-07F, 1.19e-38F },
+    { 1.99e-08F, 2.17e-08F, 1.06e-07F }
 };
 #else
-static const double tol_accel_bias[N_VECTORS][3] = {
-    { 4.49e-16, 4.49e-16, 1.01e-45 },
-    { 7.42e-17, 8.08e-17, 3.96e-16 }
+static const float tol_accel_bias[N_VECTORS][3] = {
+    { 4.49e-16F, 4.49e-16F, 0.0F },
+    { 7.42e-17F, 8.08e-17F, 3.96e-16F }
 };
 #endif
 static const unsigned short at_accel_bias[3] = { 0, 1, 2 };
@@ -128,14 +127,14 @@ static const double out_reference_error[N_VECTORS][1] = {
     { 0x1.4a45850000000p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_reference_error[N_VECTORS][1] = {
-    { 6.02e-08 },
-    { 1.94e-08 }
+static const float tol_reference_error[N_VECTORS][1] = {
+    { 6.02e-08F },
+    { 1.94e-08F }
 };
 #else
-static const double tol_reference_error[N_VECTORS][1] = {
-    { 2.24e-16 },
-    { 7.23e-17 }
+static const float tol_reference_error[N_VECTORS][1] = {
+    { 2.24e-16F },
+    { 7.23e-17F }
 };
 #endif
 static const unsigned short at_reference_error[1] = { 0 };
@@ -223,7 +222,7 @@ int test_ahr_feedback(void)
             selftest_paint(reference_error, 1);
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != expected) {
-                (void)printf("ahr_feedback: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_feedback position", position, 3);
@@ -254,7 +253,7 @@ int test_ahr_feedback(void)
             x[i] = (end == 0) ? low[i] : high[i];
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != BS_OK) {
-                (void)printf("ahr_feedback: x[%d] end %d refused\n", i, end);
+                selftest_print("ahr_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -278,7 +277,7 @@ int test_ahr_feedback(void)
             selftest_paint(reference_error, 1);
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != expected) {
-                (void)printf("ahr_feedback: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_feedback: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_feedback position", position, 3);
@@ -297,7 +296,7 @@ int test_ahr_feedback(void)
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != BS_OK) {
-                (void)printf("ahr_feedback: position[%d] end %d refused\n", i, end);
+                selftest_print("ahr_feedback: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -319,7 +318,7 @@ int test_ahr_feedback(void)
             selftest_paint(reference_error, 1);
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != expected) {
-                (void)printf("ahr_feedback: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_feedback position", position, 3);
@@ -336,7 +335,7 @@ int test_ahr_feedback(void)
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != BS_OK) {
-                (void)printf("ahr_feedback: v_n[%d] end %d refused\n", i, end);
+                selftest_print("ahr_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -360,7 +359,7 @@ int test_ahr_feedback(void)
             selftest_paint(reference_error, 1);
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != expected) {
-                (void)printf("ahr_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_feedback position", position, 3);
@@ -380,7 +379,7 @@ int test_ahr_feedback(void)
             }
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != BS_OK) {
-                (void)printf("ahr_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ahr_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -394,8 +393,8 @@ int test_ahr_feedback(void)
         }
         if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                          reference_error) != BS_OUT_OF_RANGE) {
-            (void)printf("ahr_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("ahr_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -420,7 +419,7 @@ int test_ahr_feedback(void)
             selftest_paint(reference_error, 1);
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != expected) {
-                (void)printf("ahr_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_feedback position", position, 3);
@@ -441,7 +440,7 @@ int test_ahr_feedback(void)
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != BS_OK) {
-                (void)printf("ahr_feedback: gyro_bias[%d] end %d refused\n", i, end);
+                selftest_print("ahr_feedback: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -465,7 +464,7 @@ int test_ahr_feedback(void)
             selftest_paint(reference_error, 1);
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != expected) {
-                (void)printf("ahr_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_feedback position", position, 3);
@@ -482,7 +481,7 @@ int test_ahr_feedback(void)
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != BS_OK) {
-                (void)printf("ahr_feedback: accel_bias[%d] end %d refused\n", i, end);
+                selftest_print("ahr_feedback: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -506,8 +505,8 @@ int test_ahr_feedback(void)
             selftest_paint(reference_error, 1);
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != expected) {
-                (void)printf("ahr_feedback: reference_error[%d] bad value %d not refused\n", i,
-                             bad);
+                selftest_print("ahr_feedback: reference_error[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_feedback position", position, 3);
@@ -524,7 +523,7 @@ int test_ahr_feedback(void)
             reference.reference_error = (end == 0) ? low[i] : high[i];
             if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                              reference_error) != BS_OK) {
-                (void)printf("ahr_feedback: reference_error[%d] end %d refused\n", i, end);
+                selftest_print("ahr_feedback: reference_error[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

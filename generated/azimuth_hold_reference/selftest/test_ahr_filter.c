@@ -3,7 +3,6 @@
  * The functions of the model and of the covariance have golden vectors of their own; here the
  * matrices are taken dense, so that zeros are multiplied too, and the results must be equal.  Then
  * every input is spoilt, one at a time. */
-#include <stdio.h>
 #include <string.h>
 
 #include "azimuth_hold_reference_filter.h"
@@ -101,7 +100,7 @@ static ahr_reference given_reference;
 static int expect(const char *what, int good)
 {
     if (!good) {
-        (void)printf("ahr_filter: %s\n", what);
+        selftest_print("ahr_filter: %s\n", what);
     }
     return good ? 0 : 1;
 }

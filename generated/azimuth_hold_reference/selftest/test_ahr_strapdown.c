@@ -2,50 +2,49 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold_reference.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.83d27a0000000p+1, -0x1.3011400000000p-1, 0x1.599d520000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.135be20000000p+9, -0x1.98315c0000000p+6, 0x1.4ca12e0000000p+6 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.ad479a0000000p-3, 0x1.ee32520000000p-1, 0x1.b3347c0000000p-4, 0x1.cef6e20000000p-4 }
 };
-static const double in_gyro_bias[N_VECTORS][3] = {
+static const float in_gyro_bias[N_VECTORS][3] = {
     { -0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6 },
     { 0x1.825ce60000000p-8, 0x1.4723700000000p-7, -0x1.9ddfb80000000p-8 }
 };
-static const double in_accel_bias[N_VECTORS][3] = {
+static const float in_accel_bias[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { -0x1.aeae1e0000000p-1, -0x1.da60080000000p-1, -0x1.89f0740000000p-1 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.0c6f7c0000000p-20 },
     { 0x1.1de30e0000000p+3 }
 };
-static const double in_dtheta_ib_b[N_VECTORS][3] = {
+static const float in_dtheta_ib_b[N_VECTORS][3] = {
     { 0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { -0x1.f203180000000p-3, -0x1.8e230c0000000p-4, 0x1.0223a80000000p-4 }
 };
-static const double in_dv_b[N_VECTORS][3] = {
+static const float in_dv_b[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { 0x1.64a1820000000p+4, 0x1.7209540000000p+6, -0x1.5b6a6e0000000p+5 }
 };
-static const double in_dtheta_before[N_VECTORS][3] = {
+static const float in_dtheta_before[N_VECTORS][3] = {
     { 0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { 0x1.9bc1b60000000p-2, 0x1.0393380000000p-2, 0x1.60fe920000000p-2 }
 };
-static const double in_dv_before[N_VECTORS][3] = {
+static const float in_dv_before[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { 0x1.efe27a0000000p+2, -0x1.4b42c40000000p+4, -0x1.7d85fc0000000p+6 }
 };
@@ -55,14 +54,14 @@ static const double out_position[N_VECTORS][3] = {
     { -0x1.83b33a1b58bf4p+1, -0x1.302c5702bc694p-1, 0x1.6099ced9e2af0p+14 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_position[N_VECTORS][3] = {
-    { 3.78e-07, 8.93e-08, 3.01e-05 },
-    { 1.84e-07, 3.61e-08, 0.00237 }
+static const float tol_position[N_VECTORS][3] = {
+    { 3.78e-07F, 8.93e-08F, 3.01e-05F },
+    { 1.84e-07F, 3.61e-08F, 2.37e-03F }
 };
 #else
-static const double tol_position[N_VECTORS][3] = {
-    { 1.41e-15, 3.33e-16, 1.12e-13 },
-    { 6.82e-16, 1.34e-16, 6.94e-12 }
+static const float tol_position[N_VECTORS][3] = {
+    { 1.41e-15F, 3.33e-16F, 1.12e-13F },
+    { 6.82e-16F, 1.34e-16F, 6.94e-12F }
 };
 #endif
 static const unsigned short at_position[3] = { 0, 1, 2 };
@@ -72,14 +71,14 @@ static const double out_v_n[N_VECTORS][3] = {
     { 0x1.26d38b630d8c4p+9, -0x1.9d0d79f701bbdp+7, 0x1.a221127ecabe3p+2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 0.000326, 0.000274, 0.000309 },
-    { 0.000162, 0.000146, 0.000143 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 3.26e-04F, 2.74e-04F, 3.09e-04F },
+    { 1.62e-04F, 1.46e-04F, 1.43e-04F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 7.04e-13, 6.27e-13, 6.95e-13 },
-    { 3.68e-13, 2.96e-13, 2.67e-13 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 7.04e-13F, 6.27e-13F, 6.95e-13F },
+    { 3.68e-13F, 2.96e-13F, 2.67e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -89,14 +88,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.0558817811ee4p-4, 0x1.fe25ab15a0d60p-1, 0x1.b1885cd0dc2dfp-5, 0x1.33c3e967818fbp-6 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.42e-06, 1.39e-06, 1.35e-06, 1.3e-06 },
-    { 3.28e-07, 1.83e-06, 2.26e-07, 2.03e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 2.42e-06F, 1.39e-06F, 1.35e-06F, 1.30e-06F },
+    { 3.28e-07F, 1.83e-06F, 2.26e-07F, 2.03e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 4.6e-15, 2.63e-15, 2.55e-15, 2.46e-15 },
-    { 6.18e-16, 3.51e-15, 4.27e-16, 3.8e-16 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 4.60e-15F, 2.63e-15F, 2.55e-15F, 2.46e-15F },
+    { 6.18e-16F, 3.51e-15F, 4.27e-16F, 3.80e-16F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -172,7 +171,7 @@ int test_ahr_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ahr_strapdown: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_strapdown: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_strapdown position", position, 3);
@@ -187,7 +186,7 @@ int test_ahr_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ahr_strapdown: position[%d] end %d refused\n", i, end);
+                selftest_print("ahr_strapdown: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -205,7 +204,7 @@ int test_ahr_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ahr_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_strapdown position", position, 3);
@@ -218,7 +217,7 @@ int test_ahr_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ahr_strapdown: v_n[%d] end %d refused\n", i, end);
+                selftest_print("ahr_strapdown: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -238,7 +237,7 @@ int test_ahr_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ahr_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_strapdown position", position, 3);
@@ -254,7 +253,7 @@ int test_ahr_strapdown(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ahr_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ahr_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -267,8 +266,8 @@ int test_ahr_strapdown(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
-            (void)printf("ahr_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("ahr_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -289,7 +288,7 @@ int test_ahr_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ahr_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_strapdown position", position, 3);
@@ -306,7 +305,7 @@ int test_ahr_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ahr_strapdown: gyro_bias[%d] end %d refused\n", i, end);
+                selftest_print("ahr_strapdown: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -326,7 +325,7 @@ int test_ahr_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ahr_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_strapdown position", position, 3);
@@ -339,7 +338,7 @@ int test_ahr_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ahr_strapdown: accel_bias[%d] end %d refused\n", i, end);
+                selftest_print("ahr_strapdown: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -357,7 +356,7 @@ int test_ahr_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ahr_strapdown: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_strapdown position", position, 3);
@@ -370,7 +369,7 @@ int test_ahr_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ahr_strapdown: dt[%d] end %d refused\n", i, end);
+                selftest_print("ahr_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -390,7 +389,7 @@ int test_ahr_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ahr_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_strapdown position", position, 3);
@@ -403,7 +402,7 @@ int test_ahr_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ahr_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("ahr_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -422,7 +421,7 @@ int test_ahr_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ahr_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_strapdown position", position, 3);
@@ -435,7 +434,7 @@ int test_ahr_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dv_b[i] = (end == 0) ? low[i] : high[i];
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ahr_strapdown: dv_b[%d] end %d refused\n", i, end);
+                selftest_print("ahr_strapdown: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -455,7 +454,8 @@ int test_ahr_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ahr_strapdown: dtheta_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_strapdown: dtheta_before[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_strapdown position", position, 3);
@@ -468,7 +468,7 @@ int test_ahr_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dtheta_before[i] = (end == 0) ? low[i] : high[i];
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ahr_strapdown: dtheta_before[%d] end %d refused\n", i, end);
+                selftest_print("ahr_strapdown: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -488,7 +488,7 @@ int test_ahr_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("ahr_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_strapdown position", position, 3);
@@ -501,7 +501,7 @@ int test_ahr_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dv_before[i] = (end == 0) ? low[i] : high[i];
             if (ahr_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("ahr_strapdown: dv_before[%d] end %d refused\n", i, end);
+                selftest_print("ahr_strapdown: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,18 +2,17 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold_reference.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.58e5660000000p+1, -0x1.3ea02c0000000p+0, 0x1.5227820000000p+14 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.56ea040000000p-1, 0x1.e1e3860000000p-3, -0x1.672b040000000p-1, 0x1.c941280000000p-5 }
 };
@@ -23,14 +22,14 @@ static const double out_H[N_VECTORS][15] = {
     { 0x1.9da3fe64b195ep-15, 0x1.9da3fe64b195ep-15, 0x1.434a8e01033fcp-21, 0x1.b5682ee45349dp-23, -0x1.0000000000000p+0, -0x1.b2116defddc17p-15, -0x1.b2116defddc17p-15, -0x1.27ef04d42600ep-16, -0x1.906487d7170d4p-18, -0x1.0000000000000p+0, -0x1.d9ef32d244925p-17, -0x1.d9ef32d244925p-17, 0x1.17dba3c0abdd1p-14, 0x1.7aa47ff32151ep-16, -0x1.0000000000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][15] = {
-    { 7.42e-12, 7.42e-12, 4.37e-12, 3.82e-13, 1.12e-16, 5.84e-12, 5.84e-12, 3.06e-11, 2.67e-12, 1.12e-16, 3.54e-11, 3.54e-11, 4.37e-12, 3.82e-13, 1.12e-16 },
-    { 2.38e-11, 2.38e-11, 8.04e-12, 2.72e-12, 1.12e-16, 3.89e-11, 3.89e-11, 8.06e-12, 2.72e-12, 1.12e-16, 1.07e-11, 1.07e-11, 2.81e-11, 9.51e-12, 1.12e-16 }
+static const float tol_H[N_VECTORS][15] = {
+    { 7.42e-12F, 7.42e-12F, 4.37e-12F, 3.82e-13F, 1.12e-16F, 5.84e-12F, 5.84e-12F, 3.06e-11F, 2.67e-12F, 1.12e-16F, 3.54e-11F, 3.54e-11F, 4.37e-12F, 3.82e-13F, 1.12e-16F },
+    { 2.38e-11F, 2.38e-11F, 8.04e-12F, 2.72e-12F, 1.12e-16F, 3.89e-11F, 3.89e-11F, 8.06e-12F, 2.72e-12F, 1.12e-16F, 1.07e-11F, 1.07e-11F, 2.81e-11F, 9.51e-12F, 1.12e-16F }
 };
 #else
-static const double tol_H[N_VECTORS][15] = {
-    { 1.45e-20, 1.45e-20, 8.13e-21, 7.11e-22, 1.12e-16, 1.09e-20, 1.09e-20, 6.5e-20, 5.69e-21, 1.12e-16, 7.41e-20, 7.41e-20, 8.13e-21, 7.11e-22, 1.12e-16 },
-    { 4.99e-20, 4.99e-20, 1.5e-20, 5.09e-21, 1.12e-16, 7.83e-20, 7.83e-20, 1.7e-20, 5.74e-21, 1.12e-16, 2.16e-20, 2.16e-20, 5.99e-20, 2.02e-20, 1.12e-16 }
+static const float tol_H[N_VECTORS][15] = {
+    { 1.45e-20F, 1.45e-20F, 8.13e-21F, 7.11e-22F, 1.12e-16F, 1.09e-20F, 1.09e-20F, 6.50e-20F, 5.69e-21F, 1.12e-16F, 7.41e-20F, 7.41e-20F, 8.13e-21F, 7.11e-22F, 1.12e-16F },
+    { 4.99e-20F, 4.99e-20F, 1.50e-20F, 5.09e-21F, 1.12e-16F, 7.83e-20F, 7.83e-20F, 1.70e-20F, 5.74e-21F, 1.12e-16F, 2.16e-20F, 2.16e-20F, 5.99e-20F, 2.02e-20F, 1.12e-16F }
 };
 #endif
 static const unsigned short at_H[15] = { 1, 6, 7, 8, 9, 17, 22, 23, 24, 26, 33, 38, 39, 40, 43 };
@@ -71,7 +70,7 @@ int test_ahr_zaru_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (ahr_zaru_H(&nav, H) != expected) {
-                (void)printf("ahr_zaru_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_zaru_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_zaru_H H", H, 48);
@@ -84,7 +83,7 @@ int test_ahr_zaru_H(void)
             set_point(0, &nav);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (ahr_zaru_H(&nav, H) != BS_OK) {
-                (void)printf("ahr_zaru_H: position[%d] end %d refused\n", i, end);
+                selftest_print("ahr_zaru_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -102,7 +101,7 @@ int test_ahr_zaru_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (ahr_zaru_H(&nav, H) != expected) {
-                (void)printf("ahr_zaru_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_zaru_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_zaru_H H", H, 48);
@@ -116,7 +115,7 @@ int test_ahr_zaru_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ahr_zaru_H(&nav, H) != BS_OK) {
-                (void)printf("ahr_zaru_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ahr_zaru_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -129,7 +128,8 @@ int test_ahr_zaru_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ahr_zaru_H(&nav, H) != BS_OUT_OF_RANGE) {
-            (void)printf("ahr_zaru_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("ahr_zaru_H: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }

@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "azimuth_hold_reference.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.2f98a80000000p+2, 0x1.a7ff580000000p-1, 0x1.6c9ac80000000p+14 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.1a6e060000000p-1, 0x1.fb60980000000p-2, -0x1.21de640000000p-1, -0x1.6f0f560000000p-2 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { -0x1.b1fad60000000p+3, 0x1.e53b5c0000000p+3, 0x1.26a9c20000000p+4 }
 };
@@ -27,14 +26,14 @@ static const double out_z[N_VECTORS][3] = {
     { -0x1.b1fa567ea6e11p+3, 0x1.e53b51eb24eeep+3, 0x1.26a998407486cp+4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 2.41e-06, 2.41e-06, 2.41e-06 },
-    { 1.63e-06, 1.83e-06, 2.22e-06 }
+static const float tol_z[N_VECTORS][3] = {
+    { 2.41e-06F, 2.41e-06F, 2.41e-06F },
+    { 1.63e-06F, 1.83e-06F, 2.22e-06F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 6.73e-15, 6.73e-15, 6.73e-15 },
-    { 4.56e-15, 5.1e-15, 6.2e-15 }
+static const float tol_z[N_VECTORS][3] = {
+    { 6.73e-15F, 6.73e-15F, 6.73e-15F },
+    { 4.56e-15F, 5.10e-15F, 6.20e-15F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -79,7 +78,7 @@ int test_ahr_zaru_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (ahr_zaru_z(&nav, &imu, z) != expected) {
-                (void)printf("ahr_zaru_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_zaru_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_zaru_z z", z, 3);
@@ -92,7 +91,7 @@ int test_ahr_zaru_z(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (ahr_zaru_z(&nav, &imu, z) != BS_OK) {
-                (void)printf("ahr_zaru_z: position[%d] end %d refused\n", i, end);
+                selftest_print("ahr_zaru_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -110,7 +109,7 @@ int test_ahr_zaru_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (ahr_zaru_z(&nav, &imu, z) != expected) {
-                (void)printf("ahr_zaru_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_zaru_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_zaru_z z", z, 3);
@@ -124,7 +123,7 @@ int test_ahr_zaru_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (ahr_zaru_z(&nav, &imu, z) != BS_OK) {
-                (void)printf("ahr_zaru_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("ahr_zaru_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -137,7 +136,8 @@ int test_ahr_zaru_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (ahr_zaru_z(&nav, &imu, z) != BS_OUT_OF_RANGE) {
-            (void)printf("ahr_zaru_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("ahr_zaru_z: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -154,7 +154,7 @@ int test_ahr_zaru_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (ahr_zaru_z(&nav, &imu, z) != expected) {
-                (void)printf("ahr_zaru_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_zaru_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_zaru_z z", z, 3);
@@ -165,7 +165,7 @@ int test_ahr_zaru_z(void)
             set_point(0, &nav, &imu);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (ahr_zaru_z(&nav, &imu, z) != BS_OK) {
-                (void)printf("ahr_zaru_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("ahr_zaru_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

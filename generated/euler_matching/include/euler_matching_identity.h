@@ -3,7 +3,9 @@
  * sha256sum prints of them in the order of their names (LC_ALL=C).  It is the same in both
  * precisions.
  * In single precision each function has the ending _f32, so that both precisions link into one
- * program and a header of one does not link with a library of the other. */
+ * program and a header of one does not link with a library of the other.
+ * In a form that is not that of its precision (BORESIGHT_UD) each function of the filter has the
+ * ending _ud, or _f32_joseph: P of one form is never read as the other. */
 #ifndef EULER_MATCHING_IDENTITY_H
 #define EULER_MATCHING_IDENTITY_H
 
@@ -18,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "e28e90ff96ba910b83d99c2b6f78c02157e1722397a7e92b7ca6f2152428e2a5"
+#define EM_MODEL_HASH "d34f39d701e762313d3c27a5c1d8d442fcce9e0bbdd752eb066eced7979f1429"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1
@@ -48,23 +50,6 @@
 #define em_euler_exact_z em_euler_exact_z_f32
 #define em_euler_z em_euler_z_f32
 #define em_feedback em_feedback_f32
-#define em_filter_consider em_filter_consider_f32
-#define em_filter_correct em_filter_correct_f32
-#define em_filter_covariance em_filter_covariance_f32
-#define em_filter_digest em_filter_digest_f32
-#define em_filter_health em_filter_health_f32
-#define em_filter_init em_filter_init_f32
-#define em_filter_init_blocks em_filter_init_blocks_f32
-#define em_filter_init_sigmas em_filter_init_sigmas_f32
-#define em_filter_measure_euler em_filter_measure_euler_f32
-#define em_filter_measure_euler_exact em_filter_measure_euler_exact_f32
-#define em_filter_propagate em_filter_propagate_f32
-#define em_filter_restore em_filter_restore_f32
-#define em_filter_set_nav em_filter_set_nav_f32
-#define em_filter_sigmas em_filter_sigmas_f32
-#define em_filter_snapshot em_filter_snapshot_f32
-#define em_filter_strapdown em_filter_strapdown_f32
-#define em_filter_variance em_filter_variance_f32
 #define em_identity em_identity_f32
 #define em_joseph_add em_joseph_add_f32
 #define em_joseph_dense em_joseph_dense_f32
@@ -79,6 +64,25 @@
 #define em_ud_init em_ud_init_f32
 #define em_ud_predict em_ud_predict_f32
 #define em_ud_update em_ud_update_f32
+#endif
+#ifdef BS_FORM
+#define em_filter_consider BS_FORM(em_filter_consider)
+#define em_filter_correct BS_FORM(em_filter_correct)
+#define em_filter_covariance BS_FORM(em_filter_covariance)
+#define em_filter_digest BS_FORM(em_filter_digest)
+#define em_filter_health BS_FORM(em_filter_health)
+#define em_filter_init BS_FORM(em_filter_init)
+#define em_filter_init_blocks BS_FORM(em_filter_init_blocks)
+#define em_filter_init_sigmas BS_FORM(em_filter_init_sigmas)
+#define em_filter_measure_euler BS_FORM(em_filter_measure_euler)
+#define em_filter_measure_euler_exact BS_FORM(em_filter_measure_euler_exact)
+#define em_filter_propagate BS_FORM(em_filter_propagate)
+#define em_filter_restore BS_FORM(em_filter_restore)
+#define em_filter_set_nav BS_FORM(em_filter_set_nav)
+#define em_filter_sigmas BS_FORM(em_filter_sigmas)
+#define em_filter_snapshot BS_FORM(em_filter_snapshot)
+#define em_filter_strapdown BS_FORM(em_filter_strapdown)
+#define em_filter_variance BS_FORM(em_filter_variance)
 #endif
 
 #ifdef __cplusplus

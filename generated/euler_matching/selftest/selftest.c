@@ -3,9 +3,91 @@
  * Exit status 0 if all pass. */
 #include "selftest.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 
 static const double PAINT = -1.2345678e30;
+
+static void print_text(const char *text)
+{
+    for (int i = 0; text[i] != '\0'; ++i) {
+        (void)putchar(text[i]);
+    }
+}
+
+/* With so many digits at least. */
+static void print_whole(int value, int least)
+{
+    char digits[12];
+    int n = 0;
+    int left = value;
+    if (left < 0) {
+        (void)putchar('-');
+    }
+    do {
+        const int digit = left % 10;
+        digits[n] = (char)('0' + ((digit < 0) ? -digit : digit));
+        left /= 10;
+        ++n;
+    } while ((left != 0) || (n < least));
+    while (n > 0) {
+        --n;
+        (void)putchar(digits[n]);
+    }
+}
+
+static void print_number(double value)
+{
+    double left = (value < 0.0) ? -value : value;
+    int exponent = 0;
+    if (!((value - value) <= 0.0)) {
+        print_text((left > 0.0) ? "inf" : "nan");
+        return;
+    }
+    if (value < 0.0) {
+        (void)putchar('-');
+    }
+    while (left >= 9.9995) {
+        left /= 10.0;
+        ++exponent;
+    }
+    while ((left > 0.0) && (left < 0.99995)) {
+        left *= 10.0;
+        --exponent;
+    }
+    left += 0.0005;
+    for (int i = 0; i < 4; ++i) {
+        const int digit = (int)left;
+        (void)putchar('0' + digit);
+        if (i == 0) {
+            (void)putchar('.');
+        }
+        left = (left - (double)digit) * 10.0;
+    }
+    print_text((exponent < 0) ? "e-" : "e+");
+    print_whole((exponent < 0) ? -exponent : exponent, 2);
+}
+
+void selftest_print(const char *format, ...)
+{
+    va_list given;
+    va_start(given, format);
+    for (int i = 0; format[i] != '\0'; ++i) {
+        if (format[i] != '%') {
+            (void)putchar(format[i]);
+        } else {
+            ++i;
+            if (format[i] == 's') {
+                print_text(va_arg(given, const char *));
+            } else if (format[i] == 'd') {
+                print_whole(va_arg(given, int), 1);
+            } else {
+                print_number(va_arg(given, double));
+            }
+        }
+    }
+    va_end(given);
+}
 
 double selftest_nan(void)
 {
@@ -30,7 +112,7 @@ int selftest_painted(const char *what, const bs_real *out, int n)
 {
     for (int i = 0; i < n; ++i) {
         if (!((out[i] <= (bs_real)PAINT) && (out[i] >= (bs_real)PAINT))) {
-            (void)printf("%s: written although the input was refused\n", what);
+            selftest_print("%s: written although the input was refused\n", what);
             return 1;
         }
     }
@@ -42,7 +124,7 @@ int selftest_compare(const char *what,
                      const bs_real *out,
                      int n,
                      const double *expected,
-                     const double *tolerance,
+                     const float *tolerance,
                      const unsigned short *at,
                      int nnz,
                      unsigned int angles)
@@ -53,7 +135,7 @@ int selftest_compare(const char *what,
     for (int i = 0; i < n; ++i) {
         const int printed = (k < nnz) && (at[k] == i);
         double difference = (double)out[i] - (printed ? expected[k] : 0.0);
-        const double allowed = printed ? tolerance[k] : 0.0;
+        const double allowed = printed ? (double)tolerance[k] : 0.0;
         const int angle = (i < 32) && (((angles >> (unsigned int)i) & 1U) != 0U);
         if (angle && (difference > 3.0)) {
             difference -= turn;
@@ -62,8 +144,8 @@ int selftest_compare(const char *what,
             difference += turn;
         }
         if (!((difference <= allowed) && (-difference <= allowed))) {
-            (void)printf("%s: vector %d, element %d is off by %.3e, allowed %.3e\n", what, vector,
-                         i, difference, allowed);
+            selftest_print("%s: vector %d, element %d is off by %e, allowed %e\n", what, vector, i,
+                           difference, allowed);
             ++failures;
         }
         k += printed;
@@ -75,109 +157,109 @@ int main(void)
 {
     int passed = 0;
     int failed = 0;
-    (void)printf("%s\n", em_identity());
+    selftest_print("%s\n", em_identity());
     if (test_em_F() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_F\n");
+        selftest_print("FAILED em_F\n");
         ++failed;
     }
     if (test_em_Phi() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_Phi\n");
+        selftest_print("FAILED em_Phi\n");
         ++failed;
     }
     if (test_em_Qc() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_Qc\n");
+        selftest_print("FAILED em_Qc\n");
         ++failed;
     }
     if (test_em_Q() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_Q\n");
+        selftest_print("FAILED em_Q\n");
         ++failed;
     }
     if (test_em_euler_z() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_euler_z\n");
+        selftest_print("FAILED em_euler_z\n");
         ++failed;
     }
     if (test_em_euler_H() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_euler_H\n");
+        selftest_print("FAILED em_euler_H\n");
         ++failed;
     }
     if (test_em_euler_exact_z() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_euler_exact_z\n");
+        selftest_print("FAILED em_euler_exact_z\n");
         ++failed;
     }
     if (test_em_euler_exact_h() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_euler_exact_h\n");
+        selftest_print("FAILED em_euler_exact_h\n");
         ++failed;
     }
     if (test_em_euler_exact_H() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_euler_exact_H\n");
+        selftest_print("FAILED em_euler_exact_H\n");
         ++failed;
     }
     if (test_em_euler_angles() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_euler_angles\n");
+        selftest_print("FAILED em_euler_angles\n");
         ++failed;
     }
     if (test_em_strapdown() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_strapdown\n");
+        selftest_print("FAILED em_strapdown\n");
         ++failed;
     }
     if (test_em_feedback() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_feedback\n");
+        selftest_print("FAILED em_feedback\n");
         ++failed;
     }
     if (test_em_omega_in_n() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_omega_in_n\n");
+        selftest_print("FAILED em_omega_in_n\n");
         ++failed;
     }
     if (test_em_math() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_math\n");
+        selftest_print("FAILED em_math\n");
         ++failed;
     }
     if (test_em_covariance() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_covariance\n");
+        selftest_print("FAILED em_covariance\n");
         ++failed;
     }
     if (test_em_filter() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_filter\n");
+        selftest_print("FAILED em_filter\n");
         ++failed;
     }
     if (test_em_digest() == 0) {
         ++passed;
     } else {
-        (void)printf("FAILED em_digest\n");
+        selftest_print("FAILED em_digest\n");
         ++failed;
     }
-    (void)printf("%d passed, %d failed\n", passed, failed);
+    selftest_print("%d passed, %d failed\n", passed, failed);
     return (failed == 0) ? 0 : 1;
 }

@@ -2,14 +2,13 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_omega_in_n[N_VECTORS][3] = {
+static const float in_omega_in_n[N_VECTORS][3] = {
     { 0x1.47ae140000000p-7, 0x1.47ae140000000p-7, 0x1.47ae140000000p-7 },
     { 0x1.dc34980000000p-8, -0x1.b18f560000000p-8, 0x1.01b7c20000000p-7 }
 };
@@ -19,14 +18,14 @@ static const double out_F[N_VECTORS][6] = {
     { 0x1.01b7c20000000p-7, 0x1.b18f560000000p-8, -0x1.01b7c20000000p-7, 0x1.dc34980000000p-8, -0x1.b18f560000000p-8, -0x1.dc34980000000p-8 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_F[N_VECTORS][6] = {
-    { 1.12e-18, 1.12e-18, 1.12e-18, 1.12e-18, 1.12e-18, 1.12e-18 },
-    { 8.82e-19, 7.42e-19, 8.82e-19, 8.15e-19, 7.42e-19, 8.15e-19 }
+static const float tol_F[N_VECTORS][6] = {
+    { 1.12e-18F, 1.12e-18F, 1.12e-18F, 1.12e-18F, 1.12e-18F, 1.12e-18F },
+    { 8.82e-19F, 7.42e-19F, 8.82e-19F, 8.15e-19F, 7.42e-19F, 8.15e-19F }
 };
 #else
-static const double tol_F[N_VECTORS][6] = {
-    { 1.12e-18, 1.12e-18, 1.12e-18, 1.12e-18, 1.12e-18, 1.12e-18 },
-    { 8.82e-19, 7.42e-19, 8.82e-19, 8.15e-19, 7.42e-19, 8.15e-19 }
+static const float tol_F[N_VECTORS][6] = {
+    { 1.12e-18F, 1.12e-18F, 1.12e-18F, 1.12e-18F, 1.12e-18F, 1.12e-18F },
+    { 8.82e-19F, 7.42e-19F, 8.82e-19F, 8.15e-19F, 7.42e-19F, 8.15e-19F }
 };
 #endif
 static const unsigned short at_F[6] = { 1, 2, 6, 8, 12, 13 };
@@ -64,7 +63,7 @@ int test_em_F(void)
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 36);
             if (em_F(&step, F) != expected) {
-                (void)printf("em_F: omega_in_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_F: omega_in_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_F F", F, 36);
@@ -75,7 +74,7 @@ int test_em_F(void)
             set_point(0, &step);
             step.omega_in_n[i] = (end == 0) ? low[i] : high[i];
             if (em_F(&step, F) != BS_OK) {
-                (void)printf("em_F: omega_in_n[%d] end %d refused\n", i, end);
+                selftest_print("em_F: omega_in_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,18 +2,17 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_omega_in_n[N_VECTORS][3] = {
+static const float in_omega_in_n[N_VECTORS][3] = {
     { -0x1.47ae140000000p-7, 0x1.47ae140000000p-7, 0x1.47ae140000000p-7 },
     { -0x1.03c66e0000000p-11, 0x1.e5d4a80000000p-8, 0x1.0c337c0000000p-7 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.29cfd00000000p+3 }
 };
@@ -23,14 +22,14 @@ static const double out_Phi[N_VECTORS][12] = {
     { 0x1.fd4bcb58eaf85p-1, 0x1.375aa68f49237p-4, -0x1.1b4f34e46d908p-4, -0x1.38a83e3ee85c9p-4, 0x1.fe8257ba33ca2p-1, -0x1.03fe7c673713ap-9, 0x1.19dee3b432ef8p-4, 0x1.da68ee10bb363p-8, 0x1.fec6aa20d98afp-1, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Phi[N_VECTORS][12] = {
-    { 6.26e-08, 1.29e-08, 1.35e-08, 1.35e-08, 6.26e-08, 1.29e-08, 1.29e-08, 1.35e-08, 6.26e-08, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 6.15e-08, 9.2e-09, 8.36e-09, 9.22e-09, 6.09e-08, 1.03e-09, 8.34e-09, 1.35e-09, 6.08e-08, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][12] = {
+    { 6.26e-08F, 1.29e-08F, 1.35e-08F, 1.35e-08F, 6.26e-08F, 1.29e-08F, 1.29e-08F, 1.35e-08F, 6.26e-08F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 6.15e-08F, 9.20e-09F, 8.36e-09F, 9.22e-09F, 6.09e-08F, 1.03e-09F, 8.34e-09F, 1.35e-09F, 6.08e-08F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #else
-static const double tol_Phi[N_VECTORS][12] = {
-    { 2.28e-16, 3.48e-17, 3.7e-17, 3.7e-17, 2.28e-16, 3.48e-17, 3.48e-17, 3.7e-17, 2.28e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 2.26e-16, 2.57e-17, 2.33e-17, 2.57e-17, 2.25e-16, 2.14e-18, 2.32e-17, 3.32e-18, 2.25e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][12] = {
+    { 2.28e-16F, 3.48e-17F, 3.70e-17F, 3.70e-17F, 2.28e-16F, 3.48e-17F, 3.48e-17F, 3.70e-17F, 2.28e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 2.26e-16F, 2.57e-17F, 2.33e-17F, 2.57e-17F, 2.25e-16F, 2.14e-18F, 2.32e-17F, 3.32e-18F, 2.25e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #endif
 static const unsigned short at_Phi[12] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 21, 28, 35 };
@@ -72,7 +71,7 @@ int test_em_Phi(void)
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 36);
             if (em_Phi(&step, Phi) != expected) {
-                (void)printf("em_Phi: omega_in_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_Phi: omega_in_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_Phi Phi", Phi, 36);
@@ -83,7 +82,7 @@ int test_em_Phi(void)
             set_point(0, &step);
             step.omega_in_n[i] = (end == 0) ? low[i] : high[i];
             if (em_Phi(&step, Phi) != BS_OK) {
-                (void)printf("em_Phi: omega_in_n[%d] end %d refused\n", i, end);
+                selftest_print("em_Phi: omega_in_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -99,7 +98,7 @@ int test_em_Phi(void)
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 36);
             if (em_Phi(&step, Phi) != expected) {
-                (void)printf("em_Phi: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_Phi Phi", Phi, 36);
@@ -110,7 +109,7 @@ int test_em_Phi(void)
             set_point(0, &step);
             step.dt = (end == 0) ? low[i] : high[i];
             if (em_Phi(&step, Phi) != BS_OK) {
-                (void)printf("em_Phi: dt[%d] end %d refused\n", i, end);
+                selftest_print("em_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,26 +2,25 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.73453a0000000p-1, -0x1.f824ec0000000p-5, 0x1.10065e0000000p-1, -0x1.be1fde0000000p-2 }
 };
-static const double in_omega_in_n[N_VECTORS][3] = {
+static const float in_omega_in_n[N_VECTORS][3] = {
     { 0x1.47ae140000000p-7, 0x1.47ae140000000p-7, 0x1.47ae140000000p-7 },
     { -0x1.2190220000000p-7, -0x1.07e54e0000000p-8, 0x1.074e060000000p-11 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.0c6f7c0000000p-20 },
     { 0x1.27ef7a0000000p+3 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.02e4400000000p-5, 0x1.7cab8c0000000p-9, 0x1.2801ce0000000p-4 }
 };
@@ -31,14 +30,14 @@ static const double out_Q[N_VECTORS][9] = {
     { 0x1.117d124bbc495p-5, -0x1.05d20646126bep-6, 0x1.00b7614419097p-6, -0x1.05d20646126bep-6, 0x1.7ba92c44de505p-7, -0x1.85bcc8a9de4e9p-9, 0x1.00b7614419097p-6, -0x1.85bcc8a9de4e9p-9, 0x1.a4a6dd2bbaa7bp-7 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Q[N_VECTORS][9] = {
-    { 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38 },
-    { 3.41e-08, 1.81e-08, 1.96e-08, 1.81e-08, 1.34e-08, 1.2e-08, 1.96e-08, 1.2e-08, 1.6e-08 }
+static const float tol_Q[N_VECTORS][9] = {
+    { 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F },
+    { 3.41e-08F, 1.81e-08F, 1.96e-08F, 1.81e-08F, 1.34e-08F, 1.20e-08F, 1.96e-08F, 1.20e-08F, 1.60e-08F }
 };
 #else
-static const double tol_Q[N_VECTORS][9] = {
-    { 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45 },
-    { 6.73e-17, 3.56e-17, 3.83e-17, 3.56e-17, 2.62e-17, 2.28e-17, 3.83e-17, 2.28e-17, 3.13e-17 }
+static const float tol_Q[N_VECTORS][9] = {
+    { 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F },
+    { 6.73e-17F, 3.56e-17F, 3.83e-17F, 3.56e-17F, 2.62e-17F, 2.28e-17F, 3.83e-17F, 2.28e-17F, 3.13e-17F }
 };
 #endif
 static const unsigned short at_Q[9] = { 0, 1, 2, 6, 7, 8, 12, 13, 14 };
@@ -87,7 +86,7 @@ int test_em_Q(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 36);
             if (em_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("em_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_Q Q", Q, 36);
@@ -101,7 +100,7 @@ int test_em_Q(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (em_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("em_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("em_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -114,7 +113,7 @@ int test_em_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (em_Q(&nav, &step, &noise, Q) != BS_OUT_OF_RANGE) {
-            (void)printf("em_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("em_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -131,7 +130,7 @@ int test_em_Q(void)
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 36);
             if (em_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("em_Q: omega_in_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_Q: omega_in_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_Q Q", Q, 36);
@@ -142,7 +141,7 @@ int test_em_Q(void)
             set_point(0, &nav, &step, &noise);
             step.omega_in_n[i] = (end == 0) ? low[i] : high[i];
             if (em_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("em_Q: omega_in_n[%d] end %d refused\n", i, end);
+                selftest_print("em_Q: omega_in_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -158,7 +157,7 @@ int test_em_Q(void)
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 36);
             if (em_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("em_Q: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_Q Q", Q, 36);
@@ -169,7 +168,7 @@ int test_em_Q(void)
             set_point(0, &nav, &step, &noise);
             step.dt = (end == 0) ? low[i] : high[i];
             if (em_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("em_Q: dt[%d] end %d refused\n", i, end);
+                selftest_print("em_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -187,7 +186,7 @@ int test_em_Q(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 36);
             if (em_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("em_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_Q Q", Q, 36);
@@ -198,7 +197,7 @@ int test_em_Q(void)
             set_point(0, &nav, &step, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (em_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("em_Q: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("em_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

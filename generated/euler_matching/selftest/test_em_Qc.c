@@ -2,18 +2,17 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.df8a660000000p-2, 0x1.900e400000000p-1, -0x1.8478080000000p-2, -0x1.45a4820000000p-3 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x0.0p+0 },
     { 0x1.3ae01c0000000p-5, 0x1.8f5a920000000p-5, 0x1.654b620000000p-5 }
 };
@@ -23,14 +22,14 @@ static const double out_Qc[N_VECTORS][9] = {
     { 0x1.02beafdb6e707p-9, 0x1.ce620fb2ccf72p-13, 0x1.932329288b61ep-12, 0x1.ce620fb2ccf72p-13, 0x1.e4fcf37ac31bbp-10, -0x1.2492aeb31669cp-15, 0x1.932329288b61ep-12, -0x1.2492aeb31669cp-15, 0x1.f787f878e2047p-10 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Qc[N_VECTORS][9] = {
-    { 5.4e-09, 6e-10, 1.2e-09, 6e-10, 7.15e-17, 6e-10, 1.2e-09, 6e-10, 5.4e-09 },
-    { 1.2e-09, 7.27e-10, 9.29e-10, 7.27e-10, 1.05e-09, 1.05e-09, 9.29e-10, 1.05e-09, 1.26e-09 }
+static const float tol_Qc[N_VECTORS][9] = {
+    { 5.40e-09F, 6.00e-10F, 1.20e-09F, 6.00e-10F, 7.15e-17F, 6.00e-10F, 1.20e-09F, 6.00e-10F, 5.40e-09F },
+    { 1.20e-09F, 7.27e-10F, 9.29e-10F, 7.27e-10F, 1.05e-09F, 1.05e-09F, 9.29e-10F, 1.05e-09F, 1.26e-09F }
 };
 #else
-static const double tol_Qc[N_VECTORS][9] = {
-    { 1.12e-17, 1.12e-18, 2.23e-18, 1.12e-18, 2.48e-34, 1.12e-18, 2.23e-18, 1.12e-18, 1.12e-17 },
-    { 2.45e-18, 1.38e-18, 1.77e-18, 1.38e-18, 2.16e-18, 1.96e-18, 1.77e-18, 1.96e-18, 2.56e-18 }
+static const float tol_Qc[N_VECTORS][9] = {
+    { 1.12e-17F, 1.12e-18F, 2.23e-18F, 1.12e-18F, 2.48e-34F, 1.12e-18F, 2.23e-18F, 1.12e-18F, 1.12e-17F },
+    { 2.45e-18F, 1.38e-18F, 1.77e-18F, 1.38e-18F, 2.16e-18F, 1.96e-18F, 1.77e-18F, 1.96e-18F, 2.56e-18F }
 };
 #endif
 static const unsigned short at_Qc[9] = { 0, 1, 2, 6, 7, 8, 12, 13, 14 };
@@ -72,7 +71,7 @@ int test_em_Qc(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 36);
             if (em_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("em_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_Qc Qc", Qc, 36);
@@ -86,7 +85,7 @@ int test_em_Qc(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (em_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("em_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("em_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -99,7 +98,7 @@ int test_em_Qc(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (em_Qc(&nav, &noise, Qc) != BS_OUT_OF_RANGE) {
-            (void)printf("em_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("em_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -116,7 +115,7 @@ int test_em_Qc(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 36);
             if (em_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("em_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_Qc Qc", Qc, 36);
@@ -127,7 +126,7 @@ int test_em_Qc(void)
             set_point(0, &nav, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (em_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("em_Qc: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("em_Qc: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,18 +2,17 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_euler_b[N_VECTORS][3] = {
+static const float in_euler_b[N_VECTORS][3] = {
     { -0x1.921fb40000000p+1, 0x1.6571840000000p+0, 0x1.921fb40000000p+1 },
     { 0x1.3f34740000000p+1, -0x1.b491220000000p-2, -0x1.5623ac0000000p+0 }
 };
-static const double in_euler_m[N_VECTORS][3] = {
+static const float in_euler_m[N_VECTORS][3] = {
     { -0x1.921fb40000000p+1, 0x1.6571840000000p+0, -0x1.921fb40000000p+1 },
     { 0x1.4f1b380000000p+1, -0x1.5214e60000000p-4, 0x1.9e44060000000p+0 }
 };
@@ -23,14 +22,14 @@ static const double out_H[N_VECTORS][14] = {
     { -0x1.051f49a25645dp-2, 0x1.117c1a1d4fb47p+0, -0x1.0000000000000p+0, 0x1.52d6559625b4ap-5, -0x1.257546b291d87p-4, -0x1.f2024a495bcabp-1, -0x1.db7f3e00ca5a9p-3, 0x1.bb6945bc39c52p-1, 0x1.fffa7d54b1506p-2, 0x1.afef2fb858142p-4, -0x1.c46240871bb5fp-2, -0x1.0000000000000p+0, -0x1.00dd1c87bb687p-1, 0x1.bced0ae5b290ap-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][14] = {
-    { 2.08e-06, 3.14e-13, 1.12e-16, 4.64e-13, 3.07e-06, 1.82e-14, 1.2e-07, 1.2e-07, 1.82e-14, 3.07e-06, 4.64e-13, 1.12e-16, 3.14e-13, 2.08e-06 },
-    { 9.21e-08, 3.86e-07, 1.12e-16, 2.24e-08, 3.88e-08, 1.17e-07, 2.8e-08, 1.04e-07, 6.02e-08, 5.71e-08, 2.39e-07, 1.12e-16, 1.81e-07, 3.14e-07 }
+static const float tol_H[N_VECTORS][14] = {
+    { 2.08e-06F, 3.14e-13F, 1.12e-16F, 4.64e-13F, 3.07e-06F, 1.82e-14F, 1.20e-07F, 1.20e-07F, 1.82e-14F, 3.07e-06F, 4.64e-13F, 1.12e-16F, 3.14e-13F, 2.08e-06F },
+    { 9.21e-08F, 3.86e-07F, 1.12e-16F, 2.24e-08F, 3.88e-08F, 1.17e-07F, 2.80e-08F, 1.04e-07F, 6.02e-08F, 5.71e-08F, 2.39e-07F, 1.12e-16F, 1.81e-07F, 3.14e-07F }
 };
 #else
-static const double tol_H[N_VECTORS][14] = {
-    { 4.52e-15, 6.83e-22, 1.12e-16, 9.6e-22, 6.36e-15, 5.08e-23, 3.36e-16, 3.36e-16, 5.08e-23, 6.36e-15, 9.6e-22, 1.12e-16, 6.83e-22, 4.52e-15 },
-    { 2e-16, 8.39e-16, 1.12e-16, 4.64e-17, 8.03e-17, 3.27e-16, 7.81e-17, 2.91e-16, 1.68e-16, 1.18e-16, 4.95e-16, 1.12e-16, 3.94e-16, 6.82e-16 }
+static const float tol_H[N_VECTORS][14] = {
+    { 4.52e-15F, 6.83e-22F, 1.12e-16F, 9.60e-22F, 6.36e-15F, 5.08e-23F, 3.36e-16F, 3.36e-16F, 5.08e-23F, 6.36e-15F, 9.60e-22F, 1.12e-16F, 6.83e-22F, 4.52e-15F },
+    { 2.00e-16F, 8.39e-16F, 1.12e-16F, 4.64e-17F, 8.03e-17F, 3.27e-16F, 7.81e-17F, 2.91e-16F, 1.68e-16F, 1.18e-16F, 4.95e-16F, 1.12e-16F, 3.94e-16F, 6.82e-16F }
 };
 #endif
 static const unsigned short at_H[14] = { 0, 1, 3, 4, 5, 6, 7, 10, 11, 12, 13, 14, 16, 17 };
@@ -73,7 +72,7 @@ int test_em_euler_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 18);
             if (em_euler_H(&angles, H) != expected) {
-                (void)printf("em_euler_H: euler_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_H: euler_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_H H", H, 18);
@@ -88,7 +87,7 @@ int test_em_euler_H(void)
             set_point(0, &angles);
             angles.euler_b[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_H(&angles, H) != BS_OK) {
-                (void)printf("em_euler_H: euler_b[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_H: euler_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -108,7 +107,7 @@ int test_em_euler_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 18);
             if (em_euler_H(&angles, H) != expected) {
-                (void)printf("em_euler_H: euler_m[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_H: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_H H", H, 18);
@@ -123,7 +122,7 @@ int test_em_euler_H(void)
             set_point(0, &angles);
             angles.euler_m[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_H(&angles, H) != BS_OK) {
-                (void)printf("em_euler_H: euler_m[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_H: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,7 +2,6 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
@@ -10,7 +9,7 @@
 #define N_VECTORS 2
 #define N_EDGES 8 /* inputs whose result lies just inside or just outside its own box */
 
-static const double in_q_b2n_wxyz[N_VECTORS + N_EDGES][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS + N_EDGES][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.4fe52a0000000p-1, -0x1.2a98e20000000p-1, -0x1.e553d00000000p-2, 0x1.3f2ea60000000p-4 },
     { -0x1.064fa00000000p-4, 0x1.b038580000000p-1, 0x1.0b60080000000p-1, 0x1.a20da40000000p-4 },
@@ -28,14 +27,14 @@ static const double out_euler_b[N_VECTORS][3] = {
     { -0x1.b8f64394f85e9p+0, -0x1.1e34075308216p-1, 0x1.c35b115dfa711p-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_euler_b[N_VECTORS][3] = {
-    { 3.31e-07, 2.48e-07, 3.31e-07 },
-    { 3.69e-07, 3.29e-07, 2.93e-07 }
+static const float tol_euler_b[N_VECTORS][3] = {
+    { 3.31e-07F, 2.48e-07F, 3.31e-07F },
+    { 3.69e-07F, 3.29e-07F, 2.93e-07F }
 };
 #else
-static const double tol_euler_b[N_VECTORS][3] = {
-    { 7.93e-16, 4.62e-16, 7.93e-16 },
-    { 8.81e-16, 6.75e-16, 6.45e-16 }
+static const float tol_euler_b[N_VECTORS][3] = {
+    { 7.93e-16F, 4.62e-16F, 7.93e-16F },
+    { 8.81e-16F, 6.75e-16F, 6.45e-16F }
 };
 #endif
 static const unsigned short at_euler_b[3] = { 0, 1, 2 };
@@ -66,7 +65,7 @@ int test_em_euler_angles(void)
         set_point(N_VECTORS + v, &nav);
         selftest_paint(euler_b, 3);
         if (em_euler_angles(&nav, euler_b) != ((outside[v] != 0U) ? BS_OUT_OF_RANGE : BS_OK)) {
-            (void)printf("em_euler_angles: result %d at the edge of its box\n", v);
+            selftest_print("em_euler_angles: result %d at the edge of its box\n", v);
             ++failures;
         }
         if (outside[v] != 0U) {
@@ -86,7 +85,8 @@ int test_em_euler_angles(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(euler_b, 3);
             if (em_euler_angles(&nav, euler_b) != expected) {
-                (void)printf("em_euler_angles: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_angles: q_b2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_angles euler_b", euler_b, 3);
@@ -106,7 +106,7 @@ int test_em_euler_angles(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (em_euler_angles(&nav, euler_b) != BS_OK) {
-                (void)printf("em_euler_angles: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_angles: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -119,8 +119,8 @@ int test_em_euler_angles(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (em_euler_angles(&nav, euler_b) != BS_OUT_OF_RANGE) {
-            (void)printf("em_euler_angles: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("em_euler_angles: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }

@@ -3,22 +3,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_x[N_VECTORS][6] = {
+static const float in_x[N_VECTORS][6] = {
     { 0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { 0x1.5468680000000p-2, 0x1.e239fa0000000p-4, 0x1.4e8ea80000000p-4, -0x1.6cea0e0000000p-2, 0x1.e9d4a80000000p-2, -0x1.c715140000000p-4 }
 };
-static const double in_mu[N_VECTORS][3] = {
+static const float in_mu[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { -0x1.1b23d20000000p-4, -0x1.db377c0000000p-4, -0x1.3572760000000p-2 }
 };
-static const double in_euler_b[N_VECTORS][3] = {
+static const float in_euler_b[N_VECTORS][3] = {
     { 0x1.921fb40000000p+1, 0x1.6571840000000p+0, -0x1.921fb40000000p+1 },
     { -0x1.5e5b3e0000000p+1, 0x1.0573b60000000p+0, -0x1.00c7380000000p+1 }
 };
@@ -28,14 +27,14 @@ static const double out_H[N_VECTORS][18] = {
     { 0x1.f0919dd77fbb4p-1, 0x1.67e4f84d9af79p-1, -0x1.02b842fe7f524p-4, -0x1.799f048e04c2dp-1, -0x1.2fc9c4bf941dfp-2, 0x1.bd5c8d2828dbfp-1, -0x1.2bb9e20814832p-1, 0x1.931add7b8b442p-1, -0x1.54b2769a5812cp-3, 0x1.10de59fb2606dp-5, 0x1.dbc3e606b901dp-1, 0x1.6d596cebe5d24p-2, 0x1.2e3ceaba6743ap-1, 0x1.c87bcbaef2a64p-3, -0x1.03ac9f5108673p+0, 0x1.7057ac1b75a3fp-2, -0x1.ae89f061db6c9p-2, 0x1.0a2c9a021c9b8p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][18] = {
-    { 8.95e-06, 2.28e-05, 6.93e-06, 1.96e-05, 1.56e-05, 6.8e-06, 2.32e-05, 5.96e-06, 1.03e-05, 1.45e-05, 1.97e-05, 1.02e-05, 9.46e-06, 6.28e-06, 2.11e-05, 1.14e-05, 8.82e-06, 2.09e-05 },
-    { 1.89e-05, 1.39e-05, 3.28e-06, 1.24e-05, 9.6e-06, 1.31e-05, 1.48e-05, 1.46e-05, 6.78e-06, 3.99e-06, 1.99e-05, 9.95e-06, 1.23e-05, 8.66e-06, 1.54e-05, 7.45e-06, 1.55e-05, 1.61e-05 }
+static const float tol_H[N_VECTORS][18] = {
+    { 8.95e-06F, 2.28e-05F, 6.93e-06F, 1.96e-05F, 1.56e-05F, 6.80e-06F, 2.32e-05F, 5.96e-06F, 1.03e-05F, 1.45e-05F, 1.97e-05F, 1.02e-05F, 9.46e-06F, 6.28e-06F, 2.11e-05F, 1.14e-05F, 8.82e-06F, 2.09e-05F },
+    { 1.89e-05F, 1.39e-05F, 3.28e-06F, 1.24e-05F, 9.60e-06F, 1.31e-05F, 1.48e-05F, 1.46e-05F, 6.78e-06F, 3.99e-06F, 1.99e-05F, 9.95e-06F, 1.23e-05F, 8.66e-06F, 1.54e-05F, 7.45e-06F, 1.55e-05F, 1.61e-05F }
 };
 #else
-static const double tol_H[N_VECTORS][18] = {
-    { 1.67e-14, 4.25e-14, 1.29e-14, 3.65e-14, 2.91e-14, 1.27e-14, 4.33e-14, 1.11e-14, 1.92e-14, 2.71e-14, 3.68e-14, 1.9e-14, 1.77e-14, 1.17e-14, 3.94e-14, 2.12e-14, 1.64e-14, 3.91e-14 },
-    { 3.53e-14, 2.59e-14, 6.12e-15, 2.31e-14, 1.79e-14, 2.45e-14, 2.77e-14, 2.73e-14, 1.26e-14, 7.43e-15, 3.71e-14, 1.86e-14, 2.29e-14, 1.62e-14, 2.87e-14, 1.39e-14, 2.9e-14, 3e-14 }
+static const float tol_H[N_VECTORS][18] = {
+    { 1.67e-14F, 4.25e-14F, 1.29e-14F, 3.65e-14F, 2.91e-14F, 1.27e-14F, 4.33e-14F, 1.11e-14F, 1.92e-14F, 2.71e-14F, 3.68e-14F, 1.90e-14F, 1.77e-14F, 1.17e-14F, 3.94e-14F, 2.12e-14F, 1.64e-14F, 3.91e-14F },
+    { 3.53e-14F, 2.59e-14F, 6.12e-15F, 2.31e-14F, 1.79e-14F, 2.45e-14F, 2.77e-14F, 2.73e-14F, 1.26e-14F, 7.43e-15F, 3.71e-14F, 1.86e-14F, 2.29e-14F, 1.62e-14F, 2.87e-14F, 1.39e-14F, 2.90e-14F, 3.00e-14F }
 };
 #endif
 static const unsigned short at_H[18] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16,
@@ -83,7 +82,7 @@ int test_em_euler_exact_H(void)
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 18);
             if (em_euler_exact_H(x, &nav, &angles, H) != expected) {
-                (void)printf("em_euler_exact_H: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_exact_H: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_exact_H H", H, 18);
@@ -96,7 +95,7 @@ int test_em_euler_exact_H(void)
             set_point(0, x, &nav, &angles);
             x[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_exact_H(x, &nav, &angles, H) != BS_OK) {
-                (void)printf("em_euler_exact_H: x[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_exact_H: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -112,7 +111,7 @@ int test_em_euler_exact_H(void)
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 18);
             if (em_euler_exact_H(x, &nav, &angles, H) != expected) {
-                (void)printf("em_euler_exact_H: mu[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_exact_H: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_exact_H H", H, 18);
@@ -123,7 +122,7 @@ int test_em_euler_exact_H(void)
             set_point(0, x, &nav, &angles);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_exact_H(x, &nav, &angles, H) != BS_OK) {
-                (void)printf("em_euler_exact_H: mu[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_exact_H: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -143,7 +142,7 @@ int test_em_euler_exact_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 18);
             if (em_euler_exact_H(x, &nav, &angles, H) != expected) {
-                (void)printf("em_euler_exact_H: euler_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_exact_H: euler_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_exact_H H", H, 18);
@@ -158,7 +157,7 @@ int test_em_euler_exact_H(void)
             set_point(0, x, &nav, &angles);
             angles.euler_b[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_exact_H(x, &nav, &angles, H) != BS_OK) {
-                (void)printf("em_euler_exact_H: euler_b[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_exact_H: euler_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

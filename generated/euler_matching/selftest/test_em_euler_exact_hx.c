@@ -3,22 +3,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_x[N_VECTORS][6] = {
+static const float in_x[N_VECTORS][6] = {
     { 0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { 0x1.ab6d7a0000000p-2, -0x1.2cc73a0000000p-2, -0x1.d7f7c60000000p-3, 0x1.611ae60000000p-2, 0x1.5c6caa0000000p-3, 0x1.e235f00000000p-2 }
 };
-static const double in_mu[N_VECTORS][3] = {
+static const float in_mu[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { 0x1.30a6a00000000p-2, -0x1.065ef60000000p-3, 0x1.1056140000000p-2 }
 };
-static const double in_euler_b[N_VECTORS][3] = {
+static const float in_euler_b[N_VECTORS][3] = {
     { 0x1.921fb40000000p+1, 0x1.6571840000000p+0, 0x1.921fb40000000p+1 },
     { 0x1.7252340000000p+0, 0x1.220d460000000p+0, 0x1.794d040000000p-1 }
 };
@@ -28,14 +27,14 @@ static const double out_h[N_VECTORS][3] = {
     { -0x1.829e99973a72fp-2, 0x1.0842771cabfeep+0, 0x1.bc257f38cc836p-4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_h[N_VECTORS][3] = {
-    { 4.76e-06, 3.83e-06, 4.72e-06 },
-    { 7.93e-06, 5.12e-06, 9.35e-06 }
+static const float tol_h[N_VECTORS][3] = {
+    { 4.76e-06F, 3.83e-06F, 4.72e-06F },
+    { 7.93e-06F, 5.12e-06F, 9.35e-06F }
 };
 #else
-static const double tol_h[N_VECTORS][3] = {
-    { 9.01e-15, 7.14e-15, 8.95e-15 },
-    { 1.48e-14, 9.64e-15, 1.74e-14 }
+static const float tol_h[N_VECTORS][3] = {
+    { 9.01e-15F, 7.14e-15F, 8.95e-15F },
+    { 1.48e-14F, 9.64e-15F, 1.74e-14F }
 };
 #endif
 static const unsigned short at_h[3] = { 0, 1, 2 };
@@ -82,7 +81,7 @@ int test_em_euler_exact_h(void)
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (em_euler_exact_h(x, &nav, &angles, h) != expected) {
-                (void)printf("em_euler_exact_h: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_exact_h: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_exact_h h", h, 3);
@@ -95,7 +94,7 @@ int test_em_euler_exact_h(void)
             set_point(0, x, &nav, &angles);
             x[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_exact_h(x, &nav, &angles, h) != BS_OK) {
-                (void)printf("em_euler_exact_h: x[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_exact_h: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -111,7 +110,7 @@ int test_em_euler_exact_h(void)
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (em_euler_exact_h(x, &nav, &angles, h) != expected) {
-                (void)printf("em_euler_exact_h: mu[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_exact_h: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_exact_h h", h, 3);
@@ -122,7 +121,7 @@ int test_em_euler_exact_h(void)
             set_point(0, x, &nav, &angles);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_exact_h(x, &nav, &angles, h) != BS_OK) {
-                (void)printf("em_euler_exact_h: mu[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_exact_h: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -142,7 +141,7 @@ int test_em_euler_exact_h(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (em_euler_exact_h(x, &nav, &angles, h) != expected) {
-                (void)printf("em_euler_exact_h: euler_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_exact_h: euler_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_exact_h h", h, 3);
@@ -157,7 +156,7 @@ int test_em_euler_exact_h(void)
             set_point(0, x, &nav, &angles);
             angles.euler_b[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_exact_h(x, &nav, &angles, h) != BS_OK) {
-                (void)printf("em_euler_exact_h: euler_b[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_exact_h: euler_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

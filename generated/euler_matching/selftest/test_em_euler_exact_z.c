@@ -3,22 +3,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_mu[N_VECTORS][3] = {
+static const float in_mu[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { 0x1.5c245a0000000p-3, 0x1.0048ce0000000p-3, -0x1.ae35a80000000p-2 }
 };
-static const double in_euler_b[N_VECTORS][3] = {
+static const float in_euler_b[N_VECTORS][3] = {
     { 0x1.921fb40000000p+1, 0x1.6571840000000p+0, -0x1.921fb40000000p+1 },
     { -0x1.0298720000000p-2, 0x1.34433a0000000p+0, -0x1.407d520000000p+0 }
 };
-static const double in_euler_m[N_VECTORS][3] = {
+static const float in_euler_m[N_VECTORS][3] = {
     { 0x1.921fb40000000p+1, 0x1.6571840000000p+0, 0x1.921fb40000000p+1 },
     { -0x1.67791c0000000p+1, 0x1.fb9f5e0000000p-1, 0x1.05ae780000000p+1 }
 };
@@ -28,14 +27,14 @@ static const double out_z[N_VECTORS][3] = {
     { -0x1.84973400a0878p+1, 0x1.ef52a150c1e1bp-6, -0x1.2cc8e95074e26p+1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 2.56e-06, 1.92e-06, 3.02e-06 },
-    { 2.11e-06, 1.42e-06, 2.54e-06 }
+static const float tol_z[N_VECTORS][3] = {
+    { 2.56e-06F, 1.92e-06F, 3.02e-06F },
+    { 2.11e-06F, 1.42e-06F, 2.54e-06F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 4.98e-15, 3.63e-15, 5.91e-15 },
-    { 4.26e-15, 2.64e-15, 4.99e-15 }
+static const float tol_z[N_VECTORS][3] = {
+    { 4.98e-15F, 3.63e-15F, 5.91e-15F },
+    { 4.26e-15F, 2.64e-15F, 4.99e-15F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -79,7 +78,7 @@ int test_em_euler_exact_z(void)
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (em_euler_exact_z(&nav, &angles, z) != expected) {
-                (void)printf("em_euler_exact_z: mu[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_exact_z: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_exact_z z", z, 3);
@@ -90,7 +89,7 @@ int test_em_euler_exact_z(void)
             set_point(0, &nav, &angles);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_exact_z(&nav, &angles, z) != BS_OK) {
-                (void)printf("em_euler_exact_z: mu[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_exact_z: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -110,7 +109,7 @@ int test_em_euler_exact_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (em_euler_exact_z(&nav, &angles, z) != expected) {
-                (void)printf("em_euler_exact_z: euler_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_exact_z: euler_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_exact_z z", z, 3);
@@ -125,7 +124,7 @@ int test_em_euler_exact_z(void)
             set_point(0, &nav, &angles);
             angles.euler_b[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_exact_z(&nav, &angles, z) != BS_OK) {
-                (void)printf("em_euler_exact_z: euler_b[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_exact_z: euler_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -145,7 +144,7 @@ int test_em_euler_exact_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (em_euler_exact_z(&nav, &angles, z) != expected) {
-                (void)printf("em_euler_exact_z: euler_m[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_exact_z: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_exact_z z", z, 3);
@@ -160,7 +159,7 @@ int test_em_euler_exact_z(void)
             set_point(0, &nav, &angles);
             angles.euler_m[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_exact_z(&nav, &angles, z) != BS_OK) {
-                (void)printf("em_euler_exact_z: euler_m[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_exact_z: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

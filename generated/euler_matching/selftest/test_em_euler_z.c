@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_mu[N_VECTORS][3] = {
+static const float in_mu[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { 0x1.07a4e60000000p-4, 0x1.b08a220000000p-3, 0x1.c128c20000000p-2 }
 };
-static const double in_euler_b[N_VECTORS][3] = {
+static const float in_euler_b[N_VECTORS][3] = {
     { -0x1.921fb40000000p+1, -0x1.6571840000000p+0, -0x1.921fb40000000p+1 },
     { 0x1.6c7dea0000000p+1, -0x1.2626020000000p+0, -0x1.b092400000000p+0 }
 };
-static const double in_euler_m[N_VECTORS][3] = {
+static const float in_euler_m[N_VECTORS][3] = {
     { -0x1.921fb40000000p+1, 0x1.6571840000000p+0, 0x1.921fb40000000p+1 },
     { 0x1.7ab8900000000p+0, 0x1.08958a0000000p+0, -0x1.01fda40000000p+1 }
 };
@@ -27,14 +26,14 @@ static const double out_z[N_VECTORS][3] = {
     { 0x1.c464555a47fcdp-1, -0x1.c3d8f7662ab16p+0, -0x1.4e94a4730d87bp-3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 2.74e-06, 1.01e-06, 2.71e-06 },
-    { 8.56e-07, 6.57e-07, 4.13e-07 }
+static const float tol_z[N_VECTORS][3] = {
+    { 2.74e-06F, 1.01e-06F, 2.71e-06F },
+    { 8.56e-07F, 6.57e-07F, 4.13e-07F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 5.36e-15, 2.21e-15, 5.37e-15 },
-    { 1.69e-15, 1.42e-15, 7.87e-16 }
+static const float tol_z[N_VECTORS][3] = {
+    { 5.36e-15F, 2.21e-15F, 5.37e-15F },
+    { 1.69e-15F, 1.42e-15F, 7.87e-16F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -77,7 +76,7 @@ int test_em_euler_z(void)
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (em_euler_z(&nav, &angles, z) != expected) {
-                (void)printf("em_euler_z: mu[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_z: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_z z", z, 3);
@@ -88,7 +87,7 @@ int test_em_euler_z(void)
             set_point(0, &nav, &angles);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_z(&nav, &angles, z) != BS_OK) {
-                (void)printf("em_euler_z: mu[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_z: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -108,7 +107,7 @@ int test_em_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (em_euler_z(&nav, &angles, z) != expected) {
-                (void)printf("em_euler_z: euler_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_z: euler_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_z z", z, 3);
@@ -123,7 +122,7 @@ int test_em_euler_z(void)
             set_point(0, &nav, &angles);
             angles.euler_b[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_z(&nav, &angles, z) != BS_OK) {
-                (void)printf("em_euler_z: euler_b[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_z: euler_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -143,7 +142,7 @@ int test_em_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (em_euler_z(&nav, &angles, z) != expected) {
-                (void)printf("em_euler_z: euler_m[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_euler_z: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_euler_z z", z, 3);
@@ -158,7 +157,7 @@ int test_em_euler_z(void)
             set_point(0, &nav, &angles);
             angles.euler_m[i] = (end == 0) ? low[i] : high[i];
             if (em_euler_z(&nav, &angles, z) != BS_OK) {
-                (void)printf("em_euler_z: euler_m[%d] end %d refused\n", i, end);
+                selftest_print("em_euler_z: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

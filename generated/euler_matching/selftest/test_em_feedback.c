@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_x[N_VECTORS][6] = {
+static const float in_x[N_VECTORS][6] = {
     { 0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { -0x1.fe8fc40000000p-3, -0x1.75eda80000000p-4, -0x1.88bfa60000000p-2, -0x1.e9bf940000000p-5, 0x1.33d2c00000000p-2, -0x1.aec8580000000p-4 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.54360a0000000p-2, -0x1.a6d12e0000000p-6, -0x1.6b47700000000p-1, 0x1.3db5080000000p-1 }
 };
-static const double in_mu[N_VECTORS][3] = {
+static const float in_mu[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { 0x1.81e81a0000000p-2, -0x1.59d3c60000000p-2, 0x1.c289080000000p-2 }
 };
@@ -27,14 +26,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ecde0bce8ba80p-3, -0x1.2d136031d3152p-3, -0x1.3010df334187cp-1, 0x1.81cc4c0f3f74bp-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.32e-06, 7.69e-07, 7.69e-07, 7.69e-07 },
-    { 4.06e-07, 2.78e-07, 8.06e-07, 9.73e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 1.32e-06F, 7.69e-07F, 7.69e-07F, 7.69e-07F },
+    { 4.06e-07F, 2.78e-07F, 8.06e-07F, 9.73e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.56e-15, 1.47e-15, 1.47e-15, 1.47e-15 },
-    { 7.84e-16, 5.34e-16, 1.57e-15, 1.9e-15 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 2.56e-15F, 1.47e-15F, 1.47e-15F, 1.47e-15F },
+    { 7.84e-16F, 5.34e-16F, 1.57e-15F, 1.90e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -44,14 +43,14 @@ static const double out_mu[N_VECTORS][3] = {
     { 0x1.bf200c8000000p-2, -0x1.46d3430000000p-1, 0x1.171d8f0000000p-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_mu[N_VECTORS][3] = {
-    { 1.19e-38, 6.02e-08, 6.02e-08 },
-    { 2.63e-08, 3.84e-08, 3.28e-08 }
+static const float tol_mu[N_VECTORS][3] = {
+    { 1.19e-38F, 6.02e-08F, 6.02e-08F },
+    { 2.63e-08F, 3.84e-08F, 3.28e-08F }
 };
 #else
-static const double tol_mu[N_VECTORS][3] = {
-    { 1.01e-45, 2.24e-16, 2.24e-16 },
-    { 9.79e-17, 1.43e-16, 1.22e-16 }
+static const float tol_mu[N_VECTORS][3] = {
+    { 0.0F, 2.24e-16F, 2.24e-16F },
+    { 9.79e-17F, 1.43e-16F, 1.22e-16F }
 };
 #endif
 static const unsigned short at_mu[3] = { 0, 1, 2 };
@@ -100,7 +99,7 @@ int test_em_feedback(void)
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(mu, 3);
             if (em_feedback(x, &nav, q_b2n_wxyz, mu) != expected) {
-                (void)printf("em_feedback: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
@@ -114,7 +113,7 @@ int test_em_feedback(void)
             set_point(0, x, &nav);
             x[i] = (end == 0) ? low[i] : high[i];
             if (em_feedback(x, &nav, q_b2n_wxyz, mu) != BS_OK) {
-                (void)printf("em_feedback: x[%d] end %d refused\n", i, end);
+                selftest_print("em_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -133,7 +132,7 @@ int test_em_feedback(void)
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(mu, 3);
             if (em_feedback(x, &nav, q_b2n_wxyz, mu) != expected) {
-                (void)printf("em_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
@@ -148,7 +147,7 @@ int test_em_feedback(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (em_feedback(x, &nav, q_b2n_wxyz, mu) != BS_OK) {
-                (void)printf("em_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("em_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -161,7 +160,8 @@ int test_em_feedback(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (em_feedback(x, &nav, q_b2n_wxyz, mu) != BS_OUT_OF_RANGE) {
-            (void)printf("em_feedback: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("em_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -177,7 +177,7 @@ int test_em_feedback(void)
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(mu, 3);
             if (em_feedback(x, &nav, q_b2n_wxyz, mu) != expected) {
-                (void)printf("em_feedback: mu[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_feedback: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
@@ -189,7 +189,7 @@ int test_em_feedback(void)
             set_point(0, x, &nav);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
             if (em_feedback(x, &nav, q_b2n_wxyz, mu) != BS_OK) {
-                (void)printf("em_feedback: mu[%d] end %d refused\n", i, end);
+                selftest_print("em_feedback: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_lat[N_VECTORS][1] = {
+static const float in_lat[N_VECTORS][1] = {
     { -0x1.7bc89c0000000p+0 },
     { 0x1.47ab9c0000000p+0 }
 };
-static const double in_height[N_VECTORS][1] = {
+static const float in_height[N_VECTORS][1] = {
     { -0x1.f400000000000p+8 },
     { 0x1.9f13400000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.49bbd00000000p+9, -0x1.bd94560000000p+9, 0x1.5f7c7c0000000p+8 }
 };
@@ -27,14 +26,14 @@ static const double out_omega_in_n[N_VECTORS][3] = {
     { -0x1.ee1bee5c500bep-14, -0x1.aec91af05c193p-14, 0x1.9cb0f3e4bcc39p-12 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_omega_in_n[N_VECTORS][3] = {
-    { 5.39e-11, 7.12e-11, 1.26e-09 },
-    { 4.98e-11, 4.66e-11, 3.34e-10 }
+static const float tol_omega_in_n[N_VECTORS][3] = {
+    { 5.39e-11F, 7.12e-11F, 1.26e-09F },
+    { 4.98e-11F, 4.66e-11F, 3.34e-10F }
 };
 #else
-static const double tol_omega_in_n[N_VECTORS][3] = {
-    { 1.19e-19, 1.5e-19, 2.56e-18 },
-    { 1.06e-19, 9.84e-20, 6.66e-19 }
+static const float tol_omega_in_n[N_VECTORS][3] = {
+    { 1.19e-19F, 1.50e-19F, 2.56e-18F },
+    { 1.06e-19F, 9.84e-20F, 6.66e-19F }
 };
 #endif
 static const unsigned short at_omega_in_n[3] = { 0, 1, 2 };
@@ -77,7 +76,7 @@ int test_em_omega_in_n(void)
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(omega_in_n, 3);
             if (em_omega_in_n(&place, omega_in_n) != expected) {
-                (void)printf("em_omega_in_n: lat[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_omega_in_n: lat[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_omega_in_n omega_in_n", omega_in_n, 3);
@@ -88,7 +87,7 @@ int test_em_omega_in_n(void)
             set_point(0, &place);
             place.lat = (end == 0) ? low[i] : high[i];
             if (em_omega_in_n(&place, omega_in_n) != BS_OK) {
-                (void)printf("em_omega_in_n: lat[%d] end %d refused\n", i, end);
+                selftest_print("em_omega_in_n: lat[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -105,7 +104,7 @@ int test_em_omega_in_n(void)
                                      : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(omega_in_n, 3);
             if (em_omega_in_n(&place, omega_in_n) != expected) {
-                (void)printf("em_omega_in_n: height[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_omega_in_n: height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_omega_in_n omega_in_n", omega_in_n, 3);
@@ -116,7 +115,7 @@ int test_em_omega_in_n(void)
             set_point(0, &place);
             place.height = (end == 0) ? low[i] : high[i];
             if (em_omega_in_n(&place, omega_in_n) != BS_OK) {
-                (void)printf("em_omega_in_n: height[%d] end %d refused\n", i, end);
+                selftest_print("em_omega_in_n: height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -132,7 +131,7 @@ int test_em_omega_in_n(void)
                                      : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(omega_in_n, 3);
             if (em_omega_in_n(&place, omega_in_n) != expected) {
-                (void)printf("em_omega_in_n: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_omega_in_n: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_omega_in_n omega_in_n", omega_in_n, 3);
@@ -143,7 +142,7 @@ int test_em_omega_in_n(void)
             set_point(0, &place);
             place.v_n[i] = (end == 0) ? low[i] : high[i];
             if (em_omega_in_n(&place, omega_in_n) != BS_OK) {
-                (void)printf("em_omega_in_n: v_n[%d] end %d refused\n", i, end);
+                selftest_print("em_omega_in_n: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,26 +2,25 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "euler_matching.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { 0x1.9f8f8e0000000p-1, 0x1.15c3620000000p-1, -0x1.6983420000000p-7, -0x1.c320c60000000p-3 }
 };
-static const double in_dtheta_ib_b[N_VECTORS][3] = {
+static const float in_dtheta_ib_b[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { -0x1.4476680000000p-3, 0x1.f3c8660000000p-2, -0x1.4ffc420000000p-4 }
 };
-static const double in_omega_in_n[N_VECTORS][3] = {
+static const float in_omega_in_n[N_VECTORS][3] = {
     { 0x1.47ae140000000p-7, -0x1.47ae140000000p-7, -0x1.47ae140000000p-7 },
     { -0x1.e797aa0000000p-13, 0x1.3f344c0000000p-9, 0x1.7596fa0000000p-9 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.57c3300000000p+0 }
 };
@@ -31,14 +30,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.a3d42d6f9f1e6p-1, 0x1.077d28c28a281p-1, 0x1.c6889a1b0726cp-3, -0x1.dc93417e57105p-4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.14e-06, 1.35e-06, 2.16e-06, 1.21e-06 },
-    { 1.55e-06, 1.03e-06, 5.29e-07, 3.55e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 1.14e-06F, 1.35e-06F, 2.16e-06F, 1.21e-06F },
+    { 1.55e-06F, 1.03e-06F, 5.29e-07F, 3.55e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.16e-15, 2.55e-15, 4.11e-15, 2.29e-15 },
-    { 2.98e-15, 1.98e-15, 1.01e-15, 6.74e-16 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 2.16e-15F, 2.55e-15F, 4.11e-15F, 2.29e-15F },
+    { 2.98e-15F, 1.98e-15F, 1.01e-15F, 6.74e-16F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -87,7 +86,7 @@ int test_em_strapdown(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(q_b2n_wxyz, 4);
             if (em_strapdown(&nav, &step, q_b2n_wxyz) != expected) {
-                (void)printf("em_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
@@ -101,7 +100,7 @@ int test_em_strapdown(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (em_strapdown(&nav, &step, q_b2n_wxyz) != BS_OK) {
-                (void)printf("em_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("em_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -114,8 +113,8 @@ int test_em_strapdown(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (em_strapdown(&nav, &step, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
-            (void)printf("em_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("em_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -132,7 +131,7 @@ int test_em_strapdown(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(q_b2n_wxyz, 4);
             if (em_strapdown(&nav, &step, q_b2n_wxyz) != expected) {
-                (void)printf("em_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
@@ -143,7 +142,7 @@ int test_em_strapdown(void)
             set_point(0, &nav, &step);
             step.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (em_strapdown(&nav, &step, q_b2n_wxyz) != BS_OK) {
-                (void)printf("em_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("em_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -161,7 +160,7 @@ int test_em_strapdown(void)
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(q_b2n_wxyz, 4);
             if (em_strapdown(&nav, &step, q_b2n_wxyz) != expected) {
-                (void)printf("em_strapdown: omega_in_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_strapdown: omega_in_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
@@ -172,7 +171,7 @@ int test_em_strapdown(void)
             set_point(0, &nav, &step);
             step.omega_in_n[i] = (end == 0) ? low[i] : high[i];
             if (em_strapdown(&nav, &step, q_b2n_wxyz) != BS_OK) {
-                (void)printf("em_strapdown: omega_in_n[%d] end %d refused\n", i, end);
+                selftest_print("em_strapdown: omega_in_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -188,7 +187,7 @@ int test_em_strapdown(void)
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(q_b2n_wxyz, 4);
             if (em_strapdown(&nav, &step, q_b2n_wxyz) != expected) {
-                (void)printf("em_strapdown: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("em_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("em_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
@@ -199,7 +198,7 @@ int test_em_strapdown(void)
             set_point(0, &nav, &step);
             step.dt = (end == 0) ? low[i] : high[i];
             if (em_strapdown(&nav, &step, q_b2n_wxyz) != BS_OK) {
-                (void)printf("em_strapdown: dt[%d] end %d refused\n", i, end);
+                selftest_print("em_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -37,16 +37,20 @@ static bool is_finite(bs_real value)
 
 static void clear(bs_real *value, int n)
 {
-    const int fours = n / 4;
-    for (int i = 0; i < fours; ++i) { /* four at a time: most of a small target's time in a loop is
-                                       * the loop */
-        bs_real *const next = &value[4 * i];
+    const int whole_blocks = n / 8;
+    for (int i = 0; i < whole_blocks; ++i) { /* eight at a time: most of a small target's time in a
+                                              * loop is the loop */
+        bs_real *const next = &value[8 * i];
         next[0] = BS_REAL(0.0);
         next[1] = BS_REAL(0.0);
         next[2] = BS_REAL(0.0);
         next[3] = BS_REAL(0.0);
+        next[4] = BS_REAL(0.0);
+        next[5] = BS_REAL(0.0);
+        next[6] = BS_REAL(0.0);
+        next[7] = BS_REAL(0.0);
     }
-    for (int i = 4 * fours; i < n; ++i) {
+    for (int i = 8 * whole_blocks; i < n; ++i) {
         value[i] = BS_REAL(0.0);
     }
 }
@@ -71,21 +75,24 @@ static const unsigned short whole[N][WIDE] = {
 };
 #endif
 
-/* The rows of A X that move, row i of them from to[i * stride] on.  Of X the first `inner` rows
- * count, or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3
- * x 3 sums stay in registers. */
+/* The first rows of A X, row i of them from to[i * stride] on.  Of X the first `inner` rows count,
+ * or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3 x 3
+ * sums stay in registers. */
 static void product(const bs_real *A,
                     const bs_real *X,
+                    int rows,
                     int inner,
                     bool triangular,
                     bs_real *to,
                     int stride)
 {
-    for (int i = 0; i < M; i += 3) {
+    for (int i = 0; i < rows; i += 3) {
         for (int j = 0; j < ROW; j += 3) {
             const bs_real *const a = &A[i * ROW];
             const bs_real *const x = &X[j];
-            bs_real *const out = &to[(i * stride) + j];
+            bs_real *const out0 = &to[(i * stride) + j];
+            bs_real *const out1 = &out0[stride];
+            bs_real *const out2 = &out1[stride];
             int end = inner;
             bs_real s00 = BS_REAL(0.0);
             bs_real s01 = BS_REAL(0.0);
@@ -116,15 +123,15 @@ static void product(const bs_real *A,
                 s12 += a1 * x2;
                 s22 += a2 * x2;
             }
-            out[0] = s00;
-            out[1] = s01;
-            out[2] = s02;
-            out[stride] = s10;
-            out[stride + 1] = s11;
-            out[stride + 2] = s12;
-            out[(2 * stride)] = s20;
-            out[(2 * stride) + 1] = s21;
-            out[(2 * stride) + 2] = s22;
+            out0[0] = s00;
+            out0[1] = s01;
+            out0[2] = s02;
+            out1[0] = s10;
+            out1[1] = s11;
+            out1[2] = s12;
+            out2[0] = s20;
+            out2[1] = s21;
+            out2[2] = s22;
         }
     }
 }
@@ -227,19 +234,25 @@ static void variances(const bs_real *packed, bs_real *value)
 static bs_real raise_by(bs_real *UD, bs_real c, bs_real *v, int last, int first)
 {
     bs_real left = c;
-    for (int j = last; j >= first; --j) {
+    for (int j = last; (j >= first) && !(left <= BS_REAL(0.0)); --j) {
         bs_real *const u = &UD[column(j)];
         const bs_real d = u[j];
-        const bs_real sum = d + (left * (v[j] * v[j]));
+        const bs_real own = v[j];
+        const bs_real sum = d + (left * (own * own));
         if (sum >= LEAST) { /* or nothing depends on it, and nothing may be divided by it */
-            const bs_real gain = (left * v[j]) / sum;
+            const bs_real gain = (left * own) / sum;
             left *= d / sum;
-            u[j] = sum;
-            for (int i = 0; i < j; ++i) {
-                const bs_real old = u[i];
-                v[i] -= v[j] * old;
-                u[i] = old + (gain * v[i]);
+            for (int i = 0; i < j; i += 2) { /* by twos: beyond the end stands what is done with */
+                const bs_real u0 = u[i];
+                const bs_real u1 = u[i + 1];
+                const bs_real v0 = v[i] - (own * u0);
+                const bs_real v1 = v[i + 1] - (own * u1);
+                v[i] = v0;
+                v[i + 1] = v1;
+                u[i] = u0 + (gain * v0);
+                u[i + 1] = u1 + (gain * v1);
             }
+            u[j] = sum;
         }
     }
     return left;
@@ -326,7 +339,7 @@ void em_discretize(const bs_real F[EM_N_F],
     for (int p = 0; p < EM_N_F; ++p) {
         Phi[F_place[p]] = F[p] * dt; /* A */
     }
-    product(Phi, Phi, M, false, B, ROW);
+    product(&Phi[0], &Phi[0], 3, 3, false, &B[0], ROW);
     for (int p = 0; p < EM_N_PHI; ++p) {
         const bs_real a = Phi[p];
         const bs_real twice = B[p];
@@ -362,8 +375,10 @@ void em_discretize(const bs_real F[EM_N_F],
                     B[k][i] += B[l][i] * gain;
                 }
 #else
-                for (int i = 0; i < M; ++i) {
-                    B[(i * ROW) + k] += B[(i * ROW) + l] * gain;
+                for (int i = 0; i < (DOWN * ROW); i += 3 * ROW) {
+                    B[i + k] += B[i + l] * gain;
+                    B[i + ROW + k] += B[i + ROW + l] * gain;
+                    B[i + (2 * ROW) + k] += B[i + (2 * ROW) + l] * gain;
                 }
 #endif
             }
@@ -597,7 +612,7 @@ void em_joseph_predict(const bs_real P[EM_N_PACKED],
             X[(j * ROW) + i] = value;
         }
     }
-    product(Phi, X, N, false, Y, ROW); /* Y = Phi P */
+    product(Phi, X, M, N, false, Y, ROW); /* Y = Phi P */
     across(Y, Phi, 0, N, X); /* the upper triangle of Phi P Phi' */
     for (int j = 0; j < M; ++j) {
         for (int i = 0; i <= j; ++i) {
@@ -623,6 +638,8 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
 {
     bs_real *const X = work;
     bs_real *const V = &work[REGION];
+    bs_real *const heavy = X; /* when X is done with: a row of V times the weights of its columns */
+    bs_real *const gains = &heavy[WIDTH]; /* and what becomes a column of U */
     bs_real weight[M + N]; /* of the columns of V */
     if (next != Q) {
         for (int i = 0; i < EM_N_PACKED; ++i) {
@@ -670,24 +687,21 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
         }
     }
     (void)factorize(next, weight, M);
-    clear(X, N * ROW);
     for (int j = 0; j < N; ++j) {
         for (int i = 0; i < j; ++i) {
             X[(i * ROW) + j] = UD[column(j) + i];
+            X[(j * ROW) + i] = BS_REAL(0.0);
         }
         X[j * (ROW + 1)] = BS_REAL(1.0);
     }
     /* V = [the factor of Q, Phi U] over the states that move. */
-    product(Phi, X, N, true, &V[M], WIDTH);
+    product(Phi, X, M, N, true, &V[M], WIDTH);
     for (int j = 0; j < M; ++j) {
         for (int i = 0; i < j; ++i) {
             V[(i * WIDTH) + j] = next[column(j) + i];
+            V[(j * WIDTH) + i] = BS_REAL(0.0);
         }
         V[j * (WIDTH + 1)] = BS_REAL(1.0);
-        for (int i = j + 1; (i % 3) != 0; ++i) {
-            V[(i * WIDTH) + j] = BS_REAL(0.0); /* for the blocks below, which touch rows that are
-                                                * done */
-        }
         weight[j] = next[column(j) + j];
         weight[M + j] = UD[column(j) + j];
         V[(j * (WIDTH + 1)) + M] -= BS_REAL(1.0); /* what a step adds to 1 is small: it is kept
@@ -715,22 +729,36 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
         }
     }
     /* The rows of V, so weighted, are made orthogonal from the last to the first; row j begins in
-     * column j. */
+     * column j, with 1.  What the rows before lose along row j + 1 they lose in the pass that
+     * multiplies them by row j. */
+    clear(gains, M);
     for (int j = M - 1; j >= 0; --j) {
-        bs_real *const v = &V[j * WIDTH];
-        const bs_real d = weight[M + j];
-        const bs_real more = v[M + j]; /* of the state's own part, 1 + more */
+        bs_real *const v = &V[j * (WIDTH + 1)];
+        bs_real *const by = (j < (M - 1)) ? &v[WIDTH] : v; /* the row done before, if any */
+        bs_real *const u = &next[column(j)];
+        const bs_real *const weights = &weight[j];
+        bs_real *const weighted = &heavy[j];
+        const int end = (M + N) - j;
+        const bs_real d = weights[M];
+        const bs_real taken = gains[j];
+        const bs_real kept = by[M];
+        const bs_real more = v[M] - (taken * kept); /* of the state's own part, 1 + more */
         const bs_real own = BS_REAL(1.0) + more;
-        bs_real weighted[M + 6];
-        bs_real sum = BS_REAL(0.0);
+        bs_real sum = weights[0];
         bs_real first = BS_REAL(0.0);
         bs_real beyond = BS_REAL(0.0);
-        v[M + j] = BS_REAL(0.0);
-        for (int k = j; k < (M + N); ++k) {
-            weighted[k] = weight[k] * v[k];
-            sum += weighted[k] * v[k];
+        bs_real inverse = BS_REAL(0.0);
+        v[M] = BS_REAL(0.0);
+        by[M] = BS_REAL(0.0);
+        for (int k = 1; k < end; ++k) {
+            const bs_real value = v[k] - (taken * by[k]);
+            const bs_real part = weights[k] * value;
+            v[k] = value;
+            weighted[k] = part;
+            sum += part * value;
         }
-        v[M + j] = own;
+        by[M] = kept;
+        v[M] = own;
         /* In a short step D and U change by little.  What they change by is summed first and meets
          * them once, or the rounding of each of its parts would go the same way in every step. */
         if (BS_FABS(sum + (d * (more * (BS_REAL(2.0) + more)))) < (BS_REAL(0.5) * d)) {
@@ -738,48 +766,52 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
             sum = d + (sum + (d * (more * (BS_REAL(2.0) + more))));
             first = BS_REAL(1.0);
         } else {
-            weighted[M + j] = d * own;
-            sum += weighted[M + j] * own;
+            weighted[M] = d * own;
+            sum += weighted[M] * own;
         }
-        next[column(j) + j] = sum;
-        if (sum < LEAST) { /* no variance: nothing depends on it, and nothing may be divided by
-                            * it */
-            clear(&next[column(j)], j);
-            continue;
+        if (sum >= LEAST) { /* or there is no variance: nothing depends on it, and nothing may be
+                             * divided by it */
+            inverse = BS_REAL(1.0) / sum;
+        } else {
+            first = BS_REAL(0.0);
         }
-        const bs_real inverse = BS_REAL(1.0) / sum;
-        for (int i = 0; i < j; i += 3) { /* the rows from j on are done: what a block changes of
-                                          * them counts no more */
-            bs_real *const w = &V[i * WIDTH];
-            bs_real u0 = BS_REAL(0.0);
-            bs_real u1 = BS_REAL(0.0);
-            bs_real u2 = BS_REAL(0.0);
-            for (int k = j; k < (M + N); ++k) {
-                const bs_real by = weighted[k];
-                u0 += w[k] * by;
-                u1 += w[WIDTH + k] * by;
-                u2 += w[(2 * WIDTH) + k] * by;
+        gains[j] = BS_REAL(0.0); /* the rows from j on are done: what a block makes of them counts
+                                  * no more */
+        gains[j + 1] = BS_REAL(0.0);
+        for (int i = 0; i < j; i += 3) {
+            bs_real *const w = &V[(i * WIDTH) + j];
+            bs_real *const gain = &gains[i];
+            const bs_real *const others = &heavy[M + i];
+            const bs_real lost0 = gain[0];
+            bs_real u0 = weights[0] * w[0];
+            const bs_real lost1 = gain[1];
+            bs_real u1 = weights[0] * w[WIDTH];
+            const bs_real lost2 = gain[2];
+            bs_real u2 = weights[0] * w[2 * WIDTH];
+            for (int k = 1; k < end; ++k) {
+                const bs_real along = by[k];
+                const bs_real part = weighted[k];
+                const bs_real w0 = w[k] - (lost0 * along);
+                w[k] = w0;
+                u0 += w0 * part;
+                const bs_real w1 = w[WIDTH + k] - (lost1 * along);
+                w[WIDTH + k] = w1;
+                u1 += w1 * part;
+                const bs_real w2 = w[(2 * WIDTH) + k] - (lost2 * along);
+                w[(2 * WIDTH) + k] = w2;
+                u2 += w2 * part;
             }
-            const bs_real g0 = first * w[M + j];
-            u0 = g0 + (((u0 + weighted[M + i]) - (g0 * beyond)) * inverse);
-            const bs_real g1 = first * w[WIDTH + M + j];
-            u1 = g1 + (((u1 + weighted[M + i + 1]) - (g1 * beyond)) * inverse);
-            const bs_real g2 = first * w[(2 * WIDTH) + M + j];
-            u2 = g2 + (((u2 + weighted[M + i + 2]) - (g2 * beyond)) * inverse);
-            for (int k = j; k < (M + N); ++k) {
-                const bs_real by = v[k];
-                w[k] -= u0 * by;
-                w[WIDTH + k] -= u1 * by;
-                w[(2 * WIDTH) + k] -= u2 * by;
-            }
-            next[column(j) + i] = u0;
-            if ((i + 1) < j) {
-                next[column(j) + i + 1] = u1;
-            }
-            if ((i + 2) < j) {
-                next[column(j) + i + 2] = u2;
-            }
+            const bs_real g0 = first * w[M];
+            gain[0] = g0 + (((u0 + others[0]) - (g0 * beyond)) * inverse);
+            const bs_real g1 = first * w[WIDTH + M];
+            gain[1] = g1 + (((u1 + others[1]) - (g1 * beyond)) * inverse);
+            const bs_real g2 = first * w[(2 * WIDTH) + M];
+            gain[2] = g2 + (((u2 + others[2]) - (g2 * beyond)) * inverse);
         }
+        for (int i = 0; i < j; ++i) {
+            u[i] = gains[i];
+        }
+        u[j] = sum;
     }
 }
 

@@ -18,7 +18,7 @@
 #endif
 
 #define PHI_MODEL "phi-error"
-#define PHI_MODEL_HASH "a98e41338591f3f5095577a66ec00424a2e6904d6fe7e47e6e0ca8ba4ae795cb"
+#define PHI_MODEL_HASH "b31eeaaee109e34753a71d2cf6de7391332ef132a86ae460feb3ac6c53bce10a"
 #define PHI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PHI_VERSION_MAJOR 0
 #define PHI_VERSION_MINOR 1

@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "phi_error.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.8610140000000p+0, 0x1.df75e00000000p-1, 0x1.9fbb1a0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.bc39800000000p+8, 0x1.b9a1de0000000p+8, -0x1.a9739a0000000p+8 }
 };
-static const double in_f_n[N_VECTORS][3] = {
+static const float in_f_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { -0x1.7ab93e0000000p+7, 0x1.c562f20000000p+8, -0x1.8891120000000p+5 }
 };
@@ -27,14 +26,14 @@ static const double out_F[N_VECTORS][42] = {
     { -0x1.4c0d69170df25p-13, 0x1.40100f264bfc3p-36, 0x1.1a4397069148fp-22, -0x1.630839e8e8bf0p-21, -0x1.7af08041819adp-37, 0x1.4f5bce1dfab2bp-23, 0x1.0000000000000p+0, -0x1.93dbf6cf4fd32p-4, 0x1.7bfce7659d27fp-27, 0x1.4f1cb6e8230edp-13, 0x1.88c3f15ff8036p-16, -0x1.20ff0b180597fp-16, 0x1.8891120000000p+5, 0x1.c562f20000000p+8, -0x1.93b83e03e2eadp-5, 0x1.08eaf3fd56626p-29, 0x1.2852296599783p-14, 0x1.16ab6c954b542p-14, -0x1.214498cff13b4p-14, -0x1.8891120000000p+5, 0x1.7ab93e0000000p+7, 0x1.13d338613b794p-9, 0x1.97995d561c09dp-19, -0x1.b410ab87c888cp-15, 0x1.214498cff13b4p-13, -0x1.c562f20000000p+8, -0x1.7ab93e0000000p+7, 0x1.630839e8e8bf0p-21, 0x1.7af08041819adp-37, -0x1.4f5bce1dfab2bp-23, -0x1.2852296599783p-15, 0x1.b410ab87c888cp-16, -0x1.ead917eddb5bbp-15, 0x1.7b5f7fe9a6efap-37, 0x1.4e91e63b25810p-23, 0x1.2852296599783p-15, -0x1.214498cff13b4p-14, -0x1.41f6499f704dcp-13, 0x1.01cbf9295af84p-36, 0x1.c6b3fc926c6dfp-23, -0x1.b410ab87c888cp-16, 0x1.214498cff13b4p-14 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_F[N_VECTORS][42] = {
-    { 2.29e-08, 2.71e-16, 1.03e-12, 5.58e-13, 2.67e-17, 8.06e-14, 1.12e-16, 2.05e-05, 3.71e-13, 1.61e-09, 1.59e-09, 7.31e-11, 5.61e-14, 5.61e-14, 2.05e-05, 3.83e-13, 3.36e-09, 9e-11, 9e-11, 5.61e-14, 5.61e-14, 8.89e-08, 1.83e-12, 1.63e-10, 1.99e-10, 5.61e-14, 5.61e-14, 5.58e-13, 2.67e-17, 8.06e-14, 1.57e-09, 7.19e-11, 2.2e-11, 1.77e-17, 5.2e-14, 1.57e-09, 9e-11, 1.8e-08, 3.2e-16, 1.35e-12, 7.19e-11, 9e-11 },
-    { 1.77e-10, 1.75e-17, 1.5e-13, 1.34e-12, 1.17e-17, 8.01e-14, 1.12e-16, 1.1e-07, 1.2e-14, 1.12e-10, 1.06e-10, 4.89e-11, 5.5e-15, 5.08e-14, 9.01e-08, 1.32e-14, 1.97e-10, 3.81e-11, 3.95e-11, 5.5e-15, 2.12e-14, 8.11e-08, 1.77e-12, 8.64e-11, 8.73e-11, 5.08e-14, 2.12e-14, 1.34e-12, 1.17e-17, 8.01e-14, 9.27e-11, 3.91e-11, 1.8e-11, 7.79e-18, 5.16e-14, 9.27e-11, 3.95e-11, 1.8e-10, 1.68e-17, 1.59e-13, 3.91e-11, 3.95e-11 }
+static const float tol_F[N_VECTORS][42] = {
+    { 2.29e-08F, 2.71e-16F, 1.03e-12F, 5.58e-13F, 2.67e-17F, 8.06e-14F, 1.12e-16F, 2.05e-05F, 3.71e-13F, 1.61e-09F, 1.59e-09F, 7.31e-11F, 5.61e-14F, 5.61e-14F, 2.05e-05F, 3.83e-13F, 3.36e-09F, 9.00e-11F, 9.00e-11F, 5.61e-14F, 5.61e-14F, 8.89e-08F, 1.83e-12F, 1.63e-10F, 1.99e-10F, 5.61e-14F, 5.61e-14F, 5.58e-13F, 2.67e-17F, 8.06e-14F, 1.57e-09F, 7.19e-11F, 2.20e-11F, 1.77e-17F, 5.20e-14F, 1.57e-09F, 9.00e-11F, 1.80e-08F, 3.20e-16F, 1.35e-12F, 7.19e-11F, 9.00e-11F },
+    { 1.77e-10F, 1.75e-17F, 1.50e-13F, 1.34e-12F, 1.17e-17F, 8.01e-14F, 1.12e-16F, 1.10e-07F, 1.20e-14F, 1.12e-10F, 1.06e-10F, 4.89e-11F, 5.50e-15F, 5.08e-14F, 9.01e-08F, 1.32e-14F, 1.97e-10F, 3.81e-11F, 3.95e-11F, 5.50e-15F, 2.12e-14F, 8.11e-08F, 1.77e-12F, 8.64e-11F, 8.73e-11F, 5.08e-14F, 2.12e-14F, 1.34e-12F, 1.17e-17F, 8.01e-14F, 9.27e-11F, 3.91e-11F, 1.80e-11F, 7.79e-18F, 5.16e-14F, 9.27e-11F, 3.95e-11F, 1.80e-10F, 1.68e-17F, 1.59e-13F, 3.91e-11F, 3.95e-11F }
 };
 #else
-static const double tol_F[N_VECTORS][42] = {
-    { 4.49e-17, 5.36e-25, 2.12e-21, 1.07e-21, 5.24e-26, 1.68e-22, 1.12e-16, 4.05e-14, 7.2e-22, 3.19e-18, 3.14e-18, 1.52e-19, 5.61e-14, 5.61e-14, 4.04e-14, 7.48e-22, 6.65e-18, 1.85e-19, 1.85e-19, 5.61e-14, 5.61e-14, 1.81e-16, 3.75e-21, 3.37e-19, 4.06e-19, 5.61e-14, 5.61e-14, 1.07e-21, 5.24e-26, 1.68e-22, 3.13e-18, 1.51e-19, 4.91e-20, 3.57e-26, 1.14e-22, 3.13e-18, 1.85e-19, 3.58e-17, 6.28e-25, 2.71e-21, 1.51e-19, 1.85e-19 },
-    { 3.47e-19, 3.47e-26, 3.1e-22, 2.57e-21, 2.3e-26, 1.67e-22, 1.12e-16, 2.16e-16, 2.37e-23, 2.26e-19, 2e-19, 9.31e-20, 5.5e-15, 5.08e-14, 1.73e-16, 2.48e-23, 3.74e-19, 7.84e-20, 8.13e-20, 5.5e-15, 2.12e-14, 1.51e-16, 3.64e-21, 1.67e-19, 1.78e-19, 5.08e-14, 2.12e-14, 2.57e-21, 2.3e-26, 1.67e-22, 1.77e-19, 7.57e-20, 4.01e-20, 1.57e-26, 1.14e-22, 1.77e-19, 8.13e-20, 3.53e-19, 3.29e-26, 3.21e-22, 7.57e-20, 8.13e-20 }
+static const float tol_F[N_VECTORS][42] = {
+    { 4.49e-17F, 5.36e-25F, 2.12e-21F, 1.07e-21F, 5.24e-26F, 1.68e-22F, 1.12e-16F, 4.05e-14F, 7.20e-22F, 3.19e-18F, 3.14e-18F, 1.52e-19F, 5.61e-14F, 5.61e-14F, 4.04e-14F, 7.48e-22F, 6.65e-18F, 1.85e-19F, 1.85e-19F, 5.61e-14F, 5.61e-14F, 1.81e-16F, 3.75e-21F, 3.37e-19F, 4.06e-19F, 5.61e-14F, 5.61e-14F, 1.07e-21F, 5.24e-26F, 1.68e-22F, 3.13e-18F, 1.51e-19F, 4.91e-20F, 3.57e-26F, 1.14e-22F, 3.13e-18F, 1.85e-19F, 3.58e-17F, 6.28e-25F, 2.71e-21F, 1.51e-19F, 1.85e-19F },
+    { 3.47e-19F, 3.47e-26F, 3.10e-22F, 2.57e-21F, 2.30e-26F, 1.67e-22F, 1.12e-16F, 2.16e-16F, 2.37e-23F, 2.26e-19F, 2.00e-19F, 9.31e-20F, 5.50e-15F, 5.08e-14F, 1.73e-16F, 2.48e-23F, 3.74e-19F, 7.84e-20F, 8.13e-20F, 5.50e-15F, 2.12e-14F, 1.51e-16F, 3.64e-21F, 1.67e-19F, 1.78e-19F, 5.08e-14F, 2.12e-14F, 2.57e-21F, 2.30e-26F, 1.67e-22F, 1.77e-19F, 7.57e-20F, 4.01e-20F, 1.57e-26F, 1.14e-22F, 1.77e-19F, 8.13e-20F, 3.53e-19F, 3.29e-26F, 3.21e-22F, 7.57e-20F, 8.13e-20F }
 };
 #endif
 static const unsigned short at_F[42] = { 1, 2, 3, 10, 11, 13, 23, 28, 29, 30, 31, 32, 34, 35, 37,
@@ -81,7 +80,7 @@ int test_phi_F(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 81);
             if (phi_F(&nav, &step, F) != expected) {
-                (void)printf("phi_F: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_F: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_F F", F, 81);
@@ -94,7 +93,7 @@ int test_phi_F(void)
             set_point(0, &nav, &step);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (phi_F(&nav, &step, F) != BS_OK) {
-                (void)printf("phi_F: position[%d] end %d refused\n", i, end);
+                selftest_print("phi_F: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -110,7 +109,7 @@ int test_phi_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 81);
             if (phi_F(&nav, &step, F) != expected) {
-                (void)printf("phi_F: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_F F", F, 81);
@@ -121,7 +120,7 @@ int test_phi_F(void)
             set_point(0, &nav, &step);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (phi_F(&nav, &step, F) != BS_OK) {
-                (void)printf("phi_F: v_n[%d] end %d refused\n", i, end);
+                selftest_print("phi_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -137,7 +136,7 @@ int test_phi_F(void)
                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 81);
             if (phi_F(&nav, &step, F) != expected) {
-                (void)printf("phi_F: f_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_F: f_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_F F", F, 81);
@@ -148,7 +147,7 @@ int test_phi_F(void)
             set_point(0, &nav, &step);
             step.f_n[i] = (end == 0) ? low[i] : high[i];
             if (phi_F(&nav, &step, F) != BS_OK) {
-                (void)printf("phi_F: f_n[%d] end %d refused\n", i, end);
+                selftest_print("phi_F: f_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

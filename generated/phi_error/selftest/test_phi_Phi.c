@@ -2,26 +2,25 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "phi_error.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { 0x1.3bb9ba0000000p+2, -0x1.c5917a0000000p-1, 0x1.2793280000000p+11 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.28c1600000000p+8, -0x1.1295d00000000p+7, 0x1.4ea3640000000p+8 }
 };
-static const double in_f_n[N_VECTORS][3] = {
+static const float in_f_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { 0x1.d7d9060000000p+7, -0x1.788e020000000p+2, -0x1.678f780000000p+8 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.fb30600000000p+2 }
 };
@@ -31,14 +30,14 @@ static const double out_Phi[N_VECTORS][70] = {
     { 0x1.0000000000000p+0, -0x1.747b6f5c09755p-11, -0x1.8ffee01ca1ef1p-34, 0x1.06f5baf7eec94p-19, -0x1.e398d93cad7d3p-30, -0x1.8b0492db8574cp-30, 0x1.6de7318361afep-9, -0x1.7f3279f0a4202p-15, 0x1.ffffbd43cb232p-1, 0x1.d679df3516ce4p-36, 0x1.32c10489f90aep-30, 0x1.4d90951ad9ca9p-20, 0x1.d2610373aa4f0p-33, -0x1.d0328376fa317p-10, -0x1.3094b4601fa59p-10, 0x1.537e12b1ff647p+1, 0x1.00065625d931cp+0, 0x1.7ce8ec04c71ccp-8, -0x1.627e4096eb833p-10, 0x1.fb30600000000p+2, 0x1.7182e6bc20edbp+7, 0x1.cf059cdf20ffbp+12, 0x1.5499583cf664dp-4, -0x1.777f36d40693bp-24, 0x1.006865160d6a2p+0, -0x1.60a01a36f08f0p-10, -0x1.20160b01b0788p-10, 0x1.93a2991d62f43p+1, 0x1.640460e6b6858p+11, -0x1.68f890a465829p+5, -0x1.b0e95b1bdec35p+0, -0x1.dc9de1a85eea3p-25, 0x1.a541a875af82ep-9, 0x1.0058b24cd40a3p+0, 0x1.6376be62908c5p-13, -0x1.643163e582028p+11, 0x1.0a0827998d036p+2, -0x1.d310e7e5499fcp+10, 0x1.16af9992ee9dep+0, 0x1.9878a58454b97p-16, 0x1.58151bfbf1a7cp-9, -0x1.84c3729262734p-12, 0x1.00064822ee804p+0, 0x1.7f9f038f996a8p+5, 0x1.d3ee6552a39ffp+10, 0x1.b58338fb2e791p-2, 0x1.617ad7d82d7cdp-20, -0x1.d679df3516ce4p-36, -0x1.32c10489f90aep-30, -0x1.4d90951ad9ca9p-20, -0x1.d2610373aa4f0p-33, 0x1.0074015a70cdap+0, -0x1.d6b75000ef5fap-11, 0x1.c13274e4123abp-12, 0x1.d656e37fc2c73p-12, -0x1.fa07ea9c7f781p-35, 0x1.4cab11476eb96p-20, -0x1.31eddcd409dabp-30, -0x1.f3c92c2bff2c5p-31, 0x1.d6c81c1f4b273p-11, 0x1.0073b5bd04a58p+0, 0x1.288fbfbc17355p-13, 0x1.507d4d2133d8ap-10, 0x1.35ce4c01cac72p-34, -0x1.97564743ffa0cp-20, 0x1.7687f01f06574p-30, 0x1.31eddcd409dabp-30, 0x1.807b9dec8f2b9p-11, -0x1.31ca30b6d8774p-9, 0x1.00024ccad12d7p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Phi[N_VECTORS][70] = {
-    { 1.12e-16, 2.57e-07, 3.17e-15, 1.27e-11, 5.8e-13, 3.47e-14, 3.65e-08, 3.65e-08, 1.21e-07, 3.01e-16, 4.66e-14, 9.96e-13, 2.96e-15, 2.96e-09, 2.96e-09, 5.67e-06, 6.03e-08, 1.08e-08, 1.28e-08, 1.12e-15, 0.00452, 0.00452, 0.000849, 1.5e-11, 1.88e-07, 1.86e-08, 9.79e-10, 0.000118, 0.000667, 0.000724, 0.000874, 1.56e-11, 8.84e-08, 1.26e-07, 1.16e-09, 0.000613, 0.000182, 0.000717, 3.41e-06, 2.33e-11, 4.84e-09, 5.46e-09, 6.04e-08, 0.000659, 0.000664, 2.21e-05, 5.45e-10, 3.01e-16, 4.66e-14, 9.96e-13, 2.96e-15, 6.41e-08, 1.78e-08, 4.17e-09, 8.33e-10, 2.2e-16, 7.5e-13, 4.69e-14, 2.46e-15, 1.78e-08, 6.34e-08, 3.82e-09, 2.09e-07, 3.67e-15, 1.6e-11, 5.88e-13, 3.84e-14, 9.22e-10, 5.09e-08, 1.07e-07 },
-    { 1.12e-16, 8.8e-10, 9.87e-17, 1.36e-12, 2.65e-15, 1.75e-15, 2.27e-09, 3.72e-11, 1.2e-07, 3.24e-17, 1.53e-15, 7.89e-13, 2.56e-16, 1.34e-09, 8.77e-10, 2.92e-06, 6.03e-08, 3.42e-09, 1.1e-09, 8.89e-16, 3.34e-05, 0.00134, 7.82e-07, 1.43e-13, 1.22e-07, 8.26e-10, 5.19e-10, 2.98e-06, 0.000344, 6.82e-06, 1.72e-06, 1.87e-13, 2.91e-09, 1.22e-07, 1.2e-10, 0.000344, 4.17e-06, 0.000226, 9.78e-07, 1.71e-11, 1.58e-09, 2.85e-10, 6.03e-08, 6.9e-06, 0.000227, 4.95e-07, 4.92e-12, 3.24e-17, 1.53e-15, 7.89e-13, 2.56e-16, 6.19e-08, 6.36e-10, 1.29e-09, 1.91e-10, 4.86e-17, 5.61e-13, 2.05e-15, 8.91e-16, 6.36e-10, 6.15e-08, 1.35e-10, 1.07e-09, 8.92e-17, 1.33e-12, 3.34e-15, 1.23e-15, 3.65e-10, 2.53e-09, 6.02e-08 }
+static const float tol_Phi[N_VECTORS][70] = {
+    { 1.12e-16F, 2.57e-07F, 3.17e-15F, 1.27e-11F, 5.80e-13F, 3.47e-14F, 3.65e-08F, 3.65e-08F, 1.21e-07F, 3.01e-16F, 4.66e-14F, 9.96e-13F, 2.96e-15F, 2.96e-09F, 2.96e-09F, 5.67e-06F, 6.03e-08F, 1.08e-08F, 1.28e-08F, 1.12e-15F, 4.52e-03F, 4.52e-03F, 8.49e-04F, 1.50e-11F, 1.88e-07F, 1.86e-08F, 9.79e-10F, 1.18e-04F, 6.67e-04F, 7.24e-04F, 8.74e-04F, 1.56e-11F, 8.84e-08F, 1.26e-07F, 1.16e-09F, 6.13e-04F, 1.82e-04F, 7.17e-04F, 3.41e-06F, 2.33e-11F, 4.84e-09F, 5.46e-09F, 6.04e-08F, 6.59e-04F, 6.64e-04F, 2.21e-05F, 5.45e-10F, 3.01e-16F, 4.66e-14F, 9.96e-13F, 2.96e-15F, 6.41e-08F, 1.78e-08F, 4.17e-09F, 8.33e-10F, 2.20e-16F, 7.50e-13F, 4.69e-14F, 2.46e-15F, 1.78e-08F, 6.34e-08F, 3.82e-09F, 2.09e-07F, 3.67e-15F, 1.60e-11F, 5.88e-13F, 3.84e-14F, 9.22e-10F, 5.09e-08F, 1.07e-07F },
+    { 1.12e-16F, 8.80e-10F, 9.87e-17F, 1.36e-12F, 2.65e-15F, 1.75e-15F, 2.27e-09F, 3.72e-11F, 1.20e-07F, 3.24e-17F, 1.53e-15F, 7.89e-13F, 2.56e-16F, 1.34e-09F, 8.77e-10F, 2.92e-06F, 6.03e-08F, 3.42e-09F, 1.10e-09F, 8.89e-16F, 3.34e-05F, 1.34e-03F, 7.82e-07F, 1.43e-13F, 1.22e-07F, 8.26e-10F, 5.19e-10F, 2.98e-06F, 3.44e-04F, 6.82e-06F, 1.72e-06F, 1.87e-13F, 2.91e-09F, 1.22e-07F, 1.20e-10F, 3.44e-04F, 4.17e-06F, 2.26e-04F, 9.78e-07F, 1.71e-11F, 1.58e-09F, 2.85e-10F, 6.03e-08F, 6.90e-06F, 2.27e-04F, 4.95e-07F, 4.92e-12F, 3.24e-17F, 1.53e-15F, 7.89e-13F, 2.56e-16F, 6.19e-08F, 6.36e-10F, 1.29e-09F, 1.91e-10F, 4.86e-17F, 5.61e-13F, 2.05e-15F, 8.91e-16F, 6.36e-10F, 6.15e-08F, 1.35e-10F, 1.07e-09F, 8.92e-17F, 1.33e-12F, 3.34e-15F, 1.23e-15F, 3.65e-10F, 2.53e-09F, 6.02e-08F }
 };
 #else
-static const double tol_Phi[N_VECTORS][70] = {
-    { 1.12e-16, 5.02e-16, 6.22e-24, 2.58e-20, 1.12e-21, 6.77e-23, 7.3e-17, 7.3e-17, 3.37e-16, 5.87e-25, 8.97e-23, 2.03e-21, 5.79e-24, 5.95e-18, 5.95e-18, 1.13e-14, 2.25e-16, 2.19e-17, 2.55e-17, 1.12e-15, 1.12e-11, 1.12e-11, 1.62e-12, 2.82e-20, 4.59e-16, 3.65e-17, 1.99e-18, 2.3e-13, 1.81e-12, 1.92e-12, 1.71e-12, 3e-20, 1.74e-16, 3.47e-16, 2.33e-18, 1.7e-12, 3.55e-13, 1.89e-12, 6.7e-15, 4.69e-20, 9.78e-18, 1.03e-17, 2.25e-16, 1.78e-12, 1.8e-12, 4.37e-14, 1.02e-18, 5.87e-25, 8.97e-23, 2.03e-21, 5.79e-24, 2.32e-16, 3.51e-17, 8.03e-18, 1.63e-18, 4.38e-25, 1.57e-21, 9.03e-23, 4.85e-24, 3.51e-17, 2.31e-16, 7.72e-18, 4.12e-16, 7.15e-24, 3.17e-20, 1.13e-21, 7.44e-23, 1.88e-18, 1e-16, 3.07e-16 },
-    { 1.12e-16, 1.72e-18, 1.94e-25, 2.75e-21, 5.14e-24, 3.43e-24, 4.54e-18, 7.43e-20, 3.36e-16, 6.33e-26, 2.98e-24, 1.61e-21, 5.01e-25, 2.69e-18, 1.76e-18, 5.74e-15, 2.24e-16, 7.01e-18, 2.2e-18, 8.89e-16, 8.29e-14, 3.32e-12, 1.47e-15, 2.76e-22, 3.4e-16, 1.69e-18, 1.09e-18, 5.91e-15, 9.61e-13, 1.78e-14, 3.39e-15, 3.54e-22, 5.78e-18, 3.4e-16, 2.42e-19, 9.6e-13, 8.24e-15, 6.31e-13, 1.94e-15, 3.45e-20, 3.23e-18, 5.72e-19, 2.24e-16, 1.82e-14, 6.32e-13, 9.7e-16, 9.3e-21, 6.33e-26, 2.98e-24, 1.61e-21, 5.01e-25, 2.28e-16, 1.29e-18, 2.46e-18, 4.07e-19, 9.71e-26, 1.18e-21, 3.94e-24, 1.76e-24, 1.29e-18, 2.27e-16, 2.68e-19, 2.14e-18, 1.74e-25, 2.64e-21, 6.38e-24, 2.41e-24, 7.62e-19, 4.97e-18, 2.24e-16 }
+static const float tol_Phi[N_VECTORS][70] = {
+    { 1.12e-16F, 5.02e-16F, 6.22e-24F, 2.58e-20F, 1.12e-21F, 6.77e-23F, 7.30e-17F, 7.30e-17F, 3.37e-16F, 5.87e-25F, 8.97e-23F, 2.03e-21F, 5.79e-24F, 5.95e-18F, 5.95e-18F, 1.13e-14F, 2.25e-16F, 2.19e-17F, 2.55e-17F, 1.12e-15F, 1.12e-11F, 1.12e-11F, 1.62e-12F, 2.82e-20F, 4.59e-16F, 3.65e-17F, 1.99e-18F, 2.30e-13F, 1.81e-12F, 1.92e-12F, 1.71e-12F, 3.00e-20F, 1.74e-16F, 3.47e-16F, 2.33e-18F, 1.70e-12F, 3.55e-13F, 1.89e-12F, 6.70e-15F, 4.69e-20F, 9.78e-18F, 1.03e-17F, 2.25e-16F, 1.78e-12F, 1.80e-12F, 4.37e-14F, 1.02e-18F, 5.87e-25F, 8.97e-23F, 2.03e-21F, 5.79e-24F, 2.32e-16F, 3.51e-17F, 8.03e-18F, 1.63e-18F, 4.38e-25F, 1.57e-21F, 9.03e-23F, 4.85e-24F, 3.51e-17F, 2.31e-16F, 7.72e-18F, 4.12e-16F, 7.15e-24F, 3.17e-20F, 1.13e-21F, 7.44e-23F, 1.88e-18F, 1.00e-16F, 3.07e-16F },
+    { 1.12e-16F, 1.72e-18F, 1.94e-25F, 2.75e-21F, 5.14e-24F, 3.43e-24F, 4.54e-18F, 7.43e-20F, 3.36e-16F, 6.33e-26F, 2.98e-24F, 1.61e-21F, 5.01e-25F, 2.69e-18F, 1.76e-18F, 5.74e-15F, 2.24e-16F, 7.01e-18F, 2.20e-18F, 8.89e-16F, 8.29e-14F, 3.32e-12F, 1.47e-15F, 2.76e-22F, 3.40e-16F, 1.69e-18F, 1.09e-18F, 5.91e-15F, 9.61e-13F, 1.78e-14F, 3.39e-15F, 3.54e-22F, 5.78e-18F, 3.40e-16F, 2.42e-19F, 9.60e-13F, 8.24e-15F, 6.31e-13F, 1.94e-15F, 3.45e-20F, 3.23e-18F, 5.72e-19F, 2.24e-16F, 1.82e-14F, 6.32e-13F, 9.70e-16F, 9.30e-21F, 6.33e-26F, 2.98e-24F, 1.61e-21F, 5.01e-25F, 2.28e-16F, 1.29e-18F, 2.46e-18F, 4.07e-19F, 9.71e-26F, 1.18e-21F, 3.94e-24F, 1.76e-24F, 1.29e-18F, 2.27e-16F, 2.68e-19F, 2.14e-18F, 1.74e-25F, 2.64e-21F, 6.38e-24F, 2.41e-24F, 7.62e-19F, 4.97e-18F, 2.24e-16F }
 };
 #endif
 static const unsigned short at_Phi[70] = { 0, 1, 2, 3, 4, 5, 7, 8, 10, 11, 12, 13, 14, 15, 17, 19,
@@ -91,7 +90,7 @@ int test_phi_Phi(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 81);
             if (phi_Phi(&nav, &step, Phi) != expected) {
-                (void)printf("phi_Phi: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Phi: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Phi Phi", Phi, 81);
@@ -104,7 +103,7 @@ int test_phi_Phi(void)
             set_point(0, &nav, &step);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (phi_Phi(&nav, &step, Phi) != BS_OK) {
-                (void)printf("phi_Phi: position[%d] end %d refused\n", i, end);
+                selftest_print("phi_Phi: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -120,7 +119,7 @@ int test_phi_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 81);
             if (phi_Phi(&nav, &step, Phi) != expected) {
-                (void)printf("phi_Phi: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Phi Phi", Phi, 81);
@@ -131,7 +130,7 @@ int test_phi_Phi(void)
             set_point(0, &nav, &step);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (phi_Phi(&nav, &step, Phi) != BS_OK) {
-                (void)printf("phi_Phi: v_n[%d] end %d refused\n", i, end);
+                selftest_print("phi_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -147,7 +146,7 @@ int test_phi_Phi(void)
                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 81);
             if (phi_Phi(&nav, &step, Phi) != expected) {
-                (void)printf("phi_Phi: f_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Phi: f_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Phi Phi", Phi, 81);
@@ -158,7 +157,7 @@ int test_phi_Phi(void)
             set_point(0, &nav, &step);
             step.f_n[i] = (end == 0) ? low[i] : high[i];
             if (phi_Phi(&nav, &step, Phi) != BS_OK) {
-                (void)printf("phi_Phi: f_n[%d] end %d refused\n", i, end);
+                selftest_print("phi_Phi: f_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -174,7 +173,7 @@ int test_phi_Phi(void)
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 81);
             if (phi_Phi(&nav, &step, Phi) != expected) {
-                (void)printf("phi_Phi: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Phi Phi", Phi, 81);
@@ -185,7 +184,7 @@ int test_phi_Phi(void)
             set_point(0, &nav, &step);
             step.dt = (end == 0) ? low[i] : high[i];
             if (phi_Phi(&nav, &step, Phi) != BS_OK) {
-                (void)printf("phi_Phi: dt[%d] end %d refused\n", i, end);
+                selftest_print("phi_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,44 +2,43 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "phi_error.h"
 #include "selftest.h"
 
 #define N_VECTORS 3
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { 0x1.db81d60000000p+1, 0x1.7081a80000000p-1, 0x1.3052520000000p+14 },
     { -0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.67b5140000000p+9, -0x1.d9cdbc0000000p+9, 0x1.180cd20000000p+9 },
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.b235e20000000p-3, -0x1.1426480000000p-2, 0x1.39df160000000p-1, 0x1.6c35fa0000000p-1 },
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 }
 };
-static const double in_f_n[N_VECTORS][3] = {
+static const float in_f_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { 0x1.3a16080000000p+5, -0x1.b95f760000000p+8, 0x1.44bf020000000p+3 },
     { -0x1.f400000000000p+8, -0x1.f400000000000p+8, 0x1.f400000000000p+8 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.0c6f7c0000000p-20 },
     { 0x1.3c48a60000000p+3 },
     { 0x1.4000000000000p+3 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x0.0p+0, 0x1.9999980000000p-4 },
     { 0x1.550e620000000p-4, 0x1.d978720000000p-5, 0x1.5a88080000000p-5 },
     { 0x0.0p+0, 0x0.0p+0, 0x0.0p+0 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x1.4000000000000p+3, 0x0.0p+0 },
     { 0x1.39e6900000000p+2, 0x1.9c75540000000p+1, 0x1.1303e00000000p+2 },
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x0.0p+0 }
@@ -51,16 +50,16 @@ static const double out_Q[N_VECTORS][81] = {
     { 0x1.e460b796b9667p-37, 0x1.d001465833584p-34, 0x1.79cdc3251bedbp-21, 0x1.25666275d1334p-20, 0x1.a9b2b31e2f8e4p-14, 0x1.236d809f7386ep-25, -0x1.d001465833584p-34, 0x1.51bb0de071088p-40, -0x1.e288db39cad97p-37, 0x1.d001465833584p-34, 0x1.bc7d3158ad251p-31, 0x1.69e9d5bb46154p-18, 0x1.190f42387c14bp-17, 0x1.97cb147b3cc8ap-11, 0x1.172b9c9a3a95ap-22, -0x1.bc7d3158ad251p-31, 0x1.43869b13d6462p-37, -0x1.ce3d42a6432dap-34, 0x1.79cdc3251bedbp-21, 0x1.69e9d5bb46154p-18, 0x1.26adac445240cp-5, 0x1.c9b0cfbbc0c9bp-5, 0x1.4c08ed719d066p+2, 0x1.c69d37d16f165p-10, -0x1.69e9d5bb46154p-18, 0x1.076c1cad7567bp-24, -0x1.785db8b4e4870p-21, 0x1.25666275d1334p-20, 0x1.190f42387c14bp-17, 0x1.c9b0cfbbc0c9bp-5, 0x1.6370894933ff8p-4, 0x1.01db2ac061b20p+3, 0x1.610ce5773d903p-9, -0x1.190f42387c14bp-17, 0x1.9924e428c428cp-24, -0x1.24489108c8e53p-20, 0x1.a9b2b31e2f8e4p-14, 0x1.97cb147b3cc8ap-11, 0x1.4c08ed719d066p+2, 0x1.01db2ac061b20p+3, 0x1.f393e0c5a34eap+9, 0x1.001f72d58be42p-2, -0x1.97cb147b3cc8ap-11, 0x1.28d101ac79010p-17, -0x1.a81400950855dp-14, 0x1.236d809f7386ep-25, 0x1.172b9c9a3a95ap-22, 0x1.c69d37d16f165p-10, 0x1.610ce5773d903p-9, 0x1.001f72d58be42p-2, 0x1.5ead5e279911ap-14, -0x1.172b9c9a3a95ap-22, 0x1.9664d630bfa91p-29, -0x1.22519b0841e35p-25, -0x1.d001465833584p-34, -0x1.bc7d3158ad251p-31, -0x1.69e9d5bb46154p-18, -0x1.190f42387c14bp-17, -0x1.97cb147b3cc8ap-11, -0x1.172b9c9a3a95ap-22, 0x1.bc7d3158ad251p-31, -0x1.43869b13d6462p-37, 0x1.ce3d42a6432dap-34, 0x1.51bb0de071088p-40, 0x1.43869b13d6462p-37, 0x1.076c1cad7567bp-24, 0x1.9924e428c428cp-24, 0x1.28d101ac79010p-17, 0x1.9664d630bfa91p-29, -0x1.43869b13d6462p-37, 0x1.d6f687865dfbcp-44, -0x1.50720d0c02934p-40, -0x1.e288db39cad97p-37, -0x1.ce3d42a6432dap-34, -0x1.785db8b4e4870p-21, -0x1.24489108c8e53p-20, -0x1.a81400950855dp-14, -0x1.22519b0841e35p-25, 0x1.ce3d42a6432dap-34, -0x1.50720d0c02934p-40, 0x1.e0b2ca87acaa7p-37 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Q[N_VECTORS][81] = {
-    { 1.19e-38, 5.72e-37, 7.17e-30, 1.62e-30, 5.38e-24, 1.08e-23, 4.26e-31, 3.36e-30, 1.79e-31, 5.72e-37, 2.07e-36, 9.37e-31, 4.69e-25, 1.43e-23, 1.41e-24, 2.76e-31, 3.91e-32, 1.37e-32, 7.17e-30, 9.37e-31, 4.4e-23, 6e-18, 9e-18, 6e-17, 1.35e-24, 1.4e-24, 1.87e-25, 1.62e-30, 4.69e-25, 6e-18, 1.8e-18, 6e-12, 1.2e-11, 7.12e-19, 4.05e-18, 3e-19, 5.38e-24, 1.43e-23, 9e-18, 6e-12, 1.11e-10, 1.8e-11, 3.86e-18, 7.5e-19, 2.62e-19, 1.08e-23, 1.41e-24, 6e-17, 1.2e-11, 1.8e-11, 1.06e-10, 4.05e-18, 4.2e-18, 5.62e-19, 4.26e-31, 2.76e-31, 1.35e-24, 7.12e-19, 3.86e-18, 4.05e-18, 1.14e-14, 1.8e-15, 1.05e-15, 3.36e-30, 3.91e-32, 1.4e-24, 4.05e-18, 7.5e-19, 4.2e-18, 1.8e-15, 1.2e-14, 1.2e-15, 1.79e-31, 1.37e-32, 1.87e-25, 3e-19, 2.62e-19, 5.62e-19, 1.05e-15, 1.2e-15, 2.53e-22 },
-    { 3.05e-13, 2.07e-14, 4.24e-07, 3.54e-07, 3.23e-08, 1.29e-07, 3.76e-11, 4.36e-11, 1.09e-10, 2.07e-14, 1.78e-15, 3.03e-08, 2.36e-08, 2.46e-09, 9.1e-09, 2.72e-12, 3.23e-12, 7.18e-12, 4.24e-07, 3.03e-08, 6.42, 0.483, 0.0508, 1.95, 0.000549, 0.000435, 0.000138, 3.54e-07, 2.36e-08, 0.483, 0.396, 0.036, 0.149, 4.19e-05, 4.63e-05, 0.000113, 3.23e-08, 2.46e-09, 0.0508, 0.036, 0.00358, 0.0157, 4.55e-06, 5.08e-06, 1.03e-05, 1.29e-07, 9.1e-09, 1.95, 0.149, 0.0157, 0.612, 0.000167, 0.000132, 4.2e-05, 3.76e-11, 2.72e-12, 0.000549, 4.19e-05, 4.55e-06, 0.000167, 5.83e-08, 4.41e-08, 1.53e-08, 4.36e-11, 3.23e-12, 0.000435, 4.63e-05, 5.08e-06, 0.000132, 4.41e-08, 4.74e-08, 1.63e-08, 1.09e-10, 7.18e-12, 0.000138, 0.000113, 1.03e-05, 4.2e-05, 1.53e-08, 1.63e-08, 4.16e-08 },
-    { 2.19e-16, 9.72e-16, 8.84e-11, 1.72e-11, 8.66e-10, 1.3e-11, 9.72e-16, 1.89e-17, 2.19e-16, 9.72e-16, 2.05e-15, 6.41e-10, 7.57e-11, 1.44e-09, 9.82e-11, 2.05e-15, 8.35e-17, 9.79e-16, 8.84e-11, 6.41e-10, 8.47e-06, 7.01e-06, 0.000614, 8.57e-07, 6.41e-10, 7.7e-12, 8.81e-11, 1.72e-11, 7.57e-11, 7.01e-06, 1.35e-06, 8.29e-05, 1.04e-06, 7.57e-11, 1.48e-12, 1.72e-11, 8.66e-10, 1.44e-09, 0.000614, 8.29e-05, 0.00112, 0.000125, 1.44e-09, 7.42e-11, 8.72e-10, 1.3e-11, 9.82e-11, 8.57e-07, 1.04e-06, 0.000125, 6.3e-08, 9.82e-11, 1.14e-12, 1.3e-11, 9.72e-16, 2.05e-15, 6.41e-10, 7.57e-11, 1.44e-09, 9.82e-11, 2.1e-15, 8.4e-17, 9.85e-16, 1.89e-17, 8.35e-17, 7.7e-12, 1.48e-12, 7.42e-11, 1.14e-12, 8.4e-17, 1.64e-18, 1.9e-17, 2.19e-16, 9.79e-16, 8.81e-11, 1.72e-11, 8.72e-10, 1.3e-11, 9.85e-16, 1.9e-17, 2.21e-16 }
+static const float tol_Q[N_VECTORS][81] = {
+    { 1.19e-38F, 5.72e-37F, 7.17e-30F, 1.62e-30F, 5.38e-24F, 1.08e-23F, 4.26e-31F, 3.36e-30F, 1.79e-31F, 5.72e-37F, 2.07e-36F, 9.37e-31F, 4.69e-25F, 1.43e-23F, 1.41e-24F, 2.76e-31F, 3.91e-32F, 1.37e-32F, 7.17e-30F, 9.37e-31F, 4.40e-23F, 6.00e-18F, 9.00e-18F, 6.00e-17F, 1.35e-24F, 1.40e-24F, 1.87e-25F, 1.62e-30F, 4.69e-25F, 6.00e-18F, 1.80e-18F, 6.00e-12F, 1.20e-11F, 7.12e-19F, 4.05e-18F, 3.00e-19F, 5.38e-24F, 1.43e-23F, 9.00e-18F, 6.00e-12F, 1.11e-10F, 1.80e-11F, 3.86e-18F, 7.50e-19F, 2.62e-19F, 1.08e-23F, 1.41e-24F, 6.00e-17F, 1.20e-11F, 1.80e-11F, 1.06e-10F, 4.05e-18F, 4.20e-18F, 5.62e-19F, 4.26e-31F, 2.76e-31F, 1.35e-24F, 7.12e-19F, 3.86e-18F, 4.05e-18F, 1.14e-14F, 1.80e-15F, 1.05e-15F, 3.36e-30F, 3.91e-32F, 1.40e-24F, 4.05e-18F, 7.50e-19F, 4.20e-18F, 1.80e-15F, 1.20e-14F, 1.20e-15F, 1.79e-31F, 1.37e-32F, 1.87e-25F, 3.00e-19F, 2.62e-19F, 5.62e-19F, 1.05e-15F, 1.20e-15F, 2.53e-22F },
+    { 3.05e-13F, 2.07e-14F, 4.24e-07F, 3.54e-07F, 3.23e-08F, 1.29e-07F, 3.76e-11F, 4.36e-11F, 1.09e-10F, 2.07e-14F, 1.78e-15F, 3.03e-08F, 2.36e-08F, 2.46e-09F, 9.10e-09F, 2.72e-12F, 3.23e-12F, 7.18e-12F, 4.24e-07F, 3.03e-08F, 6.42e+00F, 4.83e-01F, 5.08e-02F, 1.95e+00F, 5.49e-04F, 4.35e-04F, 1.38e-04F, 3.54e-07F, 2.36e-08F, 4.83e-01F, 3.96e-01F, 3.60e-02F, 1.49e-01F, 4.19e-05F, 4.63e-05F, 1.13e-04F, 3.23e-08F, 2.46e-09F, 5.08e-02F, 3.60e-02F, 3.58e-03F, 1.57e-02F, 4.55e-06F, 5.08e-06F, 1.03e-05F, 1.29e-07F, 9.10e-09F, 1.95e+00F, 1.49e-01F, 1.57e-02F, 6.12e-01F, 1.67e-04F, 1.32e-04F, 4.20e-05F, 3.76e-11F, 2.72e-12F, 5.49e-04F, 4.19e-05F, 4.55e-06F, 1.67e-04F, 5.83e-08F, 4.41e-08F, 1.53e-08F, 4.36e-11F, 3.23e-12F, 4.35e-04F, 4.63e-05F, 5.08e-06F, 1.32e-04F, 4.41e-08F, 4.74e-08F, 1.63e-08F, 1.09e-10F, 7.18e-12F, 1.38e-04F, 1.13e-04F, 1.03e-05F, 4.20e-05F, 1.53e-08F, 1.63e-08F, 4.16e-08F },
+    { 2.19e-16F, 9.72e-16F, 8.84e-11F, 1.72e-11F, 8.66e-10F, 1.30e-11F, 9.72e-16F, 1.89e-17F, 2.19e-16F, 9.72e-16F, 2.05e-15F, 6.41e-10F, 7.57e-11F, 1.44e-09F, 9.82e-11F, 2.05e-15F, 8.35e-17F, 9.79e-16F, 8.84e-11F, 6.41e-10F, 8.47e-06F, 7.01e-06F, 6.14e-04F, 8.57e-07F, 6.41e-10F, 7.70e-12F, 8.81e-11F, 1.72e-11F, 7.57e-11F, 7.01e-06F, 1.35e-06F, 8.29e-05F, 1.04e-06F, 7.57e-11F, 1.48e-12F, 1.72e-11F, 8.66e-10F, 1.44e-09F, 6.14e-04F, 8.29e-05F, 1.12e-03F, 1.25e-04F, 1.44e-09F, 7.42e-11F, 8.72e-10F, 1.30e-11F, 9.82e-11F, 8.57e-07F, 1.04e-06F, 1.25e-04F, 6.30e-08F, 9.82e-11F, 1.14e-12F, 1.30e-11F, 9.72e-16F, 2.05e-15F, 6.41e-10F, 7.57e-11F, 1.44e-09F, 9.82e-11F, 2.10e-15F, 8.40e-17F, 9.85e-16F, 1.89e-17F, 8.35e-17F, 7.70e-12F, 1.48e-12F, 7.42e-11F, 1.14e-12F, 8.40e-17F, 1.64e-18F, 1.90e-17F, 2.19e-16F, 9.79e-16F, 8.81e-11F, 1.72e-11F, 8.72e-10F, 1.30e-11F, 9.85e-16F, 1.90e-17F, 2.21e-16F }
 };
 #else
-static const double tol_Q[N_VECTORS][81] = {
-    { 1.01e-45, 2.05e-45, 1.34e-38, 2.88e-41, 1e-32, 2e-32, 7.93e-40, 6.43e-39, 3.34e-40, 2.05e-45, 4.93e-45, 1.75e-39, 8.73e-34, 2.76e-32, 2.62e-33, 5.29e-40, 7.28e-41, 2.55e-41, 1.34e-38, 1.75e-39, 8.57e-32, 1.12e-26, 1.68e-26, 1.17e-25, 2.61e-33, 2.7e-33, 3.49e-34, 2.88e-41, 8.73e-34, 1.12e-26, 2.48e-29, 1.12e-20, 2.23e-20, 1.33e-27, 7.82e-27, 5.59e-28, 1e-32, 2.76e-32, 1.68e-26, 1.12e-20, 2.18e-19, 3.35e-20, 7.47e-27, 1.4e-27, 4.89e-28, 2e-32, 2.62e-33, 1.17e-25, 2.23e-20, 3.35e-20, 2.09e-19, 7.82e-27, 8.1e-27, 1.05e-27, 7.93e-40, 5.29e-40, 2.61e-33, 1.33e-27, 7.47e-27, 7.82e-27, 2.23e-23, 3.35e-24, 1.96e-24, 6.43e-39, 7.28e-41, 2.7e-33, 7.82e-27, 1.4e-27, 8.1e-27, 3.35e-24, 2.35e-23, 2.23e-24, 3.34e-40, 2.55e-41, 3.49e-34, 5.59e-28, 4.89e-28, 1.05e-27, 1.96e-24, 2.23e-24, 6.42e-34 },
-    { 5.79e-22, 3.93e-23, 7.98e-16, 6.75e-16, 6.16e-17, 2.42e-16, 7.08e-20, 8.16e-20, 2.08e-19, 3.93e-23, 3.39e-24, 5.73e-17, 4.5e-17, 4.69e-18, 1.72e-17, 5.15e-21, 6.08e-21, 1.37e-20, 7.98e-16, 5.73e-17, 1.24e-08, 9.12e-10, 9.65e-11, 3.75e-09, 1.06e-12, 8.34e-13, 2.61e-13, 6.75e-16, 4.5e-17, 9.12e-10, 7.61e-10, 6.91e-11, 2.81e-10, 7.92e-14, 8.68e-14, 2.19e-13, 6.16e-17, 4.69e-18, 9.65e-11, 6.91e-11, 6.89e-12, 2.97e-11, 8.66e-15, 9.56e-15, 1.99e-14, 2.42e-16, 1.72e-17, 3.75e-09, 2.81e-10, 2.97e-11, 1.18e-09, 3.23e-13, 2.53e-13, 7.94e-14, 7.08e-20, 5.15e-21, 1.06e-12, 7.92e-14, 8.66e-15, 3.23e-13, 1.14e-16, 8.49e-17, 2.9e-17, 8.16e-20, 6.08e-21, 8.34e-13, 8.68e-14, 9.56e-15, 2.53e-13, 8.49e-17, 9.25e-17, 3.05e-17, 2.08e-19, 1.37e-20, 2.61e-13, 2.19e-13, 1.99e-14, 7.94e-14, 2.9e-17, 3.05e-17, 8.13e-17 },
-    { 4.09e-25, 1.82e-24, 1.65e-19, 3.21e-20, 1.62e-18, 2.43e-20, 1.82e-24, 3.54e-26, 4.1e-25, 1.82e-24, 3.91e-24, 1.2e-18, 1.42e-19, 2.76e-18, 1.83e-19, 3.91e-24, 1.57e-25, 1.83e-24, 1.65e-19, 1.2e-18, 1.58e-14, 1.31e-14, 1.14e-12, 1.6e-15, 1.2e-18, 1.43e-20, 1.64e-19, 3.21e-20, 1.42e-19, 1.31e-14, 2.53e-15, 1.55e-13, 1.93e-15, 1.42e-19, 2.78e-21, 3.22e-20, 1.62e-18, 2.76e-18, 1.14e-12, 1.55e-13, 2.2e-12, 2.32e-13, 2.76e-18, 1.39e-19, 1.64e-18, 2.43e-20, 1.83e-19, 1.6e-15, 1.93e-15, 2.32e-13, 1.17e-16, 1.83e-19, 2.12e-21, 2.42e-20, 1.82e-24, 3.91e-24, 1.2e-18, 1.42e-19, 2.76e-18, 1.83e-19, 4e-24, 1.58e-25, 1.85e-24, 3.54e-26, 1.57e-25, 1.43e-20, 2.78e-21, 1.39e-19, 2.12e-21, 1.58e-25, 3.07e-27, 3.56e-26, 4.1e-25, 1.83e-24, 1.64e-19, 3.22e-20, 1.64e-18, 2.42e-20, 1.85e-24, 3.56e-26, 4.12e-25 }
+static const float tol_Q[N_VECTORS][81] = {
+    { 1.01e-45F, 2.05e-45F, 1.34e-38F, 2.88e-41F, 1.00e-32F, 2.00e-32F, 7.93e-40F, 6.43e-39F, 3.34e-40F, 2.05e-45F, 4.93e-45F, 1.75e-39F, 8.73e-34F, 2.76e-32F, 2.62e-33F, 5.29e-40F, 7.28e-41F, 2.55e-41F, 1.34e-38F, 1.75e-39F, 8.57e-32F, 1.12e-26F, 1.68e-26F, 1.17e-25F, 2.61e-33F, 2.70e-33F, 3.49e-34F, 2.88e-41F, 8.73e-34F, 1.12e-26F, 2.48e-29F, 1.12e-20F, 2.23e-20F, 1.33e-27F, 7.82e-27F, 5.59e-28F, 1.00e-32F, 2.76e-32F, 1.68e-26F, 1.12e-20F, 2.18e-19F, 3.35e-20F, 7.47e-27F, 1.40e-27F, 4.89e-28F, 2.00e-32F, 2.62e-33F, 1.17e-25F, 2.23e-20F, 3.35e-20F, 2.09e-19F, 7.82e-27F, 8.10e-27F, 1.05e-27F, 7.93e-40F, 5.29e-40F, 2.61e-33F, 1.33e-27F, 7.47e-27F, 7.82e-27F, 2.23e-23F, 3.35e-24F, 1.96e-24F, 6.43e-39F, 7.28e-41F, 2.70e-33F, 7.82e-27F, 1.40e-27F, 8.10e-27F, 3.35e-24F, 2.35e-23F, 2.23e-24F, 3.34e-40F, 2.55e-41F, 3.49e-34F, 5.59e-28F, 4.89e-28F, 1.05e-27F, 1.96e-24F, 2.23e-24F, 6.42e-34F },
+    { 5.79e-22F, 3.93e-23F, 7.98e-16F, 6.75e-16F, 6.16e-17F, 2.42e-16F, 7.08e-20F, 8.16e-20F, 2.08e-19F, 3.93e-23F, 3.39e-24F, 5.73e-17F, 4.50e-17F, 4.69e-18F, 1.72e-17F, 5.15e-21F, 6.08e-21F, 1.37e-20F, 7.98e-16F, 5.73e-17F, 1.24e-08F, 9.12e-10F, 9.65e-11F, 3.75e-09F, 1.06e-12F, 8.34e-13F, 2.61e-13F, 6.75e-16F, 4.50e-17F, 9.12e-10F, 7.61e-10F, 6.91e-11F, 2.81e-10F, 7.92e-14F, 8.68e-14F, 2.19e-13F, 6.16e-17F, 4.69e-18F, 9.65e-11F, 6.91e-11F, 6.89e-12F, 2.97e-11F, 8.66e-15F, 9.56e-15F, 1.99e-14F, 2.42e-16F, 1.72e-17F, 3.75e-09F, 2.81e-10F, 2.97e-11F, 1.18e-09F, 3.23e-13F, 2.53e-13F, 7.94e-14F, 7.08e-20F, 5.15e-21F, 1.06e-12F, 7.92e-14F, 8.66e-15F, 3.23e-13F, 1.14e-16F, 8.49e-17F, 2.90e-17F, 8.16e-20F, 6.08e-21F, 8.34e-13F, 8.68e-14F, 9.56e-15F, 2.53e-13F, 8.49e-17F, 9.25e-17F, 3.05e-17F, 2.08e-19F, 1.37e-20F, 2.61e-13F, 2.19e-13F, 1.99e-14F, 7.94e-14F, 2.90e-17F, 3.05e-17F, 8.13e-17F },
+    { 4.09e-25F, 1.82e-24F, 1.65e-19F, 3.21e-20F, 1.62e-18F, 2.43e-20F, 1.82e-24F, 3.54e-26F, 4.10e-25F, 1.82e-24F, 3.91e-24F, 1.20e-18F, 1.42e-19F, 2.76e-18F, 1.83e-19F, 3.91e-24F, 1.57e-25F, 1.83e-24F, 1.65e-19F, 1.20e-18F, 1.58e-14F, 1.31e-14F, 1.14e-12F, 1.60e-15F, 1.20e-18F, 1.43e-20F, 1.64e-19F, 3.21e-20F, 1.42e-19F, 1.31e-14F, 2.53e-15F, 1.55e-13F, 1.93e-15F, 1.42e-19F, 2.78e-21F, 3.22e-20F, 1.62e-18F, 2.76e-18F, 1.14e-12F, 1.55e-13F, 2.20e-12F, 2.32e-13F, 2.76e-18F, 1.39e-19F, 1.64e-18F, 2.43e-20F, 1.83e-19F, 1.60e-15F, 1.93e-15F, 2.32e-13F, 1.17e-16F, 1.83e-19F, 2.12e-21F, 2.42e-20F, 1.82e-24F, 3.91e-24F, 1.20e-18F, 1.42e-19F, 2.76e-18F, 1.83e-19F, 4.00e-24F, 1.58e-25F, 1.85e-24F, 3.54e-26F, 1.57e-25F, 1.43e-20F, 2.78e-21F, 1.39e-19F, 2.12e-21F, 1.58e-25F, 3.07e-27F, 3.56e-26F, 4.10e-25F, 1.83e-24F, 1.64e-19F, 3.22e-20F, 1.64e-18F, 2.42e-20F, 1.85e-24F, 3.56e-26F, 4.12e-25F }
 };
 #endif
 static const unsigned short at_Q[81] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16,
@@ -123,7 +122,7 @@ int test_phi_Q(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (phi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("phi_Q: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Q: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Q Q", Q, 81);
@@ -136,7 +135,7 @@ int test_phi_Q(void)
             set_point(0, &nav, &step, &noise);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("phi_Q: position[%d] end %d refused\n", i, end);
+                selftest_print("phi_Q: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -152,7 +151,7 @@ int test_phi_Q(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (phi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("phi_Q: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Q Q", Q, 81);
@@ -163,7 +162,7 @@ int test_phi_Q(void)
             set_point(0, &nav, &step, &noise);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("phi_Q: v_n[%d] end %d refused\n", i, end);
+                selftest_print("phi_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -181,7 +180,7 @@ int test_phi_Q(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (phi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("phi_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Q Q", Q, 81);
@@ -195,7 +194,7 @@ int test_phi_Q(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("phi_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("phi_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -208,7 +207,7 @@ int test_phi_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (phi_Q(&nav, &step, &noise, Q) != BS_OUT_OF_RANGE) {
-            (void)printf("phi_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("phi_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -223,7 +222,7 @@ int test_phi_Q(void)
                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (phi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("phi_Q: f_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Q: f_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Q Q", Q, 81);
@@ -234,7 +233,7 @@ int test_phi_Q(void)
             set_point(0, &nav, &step, &noise);
             step.f_n[i] = (end == 0) ? low[i] : high[i];
             if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("phi_Q: f_n[%d] end %d refused\n", i, end);
+                selftest_print("phi_Q: f_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -250,7 +249,7 @@ int test_phi_Q(void)
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (phi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("phi_Q: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Q Q", Q, 81);
@@ -261,7 +260,7 @@ int test_phi_Q(void)
             set_point(0, &nav, &step, &noise);
             step.dt = (end == 0) ? low[i] : high[i];
             if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("phi_Q: dt[%d] end %d refused\n", i, end);
+                selftest_print("phi_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -279,7 +278,7 @@ int test_phi_Q(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (phi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("phi_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Q Q", Q, 81);
@@ -290,7 +289,7 @@ int test_phi_Q(void)
             set_point(0, &nav, &step, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("phi_Q: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("phi_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -308,7 +307,7 @@ int test_phi_Q(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (phi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("phi_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Q Q", Q, 81);
@@ -319,7 +318,7 @@ int test_phi_Q(void)
             set_point(0, &nav, &step, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("phi_Q: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("phi_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "phi_error.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.1a32660000000p-2, -0x1.484ab60000000p-1, -0x1.5389de0000000p-1, -0x1.14037a0000000p-2 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x0.0p+0 },
     { 0x1.5d33260000000p-4, 0x1.06e5d20000000p-4, 0x1.3354fa0000000p-6 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.4000000000000p+3, 0x0.0p+0 },
     { 0x1.2c6b040000000p+3, 0x1.a66b3c0000000p+2, 0x1.12f49a0000000p+2 }
 };
@@ -27,14 +26,14 @@ static const double out_Qc[N_VECTORS][18] = {
     { 0x1.eda211e263834p+4, -0x1.33cf78a6710b2p+0, 0x1.91ff47ad721c9p+3, -0x1.33cf78a6710b2p+0, 0x1.600384d94dd47p+6, -0x1.9f8d3bc1a96dbp-1, 0x1.91ff47ad721c9p+3, -0x1.9f8d3bc1a96dbp-1, 0x1.f27c5efabff99p+4, 0x1.21ef10c683ccbp-9, -0x1.7ca29ee36c300p-14, 0x1.edbb4b4cc7bfap-10, -0x1.7ca29ee36c300p-14, 0x1.dba62666d22c4p-8, -0x1.b0cf5ac815d79p-15, 0x1.edbb4b4cc7bfap-10, -0x1.b0cf5ac815d79p-15, 0x1.2803e3743e488p-9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Qc[N_VECTORS][18] = {
-    { 5.44e-05, 6.04e-06, 6.04e-06, 6.04e-06, 3.6e-13, 3.6e-13, 6.04e-06, 3.6e-13, 3.6e-13, 5.44e-09, 6.04e-10, 1.21e-09, 6.04e-10, 7.2e-17, 6.04e-10, 1.21e-09, 6.04e-10, 5.44e-09 },
-    { 1.75e-05, 9.28e-06, 1.74e-05, 9.28e-06, 4.79e-05, 7.36e-06, 1.74e-05, 7.36e-06, 1.95e-05, 1.31e-09, 7.55e-10, 1.28e-09, 7.55e-10, 3.95e-09, 5.96e-10, 1.28e-09, 5.96e-10, 1.28e-09 }
+static const float tol_Qc[N_VECTORS][18] = {
+    { 5.44e-05F, 6.04e-06F, 6.04e-06F, 6.04e-06F, 3.60e-13F, 3.60e-13F, 6.04e-06F, 3.60e-13F, 3.60e-13F, 5.44e-09F, 6.04e-10F, 1.21e-09F, 6.04e-10F, 7.20e-17F, 6.04e-10F, 1.21e-09F, 6.04e-10F, 5.44e-09F },
+    { 1.75e-05F, 9.28e-06F, 1.74e-05F, 9.28e-06F, 4.79e-05F, 7.36e-06F, 1.74e-05F, 7.36e-06F, 1.95e-05F, 1.31e-09F, 7.55e-10F, 1.28e-09F, 7.55e-10F, 3.95e-09F, 5.96e-10F, 1.28e-09F, 5.96e-10F, 1.28e-09F }
 };
 #else
-static const double tol_Qc[N_VECTORS][18] = {
-    { 1.13e-13, 1.13e-14, 1.13e-14, 1.13e-14, 1.25e-30, 1.25e-30, 1.13e-14, 1.25e-30, 1.25e-30, 1.13e-17, 1.13e-18, 2.25e-18, 1.13e-18, 2.5e-34, 1.13e-18, 2.25e-18, 1.13e-18, 1.13e-17 },
-    { 3.61e-14, 1.74e-14, 3.38e-14, 1.74e-14, 9.9e-14, 1.38e-14, 3.38e-14, 1.38e-14, 3.98e-14, 2.69e-18, 1.42e-18, 2.59e-18, 1.42e-18, 8.17e-18, 1.12e-18, 2.59e-18, 1.12e-18, 2.64e-18 }
+static const float tol_Qc[N_VECTORS][18] = {
+    { 1.13e-13F, 1.13e-14F, 1.13e-14F, 1.13e-14F, 1.25e-30F, 1.25e-30F, 1.13e-14F, 1.25e-30F, 1.25e-30F, 1.13e-17F, 1.13e-18F, 2.25e-18F, 1.13e-18F, 2.50e-34F, 1.13e-18F, 2.25e-18F, 1.13e-18F, 1.13e-17F },
+    { 3.61e-14F, 1.74e-14F, 3.38e-14F, 1.74e-14F, 9.90e-14F, 1.38e-14F, 3.38e-14F, 1.38e-14F, 3.98e-14F, 2.69e-18F, 1.42e-18F, 2.59e-18F, 1.42e-18F, 8.17e-18F, 1.12e-18F, 2.59e-18F, 1.12e-18F, 2.64e-18F }
 };
 #endif
 static const unsigned short at_Qc[18] = { 30, 31, 32, 39, 40, 41, 48, 49, 50, 60, 61, 62, 69, 70,
@@ -80,7 +79,7 @@ int test_phi_Qc(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 81);
             if (phi_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("phi_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Qc Qc", Qc, 81);
@@ -94,7 +93,7 @@ int test_phi_Qc(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (phi_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("phi_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("phi_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -107,7 +106,7 @@ int test_phi_Qc(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (phi_Qc(&nav, &noise, Qc) != BS_OUT_OF_RANGE) {
-            (void)printf("phi_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("phi_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -124,7 +123,7 @@ int test_phi_Qc(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 81);
             if (phi_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("phi_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Qc Qc", Qc, 81);
@@ -135,7 +134,7 @@ int test_phi_Qc(void)
             set_point(0, &nav, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (phi_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("phi_Qc: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("phi_Qc: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -153,7 +152,7 @@ int test_phi_Qc(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 81);
             if (phi_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("phi_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Qc Qc", Qc, 81);
@@ -164,7 +163,7 @@ int test_phi_Qc(void)
             set_point(0, &nav, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (phi_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("phi_Qc: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("phi_Qc: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -3,18 +3,17 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "phi_error.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { 0x1.15d3420000000p+2, 0x1.5c855a0000000p+0, 0x1.874cda0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.ca906c0000000p+9, -0x1.2ecab00000000p+9, 0x1.545f9a0000000p+7 }
 };
@@ -24,14 +23,14 @@ static const double out_T[N_VECTORS][17] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.39dda876e53bbp+9, 0x1.0000000000000p+0, -0x1.c08c688ddee1cp+9, 0x1.545f9a0000000p+7, 0x1.0000000000000p+0, 0x1.7d44b30ed1d28p+7, 0x1.2ecab00000000p+9, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.a9b270fe36354p-3, 0x1.0000000000000p+0, -0x1.f4d1349fcb476p-1, 0x1.0000000000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_T[N_VECTORS][17] = {
-    { 1.12e-16, 1.12e-16, 1.12e-16, 0.00025, 1.12e-16, 0.00018, 1.12e-13, 1.12e-16, 1.57e-05, 1.12e-13, 1.12e-16, 1.12e-16, 1.12e-16, 1.05e-08, 1.12e-16, 1.2e-07, 1.12e-16 },
-    { 1.12e-16, 1.12e-16, 1.12e-16, 0.000151, 1.12e-16, 0.000162, 1.91e-14, 1.12e-16, 3.44e-05, 6.79e-14, 1.12e-16, 1.12e-16, 1.12e-16, 2.5e-08, 1.12e-16, 1.18e-07, 1.12e-16 }
+static const float tol_T[N_VECTORS][17] = {
+    { 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.50e-04F, 1.12e-16F, 1.80e-04F, 1.12e-13F, 1.12e-16F, 1.57e-05F, 1.12e-13F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.05e-08F, 1.12e-16F, 1.20e-07F, 1.12e-16F },
+    { 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.51e-04F, 1.12e-16F, 1.62e-04F, 1.91e-14F, 1.12e-16F, 3.44e-05F, 6.79e-14F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.50e-08F, 1.12e-16F, 1.18e-07F, 1.12e-16F }
 };
 #else
-static const double tol_T[N_VECTORS][17] = {
-    { 1.12e-16, 1.12e-16, 1.12e-16, 5.68e-13, 1.12e-16, 4.47e-13, 1.12e-13, 1.12e-16, 3.91e-14, 1.12e-13, 1.12e-16, 1.12e-16, 1.12e-16, 2.93e-17, 1.12e-16, 3.35e-16, 1.12e-16 },
-    { 1.12e-16, 1.12e-16, 1.12e-16, 3.52e-13, 1.12e-16, 4.02e-13, 1.91e-14, 1.12e-16, 8.55e-14, 6.79e-14, 1.12e-16, 1.12e-16, 1.12e-16, 6.99e-17, 1.12e-16, 3.29e-16, 1.12e-16 }
+static const float tol_T[N_VECTORS][17] = {
+    { 1.12e-16F, 1.12e-16F, 1.12e-16F, 5.68e-13F, 1.12e-16F, 4.47e-13F, 1.12e-13F, 1.12e-16F, 3.91e-14F, 1.12e-13F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.93e-17F, 1.12e-16F, 3.35e-16F, 1.12e-16F },
+    { 1.12e-16F, 1.12e-16F, 1.12e-16F, 3.52e-13F, 1.12e-16F, 4.02e-13F, 1.91e-14F, 1.12e-16F, 8.55e-14F, 6.79e-14F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 6.99e-17F, 1.12e-16F, 3.29e-16F, 1.12e-16F }
 };
 #endif
 static const unsigned short at_T[17] = { 0, 10, 20, 27, 30, 36, 37, 40, 45, 46, 50, 55, 60, 63, 70,
@@ -74,7 +73,7 @@ int test_phi_psi_from_phi(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(T, 81);
             if (phi_psi_from_phi(&nav, T) != expected) {
-                (void)printf("phi_psi_from_phi: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_psi_from_phi: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_psi_from_phi T", T, 81);
@@ -87,7 +86,7 @@ int test_phi_psi_from_phi(void)
             set_point(0, &nav);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (phi_psi_from_phi(&nav, T) != BS_OK) {
-                (void)printf("phi_psi_from_phi: position[%d] end %d refused\n", i, end);
+                selftest_print("phi_psi_from_phi: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -103,7 +102,7 @@ int test_phi_psi_from_phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(T, 81);
             if (phi_psi_from_phi(&nav, T) != expected) {
-                (void)printf("phi_psi_from_phi: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_psi_from_phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_psi_from_phi T", T, 81);
@@ -114,7 +113,7 @@ int test_phi_psi_from_phi(void)
             set_point(0, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (phi_psi_from_phi(&nav, T) != BS_OK) {
-                (void)printf("phi_psi_from_phi: v_n[%d] end %d refused\n", i, end);
+                selftest_print("phi_psi_from_phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

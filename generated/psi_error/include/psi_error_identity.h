@@ -18,7 +18,7 @@
 #endif
 
 #define PSI_MODEL "psi-error"
-#define PSI_MODEL_HASH "1838b79619c6975bf2c6debf23f32f8920547fcccf9248a913135545f5b868b4"
+#define PSI_MODEL_HASH "d2126f4797385a03946c6c2f050c48ac9d3b7be680a5a20bf9537a4daa6e6e52"
 #define PSI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PSI_VERSION_MAJOR 0
 #define PSI_VERSION_MINOR 1

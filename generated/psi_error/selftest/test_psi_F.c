@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "psi_error.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { 0x1.84373e0000000p+2, 0x1.627c740000000p+0, 0x1.a7f5000000000p+11 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.b9f7300000000p+7, -0x1.6e89920000000p+9, -0x1.3f76160000000p+8 }
 };
-static const double in_f_n[N_VECTORS][3] = {
+static const float in_f_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, -0x1.f400000000000p+8, 0x1.f400000000000p+8 },
     { 0x1.6366800000000p+6, 0x1.c158220000000p+7, 0x1.a7522c0000000p+7 }
 };
@@ -27,14 +26,14 @@ static const double out_F[N_VECTORS][33] = {
     { -0x1.24b6deb4ab302p-11, 0x1.03b769c351b26p-10, -0x1.0051cec3a8d02p-35, 0x1.c53f76ac24902p-21, -0x1.1c9ca0fe3d46fp-15, 0x1.a633f197cf31dp-15, 0x1.3ac6feea2e36fp-36, 0x1.4f80fe458fc38p-23, 0x1.4713b91a2934bp+5, -0x1.6e89920000000p+9, 0x1.0000000000000p+0, -0x1.d11ade7323a64p+0, 0x1.5688cb670bfa4p-12, -0x1.01f22e7277163p-14, -0x1.a7522c0000000p+7, 0x1.c158220000000p+7, -0x1.3a3d0c77a9d54p+3, -0x1.5688cb670bfa4p-12, 0x1.e05eb6e717c72p-14, 0x1.a7522c0000000p+7, -0x1.6366800000000p+6, -0x1.3655db9c193e6p-6, 0x1.9d34928469f43p-19, 0x1.01f22e7277163p-14, -0x1.e05eb6e717c72p-14, -0x1.c158220000000p+7, 0x1.6366800000000p+6, 0x1.0b641b33dbf45p-12, -0x1.92b7ed73aeff2p-15, -0x1.0b641b33dbf45p-12, 0x1.e05eb6e717c72p-14, 0x1.92b7ed73aeff2p-15, -0x1.e05eb6e717c72p-14 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_F[N_VECTORS][33] = {
-    { 2.05e-09, 3.78e-08, 2.54e-16, 1.03e-12, 1.83e-10, 1e-10, 2.52e-17, 8.06e-14, 1.57e-05, 1.12e-13, 1.12e-16, 5.95e-07, 1.59e-09, 7.31e-11, 5.61e-14, 5.61e-14, 5.05e-06, 1.59e-09, 9e-11, 5.61e-14, 5.61e-14, 1.06e-08, 1.6e-12, 7.31e-11, 9e-11, 5.61e-14, 5.61e-14, 1.57e-09, 7.19e-11, 1.57e-09, 9e-11, 7.19e-11, 9e-11 },
-    { 6.97e-10, 1.83e-09, 2.64e-17, 4.84e-13, 4e-11, 3.26e-11, 1.85e-17, 8.06e-14, 7.38e-06, 8.22e-14, 1.12e-16, 1.26e-06, 2.03e-10, 2.37e-11, 2.37e-14, 2.52e-14, 5.05e-06, 2.03e-10, 6.59e-11, 2.37e-14, 9.96e-15, 2.22e-08, 1.59e-12, 2.37e-11, 6.59e-11, 2.52e-14, 9.96e-15, 1.82e-10, 1.97e-11, 1.82e-10, 6.59e-11, 1.97e-11, 6.59e-11 }
+static const float tol_F[N_VECTORS][33] = {
+    { 2.05e-09F, 3.78e-08F, 2.54e-16F, 1.03e-12F, 1.83e-10F, 1.00e-10F, 2.52e-17F, 8.06e-14F, 1.57e-05F, 1.12e-13F, 1.12e-16F, 5.95e-07F, 1.59e-09F, 7.31e-11F, 5.61e-14F, 5.61e-14F, 5.05e-06F, 1.59e-09F, 9.00e-11F, 5.61e-14F, 5.61e-14F, 1.06e-08F, 1.60e-12F, 7.31e-11F, 9.00e-11F, 5.61e-14F, 5.61e-14F, 1.57e-09F, 7.19e-11F, 1.57e-09F, 9.00e-11F, 7.19e-11F, 9.00e-11F },
+    { 6.97e-10F, 1.83e-09F, 2.64e-17F, 4.84e-13F, 4.00e-11F, 3.26e-11F, 1.85e-17F, 8.06e-14F, 7.38e-06F, 8.22e-14F, 1.12e-16F, 1.26e-06F, 2.03e-10F, 2.37e-11F, 2.37e-14F, 2.52e-14F, 5.05e-06F, 2.03e-10F, 6.59e-11F, 2.37e-14F, 9.96e-15F, 2.22e-08F, 1.59e-12F, 2.37e-11F, 6.59e-11F, 2.52e-14F, 9.96e-15F, 1.82e-10F, 1.97e-11F, 1.82e-10F, 6.59e-11F, 1.97e-11F, 6.59e-11F }
 };
 #else
-static const double tol_F[N_VECTORS][33] = {
-    { 4e-18, 7.27e-17, 5.04e-25, 2.12e-21, 3.59e-19, 2.04e-19, 4.97e-26, 1.68e-22, 3.91e-14, 1.12e-13, 1.12e-16, 1.2e-15, 3.14e-18, 1.52e-19, 5.61e-14, 5.61e-14, 1.05e-14, 3.14e-18, 1.85e-19, 5.61e-14, 5.61e-14, 2.08e-17, 3.32e-21, 1.52e-19, 1.85e-19, 5.61e-14, 5.61e-14, 3.13e-18, 1.51e-19, 3.13e-18, 1.85e-19, 1.51e-19, 1.85e-19 },
-    { 1.36e-18, 3.51e-18, 5.24e-26, 9.96e-22, 7.82e-20, 6.63e-20, 3.64e-26, 1.68e-22, 1.83e-14, 8.22e-14, 1.12e-16, 2.55e-15, 4.16e-19, 5.11e-20, 2.37e-14, 2.52e-14, 1.05e-14, 4.16e-19, 1.36e-19, 2.37e-14, 9.96e-15, 4.35e-17, 3.31e-21, 5.11e-20, 1.36e-19, 2.52e-14, 9.96e-15, 3.67e-19, 4.21e-20, 3.67e-19, 1.36e-19, 4.21e-20, 1.36e-19 }
+static const float tol_F[N_VECTORS][33] = {
+    { 4.00e-18F, 7.27e-17F, 5.04e-25F, 2.12e-21F, 3.59e-19F, 2.04e-19F, 4.97e-26F, 1.68e-22F, 3.91e-14F, 1.12e-13F, 1.12e-16F, 1.20e-15F, 3.14e-18F, 1.52e-19F, 5.61e-14F, 5.61e-14F, 1.05e-14F, 3.14e-18F, 1.85e-19F, 5.61e-14F, 5.61e-14F, 2.08e-17F, 3.32e-21F, 1.52e-19F, 1.85e-19F, 5.61e-14F, 5.61e-14F, 3.13e-18F, 1.51e-19F, 3.13e-18F, 1.85e-19F, 1.51e-19F, 1.85e-19F },
+    { 1.36e-18F, 3.51e-18F, 5.24e-26F, 9.96e-22F, 7.82e-20F, 6.63e-20F, 3.64e-26F, 1.68e-22F, 1.83e-14F, 8.22e-14F, 1.12e-16F, 2.55e-15F, 4.16e-19F, 5.11e-20F, 2.37e-14F, 2.52e-14F, 1.05e-14F, 4.16e-19F, 1.36e-19F, 2.37e-14F, 9.96e-15F, 4.35e-17F, 3.31e-21F, 5.11e-20F, 1.36e-19F, 2.52e-14F, 9.96e-15F, 3.67e-19F, 4.21e-20F, 3.67e-19F, 1.36e-19F, 4.21e-20F, 1.36e-19F }
 };
 #endif
 static const unsigned short at_F[33] = { 0, 1, 2, 3, 9, 10, 11, 13, 18, 19, 23, 27, 31, 32, 34, 35,
@@ -81,7 +80,7 @@ int test_psi_F(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 81);
             if (psi_F(&nav, &step, F) != expected) {
-                (void)printf("psi_F: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_F: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_F F", F, 81);
@@ -94,7 +93,7 @@ int test_psi_F(void)
             set_point(0, &nav, &step);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (psi_F(&nav, &step, F) != BS_OK) {
-                (void)printf("psi_F: position[%d] end %d refused\n", i, end);
+                selftest_print("psi_F: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -110,7 +109,7 @@ int test_psi_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 81);
             if (psi_F(&nav, &step, F) != expected) {
-                (void)printf("psi_F: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_F F", F, 81);
@@ -121,7 +120,7 @@ int test_psi_F(void)
             set_point(0, &nav, &step);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (psi_F(&nav, &step, F) != BS_OK) {
-                (void)printf("psi_F: v_n[%d] end %d refused\n", i, end);
+                selftest_print("psi_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -137,7 +136,7 @@ int test_psi_F(void)
                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 81);
             if (psi_F(&nav, &step, F) != expected) {
-                (void)printf("psi_F: f_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_F: f_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_F F", F, 81);
@@ -148,7 +147,7 @@ int test_psi_F(void)
             set_point(0, &nav, &step);
             step.f_n[i] = (end == 0) ? low[i] : high[i];
             if (psi_F(&nav, &step, F) != BS_OK) {
-                (void)printf("psi_F: f_n[%d] end %d refused\n", i, end);
+                selftest_print("psi_F: f_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

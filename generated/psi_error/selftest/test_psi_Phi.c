@@ -2,26 +2,25 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "psi_error.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.0c10a40000000p+0, 0x1.11388e0000000p+0, 0x1.4a4a120000000p+12 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.90dad20000000p+7, -0x1.32be6a0000000p+8, 0x1.f958d80000000p+7 }
 };
-static const double in_f_n[N_VECTORS][3] = {
+static const float in_f_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, -0x1.f400000000000p+8, 0x1.f400000000000p+8 },
     { 0x1.7562200000000p+8, -0x1.965cc80000000p+8, 0x1.66cf9c0000000p+8 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.c2ba040000000p-3 }
 };
@@ -31,14 +30,14 @@ static const double out_Phi[N_VECTORS][60] = {
     { 0x1.fffc58b5a73b8p-1, 0x1.b2555eb900ccap-16, -0x1.3a1cc680911c4p-39, 0x1.3217ba841aeabp-24, 0x1.0a7b91b708d59p-39, -0x1.259b1c5fef999p-40, -0x1.79aef9783bf0fp-19, -0x1.abbc6c6484e41p-19, -0x1.95c25808c096cp-18, 0x1.fffeddc238aaap-1, 0x1.d1641f6bfeefep-40, -0x1.01918a8ce56e7p-40, 0x1.27db3a56ddb63p-25, 0x1.99b21aac3d93ap-42, 0x1.6d0cad4fa189ap-20, -0x1.7be00dd5fa52ap-20, 0x1.548afbeb81c5dp+4, -0x1.0e094f5f94f1dp+6, 0x1.0000013faf9e1p+0, 0x1.b05566e06b940p-19, -0x1.3813bb104a376p-19, 0x1.c2ba040000000p-3, 0x1.3aeb7bce48a55p+3, 0x1.215ca76edefc1p+3, -0x1.0a844d8a695afp+0, -0x1.dfc8be733c2a4p-15, -0x1.c36e9a108ed9cp-38, 0x1.fffffeb81593cp-1, 0x1.54c95d0104675p-15, -0x1.7777c8dd710e6p-16, 0x1.0591e5d9d47fdp-10, -0x1.3bdf4989b711ap+6, -0x1.65bd51935e7a2p+6, 0x1.d03a42dc25d0ap-16, -0x1.142cf6e707fc4p+1, 0x1.f8c0574dd6324p-40, -0x1.54c8db04ac3dbp-15, 0x1.fffffeb941a54p-1, 0x1.628466a473d5dp-17, 0x1.3bdeb288db346p+6, 0x1.cd88061956893p-9, -0x1.48b1a0f845c30p+6, -0x1.283ffd3df71b2p-18, -0x1.3d61d7adb3404p-7, 0x1.6b888e4e05573p-21, 0x1.7779a0c697654p-16, -0x1.627e05b49b2aep-17, 0x1.0000013eb6626p+0, 0x1.65b9a3266218ap+6, 0x1.48b3357b77173p+6, -0x1.9ca3907411a30p-11, 0x1.fffffffc0c5cfp-1, 0x1.bdbd5722b614bp-16, -0x1.eb1a1334353edp-17, -0x1.bdbcad1e276f6p-16, 0x1.fffffffc7d2b7p-1, 0x1.62822a8a675b1p-17, 0x1.eb1c7c734dcddp-17, -0x1.627ed37164478p-17, 0x1.fffffffe99bdbp-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Phi[N_VECTORS][60] = {
-    { 1.41e-07, 4.09e-07, 3.01e-15, 1.28e-11, 7.21e-13, 3.6e-14, 3.65e-08, 3.65e-08, 2.06e-09, 1.22e-07, 2.87e-16, 5.35e-14, 9.96e-13, 2.81e-15, 2.96e-09, 2.96e-09, 0.000285, 0.00142, 6.03e-08, 1.4e-08, 1.09e-08, 1.12e-15, 0.00452, 0.00452, 7.14e-06, 4.17e-06, 5.28e-14, 6.07e-08, 1.84e-08, 9.74e-10, 0.000124, 0.000609, 0.000657, 3.04e-07, 6.25e-05, 5.29e-14, 1.84e-08, 6.07e-08, 1.11e-09, 0.000608, 0.000124, 0.000663, 2.31e-08, 3.46e-07, 1.97e-11, 9.75e-10, 1.11e-09, 6.03e-08, 0.000662, 0.000656, 1.43e-05, 6.05e-08, 1.81e-08, 9.46e-10, 1.81e-08, 6.05e-08, 1.11e-09, 9.48e-10, 1.11e-09, 6.02e-08 },
-    { 1.2e-07, 5.08e-11, 2.29e-18, 4.94e-14, 3.14e-18, 1.26e-18, 2.29e-12, 2.59e-12, 7.84e-12, 1.2e-07, 1.9e-18, 1.35e-18, 2.19e-14, 4.18e-19, 1.03e-12, 1.07e-12, 6.41e-06, 8.13e-06, 6.02e-08, 2.25e-12, 1.62e-12, 2.47e-17, 1.78e-06, 1.63e-06, 8.48e-07, 9.85e-11, 1.08e-17, 6.02e-08, 2.43e-11, 1.05e-11, 2.99e-09, 9.51e-06, 1.08e-05, 4.41e-11, 1.37e-06, 7.84e-18, 2.43e-11, 6.02e-08, 7.35e-12, 9.51e-06, 3.23e-09, 9.9e-06, 2.16e-11, 1.25e-08, 4.31e-13, 1.05e-11, 7.35e-12, 6.02e-08, 1.08e-05, 9.9e-06, 1.75e-09, 6.02e-08, 1.84e-11, 7.21e-12, 1.84e-11, 6.02e-08, 7.35e-12, 7.21e-12, 7.35e-12, 6.02e-08 }
+static const float tol_Phi[N_VECTORS][60] = {
+    { 1.41e-07F, 4.09e-07F, 3.01e-15F, 1.28e-11F, 7.21e-13F, 3.60e-14F, 3.65e-08F, 3.65e-08F, 2.06e-09F, 1.22e-07F, 2.87e-16F, 5.35e-14F, 9.96e-13F, 2.81e-15F, 2.96e-09F, 2.96e-09F, 2.85e-04F, 1.42e-03F, 6.03e-08F, 1.40e-08F, 1.09e-08F, 1.12e-15F, 4.52e-03F, 4.52e-03F, 7.14e-06F, 4.17e-06F, 5.28e-14F, 6.07e-08F, 1.84e-08F, 9.74e-10F, 1.24e-04F, 6.09e-04F, 6.57e-04F, 3.04e-07F, 6.25e-05F, 5.29e-14F, 1.84e-08F, 6.07e-08F, 1.11e-09F, 6.08e-04F, 1.24e-04F, 6.63e-04F, 2.31e-08F, 3.46e-07F, 1.97e-11F, 9.75e-10F, 1.11e-09F, 6.03e-08F, 6.62e-04F, 6.56e-04F, 1.43e-05F, 6.05e-08F, 1.81e-08F, 9.46e-10F, 1.81e-08F, 6.05e-08F, 1.11e-09F, 9.48e-10F, 1.11e-09F, 6.02e-08F },
+    { 1.20e-07F, 5.08e-11F, 2.29e-18F, 4.94e-14F, 3.14e-18F, 1.26e-18F, 2.29e-12F, 2.59e-12F, 7.84e-12F, 1.20e-07F, 1.90e-18F, 1.35e-18F, 2.19e-14F, 4.18e-19F, 1.03e-12F, 1.07e-12F, 6.41e-06F, 8.13e-06F, 6.02e-08F, 2.25e-12F, 1.62e-12F, 2.47e-17F, 1.78e-06F, 1.63e-06F, 8.48e-07F, 9.85e-11F, 1.08e-17F, 6.02e-08F, 2.43e-11F, 1.05e-11F, 2.99e-09F, 9.51e-06F, 1.08e-05F, 4.41e-11F, 1.37e-06F, 7.84e-18F, 2.43e-11F, 6.02e-08F, 7.35e-12F, 9.51e-06F, 3.23e-09F, 9.90e-06F, 2.16e-11F, 1.25e-08F, 4.31e-13F, 1.05e-11F, 7.35e-12F, 6.02e-08F, 1.08e-05F, 9.90e-06F, 1.75e-09F, 6.02e-08F, 1.84e-11F, 7.21e-12F, 1.84e-11F, 6.02e-08F, 7.35e-12F, 7.21e-12F, 7.35e-12F, 6.02e-08F }
 };
 #else
-static const double tol_Phi[N_VECTORS][60] = {
-    { 3.73e-16, 7.85e-16, 5.92e-24, 2.58e-20, 1.38e-21, 7.03e-23, 7.3e-17, 7.3e-17, 4.02e-18, 3.39e-16, 5.62e-25, 1.03e-22, 2.03e-21, 5.52e-24, 5.95e-18, 5.95e-18, 6.29e-13, 3.75e-12, 2.25e-16, 2.79e-17, 2.2e-17, 1.12e-15, 1.12e-11, 1.12e-11, 1.43e-14, 7.97e-15, 9.99e-23, 2.25e-16, 3.64e-17, 2e-18, 2.42e-13, 1.7e-12, 1.78e-12, 5.84e-16, 1.27e-13, 9.99e-23, 3.64e-17, 2.25e-16, 2.25e-18, 1.69e-12, 2.43e-13, 1.8e-12, 4.37e-17, 6.63e-16, 4.01e-20, 2.01e-18, 2.25e-18, 2.25e-16, 1.8e-12, 1.78e-12, 2.84e-14, 2.25e-16, 3.58e-17, 1.94e-18, 3.58e-17, 2.25e-16, 2.25e-18, 1.95e-18, 2.24e-18, 2.24e-16 },
-    { 3.36e-16, 9.75e-20, 4.51e-27, 1e-22, 6.06e-27, 2.46e-27, 4.58e-21, 5.19e-21, 1.53e-20, 3.36e-16, 3.73e-27, 2.61e-27, 4.46e-23, 8.2e-28, 2.07e-21, 2.15e-21, 1.43e-14, 2.27e-14, 2.24e-16, 4.55e-21, 3.27e-21, 2.47e-17, 4.41e-15, 4.06e-15, 1.7e-15, 1.9e-19, 2.08e-26, 2.24e-16, 4.98e-20, 2.2e-20, 5.68e-18, 2.66e-14, 3.01e-14, 8.53e-20, 2.79e-15, 1.48e-26, 4.98e-20, 2.24e-16, 1.49e-20, 2.66e-14, 6.41e-18, 2.76e-14, 4.08e-20, 2.44e-17, 8.8e-22, 2.2e-20, 1.49e-20, 2.24e-16, 3.01e-14, 2.76e-14, 3.35e-18, 2.24e-16, 3.72e-20, 1.51e-20, 3.72e-20, 2.24e-16, 1.49e-20, 1.51e-20, 1.49e-20, 2.24e-16 }
+static const float tol_Phi[N_VECTORS][60] = {
+    { 3.73e-16F, 7.85e-16F, 5.92e-24F, 2.58e-20F, 1.38e-21F, 7.03e-23F, 7.30e-17F, 7.30e-17F, 4.02e-18F, 3.39e-16F, 5.62e-25F, 1.03e-22F, 2.03e-21F, 5.52e-24F, 5.95e-18F, 5.95e-18F, 6.29e-13F, 3.75e-12F, 2.25e-16F, 2.79e-17F, 2.20e-17F, 1.12e-15F, 1.12e-11F, 1.12e-11F, 1.43e-14F, 7.97e-15F, 9.99e-23F, 2.25e-16F, 3.64e-17F, 2.00e-18F, 2.42e-13F, 1.70e-12F, 1.78e-12F, 5.84e-16F, 1.27e-13F, 9.99e-23F, 3.64e-17F, 2.25e-16F, 2.25e-18F, 1.69e-12F, 2.43e-13F, 1.80e-12F, 4.37e-17F, 6.63e-16F, 4.01e-20F, 2.01e-18F, 2.25e-18F, 2.25e-16F, 1.80e-12F, 1.78e-12F, 2.84e-14F, 2.25e-16F, 3.58e-17F, 1.94e-18F, 3.58e-17F, 2.25e-16F, 2.25e-18F, 1.95e-18F, 2.24e-18F, 2.24e-16F },
+    { 3.36e-16F, 9.75e-20F, 4.51e-27F, 1.00e-22F, 6.06e-27F, 2.46e-27F, 4.58e-21F, 5.19e-21F, 1.53e-20F, 3.36e-16F, 3.73e-27F, 2.61e-27F, 4.46e-23F, 8.20e-28F, 2.07e-21F, 2.15e-21F, 1.43e-14F, 2.27e-14F, 2.24e-16F, 4.55e-21F, 3.27e-21F, 2.47e-17F, 4.41e-15F, 4.06e-15F, 1.70e-15F, 1.90e-19F, 2.08e-26F, 2.24e-16F, 4.98e-20F, 2.20e-20F, 5.68e-18F, 2.66e-14F, 3.01e-14F, 8.53e-20F, 2.79e-15F, 1.48e-26F, 4.98e-20F, 2.24e-16F, 1.49e-20F, 2.66e-14F, 6.41e-18F, 2.76e-14F, 4.08e-20F, 2.44e-17F, 8.80e-22F, 2.20e-20F, 1.49e-20F, 2.24e-16F, 3.01e-14F, 2.76e-14F, 3.35e-18F, 2.24e-16F, 3.72e-20F, 1.51e-20F, 3.72e-20F, 2.24e-16F, 1.49e-20F, 1.51e-20F, 1.49e-20F, 2.24e-16F }
 };
 #endif
 static const unsigned short at_Phi[60] = { 0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17,
@@ -91,7 +90,7 @@ int test_psi_Phi(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 81);
             if (psi_Phi(&nav, &step, Phi) != expected) {
-                (void)printf("psi_Phi: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Phi: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Phi Phi", Phi, 81);
@@ -104,7 +103,7 @@ int test_psi_Phi(void)
             set_point(0, &nav, &step);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (psi_Phi(&nav, &step, Phi) != BS_OK) {
-                (void)printf("psi_Phi: position[%d] end %d refused\n", i, end);
+                selftest_print("psi_Phi: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -120,7 +119,7 @@ int test_psi_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 81);
             if (psi_Phi(&nav, &step, Phi) != expected) {
-                (void)printf("psi_Phi: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Phi Phi", Phi, 81);
@@ -131,7 +130,7 @@ int test_psi_Phi(void)
             set_point(0, &nav, &step);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (psi_Phi(&nav, &step, Phi) != BS_OK) {
-                (void)printf("psi_Phi: v_n[%d] end %d refused\n", i, end);
+                selftest_print("psi_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -147,7 +146,7 @@ int test_psi_Phi(void)
                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 81);
             if (psi_Phi(&nav, &step, Phi) != expected) {
-                (void)printf("psi_Phi: f_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Phi: f_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Phi Phi", Phi, 81);
@@ -158,7 +157,7 @@ int test_psi_Phi(void)
             set_point(0, &nav, &step);
             step.f_n[i] = (end == 0) ? low[i] : high[i];
             if (psi_Phi(&nav, &step, Phi) != BS_OK) {
-                (void)printf("psi_Phi: f_n[%d] end %d refused\n", i, end);
+                selftest_print("psi_Phi: f_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -174,7 +173,7 @@ int test_psi_Phi(void)
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 81);
             if (psi_Phi(&nav, &step, Phi) != expected) {
-                (void)printf("psi_Phi: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Phi Phi", Phi, 81);
@@ -185,7 +184,7 @@ int test_psi_Phi(void)
             set_point(0, &nav, &step);
             step.dt = (end == 0) ? low[i] : high[i];
             if (psi_Phi(&nav, &step, Phi) != BS_OK) {
-                (void)printf("psi_Phi: dt[%d] end %d refused\n", i, end);
+                selftest_print("psi_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

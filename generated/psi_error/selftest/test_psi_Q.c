@@ -2,38 +2,37 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "psi_error.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { 0x1.2ab43a0000000p+2, -0x1.bf004e0000000p-1, 0x1.70af360000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.2698dc0000000p+9, -0x1.b6e3ba0000000p+9, -0x1.8cbbca0000000p+8 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.b71ac80000000p-2, -0x1.2e71000000000p-1, 0x1.ee14cc0000000p-2, 0x1.eea1920000000p-2 }
 };
-static const double in_f_n[N_VECTORS][3] = {
+static const float in_f_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { 0x1.8b545e0000000p+6, 0x1.c00c620000000p+7, -0x1.af69f40000000p+8 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.3703560000000p+2 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x0.0p+0 },
     { 0x1.1dd24c0000000p-5, 0x1.85c3e20000000p-4, 0x1.471cb00000000p-9 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.4000000000000p+3, 0x0.0p+0 },
     { 0x1.8d738e0000000p+2, 0x1.6168460000000p+2, 0x1.458cd20000000p+2 }
 };
@@ -43,14 +42,14 @@ static const double out_Q[N_VECTORS][81] = {
     { 0x1.784fa601665e8p-29, -0x1.07bbe69f84b25p-33, 0x1.16411ec8e6b64p-9, 0x1.c2e94c43ea278p-8, -0x1.edfdf60dfdfdbp-12, 0x1.583a54e09190cp-10, -0x1.2fba49f02d837p-20, 0x1.9e58e0c61f8d7p-20, 0x1.adfd9838390cbp-18, -0x1.07bbe69f84b25p-33, 0x1.fed7056e44f20p-35, -0x1.060af92cfe3bdp-15, -0x1.3e49987cc36cap-12, 0x1.4bd24afdf38c2p-13, -0x1.69fb3d311c502p-16, 0x1.dc2c301e9c312p-24, 0x1.7bdf0cac90f2fp-23, -0x1.96a58859c0fb9p-21, 0x1.16411ec8e6b64p-9, -0x1.060af92cfe3bdp-15, 0x1.7cdf961620d5ep+11, 0x1.519b399f6c303p+12, -0x1.134efd91ab5bap+7, 0x1.7c3830b43e9b7p+10, -0x1.65bb19f52a761p-1, 0x1.05429dcf7ece1p+1, 0x1.c370332c0e628p+1, 0x1.c2e94c43ea278p-8, -0x1.3e49987cc36cap-12, 0x1.519b399f6c303p+12, 0x1.1018733b79988p+14, -0x1.2af2b248ecbebp+10, 0x1.a12542823889dp+11, -0x1.700484f68fdcdp+1, 0x1.f56e83fa504adp+1, 0x1.048596f5eb038p+4, -0x1.edfdf60dfdfdbp-12, 0x1.4bd24afdf38c2p-13, -0x1.134efd91ab5bap+7, -0x1.2af2b248ecbebp+10, 0x1.097a157c7f9bap+9, -0x1.60731b62eee2dp+6, 0x1.bfe3e95aea03ap-2, 0x1.653e99b2f97f2p-1, -0x1.7e7828891ee1ap+1, 0x1.583a54e09190cp-10, -0x1.69fb3d311c502p-16, 0x1.7c3830b43e9b7p+10, 0x1.a12542823889dp+11, -0x1.60731b62eee2dp+6, 0x1.b064b920f3b96p+9, -0x1.b9f1809c34ba1p-2, 0x1.426cb21cf88d7p+0, 0x1.16e8bc74e738ap+1, -0x1.2fba49f02d837p-20, 0x1.dc2c301e9c312p-24, -0x1.65bb19f52a761p-1, -0x1.700484f68fdcdp+1, 0x1.bfe3e95aea03ap-2, -0x1.b9f1809c34ba1p-2, 0x1.26212ed38b590p-10, 0x1.86ed8513a21bbp-11, -0x1.b8768896f0672p-8, 0x1.9e58e0c61f8d7p-20, 0x1.7bdf0cac90f2fp-23, 0x1.05429dcf7ece1p+1, 0x1.f56e83fa504adp+1, 0x1.653e99b2f97f2p-1, 0x1.426cb21cf88d7p+0, 0x1.86ed8513a21bbp-11, 0x1.c664127916c79p-8, -0x1.93c4ea7cb0ed1p-8, 0x1.adfd9838390cbp-18, -0x1.96a58859c0fb9p-21, 0x1.c370332c0e628p+1, 0x1.048596f5eb038p+4, -0x1.7e7828891ee1ap+1, 0x1.16e8bc74e738ap+1, -0x1.b8768896f0672p-8, -0x1.93c4ea7cb0ed1p-8, 0x1.5655394c39d25p-5 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Q[N_VECTORS][81] = {
-    { 9.58e-11, 8.49e-12, 5.95e-06, 1.31e-05, 1.35e-05, 1.82e-06, 3.64e-10, 1.87e-10, 3.08e-09, 8.49e-12, 1.37e-12, 3.85e-06, 1.19e-06, 2.16e-06, 1.16e-06, 2.69e-10, 2.89e-11, 2.69e-10, 5.95e-06, 3.85e-06, 17.2, 1.12, 5.84, 5.17, 0.00115, 7.62e-05, 0.000252, 1.31e-05, 1.19e-06, 1.12, 1.74, 1.86, 0.338, 6.93e-05, 3.19e-05, 0.000365, 1.35e-05, 2.16e-06, 5.84, 1.86, 3.31, 1.81, 0.000377, 5.36e-05, 0.000377, 1.82e-06, 1.16e-06, 5.17, 0.338, 1.81, 1.6, 0.000347, 2.28e-05, 7.66e-05, 3.64e-10, 2.69e-10, 0.00115, 6.93e-05, 0.000377, 0.000347, 1.07e-07, 8.14e-09, 1.84e-08, 1.87e-10, 2.89e-11, 7.62e-05, 3.19e-05, 5.36e-05, 2.28e-05, 8.14e-09, 1.69e-10, 1.23e-08, 3.08e-09, 2.69e-10, 0.000252, 0.000365, 0.000377, 7.66e-05, 1.84e-08, 1.23e-08, 1.07e-07 },
-    { 9.38e-15, 1.1e-15, 7e-09, 1.93e-08, 3.9e-09, 4.26e-09, 3.43e-12, 7.28e-12, 1.55e-11, 1.1e-15, 2.67e-16, 8.42e-10, 2.48e-09, 7.74e-10, 4.76e-10, 6.93e-13, 9.17e-13, 3.7e-12, 7e-09, 8.42e-10, 0.00654, 0.014, 0.0027, 0.0035, 2.43e-06, 5.34e-06, 1.13e-05, 1.93e-08, 2.48e-09, 0.014, 0.0389, 0.00882, 0.00883, 6.9e-06, 1.27e-05, 2.9e-05, 3.9e-09, 7.74e-10, 0.0027, 0.00882, 0.00257, 0.00163, 2.43e-06, 3.22e-06, 1.28e-05, 4.26e-09, 4.76e-10, 0.0035, 0.00883, 0.00163, 0.00209, 1.5e-06, 3.3e-06, 6.96e-06, 3.43e-12, 6.93e-13, 2.43e-06, 6.9e-06, 2.43e-06, 1.5e-06, 2.62e-09, 2.8e-09, 1.16e-08, 7.28e-12, 9.17e-13, 5.34e-06, 1.27e-05, 3.22e-06, 3.3e-06, 2.8e-09, 8.15e-09, 1.07e-08, 1.55e-11, 3.7e-12, 1.13e-05, 2.9e-05, 1.28e-05, 6.96e-06, 1.16e-08, 1.07e-08, 4.48e-08 }
+static const float tol_Q[N_VECTORS][81] = {
+    { 9.58e-11F, 8.49e-12F, 5.95e-06F, 1.31e-05F, 1.35e-05F, 1.82e-06F, 3.64e-10F, 1.87e-10F, 3.08e-09F, 8.49e-12F, 1.37e-12F, 3.85e-06F, 1.19e-06F, 2.16e-06F, 1.16e-06F, 2.69e-10F, 2.89e-11F, 2.69e-10F, 5.95e-06F, 3.85e-06F, 1.72e+01F, 1.12e+00F, 5.84e+00F, 5.17e+00F, 1.15e-03F, 7.62e-05F, 2.52e-04F, 1.31e-05F, 1.19e-06F, 1.12e+00F, 1.74e+00F, 1.86e+00F, 3.38e-01F, 6.93e-05F, 3.19e-05F, 3.65e-04F, 1.35e-05F, 2.16e-06F, 5.84e+00F, 1.86e+00F, 3.31e+00F, 1.81e+00F, 3.77e-04F, 5.36e-05F, 3.77e-04F, 1.82e-06F, 1.16e-06F, 5.17e+00F, 3.38e-01F, 1.81e+00F, 1.60e+00F, 3.47e-04F, 2.28e-05F, 7.66e-05F, 3.64e-10F, 2.69e-10F, 1.15e-03F, 6.93e-05F, 3.77e-04F, 3.47e-04F, 1.07e-07F, 8.14e-09F, 1.84e-08F, 1.87e-10F, 2.89e-11F, 7.62e-05F, 3.19e-05F, 5.36e-05F, 2.28e-05F, 8.14e-09F, 1.69e-10F, 1.23e-08F, 3.08e-09F, 2.69e-10F, 2.52e-04F, 3.65e-04F, 3.77e-04F, 7.66e-05F, 1.84e-08F, 1.23e-08F, 1.07e-07F },
+    { 9.38e-15F, 1.10e-15F, 7.00e-09F, 1.93e-08F, 3.90e-09F, 4.26e-09F, 3.43e-12F, 7.28e-12F, 1.55e-11F, 1.10e-15F, 2.67e-16F, 8.42e-10F, 2.48e-09F, 7.74e-10F, 4.76e-10F, 6.93e-13F, 9.17e-13F, 3.70e-12F, 7.00e-09F, 8.42e-10F, 6.54e-03F, 1.40e-02F, 2.70e-03F, 3.50e-03F, 2.43e-06F, 5.34e-06F, 1.13e-05F, 1.93e-08F, 2.48e-09F, 1.40e-02F, 3.89e-02F, 8.82e-03F, 8.83e-03F, 6.90e-06F, 1.27e-05F, 2.90e-05F, 3.90e-09F, 7.74e-10F, 2.70e-03F, 8.82e-03F, 2.57e-03F, 1.63e-03F, 2.43e-06F, 3.22e-06F, 1.28e-05F, 4.26e-09F, 4.76e-10F, 3.50e-03F, 8.83e-03F, 1.63e-03F, 2.09e-03F, 1.50e-06F, 3.30e-06F, 6.96e-06F, 3.43e-12F, 6.93e-13F, 2.43e-06F, 6.90e-06F, 2.43e-06F, 1.50e-06F, 2.62e-09F, 2.80e-09F, 1.16e-08F, 7.28e-12F, 9.17e-13F, 5.34e-06F, 1.27e-05F, 3.22e-06F, 3.30e-06F, 2.80e-09F, 8.15e-09F, 1.07e-08F, 1.55e-11F, 3.70e-12F, 1.13e-05F, 2.90e-05F, 1.28e-05F, 6.96e-06F, 1.16e-08F, 1.07e-08F, 4.48e-08F }
 };
 #else
-static const double tol_Q[N_VECTORS][81] = {
-    { 1.82e-19, 1.61e-20, 1.11e-14, 2.49e-14, 2.58e-14, 3.39e-15, 6.77e-19, 3.49e-19, 5.9e-18, 1.61e-20, 2.61e-21, 7.33e-15, 2.26e-15, 4.11e-15, 2.2e-15, 5.16e-19, 5.4e-20, 5.15e-19, 1.11e-14, 7.33e-15, 3.31e-08, 2.08e-09, 1.12e-08, 9.95e-09, 2.24e-12, 1.43e-13, 4.69e-13, 2.49e-14, 2.26e-15, 2.08e-09, 3.34e-09, 3.55e-09, 6.31e-10, 1.29e-13, 5.95e-14, 7.08e-13, 2.58e-14, 4.11e-15, 1.12e-08, 3.55e-09, 6.36e-09, 3.46e-09, 7.3e-13, 1e-13, 7.31e-13, 3.39e-15, 2.2e-15, 9.95e-09, 6.31e-10, 3.46e-09, 3.08e-09, 6.74e-13, 4.29e-14, 1.43e-13, 6.77e-19, 5.16e-19, 2.24e-12, 1.29e-13, 7.3e-13, 6.74e-13, 2.1e-16, 1.53e-17, 3.42e-17, 3.49e-19, 5.4e-20, 1.43e-13, 5.95e-14, 1e-13, 4.29e-14, 1.53e-17, 3.17e-19, 2.3e-17, 5.9e-18, 5.15e-19, 4.69e-13, 7.08e-13, 7.31e-13, 1.43e-13, 3.42e-17, 2.3e-17, 2.1e-16 },
-    { 1.78e-23, 2.07e-24, 1.33e-17, 3.67e-17, 7.32e-18, 8.09e-18, 6.52e-21, 1.37e-20, 2.95e-20, 2.07e-24, 5.04e-25, 1.57e-18, 4.66e-18, 1.46e-18, 8.88e-19, 1.3e-21, 1.73e-21, 6.97e-21, 1.33e-17, 1.57e-18, 1.25e-11, 2.67e-11, 5.05e-12, 6.68e-12, 4.61e-15, 1.02e-14, 2.14e-14, 3.67e-17, 4.66e-18, 2.67e-11, 7.44e-11, 1.66e-11, 1.68e-11, 1.32e-14, 2.42e-14, 5.59e-14, 7.32e-18, 1.46e-18, 5.05e-12, 1.66e-11, 4.84e-12, 3.05e-12, 4.58e-15, 6.07e-15, 2.43e-14, 8.09e-18, 8.88e-19, 6.68e-12, 1.68e-11, 3.05e-12, 3.99e-12, 2.85e-15, 6.29e-15, 1.32e-14, 6.52e-21, 1.3e-21, 4.61e-15, 1.32e-14, 4.58e-15, 2.85e-15, 5e-18, 5.29e-18, 2.23e-17, 1.37e-20, 1.73e-21, 1.02e-14, 2.42e-14, 6.07e-15, 6.29e-15, 5.29e-18, 1.6e-17, 2.05e-17, 2.95e-20, 6.97e-21, 2.14e-14, 5.59e-14, 2.43e-14, 1.32e-14, 2.23e-17, 2.05e-17, 8.82e-17 }
+static const float tol_Q[N_VECTORS][81] = {
+    { 1.82e-19F, 1.61e-20F, 1.11e-14F, 2.49e-14F, 2.58e-14F, 3.39e-15F, 6.77e-19F, 3.49e-19F, 5.90e-18F, 1.61e-20F, 2.61e-21F, 7.33e-15F, 2.26e-15F, 4.11e-15F, 2.20e-15F, 5.16e-19F, 5.40e-20F, 5.15e-19F, 1.11e-14F, 7.33e-15F, 3.31e-08F, 2.08e-09F, 1.12e-08F, 9.95e-09F, 2.24e-12F, 1.43e-13F, 4.69e-13F, 2.49e-14F, 2.26e-15F, 2.08e-09F, 3.34e-09F, 3.55e-09F, 6.31e-10F, 1.29e-13F, 5.95e-14F, 7.08e-13F, 2.58e-14F, 4.11e-15F, 1.12e-08F, 3.55e-09F, 6.36e-09F, 3.46e-09F, 7.30e-13F, 1.00e-13F, 7.31e-13F, 3.39e-15F, 2.20e-15F, 9.95e-09F, 6.31e-10F, 3.46e-09F, 3.08e-09F, 6.74e-13F, 4.29e-14F, 1.43e-13F, 6.77e-19F, 5.16e-19F, 2.24e-12F, 1.29e-13F, 7.30e-13F, 6.74e-13F, 2.10e-16F, 1.53e-17F, 3.42e-17F, 3.49e-19F, 5.40e-20F, 1.43e-13F, 5.95e-14F, 1.00e-13F, 4.29e-14F, 1.53e-17F, 3.17e-19F, 2.30e-17F, 5.90e-18F, 5.15e-19F, 4.69e-13F, 7.08e-13F, 7.31e-13F, 1.43e-13F, 3.42e-17F, 2.30e-17F, 2.10e-16F },
+    { 1.78e-23F, 2.07e-24F, 1.33e-17F, 3.67e-17F, 7.32e-18F, 8.09e-18F, 6.52e-21F, 1.37e-20F, 2.95e-20F, 2.07e-24F, 5.04e-25F, 1.57e-18F, 4.66e-18F, 1.46e-18F, 8.88e-19F, 1.30e-21F, 1.73e-21F, 6.97e-21F, 1.33e-17F, 1.57e-18F, 1.25e-11F, 2.67e-11F, 5.05e-12F, 6.68e-12F, 4.61e-15F, 1.02e-14F, 2.14e-14F, 3.67e-17F, 4.66e-18F, 2.67e-11F, 7.44e-11F, 1.66e-11F, 1.68e-11F, 1.32e-14F, 2.42e-14F, 5.59e-14F, 7.32e-18F, 1.46e-18F, 5.05e-12F, 1.66e-11F, 4.84e-12F, 3.05e-12F, 4.58e-15F, 6.07e-15F, 2.43e-14F, 8.09e-18F, 8.88e-19F, 6.68e-12F, 1.68e-11F, 3.05e-12F, 3.99e-12F, 2.85e-15F, 6.29e-15F, 1.32e-14F, 6.52e-21F, 1.30e-21F, 4.61e-15F, 1.32e-14F, 4.58e-15F, 2.85e-15F, 5.00e-18F, 5.29e-18F, 2.23e-17F, 1.37e-20F, 1.73e-21F, 1.02e-14F, 2.42e-14F, 6.07e-15F, 6.29e-15F, 5.29e-18F, 1.60e-17F, 2.05e-17F, 2.95e-20F, 6.97e-21F, 2.14e-14F, 5.59e-14F, 2.43e-14F, 1.32e-14F, 2.23e-17F, 2.05e-17F, 8.82e-17F }
 };
 #endif
 static const unsigned short at_Q[81] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16,
@@ -113,7 +112,7 @@ int test_psi_Q(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (psi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("psi_Q: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Q: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Q Q", Q, 81);
@@ -126,7 +125,7 @@ int test_psi_Q(void)
             set_point(0, &nav, &step, &noise);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (psi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("psi_Q: position[%d] end %d refused\n", i, end);
+                selftest_print("psi_Q: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -142,7 +141,7 @@ int test_psi_Q(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (psi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("psi_Q: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Q Q", Q, 81);
@@ -153,7 +152,7 @@ int test_psi_Q(void)
             set_point(0, &nav, &step, &noise);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (psi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("psi_Q: v_n[%d] end %d refused\n", i, end);
+                selftest_print("psi_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -171,7 +170,7 @@ int test_psi_Q(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (psi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("psi_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Q Q", Q, 81);
@@ -185,7 +184,7 @@ int test_psi_Q(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (psi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("psi_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("psi_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -198,7 +197,7 @@ int test_psi_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (psi_Q(&nav, &step, &noise, Q) != BS_OUT_OF_RANGE) {
-            (void)printf("psi_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("psi_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -213,7 +212,7 @@ int test_psi_Q(void)
                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (psi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("psi_Q: f_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Q: f_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Q Q", Q, 81);
@@ -224,7 +223,7 @@ int test_psi_Q(void)
             set_point(0, &nav, &step, &noise);
             step.f_n[i] = (end == 0) ? low[i] : high[i];
             if (psi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("psi_Q: f_n[%d] end %d refused\n", i, end);
+                selftest_print("psi_Q: f_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -240,7 +239,7 @@ int test_psi_Q(void)
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (psi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("psi_Q: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Q Q", Q, 81);
@@ -251,7 +250,7 @@ int test_psi_Q(void)
             set_point(0, &nav, &step, &noise);
             step.dt = (end == 0) ? low[i] : high[i];
             if (psi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("psi_Q: dt[%d] end %d refused\n", i, end);
+                selftest_print("psi_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -269,7 +268,7 @@ int test_psi_Q(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (psi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("psi_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Q Q", Q, 81);
@@ -280,7 +279,7 @@ int test_psi_Q(void)
             set_point(0, &nav, &step, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (psi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("psi_Q: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("psi_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -298,7 +297,7 @@ int test_psi_Q(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (psi_Q(&nav, &step, &noise, Q) != expected) {
-                (void)printf("psi_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Q Q", Q, 81);
@@ -309,7 +308,7 @@ int test_psi_Q(void)
             set_point(0, &nav, &step, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (psi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                (void)printf("psi_Q: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("psi_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "psi_error.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.b3785e0000000p-2, 0x1.18bdd20000000p-1, -0x1.10173e0000000p-2, -0x1.570c380000000p-1 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x0.0p+0, 0x1.9999980000000p-4 },
     { 0x1.7fd9280000000p-10, 0x1.91dd580000000p-4, 0x1.95eb6a0000000p-8 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.2bbe320000000p+2, 0x1.de411a0000000p+2, 0x1.247a740000000p+3 }
 };
@@ -27,14 +26,14 @@ static const double out_Qc[N_VECTORS][18] = {
     { 0x1.45e5a26a562f4p+6, 0x1.d3302e2c777f3p+0, -0x1.e23a1a7872585p+2, 0x1.d3302e2c777f3p+0, 0x1.f249a3c8c2de7p+4, -0x1.f4b52ff1375bep+3, -0x1.e23a1a7872585p+2, -0x1.f4b52ff1375bep+3, 0x1.883f9803eed54p+5, 0x1.99ed030c27ef5p-11, -0x1.5cf12cc54b08dp-10, 0x1.1fb61cd52b9d0p-9, -0x1.5cf12cc54b08dp-10, 0x1.39544c584fa57p-9, -0x1.0272bb0df2f12p-8, 0x1.1fb61cd52b9d0p-9, -0x1.0272bb0df2f12p-8, 0x1.aae5cd58642a5p-8 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Qc[N_VECTORS][18] = {
-    { 3.58e-13, 3.58e-13, 6e-06, 3.58e-13, 3.58e-13, 6e-06, 6e-06, 6e-06, 5.4e-05, 3.58e-17, 6e-10, 6.26e-17, 6e-10, 4.8e-09, 1.05e-09, 6.26e-17, 1.05e-09, 1.09e-16 },
-    { 4.07e-05, 1.48e-05, 2.45e-05, 1.48e-05, 2.1e-05, 2.14e-05, 2.45e-05, 2.14e-05, 3.02e-05, 6.1e-10, 1.06e-09, 1.48e-09, 1.06e-09, 1.87e-09, 2.62e-09, 1.48e-09, 2.62e-09, 3.53e-09 }
+static const float tol_Qc[N_VECTORS][18] = {
+    { 3.58e-13F, 3.58e-13F, 6.00e-06F, 3.58e-13F, 3.58e-13F, 6.00e-06F, 6.00e-06F, 6.00e-06F, 5.40e-05F, 3.58e-17F, 6.00e-10F, 6.26e-17F, 6.00e-10F, 4.80e-09F, 1.05e-09F, 6.26e-17F, 1.05e-09F, 1.09e-16F },
+    { 4.07e-05F, 1.48e-05F, 2.45e-05F, 1.48e-05F, 2.10e-05F, 2.14e-05F, 2.45e-05F, 2.14e-05F, 3.02e-05F, 6.10e-10F, 1.06e-09F, 1.48e-09F, 1.06e-09F, 1.87e-09F, 2.62e-09F, 1.48e-09F, 2.62e-09F, 3.53e-09F }
 };
 #else
-static const double tol_Qc[N_VECTORS][18] = {
-    { 1.24e-30, 1.24e-30, 1.12e-14, 1.24e-30, 1.24e-30, 1.12e-14, 1.12e-14, 1.12e-14, 1.12e-13, 1.24e-34, 1.12e-18, 2.17e-34, 1.12e-18, 1.01e-17, 1.96e-18, 2.17e-34, 1.96e-18, 3.8e-34 },
-    { 8.5e-14, 2.79e-14, 4.64e-14, 2.79e-14, 4.25e-14, 4.16e-14, 4.64e-14, 4.16e-14, 6.18e-14, 1.22e-18, 2.12e-18, 3e-18, 2.12e-18, 3.76e-18, 5.31e-18, 3e-18, 5.31e-18, 7.31e-18 }
+static const float tol_Qc[N_VECTORS][18] = {
+    { 1.24e-30F, 1.24e-30F, 1.12e-14F, 1.24e-30F, 1.24e-30F, 1.12e-14F, 1.12e-14F, 1.12e-14F, 1.12e-13F, 1.24e-34F, 1.12e-18F, 2.17e-34F, 1.12e-18F, 1.01e-17F, 1.96e-18F, 2.17e-34F, 1.96e-18F, 3.80e-34F },
+    { 8.50e-14F, 2.79e-14F, 4.64e-14F, 2.79e-14F, 4.25e-14F, 4.16e-14F, 4.64e-14F, 4.16e-14F, 6.18e-14F, 1.22e-18F, 2.12e-18F, 3.00e-18F, 2.12e-18F, 3.76e-18F, 5.31e-18F, 3.00e-18F, 5.31e-18F, 7.31e-18F }
 };
 #endif
 static const unsigned short at_Qc[18] = { 30, 31, 32, 39, 40, 41, 48, 49, 50, 60, 61, 62, 69, 70,
@@ -80,7 +79,7 @@ int test_psi_Qc(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 81);
             if (psi_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("psi_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Qc Qc", Qc, 81);
@@ -94,7 +93,7 @@ int test_psi_Qc(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (psi_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("psi_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("psi_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -107,7 +106,7 @@ int test_psi_Qc(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (psi_Qc(&nav, &noise, Qc) != BS_OUT_OF_RANGE) {
-            (void)printf("psi_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("psi_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -124,7 +123,7 @@ int test_psi_Qc(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 81);
             if (psi_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("psi_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Qc Qc", Qc, 81);
@@ -135,7 +134,7 @@ int test_psi_Qc(void)
             set_point(0, &nav, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (psi_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("psi_Qc: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("psi_Qc: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -153,7 +152,7 @@ int test_psi_Qc(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 81);
             if (psi_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("psi_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Qc Qc", Qc, 81);
@@ -164,7 +163,7 @@ int test_psi_Qc(void)
             set_point(0, &nav, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (psi_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("psi_Qc: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("psi_Qc: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

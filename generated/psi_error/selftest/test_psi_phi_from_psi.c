@@ -3,18 +3,17 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "psi_error.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { 0x1.7006f60000000p+0, 0x1.bec4860000000p-1, -0x1.779caa0000000p+6 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.aba96e0000000p+8, 0x1.9966420000000p+9, -0x1.3210020000000p+9 }
 };
@@ -24,14 +23,14 @@ static const double out_T[N_VECTORS][17] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.fe596ce7efb61p+9, 0x1.0000000000000p+0, -0x1.47969b8151247p+8, 0x1.3210020000000p+9, 0x1.0000000000000p+0, 0x1.12eb4dfbe1feep+8, 0x1.9966420000000p+9, 0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.4922a37a47f50p-1, 0x1.0000000000000p+0, 0x1.8830f383cd6c5p-1, 0x1.0000000000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_T[N_VECTORS][17] = {
-    { 1.12e-16, 1.12e-16, 1.12e-16, 0.000261, 1.12e-16, 0.00018, 1.12e-13, 1.12e-16, 1.57e-05, 1.12e-13, 1.12e-16, 1.12e-16, 1.12e-16, 1.05e-08, 1.12e-16, 1.2e-07, 1.12e-16 },
-    { 1.12e-16, 1.12e-16, 1.12e-16, 0.000246, 1.12e-16, 5.92e-05, 6.86e-14, 1.12e-16, 4.97e-05, 9.18e-14, 1.12e-16, 1.12e-16, 1.12e-16, 7.74e-08, 1.12e-16, 9.22e-08, 1.12e-16 }
+static const float tol_T[N_VECTORS][17] = {
+    { 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.61e-04F, 1.12e-16F, 1.80e-04F, 1.12e-13F, 1.12e-16F, 1.57e-05F, 1.12e-13F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.05e-08F, 1.12e-16F, 1.20e-07F, 1.12e-16F },
+    { 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.46e-04F, 1.12e-16F, 5.92e-05F, 6.86e-14F, 1.12e-16F, 4.97e-05F, 9.18e-14F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 7.74e-08F, 1.12e-16F, 9.22e-08F, 1.12e-16F }
 };
 #else
-static const double tol_T[N_VECTORS][17] = {
-    { 1.12e-16, 1.12e-16, 1.12e-16, 6.07e-13, 1.12e-16, 4.47e-13, 1.12e-13, 1.12e-16, 3.91e-14, 1.12e-13, 1.12e-16, 1.12e-16, 1.12e-16, 2.93e-17, 1.12e-16, 3.35e-16, 1.12e-16 },
-    { 1.12e-16, 1.12e-16, 1.12e-16, 5.72e-13, 1.12e-16, 1.47e-13, 6.86e-14, 1.12e-16, 1.23e-13, 9.18e-14, 1.12e-16, 1.12e-16, 1.12e-16, 2.16e-16, 1.12e-16, 2.58e-16, 1.12e-16 }
+static const float tol_T[N_VECTORS][17] = {
+    { 1.12e-16F, 1.12e-16F, 1.12e-16F, 6.07e-13F, 1.12e-16F, 4.47e-13F, 1.12e-13F, 1.12e-16F, 3.91e-14F, 1.12e-13F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.93e-17F, 1.12e-16F, 3.35e-16F, 1.12e-16F },
+    { 1.12e-16F, 1.12e-16F, 1.12e-16F, 5.72e-13F, 1.12e-16F, 1.47e-13F, 6.86e-14F, 1.12e-16F, 1.23e-13F, 9.18e-14F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.16e-16F, 1.12e-16F, 2.58e-16F, 1.12e-16F }
 };
 #endif
 static const unsigned short at_T[17] = { 0, 10, 20, 27, 30, 36, 37, 40, 45, 46, 50, 55, 60, 63, 70,
@@ -74,7 +73,7 @@ int test_psi_phi_from_psi(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(T, 81);
             if (psi_phi_from_psi(&nav, T) != expected) {
-                (void)printf("psi_phi_from_psi: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_phi_from_psi: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_phi_from_psi T", T, 81);
@@ -87,7 +86,7 @@ int test_psi_phi_from_psi(void)
             set_point(0, &nav);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (psi_phi_from_psi(&nav, T) != BS_OK) {
-                (void)printf("psi_phi_from_psi: position[%d] end %d refused\n", i, end);
+                selftest_print("psi_phi_from_psi: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -103,7 +102,7 @@ int test_psi_phi_from_psi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(T, 81);
             if (psi_phi_from_psi(&nav, T) != expected) {
-                (void)printf("psi_phi_from_psi: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_phi_from_psi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_phi_from_psi T", T, 81);
@@ -114,7 +113,7 @@ int test_psi_phi_from_psi(void)
             set_point(0, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (psi_phi_from_psi(&nav, T) != BS_OK) {
-                (void)printf("psi_phi_from_psi: v_n[%d] end %d refused\n", i, end);
+                selftest_print("psi_phi_from_psi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

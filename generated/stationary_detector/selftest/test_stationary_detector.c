@@ -2,7 +2,6 @@
  * edit.
  * Reference: the definitions in exact fractions, roots in 50 digits.  Inputs that a float holds.
  * Tolerance, in either precision: a bound on rounding errors. */
-#include <stdio.h>
 #include <string.h>
 
 #include "selftest.h"
@@ -41,28 +40,28 @@ static const double expected_0[9][DET_N_DETECTORS] = {
     { 0x1.07a5651dc42a0p-1, 0x1.87658ec17090ap-2, 0x1.461cbc98b8fa0p+2, 0x1.a5d5fb8218eaep+2, 0x1.1293364e83b12p+24 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tolerances_0[9][DET_N_DETECTORS] = {
-    { 1.26e-09, 1.51e-09, 7.67e-06, 6.31e-09, 0.0395 },
-    { 1.25e-09, 1.43e-09, 7.67e-06, 6.33e-09, 0.0397 },
-    { 1.33e-09, 1.4e-09, 7.67e-06, 6.32e-09, 0.0379 },
-    { 3.77e-08, 1.11e-07, 7.6e-06, 4.01e-07, 0.58 },
-    { 9.23e-08, 1.87e-07, 7.98e-06, 1.29e-06, 2.74 },
-    { 1.65e-07, 2.59e-07, 8.85e-06, 2.71e-06, 11.7 },
-    { 2.57e-07, 3.24e-07, 1.02e-05, 4.29e-06, 29.5 },
-    { 3.66e-07, 3.77e-07, 1.2e-05, 5.89e-06, 58.8 },
-    { 4.03e-07, 3.45e-07, 1.2e-05, 5.95e-06, 58.5 }
+static const float tolerances_0[9][DET_N_DETECTORS] = {
+    { 1.26e-09F, 1.51e-09F, 7.67e-06F, 6.31e-09F, 3.95e-02F },
+    { 1.25e-09F, 1.43e-09F, 7.67e-06F, 6.33e-09F, 3.97e-02F },
+    { 1.33e-09F, 1.40e-09F, 7.67e-06F, 6.32e-09F, 3.79e-02F },
+    { 3.77e-08F, 1.11e-07F, 7.60e-06F, 4.01e-07F, 5.80e-01F },
+    { 9.23e-08F, 1.87e-07F, 7.98e-06F, 1.29e-06F, 2.74e+00F },
+    { 1.65e-07F, 2.59e-07F, 8.85e-06F, 2.71e-06F, 1.17e+01F },
+    { 2.57e-07F, 3.24e-07F, 1.02e-05F, 4.29e-06F, 2.95e+01F },
+    { 3.66e-07F, 3.77e-07F, 1.20e-05F, 5.89e-06F, 5.88e+01F },
+    { 4.03e-07F, 3.45e-07F, 1.20e-05F, 5.95e-06F, 5.85e+01F }
 };
 #else
-static const double tolerances_0[9][DET_N_DETECTORS] = {
-    { 2.51e-18, 2.99e-18, 1.43e-14, 6.27e-18, 7.35e-11 },
-    { 2.48e-18, 2.84e-18, 1.43e-14, 6.78e-18, 7.39e-11 },
-    { 2.64e-18, 2.78e-18, 1.43e-14, 6.55e-18, 7.05e-11 },
-    { 7.56e-17, 2.21e-16, 1.42e-14, 7.96e-16, 1.09e-09 },
-    { 1.85e-16, 3.72e-16, 1.49e-14, 2.55e-15, 5.17e-09 },
-    { 3.32e-16, 5.14e-16, 1.66e-14, 5.38e-15, 2.21e-08 },
-    { 5.15e-16, 6.43e-16, 1.94e-14, 8.53e-15, 5.58e-08 },
-    { 7.35e-16, 7.5e-16, 2.3e-14, 1.17e-14, 1.12e-07 },
-    { 8.08e-16, 6.86e-16, 2.29e-14, 1.18e-14, 1.11e-07 }
+static const float tolerances_0[9][DET_N_DETECTORS] = {
+    { 2.51e-18F, 2.99e-18F, 1.43e-14F, 6.27e-18F, 7.35e-11F },
+    { 2.48e-18F, 2.84e-18F, 1.43e-14F, 6.78e-18F, 7.39e-11F },
+    { 2.64e-18F, 2.78e-18F, 1.43e-14F, 6.55e-18F, 7.05e-11F },
+    { 7.56e-17F, 2.21e-16F, 1.42e-14F, 7.96e-16F, 1.09e-09F },
+    { 1.85e-16F, 3.72e-16F, 1.49e-14F, 2.55e-15F, 5.17e-09F },
+    { 3.32e-16F, 5.14e-16F, 1.66e-14F, 5.38e-15F, 2.21e-08F },
+    { 5.15e-16F, 6.43e-16F, 1.94e-14F, 8.53e-15F, 5.58e-08F },
+    { 7.35e-16F, 7.50e-16F, 2.30e-14F, 1.17e-14F, 1.12e-07F },
+    { 8.08e-16F, 6.86e-16F, 2.29e-14F, 1.18e-14F, 1.11e-07F }
 };
 #endif
 
@@ -104,16 +103,16 @@ static const double expected_1[3][DET_N_DETECTORS] = {
     { 0x1.1adef9e71ff40p+6, 0x1.417507efccc62p-16, 0x1.6ac66121a82bdp+6, 0x1.5954cb1bc42fcp-16, 0x1.1c46403a40017p+52 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tolerances_1[3][DET_N_DETECTORS] = {
-    { 0.000128, 8.86e-05, 0.000187, 0.000132, 2.05e+10 },
-    { 0.000128, 8.92e-05, 0.000187, 0.000132, 2.05e+10 },
-    { 0.000128, 8.88e-05, 0.000187, 0.000132, 2.05e+10 }
+static const float tolerances_1[3][DET_N_DETECTORS] = {
+    { 1.28e-04F, 8.86e-05F, 1.87e-04F, 1.32e-04F, 2.05e+10F },
+    { 1.28e-04F, 8.92e-05F, 1.87e-04F, 1.32e-04F, 2.05e+10F },
+    { 1.28e-04F, 8.88e-05F, 1.87e-04F, 1.32e-04F, 2.05e+10F }
 };
 #else
-static const double tolerances_1[3][DET_N_DETECTORS] = {
-    { 2.46e-13, 9.15e-20, 3.58e-13, 9.81e-20, 38.7 },
-    { 2.46e-13, 8.82e-20, 3.58e-13, 9.75e-20, 38.7 },
-    { 2.46e-13, 9.02e-20, 3.58e-13, 9.77e-20, 38.7 }
+static const float tolerances_1[3][DET_N_DETECTORS] = {
+    { 2.46e-13F, 9.15e-20F, 3.58e-13F, 9.81e-20F, 3.87e+01F },
+    { 2.46e-13F, 8.82e-20F, 3.58e-13F, 9.75e-20F, 3.87e+01F },
+    { 2.46e-13F, 9.02e-20F, 3.58e-13F, 9.77e-20F, 3.87e+01F }
 };
 #endif
 
@@ -132,16 +131,16 @@ static const double expected_2[3][DET_N_DETECTORS] = {
     { 0x1.99999a0000000p-5, 0x1.99999a0000000p-5, 0x1.39eb860000000p+3, 0x0.0p+0, 0x1.d858240031c3bp+19 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tolerances_2[3][DET_N_DETECTORS] = {
-    { 0.0, 0.0, 5.91e-07, 0.0, 0.579 },
-    { 2.11e-08, 1.81e-08, 5.91e-07, 0.0, 0.585 },
-    { 2.11e-08, 1.81e-08, 5.91e-07, 0.0, 0.585 }
+static const float tolerances_2[3][DET_N_DETECTORS] = {
+    { 0.0F, 0.0F, 5.91e-07F, 0.0F, 5.79e-01F },
+    { 2.11e-08F, 1.81e-08F, 5.91e-07F, 0.0F, 5.85e-01F },
+    { 2.11e-08F, 1.81e-08F, 5.91e-07F, 0.0F, 5.85e-01F }
 };
 #else
-static const double tolerances_2[3][DET_N_DETECTORS] = {
-    { 0.0, 0.0, 2.2e-15, 0.0, 1.19e-09 },
-    { 4.49e-17, 3.92e-17, 2.2e-15, 0.0, 1.2e-09 },
-    { 4.49e-17, 3.92e-17, 2.2e-15, 0.0, 1.2e-09 }
+static const float tolerances_2[3][DET_N_DETECTORS] = {
+    { 0.0F, 0.0F, 2.20e-15F, 0.0F, 1.19e-09F },
+    { 4.49e-17F, 3.92e-17F, 2.20e-15F, 0.0F, 1.20e-09F },
+    { 4.49e-17F, 3.92e-17F, 2.20e-15F, 0.0F, 1.20e-09F }
 };
 #endif
 
@@ -159,14 +158,14 @@ static const double expected_3[2][DET_N_DETECTORS] = {
     { 0x1.cde155cb14fdcp+5, 0x1.46993ff898290p+7, 0x1.683b1543a8664p+12, 0x1.fe4f73f46dc02p+13, 0x1.10c5d1d39958dp+48 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tolerances_3[2][DET_N_DETECTORS] = {
-    { 4.87e-05, 7.37e-05, 0.00521, 0.00737, 4.13e+08 },
-    { 4.87e-05, 7.37e-05, 0.00521, 0.00737, 4.13e+08 }
+static const float tolerances_3[2][DET_N_DETECTORS] = {
+    { 4.87e-05F, 7.37e-05F, 5.21e-03F, 7.37e-03F, 4.13e+08F },
+    { 4.87e-05F, 7.37e-05F, 5.21e-03F, 7.37e-03F, 4.13e+08F }
 };
 #else
-static const double tolerances_3[2][DET_N_DETECTORS] = {
-    { 9.71e-14, 1.56e-13, 1.04e-11, 1.56e-11, 0.803 },
-    { 9.71e-14, 1.56e-13, 1.04e-11, 1.56e-11, 0.803 }
+static const float tolerances_3[2][DET_N_DETECTORS] = {
+    { 9.71e-14F, 1.56e-13F, 1.04e-11F, 1.56e-11F, 8.03e-01F },
+    { 9.71e-14F, 1.56e-13F, 1.04e-11F, 1.56e-11F, 8.03e-01F }
 };
 #endif
 
@@ -182,7 +181,7 @@ static int same_state(void)
 static int expect(const char *what, int good)
 {
     if (!good) {
-        (void)printf("stationary_detector: %s\n", what);
+        selftest_print("stationary_detector: %s\n", what);
     }
     return good ? 0 : 1;
 }
@@ -224,7 +223,7 @@ static int run(int window,
                const double samples[][6],
                int count,
                const double expected[][DET_N_DETECTORS],
-               const double tolerances[][DET_N_DETECTORS])
+               const float tolerances[][DET_N_DETECTORS])
 {
     static const unsigned short at[DET_N_DETECTORS] = { 0, 1, 2, 3, 4 };
     det_settings settings = { window, (bs_real)scale[0], (bs_real)scale[1], (bs_real)scale[2],

@@ -2,42 +2,41 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "strapdown.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_dtheta_ib_b[N_VECTORS][3] = {
+static const float in_dtheta_ib_b[N_VECTORS][3] = {
     { 0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { -0x1.033b980000000p-2, 0x1.ec57960000000p-4, -0x1.953a900000000p-2 }
 };
-static const double in_dv_b[N_VECTORS][3] = {
+static const float in_dv_b[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { 0x1.2d74b00000000p+6, -0x1.1e32040000000p+4, 0x1.b7c22a0000000p+5 }
 };
-static const double in_dtheta_before[N_VECTORS][3] = {
+static const float in_dtheta_before[N_VECTORS][3] = {
     { 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { -0x1.e551a40000000p-5, 0x1.5a6e800000000p-3, -0x1.0736f20000000p-2 }
 };
-static const double in_dv_before[N_VECTORS][3] = {
+static const float in_dv_before[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { 0x1.005bd60000000p+6, -0x1.ee4b180000000p+5, 0x1.8cea080000000p+6 }
 };
-static const double in_dtheta_second[N_VECTORS][3] = {
+static const float in_dtheta_second[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { -0x1.2000f60000000p-2, 0x1.4824f00000000p-2, -0x1.8cceec0000000p-3 }
 };
-static const double in_dv_second[N_VECTORS][3] = {
+static const float in_dv_second[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { 0x1.586a0c0000000p+3, -0x1.58ed380000000p+6, -0x1.a859940000000p+2 }
 };
-static const double in_dtheta_third[N_VECTORS][3] = {
+static const float in_dtheta_third[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { -0x1.16354a0000000p-3, -0x1.5b650a0000000p-2, -0x1.06c1ee0000000p-2 }
 };
-static const double in_dv_third[N_VECTORS][3] = {
+static const float in_dv_third[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { -0x1.61791a0000000p+6, -0x1.5c491c0000000p+5, 0x1.0956ac0000000p+4 }
 };
@@ -47,14 +46,14 @@ static const double out_dtheta_ib_b[N_VECTORS][3] = {
     { -0x1.013cb5655c39fp-2, 0x1.fd2070d8577b9p-4, -0x1.953b19bb6da2dp-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_dtheta_ib_b[N_VECTORS][3] = {
-    { 6.7e-08, 7.13e-08, 6.75e-08 },
-    { 3.21e-08, 1.68e-08, 4.87e-08 }
+static const float tol_dtheta_ib_b[N_VECTORS][3] = {
+    { 6.70e-08F, 7.13e-08F, 6.75e-08F },
+    { 3.21e-08F, 1.68e-08F, 4.87e-08F }
 };
 #else
-static const double tol_dtheta_ib_b[N_VECTORS][3] = {
-    { 1.8e-16, 1.92e-16, 1.8e-16 },
-    { 8.79e-17, 4.53e-17, 1.35e-16 }
+static const float tol_dtheta_ib_b[N_VECTORS][3] = {
+    { 1.80e-16F, 1.92e-16F, 1.80e-16F },
+    { 8.79e-17F, 4.53e-17F, 1.35e-16F }
 };
 #endif
 static const unsigned short at_dtheta_ib_b[3] = { 0, 1, 2 };
@@ -64,14 +63,14 @@ static const double out_dv_b[N_VECTORS][3] = {
     { 0x1.2acaf9a4ce799p+6, -0x1.317a91dad4435p+4, 0x1.b9b8d7a2c5329p+5 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_dv_b[N_VECTORS][3] = {
-    { 2.69e-05, 2.87e-05, 2.66e-05 },
-    { 1.89e-05, 5.84e-06, 1.39e-05 }
+static const float tol_dv_b[N_VECTORS][3] = {
+    { 2.69e-05F, 2.87e-05F, 2.66e-05F },
+    { 1.89e-05F, 5.84e-06F, 1.39e-05F }
 };
 #else
-static const double tol_dv_b[N_VECTORS][3] = {
-    { 6.1e-14, 6.56e-14, 6.01e-14 },
-    { 4.36e-14, 1.3e-14, 3.21e-14 }
+static const float tol_dv_b[N_VECTORS][3] = {
+    { 6.10e-14F, 6.56e-14F, 6.01e-14F },
+    { 4.36e-14F, 1.30e-14F, 3.21e-14F }
 };
 #endif
 static const unsigned short at_dv_b[3] = { 0, 1, 2 };
@@ -136,7 +135,8 @@ int test_sd_compensated(void)
             selftest_paint(dtheta_ib_b, 3);
             selftest_paint(dv_b, 3);
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
-                (void)printf("sd_compensated: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_compensated: dtheta_ib_b[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
@@ -148,7 +148,7 @@ int test_sd_compensated(void)
             set_point(0, &imu, &earlier);
             imu.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
-                (void)printf("sd_compensated: dtheta_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("sd_compensated: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -165,7 +165,7 @@ int test_sd_compensated(void)
             selftest_paint(dtheta_ib_b, 3);
             selftest_paint(dv_b, 3);
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
-                (void)printf("sd_compensated: dv_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_compensated: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
@@ -177,7 +177,7 @@ int test_sd_compensated(void)
             set_point(0, &imu, &earlier);
             imu.dv_b[i] = (end == 0) ? low[i] : high[i];
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
-                (void)printf("sd_compensated: dv_b[%d] end %d refused\n", i, end);
+                selftest_print("sd_compensated: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -196,8 +196,8 @@ int test_sd_compensated(void)
             selftest_paint(dtheta_ib_b, 3);
             selftest_paint(dv_b, 3);
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
-                (void)printf("sd_compensated: dtheta_before[%d] bad value %d not refused\n", i,
-                             bad);
+                selftest_print("sd_compensated: dtheta_before[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
@@ -209,7 +209,7 @@ int test_sd_compensated(void)
             set_point(0, &imu, &earlier);
             imu.dtheta_before[i] = (end == 0) ? low[i] : high[i];
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
-                (void)printf("sd_compensated: dtheta_before[%d] end %d refused\n", i, end);
+                selftest_print("sd_compensated: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -228,7 +228,7 @@ int test_sd_compensated(void)
             selftest_paint(dtheta_ib_b, 3);
             selftest_paint(dv_b, 3);
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
-                (void)printf("sd_compensated: dv_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_compensated: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
@@ -240,7 +240,7 @@ int test_sd_compensated(void)
             set_point(0, &imu, &earlier);
             imu.dv_before[i] = (end == 0) ? low[i] : high[i];
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
-                (void)printf("sd_compensated: dv_before[%d] end %d refused\n", i, end);
+                selftest_print("sd_compensated: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -259,8 +259,8 @@ int test_sd_compensated(void)
             selftest_paint(dtheta_ib_b, 3);
             selftest_paint(dv_b, 3);
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
-                (void)printf("sd_compensated: dtheta_second[%d] bad value %d not refused\n", i,
-                             bad);
+                selftest_print("sd_compensated: dtheta_second[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
@@ -272,7 +272,7 @@ int test_sd_compensated(void)
             set_point(0, &imu, &earlier);
             earlier.dtheta_second[i] = (end == 0) ? low[i] : high[i];
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
-                (void)printf("sd_compensated: dtheta_second[%d] end %d refused\n", i, end);
+                selftest_print("sd_compensated: dtheta_second[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -291,7 +291,7 @@ int test_sd_compensated(void)
             selftest_paint(dtheta_ib_b, 3);
             selftest_paint(dv_b, 3);
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
-                (void)printf("sd_compensated: dv_second[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_compensated: dv_second[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
@@ -303,7 +303,7 @@ int test_sd_compensated(void)
             set_point(0, &imu, &earlier);
             earlier.dv_second[i] = (end == 0) ? low[i] : high[i];
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
-                (void)printf("sd_compensated: dv_second[%d] end %d refused\n", i, end);
+                selftest_print("sd_compensated: dv_second[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -322,7 +322,8 @@ int test_sd_compensated(void)
             selftest_paint(dtheta_ib_b, 3);
             selftest_paint(dv_b, 3);
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
-                (void)printf("sd_compensated: dtheta_third[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_compensated: dtheta_third[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
@@ -334,7 +335,7 @@ int test_sd_compensated(void)
             set_point(0, &imu, &earlier);
             earlier.dtheta_third[i] = (end == 0) ? low[i] : high[i];
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
-                (void)printf("sd_compensated: dtheta_third[%d] end %d refused\n", i, end);
+                selftest_print("sd_compensated: dtheta_third[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -353,7 +354,7 @@ int test_sd_compensated(void)
             selftest_paint(dtheta_ib_b, 3);
             selftest_paint(dv_b, 3);
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
-                (void)printf("sd_compensated: dv_third[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_compensated: dv_third[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
@@ -365,7 +366,7 @@ int test_sd_compensated(void)
             set_point(0, &imu, &earlier);
             earlier.dv_third[i] = (end == 0) ? low[i] : high[i];
             if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
-                (void)printf("sd_compensated: dv_third[%d] end %d refused\n", i, end);
+                selftest_print("sd_compensated: dv_third[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,18 +2,17 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "strapdown.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { -0x1.12caec0000000p+2, -0x1.27bd420000000p-2, 0x1.e2a9980000000p+11 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.1519900000000p+9, 0x1.18dce60000000p+9, -0x1.10eb6e0000000p+7 }
 };
@@ -23,14 +22,14 @@ static const double out_omega_ie_n[N_VECTORS][2] = {
     { 0x1.252faf3f05cffp-14, -0x1.5c70acfc8bb58p-16 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_omega_ie_n[N_VECTORS][2] = {
-    { 1.53e-12, 1.75e-11 },
-    { 1.68e-11, 5e-12 }
+static const float tol_omega_ie_n[N_VECTORS][2] = {
+    { 1.53e-12F, 1.75e-11F },
+    { 1.68e-11F, 5.00e-12F }
 };
 #else
-static const double tol_omega_ie_n[N_VECTORS][2] = {
-    { 3.56e-21, 4.07e-20 },
-    { 3.92e-20, 1.16e-20 }
+static const float tol_omega_ie_n[N_VECTORS][2] = {
+    { 3.56e-21F, 4.07e-20F },
+    { 3.92e-20F, 1.16e-20F }
 };
 #endif
 static const unsigned short at_omega_ie_n[2] = { 1, 2 };
@@ -40,14 +39,14 @@ static const double out_omega_en_n[N_VECTORS][3] = {
     { -0x1.735ae136e1cfcp-14, -0x1.6c203e820aff2p-14, 0x1.b0bfc60dfcc93p-16 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_omega_en_n[N_VECTORS][3] = {
-    { 7.06e-11, 5.16e-11, 1.23e-09 },
-    { 4e-11, 2.87e-11, 1.79e-11 }
+static const float tol_omega_en_n[N_VECTORS][3] = {
+    { 7.06e-11F, 5.16e-11F, 1.23e-09F },
+    { 4.00e-11F, 2.87e-11F, 1.79e-11F }
 };
 #else
-static const double tol_omega_en_n[N_VECTORS][3] = {
-    { 1.49e-19, 1.13e-19, 2.49e-18 },
-    { 8.44e-20, 6.33e-20, 3.62e-20 }
+static const float tol_omega_en_n[N_VECTORS][3] = {
+    { 1.49e-19F, 1.13e-19F, 2.49e-18F },
+    { 8.44e-20F, 6.33e-20F, 3.62e-20F }
 };
 #endif
 static const unsigned short at_omega_en_n[3] = { 0, 1, 2 };
@@ -57,14 +56,14 @@ static const double out_gravity_n[N_VECTORS][1] = {
     { -0x1.38b92d27a66b9p+3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_gravity_n[N_VECTORS][1] = {
-    { 5.04e-06 },
-    { 5.01e-06 }
+static const float tol_gravity_n[N_VECTORS][1] = {
+    { 5.04e-06F },
+    { 5.01e-06F }
 };
 #else
-static const double tol_gravity_n[N_VECTORS][1] = {
-    { 1.05e-14 },
-    { 1.04e-14 }
+static const float tol_gravity_n[N_VECTORS][1] = {
+    { 1.05e-14F },
+    { 1.04e-14F }
 };
 #endif
 static const unsigned short at_gravity_n[1] = { 2 };
@@ -114,7 +113,7 @@ int test_sd_earth(void)
             selftest_paint(omega_en_n, 3);
             selftest_paint(gravity_n, 3);
             if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != expected) {
-                (void)printf("sd_earth: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_earth: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_earth omega_ie_n", omega_ie_n, 3);
@@ -129,7 +128,7 @@ int test_sd_earth(void)
             set_point(0, &nav);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != BS_OK) {
-                (void)printf("sd_earth: position[%d] end %d refused\n", i, end);
+                selftest_print("sd_earth: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -147,7 +146,7 @@ int test_sd_earth(void)
             selftest_paint(omega_en_n, 3);
             selftest_paint(gravity_n, 3);
             if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != expected) {
-                (void)printf("sd_earth: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_earth: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_earth omega_ie_n", omega_ie_n, 3);
@@ -160,7 +159,7 @@ int test_sd_earth(void)
             set_point(0, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != BS_OK) {
-                (void)printf("sd_earth: v_n[%d] end %d refused\n", i, end);
+                selftest_print("sd_earth: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

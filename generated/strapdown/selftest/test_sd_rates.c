@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "strapdown.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.693a020000000p+1, 0x1.618ebe0000000p-1, 0x1.d634660000000p+12 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.58e7840000000p+8, -0x1.19166c0000000p+9, -0x1.f590b60000000p+5 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.3f38ea0000000p-3, 0x1.07e0b60000000p-2, 0x1.e767200000000p-1, 0x1.b377960000000p-5 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { 0x1.29dc8a0000000p+8, 0x1.6ab2da0000000p+8, 0x1.6e38b40000000p+7 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, 0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { -0x1.5662e60000000p+3, -0x1.d131100000000p+0, -0x1.6facb40000000p+0 }
 };
@@ -35,14 +34,14 @@ static const double out_position_rate[N_VECTORS][3] = {
     { 0x1.257870a4bc0f5p-14, -0x1.723a7c0e195a3p-14, -0x1.f590b60000000p+5 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_position_rate[N_VECTORS][3] = {
-    { 1.03e-09, 8.06e-11, 1.12e-13 },
-    { 4e-11, 4.53e-11, 7.03e-15 }
+static const float tol_position_rate[N_VECTORS][3] = {
+    { 1.03e-09F, 8.06e-11F, 1.12e-13F },
+    { 4.00e-11F, 4.53e-11F, 7.03e-15F }
 };
 #else
-static const double tol_position_rate[N_VECTORS][3] = {
-    { 2.12e-18, 1.68e-19, 1.12e-13 },
-    { 8.24e-20, 9.42e-20, 7.03e-15 }
+static const float tol_position_rate[N_VECTORS][3] = {
+    { 2.12e-18F, 1.68e-19F, 1.12e-13F },
+    { 8.24e-20F, 9.42e-20F, 7.03e-15F }
 };
 #endif
 static const unsigned short at_position_rate[3] = { 0, 1, 2 };
@@ -52,14 +51,14 @@ static const double out_v_n_rate[N_VECTORS][3] = {
     { -0x1.b4be469775a22p+6, 0x1.e6c7c7adca9eep+8, -0x1.3ab64e709368bp+6 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n_rate[N_VECTORS][3] = {
-    { 0.000273, 0.000341, 0.000315 },
-    { 0.000152, 0.000239, 0.000109 }
+static const float tol_v_n_rate[N_VECTORS][3] = {
+    { 2.73e-04F, 3.41e-04F, 3.15e-04F },
+    { 1.52e-04F, 2.39e-04F, 1.09e-04F }
 };
 #else
-static const double tol_v_n_rate[N_VECTORS][3] = {
-    { 5.66e-13, 6.91e-13, 6.44e-13 },
-    { 2.95e-13, 4.99e-13, 2.13e-13 }
+static const float tol_v_n_rate[N_VECTORS][3] = {
+    { 5.66e-13F, 6.91e-13F, 6.44e-13F },
+    { 2.95e-13F, 4.99e-13F, 2.13e-13F }
 };
 #endif
 static const unsigned short at_v_n_rate[3] = { 0, 1, 2 };
@@ -69,14 +68,14 @@ static const double out_q_b2n_rate[N_VECTORS][4] = {
     { 0x1.2411115bc8579p+1, 0x1.96bcdd714f83fp-3, 0x1.5a72228822d40p-5, 0x1.3e1d8aff9f966p+2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_rate[N_VECTORS][4] = {
-    { 3.31e-06, 2.41e-06, 5.42e-06, 2.71e-06 },
-    { 7.68e-07, 2.78e-07, 1.04e-07, 1.27e-06 }
+static const float tol_q_b2n_rate[N_VECTORS][4] = {
+    { 3.31e-06F, 2.41e-06F, 5.42e-06F, 2.71e-06F },
+    { 7.68e-07F, 2.78e-07F, 1.04e-07F, 1.27e-06F }
 };
 #else
-static const double tol_q_b2n_rate[N_VECTORS][4] = {
-    { 6.73e-15, 5.05e-15, 1.18e-14, 5.61e-15 },
-    { 1.69e-15, 5.4e-16, 1.99e-16, 2.93e-15 }
+static const float tol_q_b2n_rate[N_VECTORS][4] = {
+    { 6.73e-15F, 5.05e-15F, 1.18e-14F, 5.61e-15F },
+    { 1.69e-15F, 5.40e-16F, 1.99e-16F, 2.93e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_rate[4] = { 0, 1, 2, 3 };
@@ -137,7 +136,7 @@ int test_sd_rates(void)
             selftest_paint(v_n_rate, 3);
             selftest_paint(q_b2n_rate, 4);
             if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != expected) {
-                (void)printf("sd_rates: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_rates: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_rates position_rate", position_rate, 3);
@@ -152,7 +151,7 @@ int test_sd_rates(void)
             set_point(0, &nav, &motion);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OK) {
-                (void)printf("sd_rates: position[%d] end %d refused\n", i, end);
+                selftest_print("sd_rates: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -170,7 +169,7 @@ int test_sd_rates(void)
             selftest_paint(v_n_rate, 3);
             selftest_paint(q_b2n_rate, 4);
             if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != expected) {
-                (void)printf("sd_rates: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_rates: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_rates position_rate", position_rate, 3);
@@ -183,7 +182,7 @@ int test_sd_rates(void)
             set_point(0, &nav, &motion);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OK) {
-                (void)printf("sd_rates: v_n[%d] end %d refused\n", i, end);
+                selftest_print("sd_rates: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -203,7 +202,7 @@ int test_sd_rates(void)
             selftest_paint(v_n_rate, 3);
             selftest_paint(q_b2n_rate, 4);
             if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != expected) {
-                (void)printf("sd_rates: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_rates: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_rates position_rate", position_rate, 3);
@@ -219,7 +218,7 @@ int test_sd_rates(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OK) {
-                (void)printf("sd_rates: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("sd_rates: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -232,7 +231,7 @@ int test_sd_rates(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OUT_OF_RANGE) {
-            (void)printf("sd_rates: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("sd_rates: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -249,7 +248,7 @@ int test_sd_rates(void)
             selftest_paint(v_n_rate, 3);
             selftest_paint(q_b2n_rate, 4);
             if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != expected) {
-                (void)printf("sd_rates: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_rates: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_rates position_rate", position_rate, 3);
@@ -262,7 +261,7 @@ int test_sd_rates(void)
             set_point(0, &nav, &motion);
             motion.f_b[i] = (end == 0) ? low[i] : high[i];
             if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OK) {
-                (void)printf("sd_rates: f_b[%d] end %d refused\n", i, end);
+                selftest_print("sd_rates: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -282,7 +281,7 @@ int test_sd_rates(void)
             selftest_paint(v_n_rate, 3);
             selftest_paint(q_b2n_rate, 4);
             if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != expected) {
-                (void)printf("sd_rates: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_rates: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_rates position_rate", position_rate, 3);
@@ -295,7 +294,7 @@ int test_sd_rates(void)
             set_point(0, &nav, &motion);
             motion.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OK) {
-                (void)printf("sd_rates: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("sd_rates: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

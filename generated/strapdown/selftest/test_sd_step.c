@@ -2,49 +2,48 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "strapdown.h"
 #include "selftest.h"
 
 #define N_VECTORS 3
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { 0x1.fc49080000000p+0, -0x1.3c42a40000000p-1, 0x1.2e8dd80000000p+13 },
     { -0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.8aa8580000000p+8, 0x1.485b160000000p+6, -0x1.e79a6e0000000p+7 },
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.0231360000000p-1, -0x1.5adb5c0000000p-2, -0x1.59ab420000000p-1, -0x1.adfeb80000000p-2 },
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 }
 };
-static const double in_dtheta_ib_b[N_VECTORS][3] = {
+static const float in_dtheta_ib_b[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { 0x1.d992240000000p-2, 0x1.a53f1c0000000p-2, 0x1.47c6360000000p-4 },
     { 0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1 }
 };
-static const double in_dv_b[N_VECTORS][3] = {
+static const float in_dv_b[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { -0x1.0020800000000p+5, 0x1.53bff60000000p+6, 0x1.fff0aa0000000p+5 },
     { 0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6 }
 };
-static const double in_dtheta_before[N_VECTORS][3] = {
+static const float in_dtheta_before[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { 0x1.76568a0000000p-2, 0x1.15670c0000000p-4, -0x1.cc08280000000p-3 },
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1 }
 };
-static const double in_dv_before[N_VECTORS][3] = {
+static const float in_dv_before[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { -0x1.720e780000000p+5, 0x1.32210e0000000p+6, -0x1.25a68e0000000p+6 },
     { 0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9000000000000p+6 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.0c6f7c0000000p-20 },
     { 0x1.3e8aa40000000p+3 },
     { 0x1.4000000000000p+3 }
@@ -56,16 +55,16 @@ static const double out_position[N_VECTORS][3] = {
     { -0x1.90edd9ca32156p+2, 0x1.7b5e2e31aa0c0p+0, 0x1.12495fa1dc66cp+13 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_position[N_VECTORS][3] = {
-    { 3.78e-07, 8.93e-08, 3.01e-05 },
-    { 1.2e-07, 3.75e-08, 0.00274 },
-    { 4.21e-07, 9.11e-08, 0.00713 }
+static const float tol_position[N_VECTORS][3] = {
+    { 3.78e-07F, 8.93e-08F, 3.01e-05F },
+    { 1.20e-07F, 3.75e-08F, 2.74e-03F },
+    { 4.21e-07F, 9.11e-08F, 7.13e-03F }
 };
 #else
-static const double tol_position[N_VECTORS][3] = {
-    { 1.41e-15, 3.33e-16, 1.12e-13 },
-    { 4.47e-16, 1.39e-16, 5.86e-12 },
-    { 1.49e-15, 3.36e-16, 1.43e-11 }
+static const float tol_position[N_VECTORS][3] = {
+    { 1.41e-15F, 3.33e-16F, 1.12e-13F },
+    { 4.47e-16F, 1.39e-16F, 5.86e-12F },
+    { 1.49e-15F, 3.36e-16F, 1.43e-11F }
 };
 #endif
 static const unsigned short at_position[3] = { 0, 1, 2 };
@@ -76,16 +75,16 @@ static const double out_v_n[N_VECTORS][3] = {
     { 0x1.17c98da189d4cp+10, -0x1.09ca45349a6c3p+10, 0x1.9b053eb9d8f17p+9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 0.000274, 0.000353, 0.000285 },
-    { 0.000157, 0.000139, 0.00018 },
-    { 0.000406, 0.000331, 0.000332 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 2.74e-04F, 3.53e-04F, 2.85e-04F },
+    { 1.57e-04F, 1.39e-04F, 1.80e-04F },
+    { 4.06e-04F, 3.31e-04F, 3.32e-04F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 6.27e-13, 7.86e-13, 6.5e-13 },
-    { 3.33e-13, 2.79e-13, 3.75e-13 },
-    { 8.83e-13, 7.36e-13, 7.1e-13 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 6.27e-13F, 7.86e-13F, 6.50e-13F },
+    { 3.33e-13F, 2.79e-13F, 3.75e-13F },
+    { 8.83e-13F, 7.36e-13F, 7.10e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -96,16 +95,16 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.515f8cd2b95fdp-2, 0x1.a0bbe8239e917p-1, -0x1.488f27e3e2c2bp-2, -0x1.6b810a2329312p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.3e-06, 1.18e-06, 2.29e-06, 1.24e-06 },
-    { 1.71e-06, 6.04e-07, 1.58e-06, 9.12e-07 },
-    { 1.31e-06, 2.4e-06, 1.33e-06, 1.36e-06 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 1.30e-06F, 1.18e-06F, 2.29e-06F, 1.24e-06F },
+    { 1.71e-06F, 6.04e-07F, 1.58e-06F, 9.12e-07F },
+    { 1.31e-06F, 2.40e-06F, 1.33e-06F, 1.36e-06F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.46e-15, 2.24e-15, 4.36e-15, 2.35e-15 },
-    { 3.26e-15, 1.14e-15, 3.01e-15, 1.73e-15 },
-    { 2.48e-15, 4.57e-15, 2.52e-15, 2.58e-15 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 2.46e-15F, 2.24e-15F, 4.36e-15F, 2.35e-15F },
+    { 3.26e-15F, 1.14e-15F, 3.01e-15F, 1.73e-15F },
+    { 2.48e-15F, 4.57e-15F, 2.52e-15F, 2.58e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -174,7 +173,7 @@ int test_sd_step(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("sd_step: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_step: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_step position", position, 3);
@@ -189,7 +188,7 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("sd_step: position[%d] end %d refused\n", i, end);
+                selftest_print("sd_step: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -207,7 +206,7 @@ int test_sd_step(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("sd_step: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_step: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_step position", position, 3);
@@ -220,7 +219,7 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("sd_step: v_n[%d] end %d refused\n", i, end);
+                selftest_print("sd_step: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -240,7 +239,7 @@ int test_sd_step(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("sd_step: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_step: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_step position", position, 3);
@@ -256,7 +255,7 @@ int test_sd_step(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("sd_step: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("sd_step: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -269,7 +268,7 @@ int test_sd_step(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
-            (void)printf("sd_step: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("sd_step: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -288,7 +287,7 @@ int test_sd_step(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("sd_step: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_step: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_step position", position, 3);
@@ -301,7 +300,7 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             imu.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("sd_step: dtheta_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("sd_step: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -319,7 +318,7 @@ int test_sd_step(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("sd_step: dv_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_step: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_step position", position, 3);
@@ -332,7 +331,7 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             imu.dv_b[i] = (end == 0) ? low[i] : high[i];
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("sd_step: dv_b[%d] end %d refused\n", i, end);
+                selftest_print("sd_step: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -352,7 +351,7 @@ int test_sd_step(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("sd_step: dtheta_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_step: dtheta_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_step position", position, 3);
@@ -365,7 +364,7 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             imu.dtheta_before[i] = (end == 0) ? low[i] : high[i];
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("sd_step: dtheta_before[%d] end %d refused\n", i, end);
+                selftest_print("sd_step: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -385,7 +384,7 @@ int test_sd_step(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("sd_step: dv_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_step: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_step position", position, 3);
@@ -398,7 +397,7 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             imu.dv_before[i] = (end == 0) ? low[i] : high[i];
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("sd_step: dv_before[%d] end %d refused\n", i, end);
+                selftest_print("sd_step: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -416,7 +415,7 @@ int test_sd_step(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("sd_step: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_step: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_step position", position, 3);
@@ -429,7 +428,7 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("sd_step: dt[%d] end %d refused\n", i, end);
+                selftest_print("sd_step: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -281,7 +281,7 @@ static void correct_lanes(block *b, const chosen *runs, const bs_given *given, b
 
 #if !BORESIGHT_UD
 
-/* out = the sum of coefficients times 8 numbers each. */
+/* out = the sum of coefficients times 16 numbers each. */
 BS_INLINE void wide_sums(const bs_lanes *coefficient,
                          const unsigned short *at,
                          int count,
@@ -297,6 +297,14 @@ BS_INLINE void wide_sums(const bs_lanes *coefficient,
     bs_lanes s5 = bs_all_of(0.0);
     bs_lanes s6 = bs_all_of(0.0);
     bs_lanes s7 = bs_all_of(0.0);
+    bs_lanes s8 = bs_all_of(0.0);
+    bs_lanes s9 = bs_all_of(0.0);
+    bs_lanes s10 = bs_all_of(0.0);
+    bs_lanes s11 = bs_all_of(0.0);
+    bs_lanes s12 = bs_all_of(0.0);
+    bs_lanes s13 = bs_all_of(0.0);
+    bs_lanes s14 = bs_all_of(0.0);
+    bs_lanes s15 = bs_all_of(0.0);
     for (int p = 0; p < count; ++p) {
         const bs_lanes a = coefficient[p];
         const bs_lanes *const from = &x[at[p]];
@@ -308,6 +316,14 @@ BS_INLINE void wide_sums(const bs_lanes *coefficient,
         s5 += a * from[5];
         s6 += a * from[6];
         s7 += a * from[7];
+        s8 += a * from[8];
+        s9 += a * from[9];
+        s10 += a * from[10];
+        s11 += a * from[11];
+        s12 += a * from[12];
+        s13 += a * from[13];
+        s14 += a * from[14];
+        s15 += a * from[15];
     }
     out[0] = s0;
     out[1 * stride] = s1;
@@ -317,6 +333,14 @@ BS_INLINE void wide_sums(const bs_lanes *coefficient,
     out[5 * stride] = s5;
     out[6 * stride] = s6;
     out[7 * stride] = s7;
+    out[8 * stride] = s8;
+    out[9 * stride] = s9;
+    out[10 * stride] = s10;
+    out[11 * stride] = s11;
+    out[12 * stride] = s12;
+    out[13 * stride] = s13;
+    out[14 * stride] = s14;
+    out[15 * stride] = s15;
 }
 
 /* out = the sum of coefficients times 3 numbers each. */
@@ -1018,7 +1042,7 @@ static void predict(scratch *s, bs_lanes *P)
         }
     }
     for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j < 16; j += 8) {
+        for (int j = 0; j < 16; j += 16) {
             wide_sums(&s->Phi[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &s->X[j],
                       &s->Y[(j * 6) + i], 6);
         }

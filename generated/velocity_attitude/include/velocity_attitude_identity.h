@@ -3,7 +3,9 @@
  * sha256sum prints of them in the order of their names (LC_ALL=C).  It is the same in both
  * precisions.
  * In single precision each function has the ending _f32, so that both precisions link into one
- * program and a header of one does not link with a library of the other. */
+ * program and a header of one does not link with a library of the other.
+ * In a form that is not that of its precision (BORESIGHT_UD) each function of the filter has the
+ * ending _ud, or _f32_joseph: P of one form is never read as the other. */
 #ifndef VELOCITY_ATTITUDE_IDENTITY_H
 #define VELOCITY_ATTITUDE_IDENTITY_H
 
@@ -18,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "78f6655ca5bac67c2b817e1675a6e61a1334092a0302445dfa13b440bd9fc67f"
+#define VA_MODEL_HASH "8afe5c6dc09d33d36577259461e033131dd8c6ff043aa2a49210ce97123c231d"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1
@@ -48,25 +50,6 @@
 #define va_euler_z va_euler_z_f32
 #define va_expected va_expected_f32
 #define va_feedback va_feedback_f32
-#define va_filter_consider va_filter_consider_f32
-#define va_filter_correct va_filter_correct_f32
-#define va_filter_covariance va_filter_covariance_f32
-#define va_filter_digest va_filter_digest_f32
-#define va_filter_health va_filter_health_f32
-#define va_filter_init va_filter_init_f32
-#define va_filter_init_blocks va_filter_init_blocks_f32
-#define va_filter_init_sigmas va_filter_init_sigmas_f32
-#define va_filter_measure_dcm va_filter_measure_dcm_f32
-#define va_filter_measure_euler va_filter_measure_euler_f32
-#define va_filter_measure_quaternion va_filter_measure_quaternion_f32
-#define va_filter_measure_velocity va_filter_measure_velocity_f32
-#define va_filter_propagate va_filter_propagate_f32
-#define va_filter_restore va_filter_restore_f32
-#define va_filter_set_nav va_filter_set_nav_f32
-#define va_filter_sigmas va_filter_sigmas_f32
-#define va_filter_snapshot va_filter_snapshot_f32
-#define va_filter_strapdown va_filter_strapdown_f32
-#define va_filter_variance va_filter_variance_f32
 #define va_identity va_identity_f32
 #define va_joseph_add va_joseph_add_f32
 #define va_joseph_dense va_joseph_dense_f32
@@ -87,6 +70,27 @@
 #define va_velocity_H va_velocity_H_f32
 #define va_velocity_H_nz va_velocity_H_nz_f32
 #define va_velocity_z va_velocity_z_f32
+#endif
+#ifdef BS_FORM
+#define va_filter_consider BS_FORM(va_filter_consider)
+#define va_filter_correct BS_FORM(va_filter_correct)
+#define va_filter_covariance BS_FORM(va_filter_covariance)
+#define va_filter_digest BS_FORM(va_filter_digest)
+#define va_filter_health BS_FORM(va_filter_health)
+#define va_filter_init BS_FORM(va_filter_init)
+#define va_filter_init_blocks BS_FORM(va_filter_init_blocks)
+#define va_filter_init_sigmas BS_FORM(va_filter_init_sigmas)
+#define va_filter_measure_dcm BS_FORM(va_filter_measure_dcm)
+#define va_filter_measure_euler BS_FORM(va_filter_measure_euler)
+#define va_filter_measure_quaternion BS_FORM(va_filter_measure_quaternion)
+#define va_filter_measure_velocity BS_FORM(va_filter_measure_velocity)
+#define va_filter_propagate BS_FORM(va_filter_propagate)
+#define va_filter_restore BS_FORM(va_filter_restore)
+#define va_filter_set_nav BS_FORM(va_filter_set_nav)
+#define va_filter_sigmas BS_FORM(va_filter_sigmas)
+#define va_filter_snapshot BS_FORM(va_filter_snapshot)
+#define va_filter_strapdown BS_FORM(va_filter_strapdown)
+#define va_filter_variance BS_FORM(va_filter_variance)
 #endif
 
 #ifdef __cplusplus

@@ -2,26 +2,25 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.a7e85c0000000p-1, -0x1.fa9d960000000p-1, 0x1.24b5b80000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.4cb3680000000p+9, 0x1.1705ce0000000p+9, -0x1.3fcf920000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.38ee240000000p-3, 0x1.efd17a0000000p-2, 0x1.99df0a0000000p-1, -0x1.4670120000000p-2 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, -0x1.f400000000000p+8, 0x1.f400000000000p+8 },
     { -0x1.19d2c00000000p+7, -0x1.b87e400000000p+7, 0x1.4f70260000000p+8 }
 };
@@ -31,14 +30,14 @@ static const double out_F[N_VECTORS][41] = {
     { -0x1.37c962e3cfcd0p-13, -0x1.b57b0659da6fap-14, 0x1.4f9732f3b8108p-23, -0x1.f04f925ed1db0p-2, 0x1.becbdb61ca330p-1, -0x1.0671695ee2580p-4, 0x1.37c962e3cfcd0p-13, 0x1.1e52e5141e50ep-13, -0x1.509fb4610a425p-23, 0x1.5b09cb5faa910p-1, 0x1.4fff6d93cfdb0p-2, -0x1.51154b76237f0p-1, 0x1.b57b0659da6fap-14, -0x1.1e52e5141e50ep-13, -0x1.6d6f4e671f296p-23, -0x1.1b50bac330ff0p-1, -0x1.73205357d66a0p-2, -0x1.802a51c294258p-1, 0x1.778f34614ffd3p+6, -0x1.849eb831a9669p+8, -0x1.a487f2e2db1f5p-14, -0x1.37c962e3cfcd0p-12, -0x1.b57b0659da6fap-14, 0x1.f04f925ed1db0p-2, -0x1.becbdb61ca330p-1, 0x1.0671695ee2580p-4, -0x1.778f34614ffd3p+6, 0x1.22c98d705071bp+7, 0x1.a86c79f06191ap-13, -0x1.bf14fb0d736dep-13, 0x1.85c317e498f36p-13, -0x1.5b09cb5faa910p-1, -0x1.4fff6d93cfdb0p-2, 0x1.51154b76237f0p-1, 0x1.849eb831a9669p+8, -0x1.22c98d705071bp+7, 0x1.b57b0659da6fap-13, -0x1.1e52e5141e50ep-12, 0x1.1b50bac330ff0p-1, 0x1.73205357d66a0p-2, 0x1.802a51c294258p-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_F[N_VECTORS][41] = {
-    { 1.37e-09, 8.06e-11, 4.26e-14, 7.54e-08, 1.81e-07, 1.21e-07, 1.37e-09, 6.33e-11, 7.12e-14, 1.21e-07, 7.54e-08, 1.81e-07, 8.06e-11, 6.33e-11, 1.13e-12, 1.81e-07, 1.21e-07, 7.54e-08, 0.000279, 0.000249, 8.06e-11, 2.95e-09, 8.06e-11, 7.54e-08, 1.81e-07, 1.21e-07, 0.000279, 0.000279, 1.39e-09, 1.41e-09, 6.52e-11, 1.21e-07, 7.54e-08, 1.81e-07, 0.000249, 0.000279, 1.8e-10, 1.45e-10, 1.81e-07, 1.21e-07, 7.54e-08 },
-    { 8.77e-11, 5.36e-11, 4.24e-14, 1.37e-07, 1.58e-07, 7.05e-08, 8.77e-11, 4.9e-11, 7.11e-14, 1.46e-07, 1.19e-07, 1.19e-07, 5.36e-11, 4.9e-11, 1.08e-13, 9.99e-08, 1.01e-07, 1.74e-07, 0.000134, 0.000143, 5.15e-11, 1.87e-10, 5.36e-11, 1.37e-07, 1.58e-07, 7.05e-08, 0.000134, 0.000111, 1.04e-10, 1.24e-10, 6.39e-11, 1.46e-07, 1.19e-07, 1.19e-07, 0.000143, 0.000111, 1.2e-10, 1.09e-10, 9.99e-08, 1.01e-07, 1.74e-07 }
+static const float tol_F[N_VECTORS][41] = {
+    { 1.37e-09F, 8.06e-11F, 4.26e-14F, 7.54e-08F, 1.81e-07F, 1.21e-07F, 1.37e-09F, 6.33e-11F, 7.12e-14F, 1.21e-07F, 7.54e-08F, 1.81e-07F, 8.06e-11F, 6.33e-11F, 1.13e-12F, 1.81e-07F, 1.21e-07F, 7.54e-08F, 2.79e-04F, 2.49e-04F, 8.06e-11F, 2.95e-09F, 8.06e-11F, 7.54e-08F, 1.81e-07F, 1.21e-07F, 2.79e-04F, 2.79e-04F, 1.39e-09F, 1.41e-09F, 6.52e-11F, 1.21e-07F, 7.54e-08F, 1.81e-07F, 2.49e-04F, 2.79e-04F, 1.80e-10F, 1.45e-10F, 1.81e-07F, 1.21e-07F, 7.54e-08F },
+    { 8.77e-11F, 5.36e-11F, 4.24e-14F, 1.37e-07F, 1.58e-07F, 7.05e-08F, 8.77e-11F, 4.90e-11F, 7.11e-14F, 1.46e-07F, 1.19e-07F, 1.19e-07F, 5.36e-11F, 4.90e-11F, 1.08e-13F, 9.99e-08F, 1.01e-07F, 1.74e-07F, 1.34e-04F, 1.43e-04F, 5.15e-11F, 1.87e-10F, 5.36e-11F, 1.37e-07F, 1.58e-07F, 7.05e-08F, 1.34e-04F, 1.11e-04F, 1.04e-10F, 1.24e-10F, 6.39e-11F, 1.46e-07F, 1.19e-07F, 1.19e-07F, 1.43e-04F, 1.11e-04F, 1.20e-10F, 1.09e-10F, 9.99e-08F, 1.01e-07F, 1.74e-07F }
 };
 #else
-static const double tol_F[N_VECTORS][41] = {
-    { 2.76e-18, 1.68e-19, 9.68e-23, 1.4e-16, 4.49e-16, 2.25e-16, 2.76e-18, 1.36e-19, 1.5e-22, 2.25e-16, 1.4e-16, 4.49e-16, 1.68e-19, 1.36e-19, 2.31e-21, 4.49e-16, 2.25e-16, 1.4e-16, 5.76e-13, 5.2e-13, 1.68e-19, 5.92e-18, 1.68e-19, 1.4e-16, 4.49e-16, 2.25e-16, 5.76e-13, 5.76e-13, 2.81e-18, 2.84e-18, 1.4e-19, 2.25e-16, 1.4e-16, 4.49e-16, 5.2e-13, 5.76e-13, 3.7e-19, 3.07e-19, 4.49e-16, 2.25e-16, 1.4e-16 },
-    { 1.8e-19, 1.11e-19, 9.65e-23, 3.1e-16, 3.91e-16, 1.38e-16, 1.8e-19, 1.07e-19, 1.5e-22, 3.48e-16, 2.58e-16, 2.95e-16, 1.11e-19, 1.07e-19, 2.2e-22, 2.48e-16, 2.29e-16, 4.08e-16, 2.61e-13, 3.11e-13, 1.07e-19, 3.81e-19, 1.11e-19, 3.1e-16, 3.91e-16, 1.38e-16, 2.61e-13, 2.23e-13, 2.16e-19, 2.56e-19, 1.4e-19, 3.48e-16, 2.58e-16, 2.95e-16, 3.11e-13, 2.23e-13, 2.46e-19, 2.33e-19, 2.48e-16, 2.29e-16, 4.08e-16 }
+static const float tol_F[N_VECTORS][41] = {
+    { 2.76e-18F, 1.68e-19F, 9.68e-23F, 1.40e-16F, 4.49e-16F, 2.25e-16F, 2.76e-18F, 1.36e-19F, 1.50e-22F, 2.25e-16F, 1.40e-16F, 4.49e-16F, 1.68e-19F, 1.36e-19F, 2.31e-21F, 4.49e-16F, 2.25e-16F, 1.40e-16F, 5.76e-13F, 5.20e-13F, 1.68e-19F, 5.92e-18F, 1.68e-19F, 1.40e-16F, 4.49e-16F, 2.25e-16F, 5.76e-13F, 5.76e-13F, 2.81e-18F, 2.84e-18F, 1.40e-19F, 2.25e-16F, 1.40e-16F, 4.49e-16F, 5.20e-13F, 5.76e-13F, 3.70e-19F, 3.07e-19F, 4.49e-16F, 2.25e-16F, 1.40e-16F },
+    { 1.80e-19F, 1.11e-19F, 9.65e-23F, 3.10e-16F, 3.91e-16F, 1.38e-16F, 1.80e-19F, 1.07e-19F, 1.50e-22F, 3.48e-16F, 2.58e-16F, 2.95e-16F, 1.11e-19F, 1.07e-19F, 2.20e-22F, 2.48e-16F, 2.29e-16F, 4.08e-16F, 2.61e-13F, 3.11e-13F, 1.07e-19F, 3.81e-19F, 1.11e-19F, 3.10e-16F, 3.91e-16F, 1.38e-16F, 2.61e-13F, 2.23e-13F, 2.16e-19F, 2.56e-19F, 1.40e-19F, 3.48e-16F, 2.58e-16F, 2.95e-16F, 3.11e-13F, 2.23e-13F, 2.46e-19F, 2.33e-19F, 2.48e-16F, 2.29e-16F, 4.08e-16F }
 };
 #endif
 static const unsigned short at_F[41] = { 1, 2, 4, 6, 7, 8, 16, 18, 19, 22, 23, 24, 32, 33, 36, 38,
@@ -88,7 +87,7 @@ int test_va_F(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 256);
             if (va_F(&nav, &imu, F) != expected) {
-                (void)printf("va_F: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_F: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_F F", F, 256);
@@ -101,7 +100,7 @@ int test_va_F(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("va_F: position[%d] end %d refused\n", i, end);
+                selftest_print("va_F: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -117,7 +116,7 @@ int test_va_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 256);
             if (va_F(&nav, &imu, F) != expected) {
-                (void)printf("va_F: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_F F", F, 256);
@@ -128,7 +127,7 @@ int test_va_F(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("va_F: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -146,7 +145,7 @@ int test_va_F(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 256);
             if (va_F(&nav, &imu, F) != expected) {
-                (void)printf("va_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_F F", F, 256);
@@ -160,7 +159,7 @@ int test_va_F(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("va_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -173,7 +172,7 @@ int test_va_F(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_F(&nav, &imu, F) != BS_OUT_OF_RANGE) {
-            (void)printf("va_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -188,7 +187,7 @@ int test_va_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 256);
             if (va_F(&nav, &imu, F) != expected) {
-                (void)printf("va_F: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_F F", F, 256);
@@ -199,7 +198,7 @@ int test_va_F(void)
             set_point(0, &nav, &imu);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (va_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("va_F: f_b[%d] end %d refused\n", i, end);
+                selftest_print("va_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

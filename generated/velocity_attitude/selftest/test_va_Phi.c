@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.1fc7140000000p+0, 0x1.1bee6e0000000p+2, 0x1.22ea220000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.90a75e0000000p+8, -0x1.5755aa0000000p+8, 0x1.bbda100000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.fb2eea0000000p-2, 0x1.09e05c0000000p-1, -0x1.2dd8300000000p-1, -0x1.7caf840000000p-2 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, -0x1.f400000000000p+8, 0x1.f400000000000p+8 },
     { -0x1.0a05e60000000p+8, -0x1.90face0000000p+7, -0x1.9a113a0000000p+8 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.c725ea0000000p+1 }
 };
@@ -35,14 +34,14 @@ static const double out_Phi[N_VECTORS][82] = {
     { 0x1.ffecde9a2b945p-1, 0x1.5834f91d2b63fp-13, -0x1.b999b7ef4abefp-13, -0x1.cdee8c149dde9p-36, 0x1.2a21beb11feedp-21, 0x1.463529249ffadp-37, 0x1.a8a7e9759b344p-4, -0x1.bc098d09bfe9bp-1, -0x1.b98dbda63f3e5p+1, 0x1.03cf1428c844ap-20, -0x1.88281899931c1p-23, 0x1.427936ca12ec3p-24, -0x1.582b930793274p-13, 0x1.ffecd92ec7c2ep-1, -0x1.5aa64f0a9249cp-12, -0x1.2a81a08f2af64p-21, -0x1.913d21f6b31a0p-34, -0x1.103d7bb53edf4p-34, -0x1.be4cd784be21cp+1, 0x1.50c9d73556f4ap-1, -0x1.14a5858372024p-2, 0x1.f0092f75c67f9p-26, -0x1.02f293fd44392p-22, -0x1.015cd78a82577p-20, 0x1.57acfa8c93a31p-14, 0x1.499ed42d4a92ep-14, 0x1.003b48f4aa425p+0, -0x1.11d7e7b39199bp-34, -0x1.375327e359545p-20, -0x1.548bb7d8c8558p-36, 0x1.6832809b01d45p-1, 0x1.b1a7a9a0d8c86p+1, -0x1.a944cc13638d3p-1, -0x1.0f3a80db53161p-19, 0x1.9964b9a7fe137p-22, -0x1.50a5c0faa69a5p-23, -0x1.5342e162e91bcp-2, 0x1.06ff211354b9ap+9, 0x1.c540debe9d6a0p+9, 0x1.0016c503fe2b0p+0, -0x1.9cfacb0d72b02p-13, 0x1.d330a46e90214p-13, -0x1.2ab85ab2a9042p+9, 0x1.ab21ad25029a8p+10, -0x1.bfc10916db5aep+8, -0x1.a796c4bfec719p-4, 0x1.bc1e8908b5f4fp-1, 0x1.b9aa5b45502dfp+1, -0x1.06df9d0f7c707p+9, -0x1.ec3cf6f0fcc96p-5, -0x1.8668df9cdb774p+10, 0x1.24ac4809293cbp-14, 0x1.00707d5919aedp+0, 0x1.18605972b9e43p-15, -0x1.203b143d2bf44p+9, -0x1.2dfcd54879a23p+11, 0x1.84c987a96a247p+10, 0x1.be81d623dd408p+1, -0x1.50feae26ddb7ap-1, 0x1.153d649b2d0d8p-2, -0x1.c55d5bc69ce1cp+9, 0x1.862b1581bf7edp+10, -0x1.f29455ed644b2p-2, -0x1.cd08c018e40b5p-11, -0x1.8c18a82ca3f02p-14, 0x1.fffffe6c7b4bep-1, -0x1.5a06b0f9d06c6p+11, 0x1.c55ba91172babp+9, 0x1.5220a069369e3p+10, -0x1.681f063f0299ep-1, -0x1.b1abad0dcd918p+1, 0x1.a913d79d3152ep-1, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Phi[N_VECTORS][82] = {
-    { 6.46e-08, 1.56e-08, 5.2e-09, 3.84e-14, 6.46e-13, 1.06e-15, 8.66e-07, 1.22e-06, 3.02e-06, 5.38e-12, 5.84e-13, 9.35e-13, 1.56e-08, 6.53e-08, 6.14e-09, 8.95e-13, 3.79e-14, 1.46e-15, 3.01e-06, 7.69e-07, 1.32e-06, 5.84e-13, 9.35e-13, 6.8e-12, 6.98e-08, 8.22e-10, 1.21e-07, 2.58e-13, 1.37e-11, 1.71e-14, 1.21e-06, 3.01e-06, 7.6e-07, 9.35e-11, 6.68e-12, 1.07e-11, 0.000235, 0.00339, 0.00353, 1.27e-07, 1.04e-07, 1.03e-09, 0.0289, 0.0277, 0.00487, 1e-06, 1.22e-06, 3.03e-06, 0.00347, 0.000154, 0.00322, 1.59e-08, 2.08e-07, 8.44e-10, 0.00487, 0.0274, 0.0277, 3.13e-06, 7.75e-07, 1.33e-06, 0.00345, 0.00316, 3.19e-05, 7.52e-09, 6.4e-09, 6.02e-08, 0.0262, 0.00487, 0.0289, 1.22e-06, 3.01e-06, 7.68e-07, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 6.04e-08, 3.62e-10, 5.63e-10, 2.45e-16, 2.18e-13, 3.79e-17, 3.08e-07, 5.77e-07, 1.04e-06, 6.71e-13, 1.97e-13, 1.56e-13, 3.62e-10, 6.04e-08, 4.74e-10, 3.2e-13, 2.48e-16, 7.49e-17, 1.05e-06, 4.54e-07, 4.58e-07, 1.02e-13, 2.99e-13, 8.4e-13, 7.2e-10, 1.05e-10, 6.15e-08, 3.08e-16, 8.74e-13, 1.19e-16, 5.43e-07, 1.02e-06, 3.94e-07, 2.13e-12, 5.5e-13, 3.83e-13, 7.68e-07, 0.000585, 0.0007, 1.21e-07, 1.66e-09, 1.42e-10, 0.00178, 0.00206, 0.000695, 3.09e-07, 5.77e-07, 1.04e-06, 0.000585, 5.02e-07, 0.000818, 4.01e-10, 1.23e-07, 1.23e-10, 0.000856, 0.0027, 0.00202, 1.05e-06, 4.54e-07, 4.58e-07, 0.000699, 0.000817, 8.58e-07, 8.65e-10, 5.51e-10, 6.02e-08, 0.00258, 0.00124, 0.0022, 5.43e-07, 1.02e-06, 3.95e-07, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][82] = {
+    { 6.46e-08F, 1.56e-08F, 5.20e-09F, 3.84e-14F, 6.46e-13F, 1.06e-15F, 8.66e-07F, 1.22e-06F, 3.02e-06F, 5.38e-12F, 5.84e-13F, 9.35e-13F, 1.56e-08F, 6.53e-08F, 6.14e-09F, 8.95e-13F, 3.79e-14F, 1.46e-15F, 3.01e-06F, 7.69e-07F, 1.32e-06F, 5.84e-13F, 9.35e-13F, 6.80e-12F, 6.98e-08F, 8.22e-10F, 1.21e-07F, 2.58e-13F, 1.37e-11F, 1.71e-14F, 1.21e-06F, 3.01e-06F, 7.60e-07F, 9.35e-11F, 6.68e-12F, 1.07e-11F, 2.35e-04F, 3.39e-03F, 3.53e-03F, 1.27e-07F, 1.04e-07F, 1.03e-09F, 2.89e-02F, 2.77e-02F, 4.87e-03F, 1.00e-06F, 1.22e-06F, 3.03e-06F, 3.47e-03F, 1.54e-04F, 3.22e-03F, 1.59e-08F, 2.08e-07F, 8.44e-10F, 4.87e-03F, 2.74e-02F, 2.77e-02F, 3.13e-06F, 7.75e-07F, 1.33e-06F, 3.45e-03F, 3.16e-03F, 3.19e-05F, 7.52e-09F, 6.40e-09F, 6.02e-08F, 2.62e-02F, 4.87e-03F, 2.89e-02F, 1.22e-06F, 3.01e-06F, 7.68e-07F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 6.04e-08F, 3.62e-10F, 5.63e-10F, 2.45e-16F, 2.18e-13F, 3.79e-17F, 3.08e-07F, 5.77e-07F, 1.04e-06F, 6.71e-13F, 1.97e-13F, 1.56e-13F, 3.62e-10F, 6.04e-08F, 4.74e-10F, 3.20e-13F, 2.48e-16F, 7.49e-17F, 1.05e-06F, 4.54e-07F, 4.58e-07F, 1.02e-13F, 2.99e-13F, 8.40e-13F, 7.20e-10F, 1.05e-10F, 6.15e-08F, 3.08e-16F, 8.74e-13F, 1.19e-16F, 5.43e-07F, 1.02e-06F, 3.94e-07F, 2.13e-12F, 5.50e-13F, 3.83e-13F, 7.68e-07F, 5.85e-04F, 7.00e-04F, 1.21e-07F, 1.66e-09F, 1.42e-10F, 1.78e-03F, 2.06e-03F, 6.95e-04F, 3.09e-07F, 5.77e-07F, 1.04e-06F, 5.85e-04F, 5.02e-07F, 8.18e-04F, 4.01e-10F, 1.23e-07F, 1.23e-10F, 8.56e-04F, 2.70e-03F, 2.02e-03F, 1.05e-06F, 4.54e-07F, 4.58e-07F, 6.99e-04F, 8.17e-04F, 8.58e-07F, 8.65e-10F, 5.51e-10F, 6.02e-08F, 2.58e-03F, 1.24e-03F, 2.20e-03F, 5.43e-07F, 1.02e-06F, 3.95e-07F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #else
-static const double tol_Phi[N_VECTORS][82] = {
-    { 2.32e-16, 3.09e-17, 9.94e-18, 7.45e-23, 1.38e-21, 2.1e-24, 1.62e-15, 2.27e-15, 6.74e-15, 1.09e-20, 1.09e-21, 1.74e-21, 3.09e-17, 2.33e-16, 1.2e-17, 1.84e-21, 7.35e-23, 2.86e-24, 6.73e-15, 1.43e-15, 2.46e-15, 1.09e-21, 1.74e-21, 1.35e-20, 1.35e-16, 1.7e-18, 3.33e-16, 4.97e-22, 2.74e-20, 3.33e-23, 2.25e-15, 6.72e-15, 1.42e-15, 1.84e-19, 1.24e-20, 1.99e-20, 4.5e-13, 6.88e-12, 7.15e-12, 3.48e-16, 1.95e-16, 2.09e-18, 5.66e-11, 5.45e-11, 9.08e-12, 1.88e-15, 2.28e-15, 6.77e-15, 7.01e-12, 2.95e-13, 6.55e-12, 3.15e-17, 4.92e-16, 1.73e-18, 9.08e-12, 5.38e-11, 5.45e-11, 6.93e-15, 1.44e-15, 2.49e-15, 6.99e-12, 6.45e-12, 6.19e-14, 1.48e-17, 1.2e-17, 2.24e-16, 5.17e-11, 9.08e-12, 5.66e-11, 2.27e-15, 6.72e-15, 1.43e-15, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 2.25e-16, 6.92e-19, 1.07e-18, 4.59e-25, 4.69e-22, 7.15e-26, 5.86e-16, 1.17e-15, 2.32e-15, 1.36e-21, 3.88e-22, 2.99e-22, 6.92e-19, 2.25e-16, 9.2e-19, 6.58e-22, 4.72e-25, 1.46e-25, 2.35e-15, 9.19e-16, 8.82e-16, 1.93e-22, 5.84e-22, 1.67e-21, 1.35e-18, 2.03e-19, 2.27e-16, 5.81e-25, 1.76e-21, 2.24e-25, 1.09e-15, 2.28e-15, 8.28e-16, 4.2e-21, 1.07e-21, 7.31e-22, 1.47e-15, 1.15e-12, 1.4e-12, 3.38e-16, 3.11e-18, 2.89e-19, 3.39e-12, 4.03e-12, 1.34e-12, 5.87e-16, 1.17e-15, 2.32e-15, 1.15e-12, 9.42e-16, 1.7e-12, 7.56e-19, 3.41e-16, 2.34e-19, 1.66e-12, 5.3e-12, 3.94e-12, 2.35e-15, 9.2e-16, 8.83e-16, 1.4e-12, 1.7e-12, 1.65e-15, 1.71e-18, 1.04e-18, 2.24e-16, 5.13e-12, 2.41e-12, 4.25e-12, 1.09e-15, 2.28e-15, 8.28e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][82] = {
+    { 2.32e-16F, 3.09e-17F, 9.94e-18F, 7.45e-23F, 1.38e-21F, 2.10e-24F, 1.62e-15F, 2.27e-15F, 6.74e-15F, 1.09e-20F, 1.09e-21F, 1.74e-21F, 3.09e-17F, 2.33e-16F, 1.20e-17F, 1.84e-21F, 7.35e-23F, 2.86e-24F, 6.73e-15F, 1.43e-15F, 2.46e-15F, 1.09e-21F, 1.74e-21F, 1.35e-20F, 1.35e-16F, 1.70e-18F, 3.33e-16F, 4.97e-22F, 2.74e-20F, 3.33e-23F, 2.25e-15F, 6.72e-15F, 1.42e-15F, 1.84e-19F, 1.24e-20F, 1.99e-20F, 4.50e-13F, 6.88e-12F, 7.15e-12F, 3.48e-16F, 1.95e-16F, 2.09e-18F, 5.66e-11F, 5.45e-11F, 9.08e-12F, 1.88e-15F, 2.28e-15F, 6.77e-15F, 7.01e-12F, 2.95e-13F, 6.55e-12F, 3.15e-17F, 4.92e-16F, 1.73e-18F, 9.08e-12F, 5.38e-11F, 5.45e-11F, 6.93e-15F, 1.44e-15F, 2.49e-15F, 6.99e-12F, 6.45e-12F, 6.19e-14F, 1.48e-17F, 1.20e-17F, 2.24e-16F, 5.17e-11F, 9.08e-12F, 5.66e-11F, 2.27e-15F, 6.72e-15F, 1.43e-15F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 2.25e-16F, 6.92e-19F, 1.07e-18F, 4.59e-25F, 4.69e-22F, 7.15e-26F, 5.86e-16F, 1.17e-15F, 2.32e-15F, 1.36e-21F, 3.88e-22F, 2.99e-22F, 6.92e-19F, 2.25e-16F, 9.20e-19F, 6.58e-22F, 4.72e-25F, 1.46e-25F, 2.35e-15F, 9.19e-16F, 8.82e-16F, 1.93e-22F, 5.84e-22F, 1.67e-21F, 1.35e-18F, 2.03e-19F, 2.27e-16F, 5.81e-25F, 1.76e-21F, 2.24e-25F, 1.09e-15F, 2.28e-15F, 8.28e-16F, 4.20e-21F, 1.07e-21F, 7.31e-22F, 1.47e-15F, 1.15e-12F, 1.40e-12F, 3.38e-16F, 3.11e-18F, 2.89e-19F, 3.39e-12F, 4.03e-12F, 1.34e-12F, 5.87e-16F, 1.17e-15F, 2.32e-15F, 1.15e-12F, 9.42e-16F, 1.70e-12F, 7.56e-19F, 3.41e-16F, 2.34e-19F, 1.66e-12F, 5.30e-12F, 3.94e-12F, 2.35e-15F, 9.20e-16F, 8.83e-16F, 1.40e-12F, 1.70e-12F, 1.65e-15F, 1.71e-18F, 1.04e-18F, 2.24e-16F, 5.13e-12F, 2.41e-12F, 4.25e-12F, 1.09e-15F, 2.28e-15F, 8.28e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #endif
 static const unsigned short at_Phi[82] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 20,
@@ -99,7 +98,7 @@ int test_va_Phi(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
             if (va_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("va_Phi: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Phi: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Phi Phi", Phi, 256);
@@ -112,7 +111,7 @@ int test_va_Phi(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("va_Phi: position[%d] end %d refused\n", i, end);
+                selftest_print("va_Phi: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -128,7 +127,7 @@ int test_va_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
             if (va_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("va_Phi: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Phi Phi", Phi, 256);
@@ -139,7 +138,7 @@ int test_va_Phi(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("va_Phi: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -157,7 +156,7 @@ int test_va_Phi(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
             if (va_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("va_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Phi Phi", Phi, 256);
@@ -171,7 +170,7 @@ int test_va_Phi(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("va_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -184,7 +183,7 @@ int test_va_Phi(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_Phi(&nav, &imu, Phi) != BS_OUT_OF_RANGE) {
-            (void)printf("va_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -199,7 +198,7 @@ int test_va_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
             if (va_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("va_Phi: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Phi Phi", Phi, 256);
@@ -210,7 +209,7 @@ int test_va_Phi(void)
             set_point(0, &nav, &imu);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (va_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("va_Phi: f_b[%d] end %d refused\n", i, end);
+                selftest_print("va_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -226,7 +225,7 @@ int test_va_Phi(void)
                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
             if (va_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("va_Phi: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Phi Phi", Phi, 256);
@@ -237,7 +236,7 @@ int test_va_Phi(void)
             set_point(0, &nav, &imu);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (va_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("va_Phi: dt[%d] end %d refused\n", i, end);
+                selftest_print("va_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,54 +2,53 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.fd6e260000000p-2, 0x1.b12da80000000p+0, 0x1.c735d20000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.b3075c0000000p+8, -0x1.e3713c0000000p+8, 0x1.15b58a0000000p+8 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.7e1dd20000000p-4, -0x1.4003ca0000000p-3, 0x1.2564ca0000000p-3, 0x1.f21e100000000p-1 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { 0x1.ac1d320000000p+7, -0x1.09df840000000p+5, 0x1.be46a60000000p+7 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.0c6f7c0000000p-20 },
     { 0x1.1c64620000000p+2 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.779f560000000p-4, 0x1.6c13280000000p-4, 0x1.5cc7f80000000p-4 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.4000000000000p+3, 0x1.4000000000000p+3 },
     { 0x1.86b1540000000p+0, 0x1.18f44a0000000p+3, 0x1.4256d80000000p+0 }
 };
-static const double in_gyro_bias_noise[N_VECTORS][3] = {
+static const float in_gyro_bias_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.31823c0000000p-4, 0x1.9e4fc80000000p-6, 0x1.2986f60000000p-5 }
 };
-static const double in_accel_bias_noise[N_VECTORS][3] = {
+static const float in_accel_bias_noise[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.a595860000000p+2, 0x1.1d0e500000000p+3, 0x1.f845000000000p+0 }
 };
-static const double in_mu_noise[N_VECTORS][3] = {
+static const float in_mu_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.19d4960000000p-5, 0x1.8a56e80000000p-4, 0x1.5669da0000000p-9 }
 };
-static const double in_tau_noise[N_VECTORS][1] = {
+static const float in_tau_noise[N_VECTORS][1] = {
     { 0x1.9999980000000p-4 },
     { 0x1.b1670e0000000p-5 }
 };
@@ -59,14 +58,14 @@ static const double out_Q[N_VECTORS][118] = {
     { 0x1.762e1e79f1e61p-3, -0x1.49dd0a5b7ce62p-6, 0x1.4f1fc329186f5p-5, 0x1.75751c5f77921p+3, 0x1.a4f5af45accfep+5, -0x1.eece18ad887adp+4, -0x1.a4320d161cf18p-5, -0x1.7691e9764c54dp-10, -0x1.d98481057dd25p-9, -0x1.c618728cf253ap-17, 0x1.65677cb3a67f7p-13, -0x1.6db3df1ed660cp-19, -0x1.49dd0a5b7ce62p-6, 0x1.dc96bfeb8de7fp-5, -0x1.e773b1bb7a2b9p-10, -0x1.caada13e42171p+3, -0x1.24eeb9c20f501p+2, -0x1.89f8815e54ec2p+4, 0x1.ec4c0d1ab4bacp-8, -0x1.85a113ccd414fp-8, 0x1.06c8095de9001p-8, -0x1.85a6c3ef77262p-14, -0x1.5951e09dfa269p-15, -0x1.4b132cc7eba72p-19, 0x1.4f1fc329186f5p-5, -0x1.e773b1bb7a2b9p-10, 0x1.57b2e45513f54p-4, 0x1.3a61eb0819cc4p+4, 0x1.6ba953547513ap+5, -0x1.c643b0acc292bp+2, -0x1.29bdd830c22c2p-6, 0x1.9d03fe2d97f76p-10, 0x1.84718ce962e4ep-7, 0x1.ed3116458cd8bp-18, -0x1.842cf8bf95b5fp-14, 0x1.8d30425a825f4p-20, 0x1.75751c5f77921p+3, -0x1.caada13e42171p+3, 0x1.3a61eb0819cc4p+4, 0x1.621fea73cc866p+13, 0x1.ab75f35321efdp+13, 0x1.b68900929a500p+12, -0x1.36f2020435598p+2, 0x1.64d32c22fa6e0p+0, 0x1.8889988aceb21p+0, 0x1.9019f0a1e54e5p+8, 0x1.62a92afedd8c2p+7, 0x1.5412a1945887dp+3, 0x1.a4f5af45accfep+5, -0x1.24eeb9c20f501p+2, 0x1.6ba953547513ap+5, 0x1.ab75f35321efdp+13, 0x1.2bb263472d6c8p+15, -0x1.54aa98c250bc4p+13, -0x1.043dc748e6715p+4, 0x1.52fb4d852d1c0p-2, 0x1.e6922fdcceb43p+1, -0x1.d4750c85dd840p+5, 0x1.70e1753d2a97dp+9, -0x1.7985b5289217ep+3, -0x1.eece18ad887adp+4, -0x1.89f8815e54ec2p+4, -0x1.c643b0acc292bp+2, 0x1.b68900929a500p+12, -0x1.54aa98c250bc4p+13, 0x1.874f4fbbb9419p+14, 0x1.bf915e3c0aadbp+2, 0x1.419fce9cda74cp+1, -0x1.a32b1f5392e97p-1, 0x1.1b90717c6ecfap+7, -0x1.86f6612ac3d93p+7, -0x1.16f3a8c4f620dp+5, -0x1.a4320d161cf18p-5, 0x1.ec4c0d1ab4bacp-8, -0x1.29bdd830c22c2p-6, -0x1.36f2020435598p+2, -0x1.043dc748e6715p+4, 0x1.bf915e3c0aadbp+2, 0x1.950720538b3cdp-6, -0x1.7691e9764c54dp-10, -0x1.85a113ccd414fp-8, 0x1.9d03fe2d97f76p-10, 0x1.64d32c22fa6e0p+0, 0x1.52fb4d852d1c0p-2, 0x1.419fce9cda74cp+1, 0x1.7471de5d848f1p-9, -0x1.d98481057dd25p-9, 0x1.06c8095de9001p-8, 0x1.84718ce962e4ep-7, 0x1.8889988aceb21p+0, 0x1.e6922fdcceb43p+1, -0x1.a32b1f5392e97p-1, 0x1.8024296b69eb3p-8, -0x1.c618728cf253ap-17, -0x1.85a6c3ef77262p-14, 0x1.ed3116458cd8bp-18, 0x1.9019f0a1e54e5p+8, -0x1.d4750c85dd840p+5, 0x1.1b90717c6ecfap+7, 0x1.81a2774975943p+7, 0x1.65677cb3a67f7p-13, -0x1.5951e09dfa269p-15, -0x1.842cf8bf95b5fp-14, 0x1.62a92afedd8c2p+7, 0x1.70e1753d2a97dp+9, -0x1.86f6612ac3d93p+7, 0x1.609ccdc7fa977p+8, -0x1.6db3df1ed660cp-19, -0x1.4b132cc7eba72p-19, 0x1.8d30425a825f4p-20, 0x1.5412a1945887dp+3, -0x1.7985b5289217ep+3, -0x1.16f3a8c4f620dp+5, 0x1.13de7ed29210ap+4, 0x1.58ad860472528p-8, 0x1.5167029cadd01p-5, 0x1.fcca78fa1a1c7p-16, 0x1.978f1fce1f719p-7 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Q[N_VECTORS][118] = {
-    { 3.61e-23, 7.22e-23, 6.04e-16, 1.51e-19, 1.51e-19, 6.17e-25, 3.02e-22, 1.19e-38, 1.19e-38, 3.14e-31, 1.19e-38, 1.19e-38, 7.22e-23, 1.44e-22, 1.21e-15, 3.03e-19, 3.03e-19, 9.98e-25, 6.03e-22, 1.19e-38, 1.19e-38, 1.57e-31, 1.19e-38, 1.19e-38, 6.04e-16, 1.21e-15, 1.48e-14, 6.2e-18, 6.2e-18, 4.54e-19, 3.62e-21, 1.19e-38, 1.19e-38, 3.59e-30, 1.19e-38, 1.19e-38, 1.51e-19, 3.03e-19, 6.2e-18, 1.34e-10, 1.81e-11, 1.21e-11, 1.21e-24, 1.19e-38, 1.19e-38, 3.02e-18, 1.19e-38, 1.19e-38, 1.51e-19, 3.03e-19, 6.2e-18, 1.81e-11, 1.28e-10, 7.55e-12, 1.21e-24, 1.19e-38, 1.19e-38, 6.03e-18, 1.19e-38, 1.19e-38, 6.17e-25, 9.98e-25, 4.54e-19, 1.21e-11, 7.55e-12, 2.01e-18, 1.51e-25, 1.19e-38, 1.19e-38, 3.62e-17, 1.19e-38, 1.19e-38, 3.02e-22, 6.03e-22, 3.62e-21, 1.21e-24, 1.21e-24, 1.51e-25, 2.86e-15, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 3.14e-31, 1.57e-31, 3.59e-30, 3.02e-18, 6.03e-18, 3.62e-17, 2.86e-11, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 2.86e-15, 2.86e-15, 2.86e-15, 2.86e-15 },
-    { 2.93e-07, 5.4e-08, 1.06e-07, 4.75e-05, 0.000148, 8.61e-05, 3.73e-08, 1.03e-09, 2.69e-09, 1.53e-11, 1.8e-10, 2.87e-12, 5.4e-08, 8.87e-08, 4.1e-08, 4.68e-05, 4.21e-05, 6.94e-05, 6.02e-09, 4.32e-09, 2.9e-09, 1.15e-10, 5.08e-11, 3.1e-12, 1.06e-07, 4.1e-08, 1.27e-07, 5.01e-05, 0.000107, 4.58e-05, 1.31e-08, 1.18e-09, 8.66e-09, 1.1e-11, 1.31e-10, 2.09e-12, 4.75e-05, 4.68e-05, 5.01e-05, 0.0362, 0.0465, 0.0435, 6.33e-06, 2.02e-06, 3.03e-06, 0.000291, 0.000128, 7.93e-06, 0.000148, 4.21e-05, 0.000107, 0.0465, 0.118, 0.0536, 2.25e-05, 8.47e-07, 5.75e-06, 4.7e-05, 0.000536, 8.53e-06, 8.61e-05, 6.94e-05, 4.58e-05, 0.0435, 0.0536, 0.0764, 1.23e-05, 3.05e-06, 1.92e-06, 0.000102, 0.000147, 2.55e-05, 3.73e-08, 6.02e-09, 1.31e-08, 6.33e-06, 2.25e-05, 1.23e-05, 7.07e-09, 1.03e-09, 4.32e-09, 1.18e-09, 2.02e-06, 8.47e-07, 3.05e-06, 8.13e-10, 2.69e-09, 2.9e-09, 8.66e-09, 3.03e-06, 5.75e-06, 1.92e-06, 1.68e-09, 1.53e-11, 1.15e-10, 1.1e-11, 0.000291, 4.7e-05, 0.000102, 5.51e-05, 1.8e-10, 5.08e-11, 1.31e-10, 0.000128, 0.000536, 0.000147, 0.000101, 2.87e-12, 3.1e-12, 2.09e-12, 7.93e-06, 8.53e-06, 2.55e-05, 4.93e-06, 1.5e-09, 1.18e-08, 8.67e-12, 3.56e-09 }
+static const float tol_Q[N_VECTORS][118] = {
+    { 3.61e-23F, 7.22e-23F, 6.04e-16F, 1.51e-19F, 1.51e-19F, 6.17e-25F, 3.02e-22F, 1.19e-38F, 1.19e-38F, 3.14e-31F, 1.19e-38F, 1.19e-38F, 7.22e-23F, 1.44e-22F, 1.21e-15F, 3.03e-19F, 3.03e-19F, 9.98e-25F, 6.03e-22F, 1.19e-38F, 1.19e-38F, 1.57e-31F, 1.19e-38F, 1.19e-38F, 6.04e-16F, 1.21e-15F, 1.48e-14F, 6.20e-18F, 6.20e-18F, 4.54e-19F, 3.62e-21F, 1.19e-38F, 1.19e-38F, 3.59e-30F, 1.19e-38F, 1.19e-38F, 1.51e-19F, 3.03e-19F, 6.20e-18F, 1.34e-10F, 1.81e-11F, 1.21e-11F, 1.21e-24F, 1.19e-38F, 1.19e-38F, 3.02e-18F, 1.19e-38F, 1.19e-38F, 1.51e-19F, 3.03e-19F, 6.20e-18F, 1.81e-11F, 1.28e-10F, 7.55e-12F, 1.21e-24F, 1.19e-38F, 1.19e-38F, 6.03e-18F, 1.19e-38F, 1.19e-38F, 6.17e-25F, 9.98e-25F, 4.54e-19F, 1.21e-11F, 7.55e-12F, 2.01e-18F, 1.51e-25F, 1.19e-38F, 1.19e-38F, 3.62e-17F, 1.19e-38F, 1.19e-38F, 3.02e-22F, 6.03e-22F, 3.62e-21F, 1.21e-24F, 1.21e-24F, 1.51e-25F, 2.86e-15F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 3.14e-31F, 1.57e-31F, 3.59e-30F, 3.02e-18F, 6.03e-18F, 3.62e-17F, 2.86e-11F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 2.86e-15F, 2.86e-15F, 2.86e-15F, 2.86e-15F },
+    { 2.93e-07F, 5.40e-08F, 1.06e-07F, 4.75e-05F, 1.48e-04F, 8.61e-05F, 3.73e-08F, 1.03e-09F, 2.69e-09F, 1.53e-11F, 1.80e-10F, 2.87e-12F, 5.40e-08F, 8.87e-08F, 4.10e-08F, 4.68e-05F, 4.21e-05F, 6.94e-05F, 6.02e-09F, 4.32e-09F, 2.90e-09F, 1.15e-10F, 5.08e-11F, 3.10e-12F, 1.06e-07F, 4.10e-08F, 1.27e-07F, 5.01e-05F, 1.07e-04F, 4.58e-05F, 1.31e-08F, 1.18e-09F, 8.66e-09F, 1.10e-11F, 1.31e-10F, 2.09e-12F, 4.75e-05F, 4.68e-05F, 5.01e-05F, 3.62e-02F, 4.65e-02F, 4.35e-02F, 6.33e-06F, 2.02e-06F, 3.03e-06F, 2.91e-04F, 1.28e-04F, 7.93e-06F, 1.48e-04F, 4.21e-05F, 1.07e-04F, 4.65e-02F, 1.18e-01F, 5.36e-02F, 2.25e-05F, 8.47e-07F, 5.75e-06F, 4.70e-05F, 5.36e-04F, 8.53e-06F, 8.61e-05F, 6.94e-05F, 4.58e-05F, 4.35e-02F, 5.36e-02F, 7.64e-02F, 1.23e-05F, 3.05e-06F, 1.92e-06F, 1.02e-04F, 1.47e-04F, 2.55e-05F, 3.73e-08F, 6.02e-09F, 1.31e-08F, 6.33e-06F, 2.25e-05F, 1.23e-05F, 7.07e-09F, 1.03e-09F, 4.32e-09F, 1.18e-09F, 2.02e-06F, 8.47e-07F, 3.05e-06F, 8.13e-10F, 2.69e-09F, 2.90e-09F, 8.66e-09F, 3.03e-06F, 5.75e-06F, 1.92e-06F, 1.68e-09F, 1.53e-11F, 1.15e-10F, 1.10e-11F, 2.91e-04F, 4.70e-05F, 1.02e-04F, 5.51e-05F, 1.80e-10F, 5.08e-11F, 1.31e-10F, 1.28e-04F, 5.36e-04F, 1.47e-04F, 1.01e-04F, 2.87e-12F, 3.10e-12F, 2.09e-12F, 7.93e-06F, 8.53e-06F, 2.55e-05F, 4.93e-06F, 1.50e-09F, 1.18e-08F, 8.67e-12F, 3.56e-09F }
 };
 #else
-static const double tol_Q[N_VECTORS][118] = {
-    { 1.76e-34, 2.6e-34, 1.13e-24, 2.82e-28, 2.82e-28, 1.1e-33, 5.62e-31, 1.01e-45, 1.01e-45, 5.85e-40, 1.01e-45, 1.01e-45, 2.6e-34, 3.37e-34, 2.25e-24, 5.64e-28, 5.64e-28, 1.76e-33, 1.12e-30, 1.01e-45, 1.01e-45, 2.93e-40, 1.01e-45, 1.01e-45, 1.13e-24, 2.25e-24, 2.87e-23, 1.18e-26, 1.18e-26, 8.46e-28, 7.3e-30, 1.01e-45, 1.01e-45, 6.69e-39, 1.01e-45, 1.01e-45, 2.82e-28, 5.64e-28, 1.18e-26, 2.62e-19, 3.38e-20, 2.25e-20, 2.34e-33, 1.01e-45, 1.01e-45, 5.62e-27, 1.01e-45, 1.01e-45, 2.82e-28, 5.64e-28, 1.18e-26, 3.38e-20, 2.5e-19, 1.41e-20, 2.34e-33, 1.01e-45, 1.01e-45, 1.12e-26, 1.01e-45, 1.01e-45, 1.1e-33, 1.76e-33, 8.46e-28, 2.25e-20, 1.41e-20, 1.13e-29, 2.81e-34, 1.01e-45, 1.01e-45, 7.3e-26, 1.01e-45, 1.01e-45, 5.62e-31, 1.12e-30, 7.3e-30, 2.34e-33, 2.34e-33, 2.81e-34, 6.45e-24, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 5.85e-40, 2.93e-40, 6.69e-39, 5.62e-27, 1.12e-26, 7.3e-26, 6.45e-20, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 6.45e-24, 6.45e-24, 6.45e-24, 6.45e-24 },
-    { 5.66e-16, 1.03e-16, 2.01e-16, 8.98e-14, 2.81e-13, 1.64e-13, 7.52e-17, 2.08e-18, 5.42e-18, 3.01e-20, 3.55e-19, 5.65e-21, 1.03e-16, 1.72e-16, 7.65e-17, 8.88e-14, 7.89e-14, 1.32e-13, 1.21e-17, 8.71e-18, 5.85e-18, 2.25e-19, 9.92e-20, 6.05e-21, 2.01e-16, 7.65e-17, 2.46e-16, 9.55e-14, 2.04e-13, 8.62e-14, 2.65e-17, 2.38e-18, 1.75e-17, 2.13e-20, 2.55e-19, 4.06e-21, 8.98e-14, 8.88e-14, 9.55e-14, 6.86e-11, 8.82e-11, 8.17e-11, 1.23e-14, 3.91e-15, 5.82e-15, 5.87e-13, 2.59e-13, 1.6e-14, 2.81e-13, 7.89e-14, 2.04e-13, 8.82e-11, 2.24e-10, 1.01e-10, 4.38e-14, 1.62e-15, 1.11e-14, 9.41e-14, 1.08e-12, 1.72e-14, 1.64e-13, 1.32e-13, 8.62e-14, 8.17e-11, 1.01e-10, 1.45e-10, 2.38e-14, 5.96e-15, 3.67e-15, 2.07e-13, 2.96e-13, 5.14e-14, 7.52e-17, 1.21e-17, 2.65e-17, 1.23e-14, 4.38e-14, 2.38e-14, 1.59e-17, 2.08e-18, 8.71e-18, 2.38e-18, 3.91e-15, 1.62e-15, 5.96e-15, 1.83e-18, 5.42e-18, 5.85e-18, 1.75e-17, 5.82e-15, 1.11e-14, 3.67e-15, 3.78e-18, 3.01e-20, 2.25e-19, 2.13e-20, 5.87e-13, 9.41e-14, 2.07e-13, 1.24e-13, 3.55e-19, 9.92e-20, 2.55e-19, 2.59e-13, 1.08e-12, 2.96e-13, 2.27e-13, 5.65e-21, 6.05e-21, 4.06e-21, 1.6e-14, 1.72e-14, 5.14e-14, 1.11e-14, 3.39e-18, 2.66e-17, 1.96e-20, 8.02e-18 }
+static const float tol_Q[N_VECTORS][118] = {
+    { 1.76e-34F, 2.60e-34F, 1.13e-24F, 2.82e-28F, 2.82e-28F, 1.10e-33F, 5.62e-31F, 0.0F, 0.0F, 5.85e-40F, 0.0F, 0.0F, 2.60e-34F, 3.37e-34F, 2.25e-24F, 5.64e-28F, 5.64e-28F, 1.76e-33F, 1.12e-30F, 0.0F, 0.0F, 2.93e-40F, 0.0F, 0.0F, 1.13e-24F, 2.25e-24F, 2.87e-23F, 1.18e-26F, 1.18e-26F, 8.46e-28F, 7.30e-30F, 0.0F, 0.0F, 6.69e-39F, 0.0F, 0.0F, 2.82e-28F, 5.64e-28F, 1.18e-26F, 2.62e-19F, 3.38e-20F, 2.25e-20F, 2.34e-33F, 0.0F, 0.0F, 5.62e-27F, 0.0F, 0.0F, 2.82e-28F, 5.64e-28F, 1.18e-26F, 3.38e-20F, 2.50e-19F, 1.41e-20F, 2.34e-33F, 0.0F, 0.0F, 1.12e-26F, 0.0F, 0.0F, 1.10e-33F, 1.76e-33F, 8.46e-28F, 2.25e-20F, 1.41e-20F, 1.13e-29F, 2.81e-34F, 0.0F, 0.0F, 7.30e-26F, 0.0F, 0.0F, 5.62e-31F, 1.12e-30F, 7.30e-30F, 2.34e-33F, 2.34e-33F, 2.81e-34F, 6.45e-24F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 5.85e-40F, 2.93e-40F, 6.69e-39F, 5.62e-27F, 1.12e-26F, 7.30e-26F, 6.45e-20F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 6.45e-24F, 6.45e-24F, 6.45e-24F, 6.45e-24F },
+    { 5.66e-16F, 1.03e-16F, 2.01e-16F, 8.98e-14F, 2.81e-13F, 1.64e-13F, 7.52e-17F, 2.08e-18F, 5.42e-18F, 3.01e-20F, 3.55e-19F, 5.65e-21F, 1.03e-16F, 1.72e-16F, 7.65e-17F, 8.88e-14F, 7.89e-14F, 1.32e-13F, 1.21e-17F, 8.71e-18F, 5.85e-18F, 2.25e-19F, 9.92e-20F, 6.05e-21F, 2.01e-16F, 7.65e-17F, 2.46e-16F, 9.55e-14F, 2.04e-13F, 8.62e-14F, 2.65e-17F, 2.38e-18F, 1.75e-17F, 2.13e-20F, 2.55e-19F, 4.06e-21F, 8.98e-14F, 8.88e-14F, 9.55e-14F, 6.86e-11F, 8.82e-11F, 8.17e-11F, 1.23e-14F, 3.91e-15F, 5.82e-15F, 5.87e-13F, 2.59e-13F, 1.60e-14F, 2.81e-13F, 7.89e-14F, 2.04e-13F, 8.82e-11F, 2.24e-10F, 1.01e-10F, 4.38e-14F, 1.62e-15F, 1.11e-14F, 9.41e-14F, 1.08e-12F, 1.72e-14F, 1.64e-13F, 1.32e-13F, 8.62e-14F, 8.17e-11F, 1.01e-10F, 1.45e-10F, 2.38e-14F, 5.96e-15F, 3.67e-15F, 2.07e-13F, 2.96e-13F, 5.14e-14F, 7.52e-17F, 1.21e-17F, 2.65e-17F, 1.23e-14F, 4.38e-14F, 2.38e-14F, 1.59e-17F, 2.08e-18F, 8.71e-18F, 2.38e-18F, 3.91e-15F, 1.62e-15F, 5.96e-15F, 1.83e-18F, 5.42e-18F, 5.85e-18F, 1.75e-17F, 5.82e-15F, 1.11e-14F, 3.67e-15F, 3.78e-18F, 3.01e-20F, 2.25e-19F, 2.13e-20F, 5.87e-13F, 9.41e-14F, 2.07e-13F, 1.24e-13F, 3.55e-19F, 9.92e-20F, 2.55e-19F, 2.59e-13F, 1.08e-12F, 2.96e-13F, 2.27e-13F, 5.65e-21F, 6.05e-21F, 4.06e-21F, 1.60e-14F, 1.72e-14F, 5.14e-14F, 1.11e-14F, 3.39e-18F, 2.66e-17F, 1.96e-20F, 8.02e-18F }
 };
 #endif
 static const unsigned short at_Q[118] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 20,
@@ -144,7 +143,7 @@ int test_va_Q(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
             if (va_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("va_Q: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Q: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Q Q", Q, 256);
@@ -157,7 +156,7 @@ int test_va_Q(void)
             set_point(0, &nav, &imu, &noise);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("va_Q: position[%d] end %d refused\n", i, end);
+                selftest_print("va_Q: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -173,7 +172,7 @@ int test_va_Q(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
             if (va_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("va_Q: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Q Q", Q, 256);
@@ -184,7 +183,7 @@ int test_va_Q(void)
             set_point(0, &nav, &imu, &noise);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("va_Q: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -202,7 +201,7 @@ int test_va_Q(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
             if (va_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("va_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Q Q", Q, 256);
@@ -216,7 +215,7 @@ int test_va_Q(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("va_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -229,7 +228,7 @@ int test_va_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_Q(&nav, &imu, &noise, Q) != BS_OUT_OF_RANGE) {
-            (void)printf("va_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -244,7 +243,7 @@ int test_va_Q(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
             if (va_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("va_Q: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Q: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Q Q", Q, 256);
@@ -255,7 +254,7 @@ int test_va_Q(void)
             set_point(0, &nav, &imu, &noise);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (va_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("va_Q: f_b[%d] end %d refused\n", i, end);
+                selftest_print("va_Q: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -271,7 +270,7 @@ int test_va_Q(void)
                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
             if (va_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("va_Q: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Q Q", Q, 256);
@@ -282,7 +281,7 @@ int test_va_Q(void)
             set_point(0, &nav, &imu, &noise);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (va_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("va_Q: dt[%d] end %d refused\n", i, end);
+                selftest_print("va_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -300,7 +299,7 @@ int test_va_Q(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
             if (va_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("va_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Q Q", Q, 256);
@@ -311,7 +310,7 @@ int test_va_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (va_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("va_Q: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("va_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -329,7 +328,7 @@ int test_va_Q(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
             if (va_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("va_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Q Q", Q, 256);
@@ -340,7 +339,7 @@ int test_va_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (va_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("va_Q: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("va_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -358,7 +357,7 @@ int test_va_Q(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
             if (va_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("va_Q: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Q: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Q Q", Q, 256);
@@ -369,7 +368,7 @@ int test_va_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (va_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("va_Q: gyro_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("va_Q: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -387,7 +386,7 @@ int test_va_Q(void)
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
             if (va_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("va_Q: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Q: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Q Q", Q, 256);
@@ -398,7 +397,7 @@ int test_va_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (va_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("va_Q: accel_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("va_Q: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -416,7 +415,7 @@ int test_va_Q(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
             if (va_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("va_Q: mu_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Q: mu_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Q Q", Q, 256);
@@ -427,7 +426,7 @@ int test_va_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.mu_noise[i] = (end == 0) ? low[i] : high[i];
             if (va_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("va_Q: mu_noise[%d] end %d refused\n", i, end);
+                selftest_print("va_Q: mu_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -445,7 +444,7 @@ int test_va_Q(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
             if (va_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("va_Q: tau_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Q: tau_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Q Q", Q, 256);
@@ -456,7 +455,7 @@ int test_va_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.tau_noise = (end == 0) ? low[i] : high[i];
             if (va_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("va_Q: tau_noise[%d] end %d refused\n", i, end);
+                selftest_print("va_Q: tau_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

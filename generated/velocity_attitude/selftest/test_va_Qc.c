@@ -2,38 +2,37 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.ababf20000000p-6, -0x1.c9f1660000000p-7, -0x1.8024960000000p-1, 0x1.5223420000000p-1 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.4458020000000p-8, 0x1.3839ca0000000p-5, 0x1.f2d3a80000000p-5 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.28f2ac0000000p+2, 0x1.08bf600000000p+3, 0x1.1bc9100000000p+2 }
 };
-static const double in_gyro_bias_noise[N_VECTORS][3] = {
+static const float in_gyro_bias_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x0.0p+0, 0x1.9999980000000p-4 },
     { 0x1.d0d53c0000000p-6, 0x1.5f51440000000p-6, 0x1.8a33b40000000p-5 }
 };
-static const double in_accel_bias_noise[N_VECTORS][3] = {
+static const float in_accel_bias_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.4000000000000p+3, 0x1.4000000000000p+3 },
     { 0x1.2510900000000p+3, 0x1.0077d80000000p+1, 0x1.5c6b2e0000000p+2 }
 };
-static const double in_mu_noise[N_VECTORS][3] = {
+static const float in_mu_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.3d52060000000p-5, 0x1.32ce620000000p-6, 0x1.e477cc0000000p-5 }
 };
-static const double in_tau_noise[N_VECTORS][1] = {
+static const float in_tau_noise[N_VECTORS][1] = {
     { 0x1.9999980000000p-4 },
     { 0x1.50a04a0000000p-5 }
 };
@@ -43,14 +42,14 @@ static const double out_Qc[N_VECTORS][28] = {
     { 0x1.ff11dd91474acp-16, -0x1.1309ffada344dp-14, -0x1.715051b9b57dfp-14, -0x1.1309ffada344dp-14, 0x1.e113a1387b522p-9, 0x1.26f710ae3a0efp-12, -0x1.715051b9b57dfp-14, 0x1.26f710ae3a0efp-12, 0x1.84f34eb9a8066p-10, 0x1.5ab61a3ac7834p+4, 0x1.7a3e3e4d7a578p-2, -0x1.4927b0e049f2fp+1, 0x1.7a3e3e4d7a578p-2, 0x1.47340cc149533p+4, -0x1.8957e31316ec2p+2, -0x1.4927b0e049f2fp+1, -0x1.8957e31316ec2p+2, 0x1.0e091fac4c9a9p+6, 0x1.a602d58e73080p-11, 0x1.e21ff2441a100p-12, 0x1.2f8198409b480p-9, 0x1.4f7eeab251000p+6, 0x1.00efe81a86400p+2, 0x1.da3391ef7c440p+4, 0x1.89543d23d8240p-10, 0x1.6fb208a9dd840p-12, 0x1.ca6a99b7a5480p-9, 0x1.baa5269c95640p-10 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Qc[N_VECTORS][28] = {
-    { 3.6e-17, 3.6e-17, 6.04e-10, 3.6e-17, 3.6e-17, 6.04e-10, 6.04e-10, 6.04e-10, 5.44e-09, 3.6e-13, 3.6e-13, 6.04e-06, 3.6e-13, 3.6e-13, 6.04e-06, 6.04e-06, 6.04e-06, 5.44e-05, 1.19e-38, 1.19e-38, 6.02e-10, 1.19e-38, 6.02e-06, 6.02e-06, 6.02e-10, 6.02e-10, 6.02e-10, 6.02e-10 },
-    { 1.97e-11, 5.85e-11, 5.87e-11, 5.85e-11, 1.81e-09, 9.05e-10, 5.87e-11, 9.05e-10, 9.13e-10, 1.43e-05, 1.11e-06, 2.56e-06, 1.11e-06, 1.19e-05, 1.56e-05, 2.56e-06, 1.56e-05, 3.72e-05, 4.85e-11, 2.77e-11, 1.39e-10, 5.05e-06, 2.42e-07, 1.78e-06, 9.03e-11, 2.11e-11, 2.11e-10, 1.02e-10 }
+static const float tol_Qc[N_VECTORS][28] = {
+    { 3.60e-17F, 3.60e-17F, 6.04e-10F, 3.60e-17F, 3.60e-17F, 6.04e-10F, 6.04e-10F, 6.04e-10F, 5.44e-09F, 3.60e-13F, 3.60e-13F, 6.04e-06F, 3.60e-13F, 3.60e-13F, 6.04e-06F, 6.04e-06F, 6.04e-06F, 5.44e-05F, 1.19e-38F, 1.19e-38F, 6.02e-10F, 1.19e-38F, 6.02e-06F, 6.02e-06F, 6.02e-10F, 6.02e-10F, 6.02e-10F, 6.02e-10F },
+    { 1.97e-11F, 5.85e-11F, 5.87e-11F, 5.85e-11F, 1.81e-09F, 9.05e-10F, 5.87e-11F, 9.05e-10F, 9.13e-10F, 1.43e-05F, 1.11e-06F, 2.56e-06F, 1.11e-06F, 1.19e-05F, 1.56e-05F, 2.56e-06F, 1.56e-05F, 3.72e-05F, 4.85e-11F, 2.77e-11F, 1.39e-10F, 5.05e-06F, 2.42e-07F, 1.78e-06F, 9.03e-11F, 2.11e-11F, 2.11e-10F, 1.02e-10F }
 };
 #else
-static const double tol_Qc[N_VECTORS][28] = {
-    { 1.25e-34, 1.25e-34, 1.13e-18, 1.25e-34, 1.25e-34, 1.13e-18, 1.13e-18, 1.13e-18, 1.13e-17, 1.25e-30, 1.25e-30, 1.13e-14, 1.25e-30, 1.25e-30, 1.13e-14, 1.13e-14, 1.13e-14, 1.13e-13, 1.01e-45, 1.01e-45, 2.24e-18, 1.01e-45, 2.24e-14, 2.24e-14, 2.24e-18, 2.24e-18, 2.24e-18, 2.24e-18 },
-    { 4.01e-20, 1.16e-19, 1.19e-19, 1.16e-19, 3.78e-18, 1.72e-18, 1.19e-19, 1.72e-18, 1.87e-18, 2.91e-14, 2.1e-15, 5.06e-15, 2.1e-15, 2.44e-14, 2.97e-14, 5.06e-15, 2.97e-14, 7.68e-14, 1.81e-19, 1.03e-19, 5.19e-19, 1.88e-14, 9e-16, 6.65e-15, 3.36e-19, 7.86e-20, 7.84e-19, 3.79e-19 }
+static const float tol_Qc[N_VECTORS][28] = {
+    { 1.25e-34F, 1.25e-34F, 1.13e-18F, 1.25e-34F, 1.25e-34F, 1.13e-18F, 1.13e-18F, 1.13e-18F, 1.13e-17F, 1.25e-30F, 1.25e-30F, 1.13e-14F, 1.25e-30F, 1.25e-30F, 1.13e-14F, 1.13e-14F, 1.13e-14F, 1.13e-13F, 0.0F, 0.0F, 2.24e-18F, 0.0F, 2.24e-14F, 2.24e-14F, 2.24e-18F, 2.24e-18F, 2.24e-18F, 2.24e-18F },
+    { 4.01e-20F, 1.16e-19F, 1.19e-19F, 1.16e-19F, 3.78e-18F, 1.72e-18F, 1.19e-19F, 1.72e-18F, 1.87e-18F, 2.91e-14F, 2.10e-15F, 5.06e-15F, 2.10e-15F, 2.44e-14F, 2.97e-14F, 5.06e-15F, 2.97e-14F, 7.68e-14F, 1.81e-19F, 1.03e-19F, 5.19e-19F, 1.88e-14F, 9.00e-16F, 6.65e-15F, 3.36e-19F, 7.86e-20F, 7.84e-19F, 3.79e-19F }
 };
 #endif
 static const unsigned short at_Qc[28] = { 0, 1, 2, 16, 17, 18, 32, 33, 34, 51, 52, 53, 67, 68, 69,
@@ -109,7 +108,7 @@ int test_va_Qc(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 256);
             if (va_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("va_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Qc Qc", Qc, 256);
@@ -123,7 +122,7 @@ int test_va_Qc(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("va_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -136,7 +135,7 @@ int test_va_Qc(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_Qc(&nav, &noise, Qc) != BS_OUT_OF_RANGE) {
-            (void)printf("va_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -153,7 +152,7 @@ int test_va_Qc(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 256);
             if (va_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("va_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Qc Qc", Qc, 256);
@@ -164,7 +163,7 @@ int test_va_Qc(void)
             set_point(0, &nav, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (va_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("va_Qc: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("va_Qc: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -182,7 +181,7 @@ int test_va_Qc(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 256);
             if (va_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("va_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Qc Qc", Qc, 256);
@@ -193,7 +192,7 @@ int test_va_Qc(void)
             set_point(0, &nav, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (va_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("va_Qc: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("va_Qc: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -211,7 +210,7 @@ int test_va_Qc(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 256);
             if (va_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("va_Qc: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Qc: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Qc Qc", Qc, 256);
@@ -222,7 +221,7 @@ int test_va_Qc(void)
             set_point(0, &nav, &noise);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (va_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("va_Qc: gyro_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("va_Qc: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -240,7 +239,7 @@ int test_va_Qc(void)
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 256);
             if (va_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("va_Qc: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Qc: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Qc Qc", Qc, 256);
@@ -251,7 +250,7 @@ int test_va_Qc(void)
             set_point(0, &nav, &noise);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (va_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("va_Qc: accel_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("va_Qc: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -269,7 +268,7 @@ int test_va_Qc(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 256);
             if (va_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("va_Qc: mu_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Qc: mu_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Qc Qc", Qc, 256);
@@ -280,7 +279,7 @@ int test_va_Qc(void)
             set_point(0, &nav, &noise);
             noise.mu_noise[i] = (end == 0) ? low[i] : high[i];
             if (va_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("va_Qc: mu_noise[%d] end %d refused\n", i, end);
+                selftest_print("va_Qc: mu_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -298,7 +297,7 @@ int test_va_Qc(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 256);
             if (va_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("va_Qc: tau_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_Qc: tau_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Qc Qc", Qc, 256);
@@ -309,7 +308,7 @@ int test_va_Qc(void)
             set_point(0, &nav, &noise);
             noise.tau_noise = (end == 0) ? low[i] : high[i];
             if (va_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("va_Qc: tau_noise[%d] end %d refused\n", i, end);
+                selftest_print("va_Qc: tau_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { -0x1.6b2c080000000p-1, -0x1.79862e0000000p-2, 0x1.4b53200000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.b445f20000000p+9, -0x1.15587e0000000p+8, -0x1.44c75c0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.a353140000000p-2, 0x1.c0bc660000000p-3, -0x1.776e9a0000000p-1, 0x1.fb90fa0000000p-2 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.7881220000000p-1, -0x1.e962520000000p-3, 0x1.1dea1a0000000p-1, -0x1.3186100000000p-2 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, 0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { -0x1.fe0f600000000p+2, 0x1.8ceaea0000000p+3, -0x1.32c10e0000000p+4 }
 };
@@ -35,14 +34,14 @@ static const double out_H[N_VECTORS][15] = {
     { -0x1.0000000000000p+0, -0x1.73fe44a3e7335p-1, -0x1.32065113fac0ep-1, -0x1.544e0f2b6ba71p-2, 0x1.4356610bdb1e3p+3, -0x1.0000000000000p+0, -0x1.fdaae43ca28adp-5, 0x1.14ccc7b277f63p-1, -0x1.ac3158b274194p-1, -0x1.5660dd463f757p+4, -0x1.0000000000000p+0, 0x1.5cb1f1c51eb19p-1, -0x1.2d2f74a770f00p-1, -0x1.b9468ac594ec8p-2, 0x1.388e7a031025bp+2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][15] = {
-    { 1.12e-16, 5.4e-07, 5.4e-07, 6e-07, 8.41e-06, 1.12e-16, 6e-07, 5.4e-07, 5.4e-07, 8.71e-06, 1.12e-16, 5.4e-07, 6e-07, 5.85e-07, 1.11e-05 },
-    { 1.12e-16, 6.05e-07, 3.97e-07, 4.26e-07, 6.01e-06, 1.12e-16, 3.65e-07, 5.94e-07, 4.99e-07, 8.35e-06, 1.12e-16, 4.47e-07, 4.84e-07, 6.24e-07, 6.18e-06 }
+static const float tol_H[N_VECTORS][15] = {
+    { 1.12e-16F, 5.40e-07F, 5.40e-07F, 6.00e-07F, 8.41e-06F, 1.12e-16F, 6.00e-07F, 5.40e-07F, 5.40e-07F, 8.71e-06F, 1.12e-16F, 5.40e-07F, 6.00e-07F, 5.85e-07F, 1.11e-05F },
+    { 1.12e-16F, 6.05e-07F, 3.97e-07F, 4.26e-07F, 6.01e-06F, 1.12e-16F, 3.65e-07F, 5.94e-07F, 4.99e-07F, 8.35e-06F, 1.12e-16F, 4.47e-07F, 4.84e-07F, 6.24e-07F, 6.18e-06F }
 };
 #else
-static const double tol_H[N_VECTORS][15] = {
-    { 1.12e-16, 1.01e-15, 1.01e-15, 1.23e-15, 1.79e-14, 1.12e-16, 1.23e-15, 1.01e-15, 1.01e-15, 1.85e-14, 1.12e-16, 1.01e-15, 1.23e-15, 1.09e-15, 2.29e-14 },
-    { 1.12e-16, 1.21e-15, 8.07e-16, 8.31e-16, 1.23e-14, 1.12e-16, 6.87e-16, 1.17e-15, 1.02e-15, 1.8e-14, 1.12e-16, 9.09e-16, 9.67e-16, 1.21e-15, 1.21e-14 }
+static const float tol_H[N_VECTORS][15] = {
+    { 1.12e-16F, 1.01e-15F, 1.01e-15F, 1.23e-15F, 1.79e-14F, 1.12e-16F, 1.23e-15F, 1.01e-15F, 1.01e-15F, 1.85e-14F, 1.12e-16F, 1.01e-15F, 1.23e-15F, 1.09e-15F, 2.29e-14F },
+    { 1.12e-16F, 1.21e-15F, 8.07e-16F, 8.31e-16F, 1.23e-14F, 1.12e-16F, 6.87e-16F, 1.17e-15F, 1.02e-15F, 1.80e-14F, 1.12e-16F, 9.09e-16F, 9.67e-16F, 1.21e-15F, 1.21e-14F }
 };
 #endif
 static const unsigned short at_H[15] = { 0, 12, 13, 14, 15, 17, 28, 29, 30, 31, 34, 44, 45, 46,
@@ -94,7 +93,7 @@ int test_va_dcm_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_dcm_H(&nav, &imu, H) != expected) {
-                (void)printf("va_dcm_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_dcm_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_H H", H, 48);
@@ -107,7 +106,7 @@ int test_va_dcm_H(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_dcm_H(&nav, &imu, H) != BS_OK) {
-                (void)printf("va_dcm_H: position[%d] end %d refused\n", i, end);
+                selftest_print("va_dcm_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -123,7 +122,7 @@ int test_va_dcm_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_dcm_H(&nav, &imu, H) != expected) {
-                (void)printf("va_dcm_H: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_dcm_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_H H", H, 48);
@@ -134,7 +133,7 @@ int test_va_dcm_H(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_dcm_H(&nav, &imu, H) != BS_OK) {
-                (void)printf("va_dcm_H: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_dcm_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -152,7 +151,7 @@ int test_va_dcm_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_dcm_H(&nav, &imu, H) != expected) {
-                (void)printf("va_dcm_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_dcm_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_H H", H, 48);
@@ -166,7 +165,7 @@ int test_va_dcm_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_dcm_H(&nav, &imu, H) != BS_OK) {
-                (void)printf("va_dcm_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_dcm_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -179,7 +178,7 @@ int test_va_dcm_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_dcm_H(&nav, &imu, H) != BS_OUT_OF_RANGE) {
-            (void)printf("va_dcm_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_dcm_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -196,7 +195,7 @@ int test_va_dcm_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_dcm_H(&nav, &imu, H) != expected) {
-                (void)printf("va_dcm_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_dcm_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_H H", H, 48);
@@ -210,7 +209,7 @@ int test_va_dcm_H(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_dcm_H(&nav, &imu, H) != BS_OK) {
-                (void)printf("va_dcm_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_dcm_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -223,7 +222,7 @@ int test_va_dcm_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_dcm_H(&nav, &imu, H) != BS_OUT_OF_RANGE) {
-            (void)printf("va_dcm_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_dcm_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -240,7 +239,7 @@ int test_va_dcm_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_dcm_H(&nav, &imu, H) != expected) {
-                (void)printf("va_dcm_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_dcm_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_H H", H, 48);
@@ -251,7 +250,7 @@ int test_va_dcm_H(void)
             set_point(0, &nav, &imu);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (va_dcm_H(&nav, &imu, H) != BS_OK) {
-                (void)printf("va_dcm_H: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("va_dcm_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,38 +2,37 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.53bfe80000000p-2, 0x1.d049980000000p+1, 0x1.d413600000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.fc4c5c0000000p+8, 0x1.6255f80000000p+9, -0x1.f173120000000p+8 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.1ce3f40000000p-1, 0x1.406d060000000p-2, -0x1.461a520000000p-1, 0x1.b8f3f80000000p-2 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.1c23700000000p-2, 0x1.440e160000000p-6, -0x1.5db9320000000p-1, 0x1.5a081c0000000p-1 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.12df760000000p+4, -0x1.de889e0000000p+1, -0x1.a992ec0000000p+2 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.0227300000000p-3, -0x1.3748260000000p-1, 0x1.7a9eca0000000p-2, 0x1.61fbc60000000p-1 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { -0x1.0000000000000p+0 },
     { -0x1.f7a4b00000000p-2 }
 };
@@ -43,14 +42,14 @@ static const double out_z[N_VECTORS][3] = {
     { -0x1.19bbdc4837112p+2, -0x1.d7d1af0b463ffp+2, -0x1.11aca2fc6e384p+1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 1.64e-05, 1.64e-05, 1.6e-05 },
-    { 4.89e-06, 6.4e-06, 3.62e-06 }
+static const float tol_z[N_VECTORS][3] = {
+    { 1.64e-05F, 1.64e-05F, 1.60e-05F },
+    { 4.89e-06F, 6.40e-06F, 3.62e-06F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 3.26e-14, 3.26e-14, 3.2e-14 },
-    { 9.6e-15, 1.27e-14, 6.98e-15 }
+static const float tol_z[N_VECTORS][3] = {
+    { 3.26e-14F, 3.26e-14F, 3.20e-14F },
+    { 9.60e-15F, 1.27e-14F, 6.98e-15F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -108,7 +107,7 @@ int test_va_dcm_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_dcm_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_dcm_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_z z", z, 3);
@@ -121,7 +120,7 @@ int test_va_dcm_z(void)
             set_point(0, &nav, &imu, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_dcm_z: position[%d] end %d refused\n", i, end);
+                selftest_print("va_dcm_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -137,7 +136,7 @@ int test_va_dcm_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_dcm_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_dcm_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_z z", z, 3);
@@ -148,7 +147,7 @@ int test_va_dcm_z(void)
             set_point(0, &nav, &imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_dcm_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_dcm_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -166,7 +165,7 @@ int test_va_dcm_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_dcm_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_dcm_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_z z", z, 3);
@@ -180,7 +179,7 @@ int test_va_dcm_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_dcm_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_dcm_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -193,7 +192,7 @@ int test_va_dcm_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_dcm_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("va_dcm_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_dcm_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -210,7 +209,7 @@ int test_va_dcm_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_dcm_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_dcm_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_z z", z, 3);
@@ -224,7 +223,7 @@ int test_va_dcm_z(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_dcm_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_dcm_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -237,7 +236,7 @@ int test_va_dcm_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_dcm_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("va_dcm_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_dcm_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -254,7 +253,7 @@ int test_va_dcm_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_dcm_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_dcm_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_z z", z, 3);
@@ -265,7 +264,7 @@ int test_va_dcm_z(void)
             set_point(0, &nav, &imu, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_dcm_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("va_dcm_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -283,7 +282,7 @@ int test_va_dcm_z(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_dcm_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_dcm_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_z z", z, 3);
@@ -297,7 +296,7 @@ int test_va_dcm_z(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_dcm_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_dcm_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -310,7 +309,7 @@ int test_va_dcm_z(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_dcm_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("va_dcm_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_dcm_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -325,7 +324,7 @@ int test_va_dcm_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_dcm_z: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_dcm_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_z z", z, 3);
@@ -336,7 +335,7 @@ int test_va_dcm_z(void)
             set_point(0, &nav, &imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
             if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_dcm_z: lag[%d] end %d refused\n", i, end);
+                selftest_print("va_dcm_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.0dd47a0000000p-1, -0x1.6e92f20000000p+0, 0x1.7ea6120000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.beedf20000000p+8, -0x1.367d520000000p+9, -0x1.7e7aae0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.86fa6c0000000p-2, 0x1.6750100000000p-1, -0x1.16a6860000000p-1, -0x1.05386c0000000p-2 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, 0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.63fa5e0000000p+2, 0x1.56b2500000000p+0, -0x1.31ba7a0000000p+3 }
 };
-static const double in_euler_m[N_VECTORS][3] = {
+static const float in_euler_m[N_VECTORS][3] = {
     { -0x1.921fb40000000p+1, 0x1.6571840000000p+0, 0x1.921fb40000000p+1 },
     { 0x1.4ce6420000000p+1, 0x1.336b720000000p-6, -0x1.607c4a0000000p+0 }
 };
@@ -35,14 +34,14 @@ static const double out_H[N_VECTORS][17] = {
     { -0x1.8ab15155b7e8dp-3, 0x1.f67e634325ba9p-1, 0x1.0000000000000p+0, 0x1.3c940bd2135e5p-7, -0x1.0794164c276e7p-6, -0x1.5a93937878342p+3, -0x1.f667be6bfbb30p-1, -0x1.8a9f881a5eec9p-3, -0x1.b6ee953ade32ap-1, -0x1.079884727818ep-1, 0x1.3650839b7a33ep+1, -0x1.d9f12dcbe071dp-9, 0x1.2db1b39aa8fb8p-6, -0x1.0000000000000p+0, 0x1.07a465dc983f3p-1, -0x1.b7025db4581f2p-1, -0x1.1335faf5d154ap+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][17] = {
-    { 7.13e-06, 2.72e-12, 1.12e-16, 6.16e-12, 1.08e-05, 0.000214, 1.82e-14, 1.2e-07, 1.2e-07, 1.82e-14, 1.72e-05, 5.8e-06, 2.24e-12, 1.12e-16, 3.14e-13, 2.08e-06, 0.000198 },
-    { 9.74e-08, 4.17e-07, 1.12e-16, 2.97e-07, 1.73e-07, 1.08e-05, 1.18e-07, 2.32e-08, 1.03e-07, 6.2e-08, 3.5e-06, 6.81e-07, 1.39e-07, 1.12e-16, 1.86e-07, 3.1e-07, 5.4e-06 }
+static const float tol_H[N_VECTORS][17] = {
+    { 7.13e-06F, 2.72e-12F, 1.12e-16F, 6.16e-12F, 1.08e-05F, 2.14e-04F, 1.82e-14F, 1.20e-07F, 1.20e-07F, 1.82e-14F, 1.72e-05F, 5.80e-06F, 2.24e-12F, 1.12e-16F, 3.14e-13F, 2.08e-06F, 1.98e-04F },
+    { 9.74e-08F, 4.17e-07F, 1.12e-16F, 2.97e-07F, 1.73e-07F, 1.08e-05F, 1.18e-07F, 2.32e-08F, 1.03e-07F, 6.20e-08F, 3.50e-06F, 6.81e-07F, 1.39e-07F, 1.12e-16F, 1.86e-07F, 3.10e-07F, 5.40e-06F }
 };
 #else
-static const double tol_H[N_VECTORS][17] = {
-    { 1.39e-14, 5.17e-21, 1.12e-16, 1.16e-20, 2.07e-14, 4.12e-13, 5.08e-23, 3.36e-16, 3.36e-16, 5.08e-23, 3.43e-14, 1.14e-14, 4.26e-21, 1.12e-16, 6.83e-22, 4.52e-15, 3.8e-13 },
-    { 2.03e-16, 8.86e-16, 1.12e-16, 5.55e-16, 3.24e-16, 2.14e-14, 3.3e-16, 6.48e-17, 2.88e-16, 1.73e-16, 6.79e-15, 1.27e-15, 2.61e-16, 1.12e-16, 4.04e-16, 6.73e-16, 1.02e-14 }
+static const float tol_H[N_VECTORS][17] = {
+    { 1.39e-14F, 5.17e-21F, 1.12e-16F, 1.16e-20F, 2.07e-14F, 4.12e-13F, 5.08e-23F, 3.36e-16F, 3.36e-16F, 5.08e-23F, 3.43e-14F, 1.14e-14F, 4.26e-21F, 1.12e-16F, 6.83e-22F, 4.52e-15F, 3.80e-13F },
+    { 2.03e-16F, 8.86e-16F, 1.12e-16F, 5.55e-16F, 3.24e-16F, 2.14e-14F, 3.30e-16F, 6.48e-17F, 2.88e-16F, 1.73e-16F, 6.79e-15F, 1.27e-15F, 2.61e-16F, 1.12e-16F, 4.04e-16F, 6.73e-16F, 1.02e-14F }
 };
 #endif
 static const unsigned short at_H[17] = { 0, 1, 12, 13, 14, 15, 16, 17, 29, 30, 31, 32, 33, 34, 45,
@@ -95,7 +94,7 @@ int test_va_euler_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_euler_H(&nav, &imu, &master, H) != expected) {
-                (void)printf("va_euler_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_euler_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_euler_H H", H, 48);
@@ -108,7 +107,7 @@ int test_va_euler_H(void)
             set_point(0, &nav, &imu, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_euler_H(&nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_euler_H: position[%d] end %d refused\n", i, end);
+                selftest_print("va_euler_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -124,7 +123,7 @@ int test_va_euler_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_euler_H(&nav, &imu, &master, H) != expected) {
-                (void)printf("va_euler_H: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_euler_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_euler_H H", H, 48);
@@ -135,7 +134,7 @@ int test_va_euler_H(void)
             set_point(0, &nav, &imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_euler_H(&nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_euler_H: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_euler_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -153,7 +152,7 @@ int test_va_euler_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_euler_H(&nav, &imu, &master, H) != expected) {
-                (void)printf("va_euler_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_euler_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_euler_H H", H, 48);
@@ -167,7 +166,7 @@ int test_va_euler_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_euler_H(&nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_euler_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_euler_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -180,7 +179,8 @@ int test_va_euler_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_euler_H(&nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("va_euler_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_euler_H: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -197,7 +197,7 @@ int test_va_euler_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_euler_H(&nav, &imu, &master, H) != expected) {
-                (void)printf("va_euler_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_euler_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_euler_H H", H, 48);
@@ -208,7 +208,7 @@ int test_va_euler_H(void)
             set_point(0, &nav, &imu, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (va_euler_H(&nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_euler_H: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("va_euler_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -228,7 +228,7 @@ int test_va_euler_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_euler_H(&nav, &imu, &master, H) != expected) {
-                (void)printf("va_euler_H: euler_m[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_euler_H: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_euler_H H", H, 48);
@@ -243,7 +243,7 @@ int test_va_euler_H(void)
             set_point(0, &nav, &imu, &master);
             master.euler_m[i] = (end == 0) ? low[i] : high[i];
             if (va_euler_H(&nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_euler_H: euler_m[%d] end %d refused\n", i, end);
+                selftest_print("va_euler_H: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,38 +2,37 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.c752840000000p-1, 0x1.00d80c0000000p+2, 0x1.2df83e0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.1140840000000p+9, -0x1.7718400000000p+8, -0x1.ec90d60000000p+7 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.9062b80000000p-3, -0x1.dabfb40000000p-2, -0x1.668e140000000p-1, -0x1.0383080000000p-1 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.84efb20000000p-1, -0x1.0b988a0000000p-2, -0x1.303f900000000p-1, 0x1.1d35640000000p-6 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, -0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { -0x1.005d2a0000000p+4, -0x1.a665360000000p+1, 0x1.a0ba100000000p+1 }
 };
-static const double in_euler_m[N_VECTORS][3] = {
+static const float in_euler_m[N_VECTORS][3] = {
     { -0x1.921fb40000000p+1, -0x1.6571840000000p+0, 0x1.921fb40000000p+1 },
     { 0x1.1c6a680000000p-2, 0x1.cbf5720000000p-3, -0x1.5d89c60000000p+1 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { -0x1.0000000000000p+0 },
     { -0x1.defe9c0000000p-1 }
 };
@@ -43,14 +42,14 @@ static const double out_z[N_VECTORS][3] = {
     { 0x1.5f17bce47f75bp+1, -0x1.1a3e934f52e5ap-1, 0x1.8dca135a7c6bap-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 5.35e-05, 4.8e-05, 5.35e-05 },
-    { 2.14e-05, 2.39e-05, 2.39e-05 }
+static const float tol_z[N_VECTORS][3] = {
+    { 5.35e-05F, 4.80e-05F, 5.35e-05F },
+    { 2.14e-05F, 2.39e-05F, 2.39e-05F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 9.97e-14, 8.95e-14, 9.96e-14 },
-    { 4.02e-14, 4.46e-14, 4.46e-14 }
+static const float tol_z[N_VECTORS][3] = {
+    { 9.97e-14F, 8.95e-14F, 9.96e-14F },
+    { 4.02e-14F, 4.46e-14F, 4.46e-14F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -108,7 +107,7 @@ int test_va_euler_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_euler_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_euler_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_euler_z z", z, 3);
@@ -121,7 +120,7 @@ int test_va_euler_z(void)
             set_point(0, &nav, &imu, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_euler_z: position[%d] end %d refused\n", i, end);
+                selftest_print("va_euler_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -137,7 +136,7 @@ int test_va_euler_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_euler_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_euler_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_euler_z z", z, 3);
@@ -148,7 +147,7 @@ int test_va_euler_z(void)
             set_point(0, &nav, &imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_euler_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_euler_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -166,7 +165,7 @@ int test_va_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_euler_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_euler_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_euler_z z", z, 3);
@@ -180,7 +179,7 @@ int test_va_euler_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_euler_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_euler_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -193,7 +192,8 @@ int test_va_euler_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_euler_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("va_euler_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_euler_z: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -210,7 +210,7 @@ int test_va_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_euler_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_euler_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_euler_z z", z, 3);
@@ -224,7 +224,7 @@ int test_va_euler_z(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_euler_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_euler_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -237,7 +237,8 @@ int test_va_euler_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_euler_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("va_euler_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_euler_z: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -254,7 +255,7 @@ int test_va_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_euler_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_euler_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_euler_z z", z, 3);
@@ -265,7 +266,7 @@ int test_va_euler_z(void)
             set_point(0, &nav, &imu, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (va_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_euler_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("va_euler_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -285,7 +286,7 @@ int test_va_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_euler_z: euler_m[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_euler_z: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_euler_z z", z, 3);
@@ -300,7 +301,7 @@ int test_va_euler_z(void)
             set_point(0, &nav, &imu, &master);
             master.euler_m[i] = (end == 0) ? low[i] : high[i];
             if (va_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_euler_z: euler_m[%d] end %d refused\n", i, end);
+                selftest_print("va_euler_z: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -316,7 +317,7 @@ int test_va_euler_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_euler_z: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_euler_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_euler_z z", z, 3);
@@ -327,7 +328,7 @@ int test_va_euler_z(void)
             set_point(0, &nav, &imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
             if (va_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_euler_z: lag[%d] end %d refused\n", i, end);
+                selftest_print("va_euler_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,34 +2,33 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { -0x1.6ed8980000000p+0, -0x1.6b95d00000000p+1, 0x1.ce8b580000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.a31eb60000000p+9, 0x1.5d0ffc0000000p+9, 0x1.35816a0000000p+8 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.e6c23a0000000p-3, 0x1.84bf480000000p-1, 0x1.82cac00000000p-2, 0x1.e54c6a0000000p-2 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.49c3a00000000p-2, 0x1.cce9e60000000p-2, -0x1.d345c40000000p-5, 0x1.a999d00000000p-1 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, 0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { -0x1.036be60000000p+4, -0x1.277a2e0000000p-1, -0x1.bd82ae0000000p+1 }
 };
-static const double in_lever_b[N_VECTORS][3] = {
+static const float in_lever_b[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { -0x1.a1d9140000000p+5, 0x1.211a6a0000000p+5, 0x1.d1bdf00000000p+4 }
 };
@@ -39,14 +38,14 @@ static const double out_v_m_n[N_VECTORS][3] = {
     { -0x1.0e6ea3c2a7204p+9, 0x1.f56937627fec7p+9, -0x1.e946c1b99c7c1p+8 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_m_n[N_VECTORS][3] = {
-    { 0.00259, 0.00271, 0.00259 },
-    { 0.000584, 0.000556, 0.000439 }
+static const float tol_v_m_n[N_VECTORS][3] = {
+    { 2.59e-03F, 2.71e-03F, 2.59e-03F },
+    { 5.84e-04F, 5.56e-04F, 4.39e-04F }
 };
 #else
-static const double tol_v_m_n[N_VECTORS][3] = {
-    { 4.94e-12, 5.17e-12, 4.94e-12 },
-    { 1.15e-12, 1.15e-12, 8.72e-13 }
+static const float tol_v_m_n[N_VECTORS][3] = {
+    { 4.94e-12F, 5.17e-12F, 4.94e-12F },
+    { 1.15e-12F, 1.15e-12F, 8.72e-13F }
 };
 #endif
 static const unsigned short at_v_m_n[3] = { 0, 1, 2 };
@@ -56,14 +55,14 @@ static const double out_q_m2n_wxyz[N_VECTORS][4] = {
     { 0x1.94ad201ef556ap-1, -0x1.a092908edb8fdp-3, 0x1.1b090c854945cp-1, 0x1.58b44d58a7a0ap-3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_m2n_wxyz[N_VECTORS][4] = {
-    { 1.05e-07, 1.05e-07, 6.62e-07, 7.53e-08 },
-    { 5.65e-07, 1.81e-07, 4.63e-07, 1.75e-07 }
+static const float tol_q_m2n_wxyz[N_VECTORS][4] = {
+    { 1.05e-07F, 1.05e-07F, 6.62e-07F, 7.53e-08F },
+    { 5.65e-07F, 1.81e-07F, 4.63e-07F, 1.75e-07F }
 };
 #else
-static const double tol_q_m2n_wxyz[N_VECTORS][4] = {
-    { 1.96e-16, 1.96e-16, 1.35e-15, 1.4e-16 },
-    { 1.14e-15, 3.61e-16, 9.24e-16, 3.44e-16 }
+static const float tol_q_m2n_wxyz[N_VECTORS][4] = {
+    { 1.96e-16F, 1.96e-16F, 1.35e-15F, 1.40e-16F },
+    { 1.14e-15F, 3.61e-16F, 9.24e-16F, 3.44e-16F }
 };
 #endif
 static const unsigned short at_q_m2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -73,14 +72,14 @@ static const double out_omega_nb_n[N_VECTORS][3] = {
     { -0x1.e8e516f5776afp+2, -0x1.930e68eb209b7p+3, -0x1.e98094c2c8187p+2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_omega_nb_n[N_VECTORS][3] = {
-    { 1.24e-05, 9.95e-06, 1.24e-05 },
-    { 4.72e-06, 5.84e-06, 5.01e-06 }
+static const float tol_omega_nb_n[N_VECTORS][3] = {
+    { 1.24e-05F, 9.95e-06F, 1.24e-05F },
+    { 4.72e-06F, 5.84e-06F, 5.01e-06F }
 };
 #else
-static const double tol_omega_nb_n[N_VECTORS][3] = {
-    { 2.53e-14, 2.08e-14, 2.53e-14 },
-    { 9.65e-15, 1.23e-14, 1.02e-14 }
+static const float tol_omega_nb_n[N_VECTORS][3] = {
+    { 2.53e-14F, 2.08e-14F, 2.53e-14F },
+    { 9.65e-15F, 1.23e-14F, 1.02e-14F }
 };
 #endif
 static const unsigned short at_omega_nb_n[3] = { 0, 1, 2 };
@@ -144,7 +143,7 @@ int test_va_expected(void)
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
             if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                (void)printf("va_expected: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_expected: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_expected v_m_n", v_m_n, 3);
@@ -159,7 +158,7 @@ int test_va_expected(void)
             set_point(0, &nav, &imu, &mounting);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                (void)printf("va_expected: position[%d] end %d refused\n", i, end);
+                selftest_print("va_expected: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -177,7 +176,7 @@ int test_va_expected(void)
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
             if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                (void)printf("va_expected: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_expected: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_expected v_m_n", v_m_n, 3);
@@ -190,7 +189,7 @@ int test_va_expected(void)
             set_point(0, &nav, &imu, &mounting);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                (void)printf("va_expected: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_expected: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -210,7 +209,7 @@ int test_va_expected(void)
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
             if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                (void)printf("va_expected: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_expected: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_expected v_m_n", v_m_n, 3);
@@ -226,7 +225,7 @@ int test_va_expected(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                (void)printf("va_expected: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_expected: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -239,7 +238,8 @@ int test_va_expected(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OUT_OF_RANGE) {
-            (void)printf("va_expected: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_expected: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -258,7 +258,7 @@ int test_va_expected(void)
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
             if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                (void)printf("va_expected: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_expected: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_expected v_m_n", v_m_n, 3);
@@ -274,7 +274,7 @@ int test_va_expected(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                (void)printf("va_expected: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_expected: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -287,7 +287,8 @@ int test_va_expected(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OUT_OF_RANGE) {
-            (void)printf("va_expected: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_expected: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -306,7 +307,7 @@ int test_va_expected(void)
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
             if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                (void)printf("va_expected: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_expected: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_expected v_m_n", v_m_n, 3);
@@ -319,7 +320,7 @@ int test_va_expected(void)
             set_point(0, &nav, &imu, &mounting);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                (void)printf("va_expected: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("va_expected: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -339,7 +340,7 @@ int test_va_expected(void)
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
             if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                (void)printf("va_expected: lever_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_expected: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_expected v_m_n", v_m_n, 3);
@@ -352,7 +353,7 @@ int test_va_expected(void)
             set_point(0, &nav, &imu, &mounting);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
             if (va_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                (void)printf("va_expected: lever_b[%d] end %d refused\n", i, end);
+                selftest_print("va_expected: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,38 +2,37 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_x[N_VECTORS][16] = {
+static const float in_x[N_VECTORS][16] = {
     { 0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p+0 },
     { -0x1.6d6ee80000000p-2, -0x1.0de2440000000p-2, 0x1.77dbfa0000000p-2, -0x1.13898a0000000p+6, -0x1.2411980000000p+6, 0x1.6372500000000p+5, -0x1.d3475a0000000p-7, -0x1.ebfd380000000p-7, -0x1.ed27460000000p-11, -0x1.206f560000000p-1, 0x1.1f01c40000000p-2, -0x1.0cd0c20000000p-1, -0x1.61e1020000000p-4, -0x1.7d78dc0000000p-2, 0x1.3c5faa0000000p-2, -0x1.f0b09c0000000p-2 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.a9d8e80000000p+8, 0x1.f050900000000p+9, 0x1.afbcbc0000000p+7 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.d9f97a0000000p-2, 0x1.2c8a240000000p-2, -0x1.687b940000000p-1, 0x1.cd2ae20000000p-2 }
 };
-static const double in_gyro_bias[N_VECTORS][3] = {
+static const float in_gyro_bias[N_VECTORS][3] = {
     { -0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6 },
     { 0x1.f18e920000000p-7, 0x1.3b08ca0000000p-10, -0x1.1e836a0000000p-7 }
 };
-static const double in_accel_bias[N_VECTORS][3] = {
+static const float in_accel_bias[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { -0x1.b9ec9a0000000p-5, -0x1.1997a40000000p-1, -0x1.0cc1300000000p-2 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { 0x1.9b666c0000000p-1, -0x1.b7ac400000000p-2, 0x1.6376e80000000p-4, 0x1.9eb8220000000p-2 }
 };
-static const double in_tau[N_VECTORS][1] = {
+static const float in_tau[N_VECTORS][1] = {
     { -0x1.0000000000000p+0 },
     { -0x1.9ab2b60000000p-1 }
 };
@@ -43,14 +42,14 @@ static const double out_v_n[N_VECTORS][3] = {
     { 0x1.eebb4a8000000p+8, 0x1.0a69618000000p+10, 0x1.56e0280000000p+7 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 5.42e-05, 6.62e-05, 5.42e-05 },
-    { 2.98e-05, 6.42e-05, 1.03e-05 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 5.42e-05F, 6.62e-05F, 5.42e-05F },
+    { 2.98e-05F, 6.42e-05F, 1.03e-05F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 2.02e-13, 2.47e-13, 2.02e-13 },
-    { 1.11e-13, 2.39e-13, 3.84e-14 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 2.02e-13F, 2.47e-13F, 2.02e-13F },
+    { 1.11e-13F, 2.39e-13F, 3.84e-14F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -60,14 +59,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.21882b1b6c536p-1, 0x1.ba60b4e5165c6p-2, -0x1.ee67b5f481559p-2, 0x1.054ebd23addd8p-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 7.76e-07, 7.61e-07, 1.34e-06, 7.47e-07 },
-    { 8.71e-07, 6.96e-07, 8.16e-07, 8.2e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 7.76e-07F, 7.61e-07F, 1.34e-06F, 7.47e-07F },
+    { 8.71e-07F, 6.96e-07F, 8.16e-07F, 8.20e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.48e-15, 1.46e-15, 2.59e-15, 1.43e-15 },
-    { 1.69e-15, 1.35e-15, 1.57e-15, 1.59e-15 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 1.48e-15F, 1.46e-15F, 2.59e-15F, 1.43e-15F },
+    { 1.69e-15F, 1.35e-15F, 1.57e-15F, 1.59e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -77,14 +76,14 @@ static const double out_gyro_bias[N_VECTORS][3] = {
     { 0x1.e26af60000000p-6, 0x1.09af28a000000p-6, -0x1.ff61eb4000000p-8 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_gyro_bias[N_VECTORS][3] = {
-    { 2.1e-09, 2.1e-09, 1.19e-38 },
-    { 1.77e-09, 9.76e-10, 4.7e-10 }
+static const float tol_gyro_bias[N_VECTORS][3] = {
+    { 2.10e-09F, 2.10e-09F, 1.19e-38F },
+    { 1.77e-09F, 9.76e-10F, 4.70e-10F }
 };
 #else
-static const double tol_gyro_bias[N_VECTORS][3] = {
-    { 7.83e-18, 7.83e-18, 1.01e-45 },
-    { 6.6e-18, 3.64e-18, 1.75e-18 }
+static const float tol_gyro_bias[N_VECTORS][3] = {
+    { 7.83e-18F, 7.83e-18F, 0.0F },
+    { 6.60e-18F, 3.64e-18F, 1.75e-18F }
 };
 #endif
 static const unsigned short at_gyro_bias[3] = { 0, 1, 2 };
@@ -94,14 +93,14 @@ static const double out_accel_bias[N_VECTORS][3] = {
     { 0x1.04d08c6000000p-1, -0x1.a918860000000p-1, 0x1.0ce0540000000p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_accel_bias[N_VECTORS][3] = {
-    { 1.2e-07, 1.19e-38, 1.19e-38 },
-    { 3.07e-08, 5e-08, 1.58e-08 }
+static const float tol_accel_bias[N_VECTORS][3] = {
+    { 1.20e-07F, 1.19e-38F, 1.19e-38F },
+    { 3.07e-08F, 5.00e-08F, 1.58e-08F }
 };
 #else
-static const double tol_accel_bias[N_VECTORS][3] = {
-    { 4.49e-16, 1.01e-45, 1.01e-45 },
-    { 1.14e-16, 1.86e-16, 5.89e-17 }
+static const float tol_accel_bias[N_VECTORS][3] = {
+    { 4.49e-16F, 0.0F, 0.0F },
+    { 1.14e-16F, 1.86e-16F, 5.89e-17F }
 };
 #endif
 static const unsigned short at_accel_bias[3] = { 0, 1, 2 };
@@ -111,14 +110,14 @@ static const double out_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.6dd4a3917bcc0p-1, -0x1.13a392dbf50e0p-1, -0x1.cbc2993e453f8p-4, 0x1.badd66792edd8p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2m_wxyz[N_VECTORS][4] = {
-    { 7.34e-07, 7.63e-07, 1.31e-06, 7.34e-07 },
-    { 9.34e-07, 6.91e-07, 2.74e-07, 6.42e-07 }
+static const float tol_q_b2m_wxyz[N_VECTORS][4] = {
+    { 7.34e-07F, 7.63e-07F, 1.31e-06F, 7.34e-07F },
+    { 9.34e-07F, 6.91e-07F, 2.74e-07F, 6.42e-07F }
 };
 #else
-static const double tol_q_b2m_wxyz[N_VECTORS][4] = {
-    { 1.4e-15, 1.46e-15, 2.53e-15, 1.4e-15 },
-    { 1.82e-15, 1.35e-15, 5.22e-16, 1.24e-15 }
+static const float tol_q_b2m_wxyz[N_VECTORS][4] = {
+    { 1.40e-15F, 1.46e-15F, 2.53e-15F, 1.40e-15F },
+    { 1.82e-15F, 1.35e-15F, 5.22e-16F, 1.24e-15F }
 };
 #endif
 static const unsigned short at_q_b2m_wxyz[4] = { 0, 1, 2, 3 };
@@ -128,14 +127,14 @@ static const double out_tau[N_VECTORS][1] = {
     { -0x1.44b4d00000000p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_tau[N_VECTORS][1] = {
-    { 1.19e-38 },
-    { 1.91e-08 }
+static const float tol_tau[N_VECTORS][1] = {
+    { 1.19e-38F },
+    { 1.91e-08F }
 };
 #else
-static const double tol_tau[N_VECTORS][1] = {
-    { 1.01e-45 },
-    { 7.11e-17 }
+static const float tol_tau[N_VECTORS][1] = {
+    { 0.0F },
+    { 7.11e-17F }
 };
 #endif
 static const unsigned short at_tau[1] = { 0 };
@@ -219,7 +218,7 @@ int test_va_feedback(void)
             selftest_paint(tau, 1);
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != expected) {
-                (void)printf("va_feedback: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_feedback v_n", v_n, 3);
@@ -248,7 +247,7 @@ int test_va_feedback(void)
             x[i] = (end == 0) ? low[i] : high[i];
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != BS_OK) {
-                (void)printf("va_feedback: x[%d] end %d refused\n", i, end);
+                selftest_print("va_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -270,7 +269,7 @@ int test_va_feedback(void)
             selftest_paint(tau, 1);
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != expected) {
-                (void)printf("va_feedback: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_feedback v_n", v_n, 3);
@@ -287,7 +286,7 @@ int test_va_feedback(void)
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != BS_OK) {
-                (void)printf("va_feedback: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -311,7 +310,7 @@ int test_va_feedback(void)
             selftest_paint(tau, 1);
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != expected) {
-                (void)printf("va_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_feedback v_n", v_n, 3);
@@ -331,7 +330,7 @@ int test_va_feedback(void)
             }
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != BS_OK) {
-                (void)printf("va_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -345,7 +344,8 @@ int test_va_feedback(void)
         }
         if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                         tau) != BS_OUT_OF_RANGE) {
-            (void)printf("va_feedback: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -370,7 +370,7 @@ int test_va_feedback(void)
             selftest_paint(tau, 1);
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != expected) {
-                (void)printf("va_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_feedback v_n", v_n, 3);
@@ -391,7 +391,7 @@ int test_va_feedback(void)
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != BS_OK) {
-                (void)printf("va_feedback: gyro_bias[%d] end %d refused\n", i, end);
+                selftest_print("va_feedback: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -415,7 +415,7 @@ int test_va_feedback(void)
             selftest_paint(tau, 1);
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != expected) {
-                (void)printf("va_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_feedback v_n", v_n, 3);
@@ -432,7 +432,7 @@ int test_va_feedback(void)
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != BS_OK) {
-                (void)printf("va_feedback: accel_bias[%d] end %d refused\n", i, end);
+                selftest_print("va_feedback: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -456,7 +456,7 @@ int test_va_feedback(void)
             selftest_paint(tau, 1);
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != expected) {
-                (void)printf("va_feedback: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_feedback: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_feedback v_n", v_n, 3);
@@ -476,7 +476,7 @@ int test_va_feedback(void)
             }
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != BS_OK) {
-                (void)printf("va_feedback: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_feedback: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -490,7 +490,8 @@ int test_va_feedback(void)
         }
         if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                         tau) != BS_OUT_OF_RANGE) {
-            (void)printf("va_feedback: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("va_feedback: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -511,7 +512,7 @@ int test_va_feedback(void)
             selftest_paint(tau, 1);
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != expected) {
-                (void)printf("va_feedback: tau[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_feedback: tau[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_feedback v_n", v_n, 3);
@@ -528,7 +529,7 @@ int test_va_feedback(void)
             nav.tau = (end == 0) ? low[i] : high[i];
             if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                             tau) != BS_OK) {
-                (void)printf("va_feedback: tau[%d] end %d refused\n", i, end);
+                selftest_print("va_feedback: tau[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

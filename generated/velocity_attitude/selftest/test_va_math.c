@@ -2,14 +2,13 @@
  * Boresight: do not edit.
  * Arguments that a float holds; values in 50 digits, within as many units in the last place as are
  * granted. */
-#include <stdio.h>
 
 #include "../src/va_math.h"
 #include "selftest.h"
 
 #define MOST_POINTS 21
 
-static const double in_atan2[21][2] = {
+static const float in_atan2[21][2] = {
     { 0x0.0p+0, 0x1.0000000000000p+0 },
     { -0x0.0p+0, 0x1.0000000000000p+0 },
     { 0x0.0p+0, -0x1.0000000000000p+0 },
@@ -36,16 +35,16 @@ static const double out_atan2[1][21] = {
     { 0x0.0p+0, 0x0.0p+0, 0x1.921fb54442d18p+1, -0x1.921fb54442d18p+1, 0x0.0p+0, -0x1.921fb54442d18p+1, 0x1.921fb54442d18p+0, -0x1.921fb54442d18p+0, 0x1.2a73a71dcec16p-2, 0x1.85a3770ebe7aep-2, 0x1.972bca0ebf527p-2, 0x1.921fb54442d18p-1, 0x1.2d0ead9cfdb3ep+0, 0x1.f38892f1e0c88p+0, 0x1.6cd1406088f96p+1, -0x1.5f3a3c026ae73p+1, -0x1.921fb535f1c7ap+0, 0x1.dac670561bb4fp-2, -0x1.4978fb360754fp-2, 0x1.921fb54442d18p+1, 0x1.921fb54442d18p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_atan2[1][21] = {
-    { 1.42e-45, 1.42e-45, 2.41e-07, 2.41e-07, 1.42e-45, 2.41e-07, 1.2e-07, 1.2e-07, 3.01e-08, 3.01e-08, 3.01e-08, 6.02e-08, 1.2e-07, 1.2e-07, 2.41e-07, 2.41e-07, 1.2e-07, 3.01e-08, 3.01e-08, 2.41e-07, 1.2e-07 }
+static const float tol_atan2[1][21] = {
+    { 1.42e-45F, 1.42e-45F, 2.41e-07F, 2.41e-07F, 1.42e-45F, 2.41e-07F, 1.20e-07F, 1.20e-07F, 3.01e-08F, 3.01e-08F, 3.01e-08F, 6.02e-08F, 1.20e-07F, 1.20e-07F, 2.41e-07F, 2.41e-07F, 1.20e-07F, 3.01e-08F, 3.01e-08F, 2.41e-07F, 1.20e-07F }
 };
 #else
-static const double tol_atan2[1][21] = {
-    { 9.88e-324, 9.88e-324, 8.97e-16, 8.97e-16, 9.88e-324, 8.97e-16, 4.49e-16, 4.49e-16, 1.12e-16, 1.12e-16, 1.12e-16, 2.24e-16, 4.49e-16, 4.49e-16, 8.97e-16, 8.97e-16, 4.49e-16, 1.12e-16, 1.12e-16, 8.97e-16, 4.49e-16 }
+static const float tol_atan2[1][21] = {
+    { 0.0F, 0.0F, 8.97e-16F, 8.97e-16F, 0.0F, 8.97e-16F, 4.49e-16F, 4.49e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.24e-16F, 4.49e-16F, 4.49e-16F, 8.97e-16F, 8.97e-16F, 4.49e-16F, 1.12e-16F, 1.12e-16F, 8.97e-16F, 4.49e-16F }
 };
 #endif
 
-static const double in_cos[17][1] = {
+static const float in_cos[17][1] = {
     { 0x0.0p+0 },
     { -0x0.0p+0 },
     { 0x1.5798ee0000000p-27 },
@@ -68,16 +67,16 @@ static const double out_cos[1][17] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.e921dd24adb91p-1, 0x1.6a2ecaf40f8ddp-1, 0x1.69d21a46e0beap-1, 0x1.21bd54fc5f9a7p-4, -0x1.ab17777447a85p-13, -0x1.798bad7263fbdp-1, -0x1.fffffffffff99p-1, -0x1.4eaa606db24c1p-1, 0x1.6ad6c3c07d448p-1, 0x1.fffffffffff76p-1, 0x1.de2ef45ee4291p-1, 0x1.f90164543af20p-1, -0x1.e780e88ec4409p-1, -0x1.d085be7a8f4a1p-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_cos[1][17] = {
-    { 1.2e-07, 1.2e-07, 1.2e-07, 6.02e-08, 6.02e-08, 6.02e-08, 7.53e-09, 1.47e-11, 6.02e-08, 1.2e-07, 6.02e-08, 6.02e-08, 1.2e-07, 6.02e-08, 6.02e-08, 6.02e-08, 6.02e-08 }
+static const float tol_cos[1][17] = {
+    { 1.20e-07F, 1.20e-07F, 1.20e-07F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 7.53e-09F, 1.47e-11F, 6.02e-08F, 1.20e-07F, 6.02e-08F, 6.02e-08F, 1.20e-07F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 6.02e-08F }
 };
 #else
-static const double tol_cos[1][17] = {
-    { 4.49e-16, 4.49e-16, 4.49e-16, 2.24e-16, 2.24e-16, 2.24e-16, 2.8e-17, 5.48e-20, 2.24e-16, 2.24e-16, 2.24e-16, 2.24e-16, 2.24e-16, 2.24e-16, 2.24e-16, 2.24e-16, 2.24e-16 }
+static const float tol_cos[1][17] = {
+    { 4.49e-16F, 4.49e-16F, 4.49e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.80e-17F, 5.48e-20F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F }
 };
 #endif
 
-static const double in_sin[17][1] = {
+static const float in_sin[17][1] = {
     { 0x0.0p+0 },
     { -0x0.0p+0 },
     { 0x1.5798ee0000000p-27 },
@@ -100,12 +99,12 @@ static const double out_sin[1][17] = {
     { 0x0.0p+0, 0x0.0p+0, 0x1.5798ee0000000p-27, 0x1.2e9cda1f52c88p-2, -0x1.69e4fe1908b92p-1, 0x1.6a41a9f0e19a6p-1, 0x1.feb7a9b2c6d8bp-1, -0x1.ffffff4dde2d3p-1, 0x1.59d64d002a6c5p-1, 0x1.4442d18469883p-23, 0x1.837b9dddc1eaep-1, -0x1.693c94e0ab057p-1, 0x1.777a5cf72ceadp-23, -0x1.6df9df843ae91p-2, 0x1.515dd0fd22868p-3, -0x1.38f2fa75d9289p-2, 0x1.aea414a8a3352p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_sin[1][17] = {
-    { 1.42e-45, 1.42e-45, 8.97e-16, 3.01e-08, 6.02e-08, 6.02e-08, 6.02e-08, 1.2e-07, 6.02e-08, 1.44e-14, 6.02e-08, 6.02e-08, 1.44e-14, 3.01e-08, 1.51e-08, 3.01e-08, 3.01e-08 }
+static const float tol_sin[1][17] = {
+    { 1.42e-45F, 1.42e-45F, 8.97e-16F, 3.01e-08F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 1.20e-07F, 6.02e-08F, 1.44e-14F, 6.02e-08F, 6.02e-08F, 1.44e-14F, 3.01e-08F, 1.51e-08F, 3.01e-08F, 3.01e-08F }
 };
 #else
-static const double tol_sin[1][17] = {
-    { 9.88e-324, 9.88e-324, 3.34e-24, 1.12e-16, 2.24e-16, 2.24e-16, 2.24e-16, 2.24e-16, 2.24e-16, 5.35e-23, 2.24e-16, 2.24e-16, 5.35e-23, 1.12e-16, 5.61e-17, 1.12e-16, 1.12e-16 }
+static const float tol_sin[1][17] = {
+    { 0.0F, 0.0F, 3.34e-24F, 1.12e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 5.35e-23F, 2.24e-16F, 2.24e-16F, 5.35e-23F, 1.12e-16F, 5.61e-17F, 1.12e-16F, 1.12e-16F }
 };
 #endif
 
@@ -123,7 +122,7 @@ int test_va_math(void)
     failures += selftest_compare("atan2", 0, out, 21, out_atan2[0], tol_atan2[0], at, 21, 0);
     out[0] = BS_ATAN2((bs_real)selftest_nan(), BS_REAL(1.0));
     if (out[0] <= out[0]) {
-        (void)printf("atan2: a value for what is no number\n");
+        selftest_print("atan2: a value for what is no number\n");
         ++failures;
     }
     for (int i = 0; i < 17; ++i) {
@@ -135,13 +134,13 @@ int test_va_math(void)
         bs_real cosine;
         BS_SINCOS((bs_real)in_cos[i][0], &sine, &cosine);
         if ((cosine < out[i]) || (cosine > out[i])) {
-            (void)printf("cos: another value than in the pair\n");
+            selftest_print("cos: another value than in the pair\n");
             ++failures;
         }
     }
     out[0] = BS_COS((bs_real)selftest_nan());
     if (out[0] <= out[0]) {
-        (void)printf("cos: a value for what is no number\n");
+        selftest_print("cos: a value for what is no number\n");
         ++failures;
     }
     for (int i = 0; i < 17; ++i) {
@@ -153,13 +152,13 @@ int test_va_math(void)
         bs_real cosine;
         BS_SINCOS((bs_real)in_sin[i][0], &sine, &cosine);
         if ((sine < out[i]) || (sine > out[i])) {
-            (void)printf("sin: another value than in the pair\n");
+            selftest_print("sin: another value than in the pair\n");
             ++failures;
         }
     }
     out[0] = BS_SIN((bs_real)selftest_nan());
     if (out[0] <= out[0]) {
-        (void)printf("sin: a value for what is no number\n");
+        selftest_print("sin: a value for what is no number\n");
         ++failures;
     }
     return failures;

@@ -2,14 +2,13 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 7
 
-static const double in_x[N_VECTORS][16] = {
+static const float in_x[N_VECTORS][16] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p+0 },
     { 0x1.eede4e0000000p-5, 0x1.4ac7e40000000p-6, 0x1.96a5100000000p-2, -0x1.4145260000000p+6, 0x1.315d3a0000000p+6, 0x1.36d2260000000p+6, -0x1.f2b9640000000p-9, -0x1.ecb0140000000p-10, 0x1.d6a66e0000000p-8, -0x1.9f1c220000000p-1, 0x1.9d62000000000p-1, 0x1.e847ba0000000p-3, 0x1.1ae6f20000000p-3, 0x1.dd19fa0000000p-3, -0x1.2f78320000000p-2, -0x1.f1ce300000000p-2 },
     { 0x1.15700c0000000p-3, 0x1.5d8cac0000000p-3, -0x1.fc8cc20000000p-3, 0x1.5e6e340000000p+6, -0x1.1bf6c00000000p+6, 0x1.48a7f60000000p+6, 0x1.5c1b960000000p-7, -0x1.0daf7e0000000p-10, 0x1.17a1b80000000p-9, 0x1.9c88e20000000p-3, -0x1.7f7a840000000p-1, 0x1.cbfd7e0000000p-3, -0x1.33a6cc0000000p-2, -0x1.6306a00000000p-5, -0x1.0bd28c0000000p-5, 0x1.e14c600000000p-1 },
@@ -18,7 +17,7 @@ static const double in_x[N_VECTORS][16] = {
     { 0x1.f1dc6c0000000p-5, -0x1.9b4f620000000p-2, 0x1.b60f1c0000000p-2, 0x1.eaa8f80000000p+2, -0x1.b65e2e0000000p+5, 0x1.5301ce0000000p+4, 0x1.8016600000000p-8, -0x1.f60e920000000p-10, 0x1.5229780000000p-9, -0x1.406cca0000000p-1, 0x1.96b1640000000p-1, -0x1.418aa80000000p-1, 0x1.eba2a40000000p-5, 0x1.b924c60000000p-6, -0x1.fd29ce0000000p-3, -0x1.2518440000000p-8 },
     { 0x1.1a141e0000000p-3, 0x1.4b86500000000p-2, 0x1.a442660000000p-4, 0x1.3c98f00000000p+4, 0x1.6b4af80000000p+6, -0x1.791b440000000p+6, 0x1.d575360000000p-7, 0x1.6b3a840000000p-7, -0x1.521a960000000p-7, 0x1.33830a0000000p-2, -0x1.5f49100000000p-1, 0x1.41c39c0000000p-1, 0x1.6ab46c0000000p-2, 0x1.36f0a80000000p-5, 0x1.61c2ca0000000p-3, 0x1.27d1f40000000p-1 }
 };
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.0456fa0000000p+0, 0x1.2657780000000p+2, 0x1.b8fefc0000000p+14 },
     { -0x1.b5c9f80000000p-3, -0x1.69caa80000000p+1, 0x1.08c0780000000p+11 },
@@ -27,7 +26,7 @@ static const double in_position[N_VECTORS][3] = {
     { 0x1.6bfb820000000p-1, 0x1.0d4c420000000p+2, 0x1.0122580000000p+14 },
     { 0x1.205c580000000p-1, -0x1.0d282a0000000p+1, 0x1.c5dec80000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.9d84400000000p+8, -0x1.d504480000000p+9, -0x1.b3e9ec0000000p+9 },
     { 0x1.ce50f80000000p+9, -0x1.517a8c0000000p+9, 0x1.b987a40000000p+7 },
@@ -36,7 +35,7 @@ static const double in_v_n[N_VECTORS][3] = {
     { -0x1.f0ccbe0000000p+9, -0x1.3a2c900000000p+9, -0x1.cd94380000000p+9 },
     { 0x1.5b6a6e0000000p+9, -0x1.df8b980000000p+8, 0x1.2a39b60000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.32ed4c0000000p-7, -0x1.9631160000000p-1, 0x1.9ed43e0000000p-2, -0x1.d133c00000000p-2 },
     { -0x1.b598180000000p-2, -0x1.fce13a0000000p-2, -0x1.498f460000000p-1, 0x1.9338840000000p-2 },
@@ -45,7 +44,7 @@ static const double in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.9359d00000000p-2, 0x1.f206660000000p-2, 0x1.0b5c7e0000000p-1, -0x1.2924000000000p-1 },
     { 0x1.182c100000000p-1, -0x1.2e2a120000000p-1, 0x1.2348ba0000000p-2, 0x1.0b4be20000000p-1 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.18ce700000000p-1, -0x1.12059e0000000p-1, 0x1.266d6a0000000p-3, -0x1.413dec0000000p-1 },
     { 0x1.e508e60000000p-2, -0x1.8497640000000p-2, -0x1.6b6a3c0000000p-1, 0x1.6fb1420000000p-2 },
@@ -54,7 +53,7 @@ static const double in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.3b5aea0000000p-1, 0x1.8b32640000000p-2, 0x1.57e6b20000000p-1, -0x1.1ddc3c0000000p-3 },
     { -0x1.2169900000000p-1, -0x1.2733e00000000p-4, 0x1.92bcf80000000p-1, 0x1.e16ff20000000p-3 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, 0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { -0x1.faeb500000000p+2, -0x1.a9e1e00000000p+3, 0x1.22fa840000000p+4 },
     { -0x1.34b5ec0000000p+3, -0x1.4f27ba0000000p+2, 0x1.be307c0000000p+1 },
@@ -63,7 +62,7 @@ static const double in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.b56aa20000000p+1, -0x1.35981a0000000p+4, -0x1.9f235c0000000p+3 },
     { 0x1.fba6a20000000p+3, -0x1.f8db5a0000000p+3, -0x1.9add820000000p+2 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.d198a00000000p-2, -0x1.51e85c0000000p-1, -0x1.8f748c0000000p-2, -0x1.cf88060000000p-2 },
     { 0x1.e712900000000p-4, -0x1.b7223e0000000p-2, -0x1.0620da0000000p-1, 0x1.7842ae0000000p-1 },
@@ -72,7 +71,7 @@ static const double in_q_m2n_wxyz[N_VECTORS][4] = {
     { -0x1.a667080000000p-3, -0x1.24acd60000000p-1, 0x1.419aa40000000p-2, -0x1.755bbe0000000p-1 },
     { 0x1.04f1840000000p-1, -0x1.4b7c360000000p-1, 0x1.21e12c0000000p-1, -0x1.3379f60000000p-5 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { 0x1.0000000000000p+0 },
     { -0x1.727d200000000p-1 },
     { -0x1.ef88800000000p-1 },
@@ -92,24 +91,24 @@ static const double out_H[N_VECTORS][30] = {
     { -0x1.5e2071b5d1f5ap-4, 0x1.1223a60dd3d03p-9, 0x1.c14024ea7f866p-5, -0x1.4e927cab1ae41p-7, 0x1.83e9fbbc4bcd4p-7, 0x1.e78a473393bf4p-9, -0x1.acf43f384ef24p-7, -0x1.8ba15c2d1a2e2p-4, 0x1.ce8978aea7a79p-6, -0x1.2c743ab5d13eep+1, 0x1.450066e93383ap-3, -0x1.310f85528e93ap-3, -0x1.f02063ea4c913p-1, 0x1.26badaa56ade1p-5, -0x1.6777aff5e8b88p-4, -0x1.39a08698559a3p-4, 0x1.0c55a3025df07p-1, 0x1.7bbfecad3201bp-1, 0x1.a0108e6ed2b96p-2, 0x1.ed3cb942f5708p+3, 0x1.813d40e5d5ce0p-9, 0x1.f9b0c179c2e64p-1, -0x1.2e57510761f74p-3, 0x1.1bd8574e9b8d3p-4, 0x1.170fb350b3597p-5, -0x1.5bc0c10e2699fp-5, -0x1.a2f123c223ecfp-1, 0x1.3f9c5a1eab5dfp-2, 0x1.e4a1aafd68346p-2, 0x1.5116bb4f8249dp+2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][30] = {
-    { 9.97e-06, 1.01e-05, 1.04e-05, 1.19e-38, 1.19e-38, 1.19e-38, 1.04e-05, 1.05e-05, 1.03e-05, 0.000406, 1.02e-05, 1.04e-05, 1.02e-05, 1.19e-38, 1.19e-38, 1.19e-38, 1.04e-05, 1.06e-05, 1.06e-05, 0.000397, 1.13e-05, 1.11e-05, 1.13e-05, 1.19e-38, 1.19e-38, 1.19e-38, 1.04e-05, 1.04e-05, 1.04e-05, 0.000422 },
-    { 0.00035, 0.000298, 0.000904, 4.98e-06, 4.77e-06, 4.2e-06, 5.17e-05, 7.17e-05, 8.68e-05, 0.000431, 0.000409, 0.00035, 0.00105, 5.96e-06, 5.64e-06, 5.05e-06, 5.81e-05, 7.99e-05, 9.27e-05, 0.000577, 0.000247, 0.000209, 0.000636, 3.46e-06, 3.32e-06, 2.87e-06, 4.46e-05, 6.02e-05, 7.2e-05, 0.000277 },
-    { 0.00152, 0.00176, 0.00228, 1.87e-05, 1.19e-05, 1.79e-05, 0.000323, 0.000124, 0.000116, 0.000122, 0.00231, 0.00266, 0.00345, 2.88e-05, 1.57e-05, 2.77e-05, 0.000331, 0.000128, 0.000119, 0.000182, 0.00569, 0.00656, 0.00851, 7.6e-05, 4.1e-05, 7.31e-05, 0.000335, 0.000128, 0.000119, 0.000485 },
-    { 0.00119, 0.000631, 0.000629, 3.19e-06, 2.75e-06, 3.88e-06, 0.000105, 0.000107, 5.92e-05, 0.000746, 0.000853, 0.000452, 0.00045, 2.19e-06, 1.98e-06, 2.71e-06, 0.000108, 0.000111, 6.2e-05, 0.000459, 0.00138, 0.00073, 0.000727, 3.84e-06, 3.35e-06, 4.62e-06, 0.000106, 0.000107, 5.97e-05, 0.000907 },
-    { 0.0824, 0.0824, 0.0823, 0.000264, 0.000264, 0.000264, 0.00152, 0.00152, 0.00152, 0.00463, 0.0835, 0.0835, 0.0834, 0.000271, 0.000271, 0.000271, 0.00152, 0.00152, 0.00152, 0.00499, 0.0809, 0.0809, 0.0809, 0.00026, 0.000261, 0.00026, 0.00119, 0.00119, 0.00119, 0.00458 },
-    { 0.000472, 0.00114, 0.00119, 3.29e-06, 5.7e-06, 3.79e-06, 5.62e-05, 4.36e-05, 0.000125, 0.0005, 0.000646, 0.00156, 0.00163, 4.39e-06, 8.2e-06, 5.48e-06, 5.52e-05, 4.41e-05, 0.000123, 0.000784, 0.000691, 0.00167, 0.00174, 5.06e-06, 9.16e-06, 5.74e-06, 4.97e-05, 3.84e-05, 0.000111, 0.000886 },
-    { 0.000651, 0.00114, 0.000561, 3.33e-06, 3.66e-06, 3.16e-06, 0.000109, 3.87e-05, 6.81e-05, 0.00071, 0.000585, 0.00102, 0.000504, 3.24e-06, 3.14e-06, 3.21e-06, 0.000107, 3.71e-05, 6.65e-05, 0.000614, 0.000418, 0.000731, 0.00036, 2.21e-06, 2.13e-06, 2.05e-06, 0.00011, 3.84e-05, 6.85e-05, 0.000358 }
+static const float tol_H[N_VECTORS][30] = {
+    { 9.97e-06F, 1.01e-05F, 1.04e-05F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.04e-05F, 1.05e-05F, 1.03e-05F, 4.06e-04F, 1.02e-05F, 1.04e-05F, 1.02e-05F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.04e-05F, 1.06e-05F, 1.06e-05F, 3.97e-04F, 1.13e-05F, 1.11e-05F, 1.13e-05F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.04e-05F, 1.04e-05F, 1.04e-05F, 4.22e-04F },
+    { 3.50e-04F, 2.98e-04F, 9.04e-04F, 4.98e-06F, 4.77e-06F, 4.20e-06F, 5.17e-05F, 7.17e-05F, 8.68e-05F, 4.31e-04F, 4.09e-04F, 3.50e-04F, 1.05e-03F, 5.96e-06F, 5.64e-06F, 5.05e-06F, 5.81e-05F, 7.99e-05F, 9.27e-05F, 5.77e-04F, 2.47e-04F, 2.09e-04F, 6.36e-04F, 3.46e-06F, 3.32e-06F, 2.87e-06F, 4.46e-05F, 6.02e-05F, 7.20e-05F, 2.77e-04F },
+    { 1.52e-03F, 1.76e-03F, 2.28e-03F, 1.87e-05F, 1.19e-05F, 1.79e-05F, 3.23e-04F, 1.24e-04F, 1.16e-04F, 1.22e-04F, 2.31e-03F, 2.66e-03F, 3.45e-03F, 2.88e-05F, 1.57e-05F, 2.77e-05F, 3.31e-04F, 1.28e-04F, 1.19e-04F, 1.82e-04F, 5.69e-03F, 6.56e-03F, 8.51e-03F, 7.60e-05F, 4.10e-05F, 7.31e-05F, 3.35e-04F, 1.28e-04F, 1.19e-04F, 4.85e-04F },
+    { 1.19e-03F, 6.31e-04F, 6.29e-04F, 3.19e-06F, 2.75e-06F, 3.88e-06F, 1.05e-04F, 1.07e-04F, 5.92e-05F, 7.46e-04F, 8.53e-04F, 4.52e-04F, 4.50e-04F, 2.19e-06F, 1.98e-06F, 2.71e-06F, 1.08e-04F, 1.11e-04F, 6.20e-05F, 4.59e-04F, 1.38e-03F, 7.30e-04F, 7.27e-04F, 3.84e-06F, 3.35e-06F, 4.62e-06F, 1.06e-04F, 1.07e-04F, 5.97e-05F, 9.07e-04F },
+    { 8.24e-02F, 8.24e-02F, 8.23e-02F, 2.64e-04F, 2.64e-04F, 2.64e-04F, 1.52e-03F, 1.52e-03F, 1.52e-03F, 4.63e-03F, 8.35e-02F, 8.35e-02F, 8.34e-02F, 2.71e-04F, 2.71e-04F, 2.71e-04F, 1.52e-03F, 1.52e-03F, 1.52e-03F, 4.99e-03F, 8.09e-02F, 8.09e-02F, 8.09e-02F, 2.60e-04F, 2.61e-04F, 2.60e-04F, 1.19e-03F, 1.19e-03F, 1.19e-03F, 4.58e-03F },
+    { 4.72e-04F, 1.14e-03F, 1.19e-03F, 3.29e-06F, 5.70e-06F, 3.79e-06F, 5.62e-05F, 4.36e-05F, 1.25e-04F, 5.00e-04F, 6.46e-04F, 1.56e-03F, 1.63e-03F, 4.39e-06F, 8.20e-06F, 5.48e-06F, 5.52e-05F, 4.41e-05F, 1.23e-04F, 7.84e-04F, 6.91e-04F, 1.67e-03F, 1.74e-03F, 5.06e-06F, 9.16e-06F, 5.74e-06F, 4.97e-05F, 3.84e-05F, 1.11e-04F, 8.86e-04F },
+    { 6.51e-04F, 1.14e-03F, 5.61e-04F, 3.33e-06F, 3.66e-06F, 3.16e-06F, 1.09e-04F, 3.87e-05F, 6.81e-05F, 7.10e-04F, 5.85e-04F, 1.02e-03F, 5.04e-04F, 3.24e-06F, 3.14e-06F, 3.21e-06F, 1.07e-04F, 3.71e-05F, 6.65e-05F, 6.14e-04F, 4.18e-04F, 7.31e-04F, 3.60e-04F, 2.21e-06F, 2.13e-06F, 2.05e-06F, 1.10e-04F, 3.84e-05F, 6.85e-05F, 3.58e-04F }
 };
 #else
-static const double tol_H[N_VECTORS][30] = {
-    { 1.86e-14, 1.89e-14, 1.94e-14, 1.01e-45, 1.01e-45, 1.01e-45, 1.95e-14, 1.97e-14, 1.92e-14, 7.57e-13, 1.91e-14, 1.95e-14, 1.9e-14, 1.01e-45, 1.01e-45, 1.01e-45, 1.94e-14, 1.97e-14, 1.98e-14, 7.4e-13, 2.12e-14, 2.07e-14, 2.1e-14, 1.01e-45, 1.01e-45, 1.01e-45, 1.94e-14, 1.94e-14, 1.94e-14, 7.89e-13 },
-    { 6.52e-13, 5.55e-13, 1.68e-12, 9.27e-15, 8.88e-15, 7.82e-15, 9.62e-14, 1.34e-13, 1.62e-13, 8.03e-13, 7.62e-13, 6.52e-13, 1.96e-12, 1.11e-14, 1.05e-14, 9.42e-15, 1.08e-13, 1.49e-13, 1.73e-13, 1.08e-12, 4.6e-13, 3.9e-13, 1.18e-12, 6.45e-15, 6.18e-15, 5.35e-15, 8.31e-14, 1.12e-13, 1.34e-13, 5.16e-13 },
-    { 2.84e-12, 3.28e-12, 4.24e-12, 3.49e-14, 2.22e-14, 3.34e-14, 6.01e-13, 2.32e-13, 2.16e-13, 2.28e-13, 4.3e-12, 4.96e-12, 6.43e-12, 5.37e-14, 2.92e-14, 5.16e-14, 6.17e-13, 2.38e-13, 2.22e-13, 3.39e-13, 1.06e-11, 1.22e-11, 1.58e-11, 1.42e-13, 7.64e-14, 1.36e-13, 6.24e-13, 2.39e-13, 2.22e-13, 9.03e-13 },
-    { 2.22e-12, 1.18e-12, 1.17e-12, 5.94e-15, 5.13e-15, 7.24e-15, 1.96e-13, 1.99e-13, 1.1e-13, 1.39e-12, 1.59e-12, 8.42e-13, 8.39e-13, 4.09e-15, 3.68e-15, 5.06e-15, 2.01e-13, 2.06e-13, 1.16e-13, 8.57e-13, 2.56e-12, 1.36e-12, 1.35e-12, 7.16e-15, 6.25e-15, 8.61e-15, 1.97e-13, 2e-13, 1.11e-13, 1.69e-12 },
-    { 1.53e-10, 1.53e-10, 1.53e-10, 4.92e-13, 4.91e-13, 4.91e-13, 2.83e-12, 2.83e-12, 2.83e-12, 8.63e-12, 1.55e-10, 1.55e-10, 1.55e-10, 5.05e-13, 5.05e-13, 5.05e-13, 2.83e-12, 2.83e-12, 2.83e-12, 9.3e-12, 1.51e-10, 1.51e-10, 1.51e-10, 4.85e-13, 4.85e-13, 4.84e-13, 2.21e-12, 2.21e-12, 2.21e-12, 8.53e-12 },
-    { 8.8e-13, 2.12e-12, 2.22e-12, 6.12e-15, 1.06e-14, 7.06e-15, 1.05e-13, 8.13e-14, 2.33e-13, 9.32e-13, 1.2e-12, 2.9e-12, 3.03e-12, 8.18e-15, 1.53e-14, 1.02e-14, 1.03e-13, 8.22e-14, 2.3e-13, 1.46e-12, 1.29e-12, 3.11e-12, 3.25e-12, 9.43e-15, 1.71e-14, 1.07e-14, 9.26e-14, 7.16e-14, 2.06e-13, 1.65e-12 },
-    { 1.21e-12, 2.12e-12, 1.04e-12, 6.2e-15, 6.81e-15, 5.89e-15, 2.03e-13, 7.21e-14, 1.27e-13, 1.32e-12, 1.09e-12, 1.9e-12, 9.38e-13, 6.03e-15, 5.86e-15, 5.99e-15, 1.98e-13, 6.92e-14, 1.24e-13, 1.15e-12, 7.79e-13, 1.36e-12, 6.7e-13, 4.12e-15, 3.97e-15, 3.83e-15, 2.04e-13, 7.15e-14, 1.28e-13, 6.68e-13 }
+static const float tol_H[N_VECTORS][30] = {
+    { 1.86e-14F, 1.89e-14F, 1.94e-14F, 0.0F, 0.0F, 0.0F, 1.95e-14F, 1.97e-14F, 1.92e-14F, 7.57e-13F, 1.91e-14F, 1.95e-14F, 1.90e-14F, 0.0F, 0.0F, 0.0F, 1.94e-14F, 1.97e-14F, 1.98e-14F, 7.40e-13F, 2.12e-14F, 2.07e-14F, 2.10e-14F, 0.0F, 0.0F, 0.0F, 1.94e-14F, 1.94e-14F, 1.94e-14F, 7.89e-13F },
+    { 6.52e-13F, 5.55e-13F, 1.68e-12F, 9.27e-15F, 8.88e-15F, 7.82e-15F, 9.62e-14F, 1.34e-13F, 1.62e-13F, 8.03e-13F, 7.62e-13F, 6.52e-13F, 1.96e-12F, 1.11e-14F, 1.05e-14F, 9.42e-15F, 1.08e-13F, 1.49e-13F, 1.73e-13F, 1.08e-12F, 4.60e-13F, 3.90e-13F, 1.18e-12F, 6.45e-15F, 6.18e-15F, 5.35e-15F, 8.31e-14F, 1.12e-13F, 1.34e-13F, 5.16e-13F },
+    { 2.84e-12F, 3.28e-12F, 4.24e-12F, 3.49e-14F, 2.22e-14F, 3.34e-14F, 6.01e-13F, 2.32e-13F, 2.16e-13F, 2.28e-13F, 4.30e-12F, 4.96e-12F, 6.43e-12F, 5.37e-14F, 2.92e-14F, 5.16e-14F, 6.17e-13F, 2.38e-13F, 2.22e-13F, 3.39e-13F, 1.06e-11F, 1.22e-11F, 1.58e-11F, 1.42e-13F, 7.64e-14F, 1.36e-13F, 6.24e-13F, 2.39e-13F, 2.22e-13F, 9.03e-13F },
+    { 2.22e-12F, 1.18e-12F, 1.17e-12F, 5.94e-15F, 5.13e-15F, 7.24e-15F, 1.96e-13F, 1.99e-13F, 1.10e-13F, 1.39e-12F, 1.59e-12F, 8.42e-13F, 8.39e-13F, 4.09e-15F, 3.68e-15F, 5.06e-15F, 2.01e-13F, 2.06e-13F, 1.16e-13F, 8.57e-13F, 2.56e-12F, 1.36e-12F, 1.35e-12F, 7.16e-15F, 6.25e-15F, 8.61e-15F, 1.97e-13F, 2.00e-13F, 1.11e-13F, 1.69e-12F },
+    { 1.53e-10F, 1.53e-10F, 1.53e-10F, 4.92e-13F, 4.91e-13F, 4.91e-13F, 2.83e-12F, 2.83e-12F, 2.83e-12F, 8.63e-12F, 1.55e-10F, 1.55e-10F, 1.55e-10F, 5.05e-13F, 5.05e-13F, 5.05e-13F, 2.83e-12F, 2.83e-12F, 2.83e-12F, 9.30e-12F, 1.51e-10F, 1.51e-10F, 1.51e-10F, 4.85e-13F, 4.85e-13F, 4.84e-13F, 2.21e-12F, 2.21e-12F, 2.21e-12F, 8.53e-12F },
+    { 8.80e-13F, 2.12e-12F, 2.22e-12F, 6.12e-15F, 1.06e-14F, 7.06e-15F, 1.05e-13F, 8.13e-14F, 2.33e-13F, 9.32e-13F, 1.20e-12F, 2.90e-12F, 3.03e-12F, 8.18e-15F, 1.53e-14F, 1.02e-14F, 1.03e-13F, 8.22e-14F, 2.30e-13F, 1.46e-12F, 1.29e-12F, 3.11e-12F, 3.25e-12F, 9.43e-15F, 1.71e-14F, 1.07e-14F, 9.26e-14F, 7.16e-14F, 2.06e-13F, 1.65e-12F },
+    { 1.21e-12F, 2.12e-12F, 1.04e-12F, 6.20e-15F, 6.81e-15F, 5.89e-15F, 2.03e-13F, 7.21e-14F, 1.27e-13F, 1.32e-12F, 1.09e-12F, 1.90e-12F, 9.38e-13F, 6.03e-15F, 5.86e-15F, 5.99e-15F, 1.98e-13F, 6.92e-14F, 1.24e-13F, 1.15e-12F, 7.79e-13F, 1.36e-12F, 6.70e-13F, 4.12e-15F, 3.97e-15F, 3.83e-15F, 2.04e-13F, 7.15e-14F, 1.28e-13F, 6.68e-13F }
 };
 #endif
 static const unsigned short at_H[30] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 16, 17, 18, 22, 23, 24,
@@ -177,7 +176,7 @@ int test_va_quaternion_H(void)
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("va_quaternion_H: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_H: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_H H", H, 48);
@@ -200,7 +199,7 @@ int test_va_quaternion_H(void)
             set_point(0, x, &nav, &imu, &master);
             x[i] = (end == 0) ? low[i] : high[i];
             if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_quaternion_H: x[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_H: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -218,7 +217,7 @@ int test_va_quaternion_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("va_quaternion_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_H H", H, 48);
@@ -231,7 +230,7 @@ int test_va_quaternion_H(void)
             set_point(0, x, &nav, &imu, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_quaternion_H: position[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -247,7 +246,7 @@ int test_va_quaternion_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("va_quaternion_H: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_H H", H, 48);
@@ -258,7 +257,7 @@ int test_va_quaternion_H(void)
             set_point(0, x, &nav, &imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_quaternion_H: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -276,7 +275,8 @@ int test_va_quaternion_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("va_quaternion_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_H: q_b2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_H H", H, 48);
@@ -295,7 +295,7 @@ int test_va_quaternion_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_quaternion_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -308,8 +308,8 @@ int test_va_quaternion_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("va_quaternion_H: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("va_quaternion_H: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -326,7 +326,8 @@ int test_va_quaternion_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("va_quaternion_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_H: q_b2m_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_H H", H, 48);
@@ -345,7 +346,7 @@ int test_va_quaternion_H(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_quaternion_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -358,8 +359,8 @@ int test_va_quaternion_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("va_quaternion_H: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("va_quaternion_H: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -376,7 +377,8 @@ int test_va_quaternion_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("va_quaternion_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_H: omega_ib_b[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_H H", H, 48);
@@ -387,7 +389,7 @@ int test_va_quaternion_H(void)
             set_point(0, x, &nav, &imu, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_quaternion_H: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -405,7 +407,8 @@ int test_va_quaternion_H(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("va_quaternion_H: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_H: q_m2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_H H", H, 48);
@@ -419,7 +422,7 @@ int test_va_quaternion_H(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_quaternion_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -432,8 +435,8 @@ int test_va_quaternion_H(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("va_quaternion_H: q_m2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("va_quaternion_H: q_m2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -448,7 +451,7 @@ int test_va_quaternion_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("va_quaternion_H: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_H: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_H H", H, 48);
@@ -459,7 +462,7 @@ int test_va_quaternion_H(void)
             set_point(0, x, &nav, &imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
             if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("va_quaternion_H: lag[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_H: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -3,63 +3,62 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 5
 
-static const double in_x[N_VECTORS][16] = {
+static const float in_x[N_VECTORS][16] = {
     { 0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p+0 },
     { -0x1.9a54d00000000p-3, -0x1.18b62e0000000p-3, 0x1.85aa820000000p-3, 0x1.c575c40000000p+5, 0x1.9f99fe0000000p-1, -0x1.28388e0000000p+6, -0x1.1d19440000000p-10, -0x1.9636c40000000p-7, 0x1.1b094c0000000p-6, -0x1.a97c340000000p-1, 0x1.53d0700000000p-2, 0x1.526c940000000p-1, 0x1.0b36900000000p-2, 0x1.d44bee0000000p-3, 0x1.1b2c780000000p-3, 0x1.548c500000000p-2 },
     { -0x1.5a554e0000000p-5, 0x1.343c160000000p-2, 0x1.2f5ad20000000p-2, 0x1.5f2ba20000000p+6, 0x1.6e8cdc0000000p+5, 0x1.c44f440000000p+5, -0x1.dbaa160000000p-7, -0x1.3703f20000000p-8, -0x1.09001e0000000p-6, -0x1.c5e6aa0000000p-1, 0x1.99c6280000000p-5, -0x1.11f5c80000000p-2, 0x1.b1c6400000000p-2, -0x1.12d50a0000000p-2, -0x1.31de980000000p-3, 0x1.8875a00000000p-1 },
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p+0 },
     { -0x1.f6ab5c0000000p-15, -0x1.7172d80000000p-4, -0x1.3431d80000000p-3, -0x1.bfa4660000000p+5, -0x1.d3a62a0000000p-11, -0x1.4a0ab20000000p+5, -0x1.b2c9420000000p-7, 0x1.09f9cc0000000p-6, -0x1.44eaa80000000p-8, 0x1.1dbe860000000p-13, 0x1.7c71400000000p-13, -0x1.7aff3c0000000p-13, -0x1.10b6540000000p-6, -0x1.1f1be00000000p-15, 0x1.f999580000000p-2, -0x1.1a4f140000000p-1 }
 };
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.42fb2e0000000p-1, -0x1.0199960000000p+1, 0x1.35a94a0000000p+14 },
     { 0x1.da2aa80000000p-2, -0x1.87c5c00000000p+2, 0x1.c640da0000000p+14 },
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.8118000000000p-13, -0x1.d18c3a0000000p-12, 0x1.f128760000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.7325ca0000000p+7, 0x1.b448100000000p+9, -0x1.ec41be0000000p+7 },
     { -0x1.4dc12a0000000p+7, -0x1.2a50ea0000000p+9, 0x1.d89a0a0000000p+8 },
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.258c540000000p+9, -0x1.531a8c0000000p-6, -0x1.2524a60000000p-7 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.a4d7ce0000000p-2, 0x1.5c297a0000000p-5, 0x1.aaa2120000000p-2, 0x1.9ed95a0000000p-1 },
     { 0x1.c2c2880000000p-2, -0x1.5ac6b00000000p-1, 0x1.2cb6640000000p-1, 0x1.f1687a0000000p-5 },
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.28c35c0000000p-1, -0x1.42dd340000000p-13, -0x1.a17d200000000p-1, -0x1.3b08f80000000p-13 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.2874280000000p-1, -0x1.16b7ec0000000p-1, 0x1.67aa740000000p-2, 0x1.f9938a0000000p-2 },
     { -0x1.55fffa0000000p-1, 0x1.3369060000000p-2, -0x1.5c446e0000000p-1, 0x1.5f2be40000000p-8 },
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.06f0720000000p-4, 0x1.0dacf00000000p-1, -0x1.37d9600000000p-1, 0x1.2dd9f20000000p-1 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.a18d600000000p+2, -0x1.adb9380000000p+3, 0x1.3ae9300000000p+4 },
     { 0x1.436d500000000p+3, -0x1.5bf6b00000000p+2, 0x1.21a3ac0000000p+3 },
     { 0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { -0x1.42677a0000000p-11, -0x1.fa482c0000000p-10, -0x1.e002320000000p-9 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.53b88a0000000p-2, 0x1.32eb220000000p-2, -0x1.5096140000000p-1, 0x1.3646e80000000p-1 },
     { -0x1.a41a5e0000000p-1, -0x1.96c5880000000p-2, 0x1.a349ea0000000p-2, -0x1.4f652a0000000p-6 },
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.546cde0000000p-1, -0x1.02cafe0000000p-11, -0x1.7e41d00000000p-1, -0x1.0c5f520000000p-13 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { -0x1.0000000000000p+0 },
     { -0x1.3d3cca0000000p-1 },
     { 0x1.a444ee0000000p-1 },
@@ -75,20 +74,20 @@ static const double out_h[N_VECTORS][3] = {
     { 0x1.9b23490579678p-3, -0x1.854fb50b67dfep-2, 0x1.3acdf7788f6cbp-3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_h[N_VECTORS][3] = {
-    { 0.000577, 0.000577, 0.000578 },
-    { 0.000102, 9.86e-05, 0.0001 },
-    { 2.9e-05, 2.62e-05, 2.74e-05 },
-    { 4.18e-05, 4.21e-05, 4.18e-05 },
-    { 4.59e-06, 2.93e-06, 4.65e-06 }
+static const float tol_h[N_VECTORS][3] = {
+    { 5.77e-04F, 5.77e-04F, 5.78e-04F },
+    { 1.02e-04F, 9.86e-05F, 1.00e-04F },
+    { 2.90e-05F, 2.62e-05F, 2.74e-05F },
+    { 4.18e-05F, 4.21e-05F, 4.18e-05F },
+    { 4.59e-06F, 2.93e-06F, 4.65e-06F }
 };
 #else
-static const double tol_h[N_VECTORS][3] = {
-    { 1.08e-12, 1.08e-12, 1.08e-12 },
-    { 1.9e-13, 1.84e-13, 1.86e-13 },
-    { 5.43e-14, 4.9e-14, 5.12e-14 },
-    { 7.78e-14, 7.86e-14, 7.79e-14 },
-    { 8.57e-15, 5.5e-15, 8.68e-15 }
+static const float tol_h[N_VECTORS][3] = {
+    { 1.08e-12F, 1.08e-12F, 1.08e-12F },
+    { 1.90e-13F, 1.84e-13F, 1.86e-13F },
+    { 5.43e-14F, 4.90e-14F, 5.12e-14F },
+    { 7.78e-14F, 7.86e-14F, 7.79e-14F },
+    { 8.57e-15F, 5.50e-15F, 8.68e-15F }
 };
 #endif
 static const unsigned short at_h[3] = { 0, 1, 2 };
@@ -154,7 +153,7 @@ int test_va_quaternion_h(void)
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("va_quaternion_h: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_h: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_h h", h, 3);
@@ -177,7 +176,7 @@ int test_va_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master);
             x[i] = (end == 0) ? low[i] : high[i];
             if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("va_quaternion_h: x[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_h: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -195,7 +194,7 @@ int test_va_quaternion_h(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("va_quaternion_h: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_h: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_h h", h, 3);
@@ -208,7 +207,7 @@ int test_va_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("va_quaternion_h: position[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_h: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -224,7 +223,7 @@ int test_va_quaternion_h(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("va_quaternion_h: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_h: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_h h", h, 3);
@@ -235,7 +234,7 @@ int test_va_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("va_quaternion_h: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_h: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -253,7 +252,8 @@ int test_va_quaternion_h(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("va_quaternion_h: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_h: q_b2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_h h", h, 3);
@@ -267,7 +267,7 @@ int test_va_quaternion_h(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("va_quaternion_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -280,8 +280,8 @@ int test_va_quaternion_h(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
-            (void)printf("va_quaternion_h: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("va_quaternion_h: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -298,7 +298,8 @@ int test_va_quaternion_h(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("va_quaternion_h: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_h: q_b2m_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_h h", h, 3);
@@ -312,7 +313,7 @@ int test_va_quaternion_h(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("va_quaternion_h: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_h: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -325,8 +326,8 @@ int test_va_quaternion_h(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
-            (void)printf("va_quaternion_h: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("va_quaternion_h: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -343,7 +344,8 @@ int test_va_quaternion_h(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("va_quaternion_h: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_h: omega_ib_b[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_h h", h, 3);
@@ -354,7 +356,7 @@ int test_va_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("va_quaternion_h: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_h: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -372,7 +374,8 @@ int test_va_quaternion_h(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("va_quaternion_h: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_h: q_m2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_h h", h, 3);
@@ -386,7 +389,7 @@ int test_va_quaternion_h(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("va_quaternion_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -399,8 +402,8 @@ int test_va_quaternion_h(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
-            (void)printf("va_quaternion_h: q_m2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("va_quaternion_h: q_m2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -415,7 +418,7 @@ int test_va_quaternion_h(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("va_quaternion_h: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_h: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_h h", h, 3);
@@ -426,7 +429,7 @@ int test_va_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
             if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("va_quaternion_h: lag[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_h: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

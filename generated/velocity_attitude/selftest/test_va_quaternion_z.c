@@ -2,56 +2,55 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 5
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.1edd0a0000000p-1, 0x1.4827a60000000p+2, 0x1.8e6f0a0000000p+12 },
     { 0x1.d3e9860000000p-1, 0x1.716f200000000p+1, 0x1.aa92280000000p+14 },
     { -0x1.1a11ca0000000p-2, -0x1.e6b5340000000p+1, 0x1.dca96e0000000p+12 },
     { -0x1.5360a00000000p-1, -0x1.e473d60000000p+1, 0x1.5f0bfc0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.57acba0000000p+8, 0x1.95f92c0000000p+9, -0x1.2914020000000p+9 },
     { -0x1.ec0bb60000000p+9, -0x1.630edc0000000p+9, -0x1.e98d320000000p+9 },
     { -0x1.5edbe60000000p+9, -0x1.90921c0000000p+9, -0x1.89ebe60000000p+9 },
     { 0x1.e4137c0000000p+9, -0x1.206c380000000p+7, -0x1.35bc7e0000000p+8 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.7203f60000000p-1, -0x1.87c6760000000p-3, 0x1.4614740000000p-1, -0x1.8ab3ea0000000p-3 },
     { -0x1.014af00000000p-6, -0x1.89e33a0000000p-2, 0x1.5dcd860000000p-3, -0x1.d05e140000000p-1 },
     { -0x1.01dc920000000p-1, -0x1.b1edf60000000p-2, 0x1.21f3b60000000p-1, 0x1.fb04ac0000000p-2 },
     { -0x1.cdc63c0000000p-3, 0x1.1d93c20000000p-1, 0x1.729f900000000p-1, -0x1.590e8c0000000p-2 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.95e3600000000p-2, -0x1.1bbe360000000p-1, -0x1.591bb40000000p-2, -0x1.4d11380000000p-1 },
     { 0x1.2ef3480000000p-1, 0x1.d7e5040000000p-4, -0x1.f6ecb40000000p-2, -0x1.42871c0000000p-1 },
     { -0x1.60355a0000000p-1, 0x1.3c398c0000000p-1, -0x1.b92eda0000000p-3, -0x1.3f36880000000p-2 },
     { 0x1.40e8ba0000000p-1, -0x1.16c48a0000000p-1, -0x1.1cc0f40000000p-1, -0x1.79ba060000000p-5 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { -0x1.2be35e0000000p+4, -0x1.20044e0000000p+0, 0x1.13c9140000000p+4 },
     { 0x1.2ad62e0000000p+4, -0x1.0d0f420000000p+1, -0x1.23505c0000000p-2 },
     { -0x1.5084360000000p+3, -0x1.9f04e40000000p+2, 0x1.b5b89a0000000p-3 },
     { -0x1.b5b3760000000p+2, -0x1.d240320000000p+2, -0x1.25d7ee0000000p+3 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.11ff6a0000000p-3, -0x1.3b427e0000000p-3, -0x1.79d5f00000000p-1, -0x1.493f940000000p-1 },
     { -0x1.9f6d260000000p-2, -0x1.b730bc0000000p-1, 0x1.3055fc0000000p-2, -0x1.a248c80000000p-4 },
     { -0x1.7427a80000000p-1, -0x1.728adc0000000p-2, 0x1.1a0b6a0000000p-2, 0x1.06fb5a0000000p-1 },
     { 0x1.40c40a0000000p-1, 0x1.df16340000000p-2, -0x1.2792680000000p-1, -0x1.e8d05c0000000p-3 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { -0x1.0000000000000p+0 },
     { 0x1.e1a0b20000000p-1 },
     { -0x1.da51d00000000p-2 },
@@ -67,20 +66,20 @@ static const double out_z[N_VECTORS][3] = {
     { -0x1.a1bcf9d76aef0p-4, -0x1.f25ec8885e6c7p+0, -0x1.92050847be61fp-7 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 1.86e-05, 1.85e-05, 1.85e-05 },
-    { 2.66e-05, 2.7e-05, 2.72e-05 },
-    { 1.18e-05, 1.25e-05, 1.18e-05 },
-    { 9.49e-06, 9.31e-06, 8.57e-06 },
-    { 8.42e-06, 9.05e-06, 8.39e-06 }
+static const float tol_z[N_VECTORS][3] = {
+    { 1.86e-05F, 1.85e-05F, 1.85e-05F },
+    { 2.66e-05F, 2.70e-05F, 2.72e-05F },
+    { 1.18e-05F, 1.25e-05F, 1.18e-05F },
+    { 9.49e-06F, 9.31e-06F, 8.57e-06F },
+    { 8.42e-06F, 9.05e-06F, 8.39e-06F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 3.47e-14, 3.45e-14, 3.45e-14 },
-    { 4.95e-14, 5.04e-14, 5.08e-14 },
-    { 2.22e-14, 2.34e-14, 2.21e-14 },
-    { 1.78e-14, 1.75e-14, 1.6e-14 },
-    { 1.57e-14, 1.71e-14, 1.56e-14 }
+static const float tol_z[N_VECTORS][3] = {
+    { 3.47e-14F, 3.45e-14F, 3.45e-14F },
+    { 4.95e-14F, 5.04e-14F, 5.08e-14F },
+    { 2.22e-14F, 2.34e-14F, 2.21e-14F },
+    { 1.78e-14F, 1.75e-14F, 1.60e-14F },
+    { 1.57e-14F, 1.71e-14F, 1.56e-14F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -138,7 +137,7 @@ int test_va_quaternion_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_quaternion_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_z z", z, 3);
@@ -151,7 +150,7 @@ int test_va_quaternion_z(void)
             set_point(0, &nav, &imu, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_quaternion_z: position[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -167,7 +166,7 @@ int test_va_quaternion_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_quaternion_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_z z", z, 3);
@@ -178,7 +177,7 @@ int test_va_quaternion_z(void)
             set_point(0, &nav, &imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_quaternion_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -196,7 +195,8 @@ int test_va_quaternion_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_quaternion_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_z: q_b2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_z z", z, 3);
@@ -210,7 +210,7 @@ int test_va_quaternion_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_quaternion_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -223,8 +223,8 @@ int test_va_quaternion_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_quaternion_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("va_quaternion_z: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("va_quaternion_z: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -241,7 +241,8 @@ int test_va_quaternion_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_quaternion_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_z: q_b2m_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_z z", z, 3);
@@ -255,7 +256,7 @@ int test_va_quaternion_z(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_quaternion_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -268,8 +269,8 @@ int test_va_quaternion_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_quaternion_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("va_quaternion_z: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("va_quaternion_z: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -286,7 +287,8 @@ int test_va_quaternion_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_quaternion_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_z: omega_ib_b[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_z z", z, 3);
@@ -297,7 +299,7 @@ int test_va_quaternion_z(void)
             set_point(0, &nav, &imu, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (va_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_quaternion_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -315,7 +317,8 @@ int test_va_quaternion_z(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_quaternion_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_z: q_m2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_z z", z, 3);
@@ -329,7 +332,7 @@ int test_va_quaternion_z(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_quaternion_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -342,8 +345,8 @@ int test_va_quaternion_z(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_quaternion_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("va_quaternion_z: q_m2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("va_quaternion_z: q_m2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -358,7 +361,7 @@ int test_va_quaternion_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("va_quaternion_z: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_quaternion_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_z z", z, 3);
@@ -369,7 +372,7 @@ int test_va_quaternion_z(void)
             set_point(0, &nav, &imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
             if (va_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("va_quaternion_z: lag[%d] end %d refused\n", i, end);
+                selftest_print("va_quaternion_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,50 +2,49 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.0c46d80000000p+0, -0x1.a9586a0000000p+1, 0x1.75b1fc0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.454a0e0000000p+9, 0x1.c584840000000p+9, 0x1.29efdc0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { 0x1.2617b80000000p-4, 0x1.ed7aa80000000p-1, 0x1.a216300000000p-3, -0x1.3f7fb60000000p-3 }
 };
-static const double in_gyro_bias[N_VECTORS][3] = {
+static const float in_gyro_bias[N_VECTORS][3] = {
     { -0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6 },
     { -0x1.c3888c0000000p-7, -0x1.58df8c0000000p-7, -0x1.85058c0000000p-11 }
 };
-static const double in_accel_bias[N_VECTORS][3] = {
+static const float in_accel_bias[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { 0x1.f0bdac0000000p-2, -0x1.0662000000000p-4, 0x1.4cf1ea0000000p-1 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.0c6f7c0000000p-20 },
     { 0x1.76af080000000p+1 }
 };
-static const double in_dtheta_ib_b[N_VECTORS][3] = {
+static const float in_dtheta_ib_b[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { 0x1.63f5500000000p-3, 0x1.1bc30c0000000p-3, -0x1.4858660000000p-3 }
 };
-static const double in_dv_b[N_VECTORS][3] = {
+static const float in_dv_b[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { -0x1.89b1740000000p+5, -0x1.42ec8c0000000p+6, 0x1.81ebd80000000p+5 }
 };
-static const double in_dtheta_before[N_VECTORS][3] = {
+static const float in_dtheta_before[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { -0x1.56cc0a0000000p-6, 0x1.008b240000000p-3, -0x1.de28680000000p-4 }
 };
-static const double in_dv_before[N_VECTORS][3] = {
+static const float in_dv_before[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { 0x1.133b7c0000000p+5, 0x1.8f5aa00000000p+6, -0x1.f9eefe0000000p+4 }
 };
@@ -55,14 +54,14 @@ static const double out_position[N_VECTORS][3] = {
     { -0x1.0c5b42a25f4c2p+0, -0x1.a93cdd2809df4p+1, 0x1.5a3a5ef144d23p+14 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_position[N_VECTORS][3] = {
-    { 8.93e-08, 3.78e-07, 3.01e-05 },
-    { 6.35e-08, 2.01e-07, 0.00221 }
+static const float tol_position[N_VECTORS][3] = {
+    { 8.93e-08F, 3.78e-07F, 3.01e-05F },
+    { 6.35e-08F, 2.01e-07F, 2.21e-03F }
 };
 #else
-static const double tol_position[N_VECTORS][3] = {
-    { 3.33e-16, 1.41e-15, 1.12e-13 },
-    { 2.36e-16, 7.47e-16, 6.6e-12 }
+static const float tol_position[N_VECTORS][3] = {
+    { 3.33e-16F, 1.41e-15F, 1.12e-13F },
+    { 2.36e-16F, 7.47e-16F, 6.60e-12F }
 };
 #endif
 static const unsigned short at_position[3] = { 0, 1, 2 };
@@ -72,14 +71,14 @@ static const double out_v_n[N_VECTORS][3] = {
     { -0x1.72df09a640467p+9, 0x1.dc7a288b62006p+9, 0x1.2a50c23218393p+9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 0.000272, 0.000387, 0.000293 },
-    { 0.000227, 0.000273, 0.000187 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 2.72e-04F, 3.87e-04F, 2.93e-04F },
+    { 2.27e-04F, 2.73e-04F, 1.87e-04F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 6.22e-13, 8.51e-13, 6.46e-13 },
-    { 5.06e-13, 6.14e-13, 4.16e-13 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 6.22e-13F, 8.51e-13F, 6.46e-13F },
+    { 5.06e-13F, 6.14e-13F, 4.16e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -89,14 +88,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.f2fe1b01be2cdp-5, 0x1.e99d0151f2b89p-1, 0x1.120d7dbcef3b5p-2, -0x1.9daedac8b7881p-4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.37e-06, 1.31e-06, 1.4e-06, 2.5e-06 },
-    { 2.66e-07, 1.65e-06, 5.57e-07, 3.14e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 1.37e-06F, 1.31e-06F, 1.40e-06F, 2.50e-06F },
+    { 2.66e-07F, 1.65e-06F, 5.57e-07F, 3.14e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.6e-15, 2.47e-15, 2.64e-15, 4.75e-15 },
-    { 5.02e-16, 3.19e-15, 1.07e-15, 5.97e-16 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 2.60e-15F, 2.47e-15F, 2.64e-15F, 4.75e-15F },
+    { 5.02e-16F, 3.19e-15F, 1.07e-15F, 5.97e-16F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -172,7 +171,7 @@ int test_va_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("va_strapdown: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_strapdown: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_strapdown position", position, 3);
@@ -187,7 +186,7 @@ int test_va_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("va_strapdown: position[%d] end %d refused\n", i, end);
+                selftest_print("va_strapdown: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -205,7 +204,7 @@ int test_va_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("va_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_strapdown position", position, 3);
@@ -218,7 +217,7 @@ int test_va_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("va_strapdown: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_strapdown: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -238,7 +237,7 @@ int test_va_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("va_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_strapdown position", position, 3);
@@ -254,7 +253,7 @@ int test_va_strapdown(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("va_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -267,8 +266,8 @@ int test_va_strapdown(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
-            (void)printf("va_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("va_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -289,7 +288,7 @@ int test_va_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("va_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_strapdown position", position, 3);
@@ -306,7 +305,7 @@ int test_va_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("va_strapdown: gyro_bias[%d] end %d refused\n", i, end);
+                selftest_print("va_strapdown: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -326,7 +325,7 @@ int test_va_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("va_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_strapdown position", position, 3);
@@ -339,7 +338,7 @@ int test_va_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("va_strapdown: accel_bias[%d] end %d refused\n", i, end);
+                selftest_print("va_strapdown: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -357,7 +356,7 @@ int test_va_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("va_strapdown: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_strapdown position", position, 3);
@@ -370,7 +369,7 @@ int test_va_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("va_strapdown: dt[%d] end %d refused\n", i, end);
+                selftest_print("va_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -390,7 +389,7 @@ int test_va_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("va_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_strapdown position", position, 3);
@@ -403,7 +402,7 @@ int test_va_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("va_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("va_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -422,7 +421,7 @@ int test_va_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("va_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_strapdown position", position, 3);
@@ -435,7 +434,7 @@ int test_va_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dv_b[i] = (end == 0) ? low[i] : high[i];
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("va_strapdown: dv_b[%d] end %d refused\n", i, end);
+                selftest_print("va_strapdown: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -455,7 +454,8 @@ int test_va_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("va_strapdown: dtheta_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_strapdown: dtheta_before[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_strapdown position", position, 3);
@@ -468,7 +468,7 @@ int test_va_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dtheta_before[i] = (end == 0) ? low[i] : high[i];
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("va_strapdown: dtheta_before[%d] end %d refused\n", i, end);
+                selftest_print("va_strapdown: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -488,7 +488,7 @@ int test_va_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("va_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_strapdown position", position, 3);
@@ -501,7 +501,7 @@ int test_va_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dv_before[i] = (end == 0) ? low[i] : high[i];
             if (va_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("va_strapdown: dv_before[%d] end %d refused\n", i, end);
+                selftest_print("va_strapdown: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,34 +2,33 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.1a85940000000p-1, -0x1.2072840000000p+2, 0x1.79301e0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.de833a0000000p+9, -0x1.b07e280000000p+9, -0x1.4ce0120000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.300e280000000p-1, -0x1.466e8e0000000p-3, -0x1.aaf8de0000000p-2, -0x1.5753600000000p-1 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { -0x1.f2019e0000000p+3, -0x1.1783da0000000p+3, 0x1.eb73380000000p+0 }
 };
-static const double in_lever_b[N_VECTORS][3] = {
+static const float in_lever_b[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { -0x1.43ae6a0000000p+6, 0x1.10de720000000p+6, -0x1.d818f40000000p+4 }
 };
-static const double in_a_n[N_VECTORS][3] = {
+static const float in_a_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { -0x1.2a5e560000000p+7, -0x1.8a93b20000000p+8, -0x1.94a4a60000000p+8 }
 };
@@ -39,14 +38,14 @@ static const double out_H[N_VECTORS][24] = {
     { -0x1.8d206008f096cp-9, -0x1.2cf913fb7aa6dp+10, 0x1.67ddf90b4c712p+10, 0x1.0000000000000p+0, 0x1.070b6f725d987p+3, -0x1.f12058fcf2c79p+3, -0x1.d3af6601d457dp+5, 0x1.2a5e560000000p+7, 0x1.2cf9cb2edcffap+10, 0x1.24168c8d05c13p-7, -0x1.a1d3f2aa001e6p+6, 0x1.0000000000000p+0, 0x1.a4a3db6928d60p+5, 0x1.4096c6d9b00afp+6, 0x1.48c806e461690p+5, 0x1.8a93b20000000p+8, -0x1.67dd7a1c3613bp+10, 0x1.a1cde34b9d7dep+6, 0x1.6fe23df9cf6a5p-10, 0x1.0000000000000p+0, 0x1.a06b388d8ccb0p+5, 0x1.be1189486576cp+4, -0x1.39306418b7ea1p+6, 0x1.94a4a60000000p+8 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][24] = {
-    { 2.68e-07, 0.00235, 0.00223, 1.12e-16, 4.22e-05, 1.96e-05, 3.77e-05, 5.61e-14, 0.00235, 2.67e-07, 0.00235, 1.12e-16, 3.77e-05, 4.22e-05, 1.96e-05, 5.61e-14, 0.00223, 0.00235, 3.42e-08, 1.12e-16, 1.96e-05, 3.77e-05, 4.22e-05, 5.61e-14 },
-    { 1.3e-08, 0.000868, 0.000872, 1.12e-16, 1.52e-05, 1.35e-05, 2.84e-05, 1.67e-14, 0.000868, 1.36e-08, 0.000529, 1.12e-16, 1.82e-05, 2.51e-05, 2.31e-05, 4.42e-14, 0.000872, 0.000529, 1.62e-08, 1.12e-16, 2.07e-05, 2.28e-05, 2.73e-05, 4.54e-14 }
+static const float tol_H[N_VECTORS][24] = {
+    { 2.68e-07F, 2.35e-03F, 2.23e-03F, 1.12e-16F, 4.22e-05F, 1.96e-05F, 3.77e-05F, 5.61e-14F, 2.35e-03F, 2.67e-07F, 2.35e-03F, 1.12e-16F, 3.77e-05F, 4.22e-05F, 1.96e-05F, 5.61e-14F, 2.23e-03F, 2.35e-03F, 3.42e-08F, 1.12e-16F, 1.96e-05F, 3.77e-05F, 4.22e-05F, 5.61e-14F },
+    { 1.30e-08F, 8.68e-04F, 8.72e-04F, 1.12e-16F, 1.52e-05F, 1.35e-05F, 2.84e-05F, 1.67e-14F, 8.68e-04F, 1.36e-08F, 5.29e-04F, 1.12e-16F, 1.82e-05F, 2.51e-05F, 2.31e-05F, 4.42e-14F, 8.72e-04F, 5.29e-04F, 1.62e-08F, 1.12e-16F, 2.07e-05F, 2.28e-05F, 2.73e-05F, 4.54e-14F }
 };
 #else
-static const double tol_H[N_VECTORS][24] = {
-    { 5.19e-16, 4.38e-12, 4.16e-12, 1.12e-16, 8.99e-14, 3.65e-14, 8.14e-14, 5.61e-14, 4.38e-12, 5.16e-16, 4.38e-12, 1.12e-16, 8.14e-14, 8.99e-14, 3.65e-14, 5.61e-14, 4.16e-12, 4.38e-12, 6.72e-17, 1.12e-16, 3.65e-14, 8.14e-14, 8.99e-14, 5.61e-14 },
-    { 2.45e-17, 1.75e-12, 1.79e-12, 1.12e-16, 2.93e-14, 2.7e-14, 5.95e-14, 1.67e-14, 1.75e-12, 2.63e-17, 9.96e-13, 1.12e-16, 3.98e-14, 5.57e-14, 4.77e-14, 4.42e-14, 1.79e-12, 9.96e-13, 3.04e-17, 1.12e-16, 4.44e-14, 4.57e-14, 5.95e-14, 4.54e-14 }
+static const float tol_H[N_VECTORS][24] = {
+    { 5.19e-16F, 4.38e-12F, 4.16e-12F, 1.12e-16F, 8.99e-14F, 3.65e-14F, 8.14e-14F, 5.61e-14F, 4.38e-12F, 5.16e-16F, 4.38e-12F, 1.12e-16F, 8.14e-14F, 8.99e-14F, 3.65e-14F, 5.61e-14F, 4.16e-12F, 4.38e-12F, 6.72e-17F, 1.12e-16F, 3.65e-14F, 8.14e-14F, 8.99e-14F, 5.61e-14F },
+    { 2.45e-17F, 1.75e-12F, 1.79e-12F, 1.12e-16F, 2.93e-14F, 2.70e-14F, 5.95e-14F, 1.67e-14F, 1.75e-12F, 2.63e-17F, 9.96e-13F, 1.12e-16F, 3.98e-14F, 5.57e-14F, 4.77e-14F, 4.42e-14F, 1.79e-12F, 9.96e-13F, 3.04e-17F, 1.12e-16F, 4.44e-14F, 4.57e-14F, 5.95e-14F, 4.54e-14F }
 };
 #endif
 static const unsigned short at_H[24] = { 0, 1, 2, 3, 6, 7, 8, 15, 16, 17, 18, 20, 22, 23, 24, 31,
@@ -103,7 +102,7 @@ int test_va_velocity_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                (void)printf("va_velocity_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_H H", H, 48);
@@ -116,7 +115,7 @@ int test_va_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                (void)printf("va_velocity_H: position[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -132,7 +131,7 @@ int test_va_velocity_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                (void)printf("va_velocity_H: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_H H", H, 48);
@@ -143,7 +142,7 @@ int test_va_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                (void)printf("va_velocity_H: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -161,7 +160,7 @@ int test_va_velocity_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                (void)printf("va_velocity_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_H H", H, 48);
@@ -175,7 +174,7 @@ int test_va_velocity_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                (void)printf("va_velocity_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -188,8 +187,8 @@ int test_va_velocity_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("va_velocity_H: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("va_velocity_H: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -206,7 +205,7 @@ int test_va_velocity_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                (void)printf("va_velocity_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_H H", H, 48);
@@ -217,7 +216,7 @@ int test_va_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                (void)printf("va_velocity_H: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -235,7 +234,7 @@ int test_va_velocity_H(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                (void)printf("va_velocity_H: lever_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_H: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_H H", H, 48);
@@ -246,7 +245,7 @@ int test_va_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
             if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                (void)printf("va_velocity_H: lever_b[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_H: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -262,7 +261,7 @@ int test_va_velocity_H(void)
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (va_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                (void)printf("va_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_H H", H, 48);
@@ -273,7 +272,7 @@ int test_va_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
             if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                (void)printf("va_velocity_H: a_n[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_H: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,42 +2,41 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.27639e0000000p+0, 0x1.80969a0000000p+2, 0x1.197a4c0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.b071d00000000p+9, -0x1.295e3e0000000p+8, -0x1.8f065c0000000p+7 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.3cb25c0000000p-1, -0x1.bd12c40000000p-5, 0x1.336e080000000p-5, -0x1.908d740000000p-1 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.95d6680000000p+2, -0x1.543dfa0000000p+0, 0x1.2b91440000000p+3 }
 };
-static const double in_lever_b[N_VECTORS][3] = {
+static const float in_lever_b[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { 0x1.8a1b300000000p+6, -0x1.2bf9540000000p+6, 0x1.35d8380000000p+6 }
 };
-static const double in_v_m_n[N_VECTORS][3] = {
+static const float in_v_m_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.0585920000000p+9, -0x1.9edf6a0000000p+7, 0x1.516bba0000000p+7 }
 };
-static const double in_a_n[N_VECTORS][3] = {
+static const float in_a_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, -0x1.f400000000000p+8, 0x1.f400000000000p+8 },
     { 0x1.fea7620000000p+7, 0x1.b659600000000p+8, 0x1.07526c0000000p+7 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { 0x1.0000000000000p+0 },
     { -0x1.5d5a600000000p-1 }
 };
@@ -47,14 +46,14 @@ static const double out_z[N_VECTORS][3] = {
     { 0x1.913ec99e9d496p+8, -0x1.3802dca0279c9p+8, -0x1.38c40a784e0e1p+4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 0.00231, 0.00267, 0.00243 },
-    { 0.000857, 0.000602, 0.000363 }
+static const float tol_z[N_VECTORS][3] = {
+    { 2.31e-03F, 2.67e-03F, 2.43e-03F },
+    { 8.57e-04F, 6.02e-04F, 3.63e-04F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 4.37e-12, 5.49e-12, 4.81e-12 },
-    { 1.64e-12, 1.16e-12, 6.79e-13 }
+static const float tol_z[N_VECTORS][3] = {
+    { 4.37e-12F, 5.49e-12F, 4.81e-12F },
+    { 1.64e-12F, 1.16e-12F, 6.79e-13F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -116,7 +115,7 @@ int test_va_velocity_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("va_velocity_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_z z", z, 3);
@@ -129,7 +128,7 @@ int test_va_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("va_velocity_z: position[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -145,7 +144,7 @@ int test_va_velocity_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("va_velocity_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_z z", z, 3);
@@ -156,7 +155,7 @@ int test_va_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("va_velocity_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -174,7 +173,7 @@ int test_va_velocity_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("va_velocity_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_z z", z, 3);
@@ -188,7 +187,7 @@ int test_va_velocity_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("va_velocity_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -201,8 +200,8 @@ int test_va_velocity_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (va_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("va_velocity_z: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("va_velocity_z: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -219,7 +218,7 @@ int test_va_velocity_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("va_velocity_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_z z", z, 3);
@@ -230,7 +229,7 @@ int test_va_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("va_velocity_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -248,7 +247,7 @@ int test_va_velocity_z(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("va_velocity_z: lever_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_z: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_z z", z, 3);
@@ -259,7 +258,7 @@ int test_va_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("va_velocity_z: lever_b[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_z: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -277,7 +276,7 @@ int test_va_velocity_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("va_velocity_z: v_m_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_z: v_m_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_z z", z, 3);
@@ -288,7 +287,7 @@ int test_va_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             master.v_m_n[i] = (end == 0) ? low[i] : high[i];
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("va_velocity_z: v_m_n[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_z: v_m_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -304,7 +303,7 @@ int test_va_velocity_z(void)
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("va_velocity_z: a_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_z: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_z z", z, 3);
@@ -315,7 +314,7 @@ int test_va_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("va_velocity_z: a_n[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_z: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -331,7 +330,7 @@ int test_va_velocity_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("va_velocity_z: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("va_velocity_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_z z", z, 3);
@@ -342,7 +341,7 @@ int test_va_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             master.lag = (end == 0) ? low[i] : high[i];
             if (va_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("va_velocity_z: lag[%d] end %d refused\n", i, end);
+                selftest_print("va_velocity_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -74,8 +74,8 @@ typedef struct {
     bs_lanes T[VAL_N_STATES * 6]; /* (B times the noise)', rows of 6 */
     bs_lanes S[36]; /* Q of the states that move, rows of 6 */
     bs_lanes Q[VAL_N_PACKED]; /* of the others */
-    bs_lanes X[VAL_N_STATES * 21]; /* P, dense, rows of 21 */
-    bs_lanes Y[21 * 6]; /* (Phi P)', rows of 6 */
+    bs_lanes X[VAL_N_STATES * 20]; /* P, dense, rows of 20 */
+    bs_lanes Y[20 * 6]; /* (Phi P)', rows of 6 */
 } scratch;
 
 /* Which block of a call it is. */
@@ -122,10 +122,10 @@ static void prepare(scratch *s)
     for (int i = 0; i < VAL_N_PACKED; ++i) {
         s->Q[i] = bs_all_of(0.0);
     }
-    for (int i = 0; i < (VAL_N_STATES * 21); ++i) {
+    for (int i = 0; i < (VAL_N_STATES * 20); ++i) {
         s->X[i] = bs_all_of(0.0);
     }
-    for (int i = 0; i < (21 * 6); ++i) {
+    for (int i = 0; i < (20 * 6); ++i) {
         s->Y[i] = bs_all_of(0.0);
     }
 }
@@ -291,7 +291,7 @@ static void correct_lanes(block *b, const chosen *runs, const bs_given *given, b
 
 #if !BORESIGHT_UD
 
-/* out = the sum of coefficients times 7 numbers each. */
+/* out = the sum of coefficients times 10 numbers each. */
 BS_INLINE void wide_sums(const bs_lanes *coefficient,
                          const unsigned short *at,
                          int count,
@@ -306,6 +306,9 @@ BS_INLINE void wide_sums(const bs_lanes *coefficient,
     bs_lanes s4 = bs_all_of(0.0);
     bs_lanes s5 = bs_all_of(0.0);
     bs_lanes s6 = bs_all_of(0.0);
+    bs_lanes s7 = bs_all_of(0.0);
+    bs_lanes s8 = bs_all_of(0.0);
+    bs_lanes s9 = bs_all_of(0.0);
     for (int p = 0; p < count; ++p) {
         const bs_lanes a = coefficient[p];
         const bs_lanes *const from = &x[at[p]];
@@ -316,6 +319,9 @@ BS_INLINE void wide_sums(const bs_lanes *coefficient,
         s4 += a * from[4];
         s5 += a * from[5];
         s6 += a * from[6];
+        s7 += a * from[7];
+        s8 += a * from[8];
+        s9 += a * from[9];
     }
     out[0] = s0;
     out[1 * stride] = s1;
@@ -324,6 +330,9 @@ BS_INLINE void wide_sums(const bs_lanes *coefficient,
     out[4 * stride] = s4;
     out[5 * stride] = s5;
     out[6 * stride] = s6;
+    out[7 * stride] = s7;
+    out[8 * stride] = s8;
+    out[9 * stride] = s9;
 }
 
 /* out = the sum of coefficients times 3 numbers each. */
@@ -1005,12 +1014,12 @@ static void discretize(scratch *s, const bs_lanes *dt)
 static void predict(scratch *s, bs_lanes *P)
 {
     static const unsigned short start[7] = { 0, 12, 24, 36, 48, 60, 72 };
-    static const unsigned short at[72] = { 0, 21, 42, 63, 84, 105, 126, 147, 168, 189, 210, 231, 0,
-                                           21, 42, 63, 84, 105, 126, 147, 168, 189, 210, 231, 0, 21,
-                                           42, 63, 84, 105, 126, 147, 168, 189, 210, 231, 0, 21, 42,
-                                           63, 84, 105, 126, 147, 168, 189, 210, 231, 0, 21, 42, 63,
-                                           84, 105, 126, 147, 168, 189, 210, 231, 0, 21, 42, 63, 84,
-                                           105, 126, 147, 168, 189, 210, 231 };
+    static const unsigned short at[72] = { 0, 20, 40, 60, 80, 100, 120, 140, 160, 180, 200, 220, 0,
+                                           20, 40, 60, 80, 100, 120, 140, 160, 180, 200, 220, 0, 20,
+                                           40, 60, 80, 100, 120, 140, 160, 180, 200, 220, 0, 20, 40,
+                                           60, 80, 100, 120, 140, 160, 180, 200, 220, 0, 20, 40, 60,
+                                           80, 100, 120, 140, 160, 180, 200, 220, 0, 20, 40, 60, 80,
+                                           100, 120, 140, 160, 180, 200, 220 };
     static const unsigned short across[72] = { 0, 6, 12, 18, 24, 30, 36, 42, 48, 54, 60, 66, 0, 6,
                                                12, 18, 24, 30, 36, 42, 48, 54, 60, 66, 0, 6, 12, 18,
                                                24, 30, 36, 42, 48, 54, 60, 66, 0, 6, 12, 18, 24, 30,
@@ -1020,12 +1029,12 @@ static void predict(scratch *s, bs_lanes *P)
     const bs_lanes *next = P;
     for (int j = 0; j < VAL_N_STATES; ++j) {
         for (int i = 0; i <= j; ++i, ++next) {
-            s->X[(i * 21) + j] = *next;
-            s->X[(j * 21) + i] = *next;
+            s->X[(i * 20) + j] = *next;
+            s->X[(j * 20) + i] = *next;
         }
     }
     for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j < 21; j += 7) {
+        for (int j = 0; j < 20; j += 10) {
             wide_sums(&s->Phi[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &s->X[j],
                       &s->Y[(j * 6) + i], 6);
         }
@@ -1101,7 +1110,7 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
         bs_lanes *to = b->P;
         for (int j = 0; j < VAL_N_STATES; ++j) {
             for (int i = 0; i <= j; ++i, ++to) {
-                *to = bs_choose(good, *to, s->X[(i * 21) + j]);
+                *to = bs_choose(good, *to, s->X[(i * 20) + j]);
             }
         }
     }

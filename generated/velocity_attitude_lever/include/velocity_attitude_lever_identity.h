@@ -3,7 +3,9 @@
  * sha256sum prints of them in the order of their names (LC_ALL=C).  It is the same in both
  * precisions.
  * In single precision each function has the ending _f32, so that both precisions link into one
- * program and a header of one does not link with a library of the other. */
+ * program and a header of one does not link with a library of the other.
+ * In a form that is not that of its precision (BORESIGHT_UD) each function of the filter has the
+ * ending _ud, or _f32_joseph: P of one form is never read as the other. */
 #ifndef VELOCITY_ATTITUDE_LEVER_IDENTITY_H
 #define VELOCITY_ATTITUDE_LEVER_IDENTITY_H
 
@@ -18,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "85f0dd590e93be96620ee5bd7a1daa8ceb6b035ecc5ac34815ab964763d6308a"
+#define VAL_MODEL_HASH "45d520b69ea961c4a9470396dfd073f953415e3299723e0f7dadf3fb9898bff9"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1
@@ -48,25 +50,6 @@
 #define val_euler_z val_euler_z_f32
 #define val_expected val_expected_f32
 #define val_feedback val_feedback_f32
-#define val_filter_consider val_filter_consider_f32
-#define val_filter_correct val_filter_correct_f32
-#define val_filter_covariance val_filter_covariance_f32
-#define val_filter_digest val_filter_digest_f32
-#define val_filter_health val_filter_health_f32
-#define val_filter_init val_filter_init_f32
-#define val_filter_init_blocks val_filter_init_blocks_f32
-#define val_filter_init_sigmas val_filter_init_sigmas_f32
-#define val_filter_measure_dcm val_filter_measure_dcm_f32
-#define val_filter_measure_euler val_filter_measure_euler_f32
-#define val_filter_measure_quaternion val_filter_measure_quaternion_f32
-#define val_filter_measure_velocity val_filter_measure_velocity_f32
-#define val_filter_propagate val_filter_propagate_f32
-#define val_filter_restore val_filter_restore_f32
-#define val_filter_set_nav val_filter_set_nav_f32
-#define val_filter_sigmas val_filter_sigmas_f32
-#define val_filter_snapshot val_filter_snapshot_f32
-#define val_filter_strapdown val_filter_strapdown_f32
-#define val_filter_variance val_filter_variance_f32
 #define val_identity val_identity_f32
 #define val_joseph_add val_joseph_add_f32
 #define val_joseph_dense val_joseph_dense_f32
@@ -87,6 +70,27 @@
 #define val_velocity_H val_velocity_H_f32
 #define val_velocity_H_nz val_velocity_H_nz_f32
 #define val_velocity_z val_velocity_z_f32
+#endif
+#ifdef BS_FORM
+#define val_filter_consider BS_FORM(val_filter_consider)
+#define val_filter_correct BS_FORM(val_filter_correct)
+#define val_filter_covariance BS_FORM(val_filter_covariance)
+#define val_filter_digest BS_FORM(val_filter_digest)
+#define val_filter_health BS_FORM(val_filter_health)
+#define val_filter_init BS_FORM(val_filter_init)
+#define val_filter_init_blocks BS_FORM(val_filter_init_blocks)
+#define val_filter_init_sigmas BS_FORM(val_filter_init_sigmas)
+#define val_filter_measure_dcm BS_FORM(val_filter_measure_dcm)
+#define val_filter_measure_euler BS_FORM(val_filter_measure_euler)
+#define val_filter_measure_quaternion BS_FORM(val_filter_measure_quaternion)
+#define val_filter_measure_velocity BS_FORM(val_filter_measure_velocity)
+#define val_filter_propagate BS_FORM(val_filter_propagate)
+#define val_filter_restore BS_FORM(val_filter_restore)
+#define val_filter_set_nav BS_FORM(val_filter_set_nav)
+#define val_filter_sigmas BS_FORM(val_filter_sigmas)
+#define val_filter_snapshot BS_FORM(val_filter_snapshot)
+#define val_filter_strapdown BS_FORM(val_filter_strapdown)
+#define val_filter_variance BS_FORM(val_filter_variance)
 #endif
 
 #ifdef __cplusplus

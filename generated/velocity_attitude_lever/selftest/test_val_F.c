@@ -2,26 +2,25 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.e1fa620000000p-1, -0x1.14da740000000p+2, -0x1.87438e0000000p+8 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.4c78fe0000000p+9, 0x1.616bd00000000p+9, -0x1.7708920000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.a1fcfc0000000p-2, -0x1.afd2d60000000p-1, 0x1.7b5d2c0000000p-3, -0x1.2dd3b80000000p-2 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, 0x1.f400000000000p+8, 0x1.f400000000000p+8 },
     { 0x1.084f580000000p+6, -0x1.6df6a20000000p+3, -0x1.6360000000000p+2 }
 };
@@ -31,14 +30,14 @@ static const double out_F[N_VECTORS][41] = {
     { -0x1.ba147949a9d22p-13, -0x1.b55c57792f100p-14, 0x1.4ffa536032220p-23, 0x1.8376383065ef8p-1, -0x1.1b2e9c37e0fa0p-1, 0x1.62459c4f29fc0p-2, 0x1.ba147949a9d22p-13, 0x1.41f1770cf88ccp-13, -0x1.50c338ee1c805p-23, -0x1.263450c8e3500p-4, -0x1.31ce91e454fb8p-1, -0x1.98715f0060c80p-1, 0x1.b55c57792f100p-14, -0x1.41f1770cf88ccp-13, -0x1.cd5a0d0d9dac0p-23, 0x1.4bfd389c56d20p-1, 0x1.289fcc33d1e00p-1, -0x1.f7f4fd2a5fc90p-2, -0x1.379f81ef1b6acp+5, 0x1.a0e83211f5e5ep+2, -0x1.ed593e8de9a8ap-14, -0x1.ba147949a9d22p-12, -0x1.b55c57792f100p-14, -0x1.8376383065ef8p-1, 0x1.1b2e9c37e0fa0p-1, -0x1.62459c4f29fc0p-2, 0x1.379f81ef1b6acp+5, -0x1.b345ee6629421p+5, 0x1.1ad99b6a9064ap-12, -0x1.10d7711d19f3bp-12, 0x1.9bf81850000f7p-13, 0x1.263450c8e3500p-4, 0x1.31ce91e454fb8p-1, 0x1.98715f0060c80p-1, -0x1.a0e83211f5e5ep+2, 0x1.b345ee6629421p+5, 0x1.b55c57792f100p-13, -0x1.41f1770cf88ccp-12, -0x1.4bfd389c56d20p-1, -0x1.289fcc33d1e00p-1, 0x1.f7f4fd2a5fc90p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_F[N_VECTORS][41] = {
-    { 1.36e-09, 8e-11, 4.22e-14, 7.54e-08, 1.81e-07, 1.21e-07, 1.36e-09, 6.29e-11, 7.06e-14, 1.21e-07, 7.54e-08, 1.81e-07, 8e-11, 6.29e-11, 1.12e-12, 1.81e-07, 1.21e-07, 7.54e-08, 0.000279, 0.000249, 8e-11, 2.94e-09, 8e-11, 7.54e-08, 1.81e-07, 1.21e-07, 0.000279, 0.000279, 1.38e-09, 1.4e-09, 6.48e-11, 1.21e-07, 7.54e-08, 1.81e-07, 0.000249, 0.000279, 1.79e-10, 1.44e-10, 1.81e-07, 1.21e-07, 7.54e-08 },
-    { 1.32e-10, 5.36e-11, 4.25e-14, 1.13e-07, 9.99e-08, 9.89e-08, 1.32e-10, 5.63e-11, 7.12e-14, 7.09e-08, 1.08e-07, 1.44e-07, 5.36e-11, 5.63e-11, 1.36e-13, 1.17e-07, 1.31e-07, 1.11e-07, 1.75e-05, 8.2e-06, 6.05e-11, 2.83e-10, 5.36e-11, 1.13e-07, 9.99e-08, 9.89e-08, 1.75e-05, 1.93e-05, 1.5e-10, 1.54e-10, 6.92e-11, 7.09e-08, 1.08e-07, 1.44e-07, 8.2e-06, 1.93e-05, 1.2e-10, 1.26e-10, 1.17e-07, 1.31e-07, 1.11e-07 }
+static const float tol_F[N_VECTORS][41] = {
+    { 1.36e-09F, 8.00e-11F, 4.22e-14F, 7.54e-08F, 1.81e-07F, 1.21e-07F, 1.36e-09F, 6.29e-11F, 7.06e-14F, 1.21e-07F, 7.54e-08F, 1.81e-07F, 8.00e-11F, 6.29e-11F, 1.12e-12F, 1.81e-07F, 1.21e-07F, 7.54e-08F, 2.79e-04F, 2.49e-04F, 8.00e-11F, 2.94e-09F, 8.00e-11F, 7.54e-08F, 1.81e-07F, 1.21e-07F, 2.79e-04F, 2.79e-04F, 1.38e-09F, 1.40e-09F, 6.48e-11F, 1.21e-07F, 7.54e-08F, 1.81e-07F, 2.49e-04F, 2.79e-04F, 1.79e-10F, 1.44e-10F, 1.81e-07F, 1.21e-07F, 7.54e-08F },
+    { 1.32e-10F, 5.36e-11F, 4.25e-14F, 1.13e-07F, 9.99e-08F, 9.89e-08F, 1.32e-10F, 5.63e-11F, 7.12e-14F, 7.09e-08F, 1.08e-07F, 1.44e-07F, 5.36e-11F, 5.63e-11F, 1.36e-13F, 1.17e-07F, 1.31e-07F, 1.11e-07F, 1.75e-05F, 8.20e-06F, 6.05e-11F, 2.83e-10F, 5.36e-11F, 1.13e-07F, 9.99e-08F, 9.89e-08F, 1.75e-05F, 1.93e-05F, 1.50e-10F, 1.54e-10F, 6.92e-11F, 7.09e-08F, 1.08e-07F, 1.44e-07F, 8.20e-06F, 1.93e-05F, 1.20e-10F, 1.26e-10F, 1.17e-07F, 1.31e-07F, 1.11e-07F }
 };
 #else
-static const double tol_F[N_VECTORS][41] = {
-    { 2.74e-18, 1.66e-19, 9.61e-23, 1.4e-16, 4.49e-16, 2.25e-16, 2.74e-18, 1.35e-19, 1.49e-22, 2.25e-16, 1.4e-16, 4.49e-16, 1.66e-19, 1.35e-19, 2.29e-21, 4.49e-16, 2.25e-16, 1.4e-16, 5.76e-13, 5.2e-13, 1.66e-19, 5.88e-18, 1.66e-19, 1.4e-16, 4.49e-16, 2.25e-16, 5.76e-13, 5.76e-13, 2.79e-18, 2.82e-18, 1.4e-19, 2.25e-16, 1.4e-16, 4.49e-16, 5.2e-13, 5.76e-13, 3.68e-19, 3.05e-19, 4.49e-16, 2.25e-16, 1.4e-16 },
-    { 2.7e-19, 1.12e-19, 9.68e-23, 2.96e-16, 2.48e-16, 2.23e-16, 2.7e-19, 1.22e-19, 1.5e-22, 1.4e-16, 2.68e-16, 3.58e-16, 1.12e-19, 1.22e-19, 2.77e-22, 2.91e-16, 3.09e-16, 2.62e-16, 3.7e-14, 1.6e-14, 1.26e-19, 5.74e-19, 1.12e-19, 2.96e-16, 2.48e-16, 2.23e-16, 3.7e-14, 4.21e-14, 3.09e-19, 3.15e-19, 1.51e-19, 1.4e-16, 2.68e-16, 3.58e-16, 1.6e-14, 4.21e-14, 2.47e-19, 2.69e-19, 2.91e-16, 3.09e-16, 2.62e-16 }
+static const float tol_F[N_VECTORS][41] = {
+    { 2.74e-18F, 1.66e-19F, 9.61e-23F, 1.40e-16F, 4.49e-16F, 2.25e-16F, 2.74e-18F, 1.35e-19F, 1.49e-22F, 2.25e-16F, 1.40e-16F, 4.49e-16F, 1.66e-19F, 1.35e-19F, 2.29e-21F, 4.49e-16F, 2.25e-16F, 1.40e-16F, 5.76e-13F, 5.20e-13F, 1.66e-19F, 5.88e-18F, 1.66e-19F, 1.40e-16F, 4.49e-16F, 2.25e-16F, 5.76e-13F, 5.76e-13F, 2.79e-18F, 2.82e-18F, 1.40e-19F, 2.25e-16F, 1.40e-16F, 4.49e-16F, 5.20e-13F, 5.76e-13F, 3.68e-19F, 3.05e-19F, 4.49e-16F, 2.25e-16F, 1.40e-16F },
+    { 2.70e-19F, 1.12e-19F, 9.68e-23F, 2.96e-16F, 2.48e-16F, 2.23e-16F, 2.70e-19F, 1.22e-19F, 1.50e-22F, 1.40e-16F, 2.68e-16F, 3.58e-16F, 1.12e-19F, 1.22e-19F, 2.77e-22F, 2.91e-16F, 3.09e-16F, 2.62e-16F, 3.70e-14F, 1.60e-14F, 1.26e-19F, 5.74e-19F, 1.12e-19F, 2.96e-16F, 2.48e-16F, 2.23e-16F, 3.70e-14F, 4.21e-14F, 3.09e-19F, 3.15e-19F, 1.51e-19F, 1.40e-16F, 2.68e-16F, 3.58e-16F, 1.60e-14F, 4.21e-14F, 2.47e-19F, 2.69e-19F, 2.91e-16F, 3.09e-16F, 2.62e-16F }
 };
 #endif
 static const unsigned short at_F[41] = { 1, 2, 4, 6, 7, 8, 19, 21, 22, 25, 26, 27, 38, 39, 42, 44,
@@ -88,7 +87,7 @@ int test_val_F(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 361);
             if (val_F(&nav, &imu, F) != expected) {
-                (void)printf("val_F: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_F: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_F F", F, 361);
@@ -101,7 +100,7 @@ int test_val_F(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("val_F: position[%d] end %d refused\n", i, end);
+                selftest_print("val_F: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -117,7 +116,7 @@ int test_val_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 361);
             if (val_F(&nav, &imu, F) != expected) {
-                (void)printf("val_F: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_F F", F, 361);
@@ -128,7 +127,7 @@ int test_val_F(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("val_F: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -146,7 +145,7 @@ int test_val_F(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 361);
             if (val_F(&nav, &imu, F) != expected) {
-                (void)printf("val_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_F F", F, 361);
@@ -160,7 +159,7 @@ int test_val_F(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("val_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -173,7 +172,7 @@ int test_val_F(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_F(&nav, &imu, F) != BS_OUT_OF_RANGE) {
-            (void)printf("val_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -188,7 +187,7 @@ int test_val_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 361);
             if (val_F(&nav, &imu, F) != expected) {
-                (void)printf("val_F: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_F F", F, 361);
@@ -199,7 +198,7 @@ int test_val_F(void)
             set_point(0, &nav, &imu);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (val_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("val_F: f_b[%d] end %d refused\n", i, end);
+                selftest_print("val_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

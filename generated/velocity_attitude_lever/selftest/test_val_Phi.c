@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.2a567c0000000p-2, -0x1.06b52a0000000p+1, 0x1.3b9df40000000p+10 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.2c14780000000p+9, 0x1.d4b45a0000000p+6, 0x1.394e060000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.377e4a0000000p-1, 0x1.072aac0000000p-2, 0x1.73e9840000000p-1, 0x1.7ed5ac0000000p-3 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, -0x1.f400000000000p+8, 0x1.f400000000000p+8 },
     { -0x1.1b3fa40000000p+7, 0x1.535d460000000p+8, 0x1.483b240000000p+8 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.0c6f7c0000000p-20 },
     { 0x1.2c4a8c0000000p-1 }
 };
@@ -35,14 +34,14 @@ static const double out_Phi[N_VECTORS][85] = {
     { 0x1.ffff3dcf55d0ep-1, 0x1.0450e5ba0b328p-16, -0x1.c94670fa4be09p-15, -0x1.18c3e00c1bf30p-39, 0x1.8ac560444a68ap-24, 0x1.2bc9d207b1917p-38, -0x1.2fbb32e25e13cp-4, 0x1.68d7ecf103c97p-2, -0x1.d91d4dfeb24d8p-2, -0x1.0e42ca65434d7p-28, -0x1.70f52c03b3018p-26, -0x1.0e8e092fc28b9p-26, -0x1.044490756a708p-16, 0x1.ffff3c9dd30a4p-1, 0x1.4d8de405e6b46p-15, -0x1.8d362e7e95fe9p-24, -0x1.93dbfc4c7e43ap-40, 0x1.6932cbb9ebc0ap-39, 0x1.5e96e31390a4ep-4, 0x1.de8819fd144e6p-2, 0x1.5ee879ee2bd70p-2, -0x1.d729392e0542dp-29, 0x1.17eea99bf9a6fp-26, -0x1.6f09bb4e1c3d4p-26, 0x1.c30ac9e0db05ap-15, -0x1.b1fdded41c1eep-15, 0x1.000004f037e4bp+0, 0x1.1ac469d14e395p-39, 0x1.d994db4718443p-26, 0x1.6799c1f1f8c43p-40, 0x1.26435ef37873fp-1, -0x1.8b59fb6cf4ce8p-6, -0x1.c53504584cb0ep-4, -0x1.442e96a4d87cep-30, -0x1.ba91fd7992c1cp-28, -0x1.4488d8a63d7dep-28, 0x1.76f48b225ff47p-7, 0x1.f79250acf6ad6p+6, 0x1.02f6425ab0c53p+8, 0x1.00036a86b5523p+0, 0x1.2244f341ccbd8p-15, -0x1.d1982a3a64b7cp-15, 0x1.3f3477635b6c6p+6, 0x1.a4aed25203712p+4, 0x1.cfde16fa6b66ep+2, 0x1.2fbcc14fcec3bp-4, -0x1.68db8d68a9606p-2, 0x1.d9201dff0c5c5p-2, -0x1.f7a548645efa7p+6, -0x1.18c39a0344f06p-8, 0x1.5917695a02d7ep+4, -0x1.d257ef8806ab7p-16, 0x1.00047fa7d97efp+0, 0x1.84d7362425b2cp-14, 0x1.5bab0f9ca3075p+3, -0x1.6711a73e21e50p+4, 0x1.be40f878aad4cp+4, -0x1.5ea708fa18581p-4, -0x1.de8bf20c6013fp-2, -0x1.5eebf4c3b152ap-2, -0x1.02f1b574cff12p+8, -0x1.59002d1b0c70ep+4, 0x1.45cc1efdf82d0p-6, 0x1.d5cba02d9e979p-14, -0x1.e3eafb9bee48cp-14, 0x1.ffffffbc5703cp-1, 0x1.15a345af2e45ep+3, -0x1.9550664cb42e0p+5, 0x1.c102b6ba43a5fp+5, -0x1.2642cfa262b16p-1, 0x1.8b63ab4a77eb7p-6, 0x1.c54bc1cee5e13p-4, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Phi[N_VECTORS][85] = {
-    { 6.02e-08, 1.57e-15, 9.95e-17, 3.88e-28, 6.14e-20, 1.07e-29, 7.54e-14, 1.21e-13, 3.02e-13, 5.43e-26, 5.89e-27, 9.42e-27, 1.57e-15, 6.02e-08, 8.06e-17, 9e-20, 3.83e-28, 1.48e-29, 3.02e-13, 7.54e-14, 1.21e-13, 5.89e-27, 9.43e-27, 6.87e-26, 9.95e-17, 8.06e-17, 6.02e-08, 2.61e-27, 1.35e-18, 1.73e-28, 1.21e-13, 3.02e-13, 7.54e-14, 9.44e-25, 6.73e-26, 1.08e-25, 2.37e-18, 3.39e-10, 3.39e-10, 1.2e-07, 3.35e-15, 9.95e-17, 2.91e-16, 2.79e-16, 4.91e-17, 7.54e-14, 1.21e-13, 3.02e-13, 3.39e-10, 1.55e-18, 3.09e-10, 1.57e-15, 1.2e-07, 8.1e-17, 4.91e-17, 2.76e-16, 2.79e-16, 3.02e-13, 7.54e-14, 1.21e-13, 3.39e-10, 3.09e-10, 3.22e-19, 2.18e-16, 1.8e-16, 6.02e-08, 2.64e-16, 4.91e-17, 2.91e-16, 1.21e-13, 3.02e-13, 7.54e-14, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 6.02e-08, 8e-12, 3.96e-11, 2.01e-18, 3.6e-14, 3.51e-18, 6.73e-08, 1.06e-07, 1.53e-07, 4.2e-15, 1.58e-14, 1.09e-14, 8e-12, 6.02e-08, 3.59e-11, 5.29e-14, 1.47e-18, 3.09e-18, 5.79e-08, 1.62e-07, 1.03e-07, 5.07e-15, 1.42e-14, 1.93e-14, 3.75e-11, 2.28e-11, 6.02e-08, 2.97e-18, 2.07e-14, 1.11e-18, 1.73e-07, 4.56e-08, 6.52e-08, 1.69e-15, 7.08e-15, 4.98e-15, 2.1e-08, 8.19e-05, 0.000136, 1.2e-07, 2.18e-11, 3.51e-11, 7.33e-05, 3.81e-05, 3.52e-05, 6.73e-08, 1.06e-07, 1.53e-07, 8.19e-05, 1.09e-08, 9.04e-05, 1.32e-11, 1.2e-07, 4e-11, 3.58e-05, 2.4e-05, 3.58e-05, 5.79e-08, 1.62e-07, 1.03e-07, 0.000136, 9.04e-05, 3.62e-08, 8.18e-11, 5.99e-11, 6.02e-08, 1.86e-05, 6.35e-05, 7.06e-05, 1.73e-07, 4.57e-08, 6.52e-08, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][85] = {
+    { 6.02e-08F, 1.57e-15F, 9.95e-17F, 3.88e-28F, 6.14e-20F, 1.07e-29F, 7.54e-14F, 1.21e-13F, 3.02e-13F, 5.43e-26F, 5.89e-27F, 9.42e-27F, 1.57e-15F, 6.02e-08F, 8.06e-17F, 9.00e-20F, 3.83e-28F, 1.48e-29F, 3.02e-13F, 7.54e-14F, 1.21e-13F, 5.89e-27F, 9.43e-27F, 6.87e-26F, 9.95e-17F, 8.06e-17F, 6.02e-08F, 2.61e-27F, 1.35e-18F, 1.73e-28F, 1.21e-13F, 3.02e-13F, 7.54e-14F, 9.44e-25F, 6.73e-26F, 1.08e-25F, 2.37e-18F, 3.39e-10F, 3.39e-10F, 1.20e-07F, 3.35e-15F, 9.95e-17F, 2.91e-16F, 2.79e-16F, 4.91e-17F, 7.54e-14F, 1.21e-13F, 3.02e-13F, 3.39e-10F, 1.55e-18F, 3.09e-10F, 1.57e-15F, 1.20e-07F, 8.10e-17F, 4.91e-17F, 2.76e-16F, 2.79e-16F, 3.02e-13F, 7.54e-14F, 1.21e-13F, 3.39e-10F, 3.09e-10F, 3.22e-19F, 2.18e-16F, 1.80e-16F, 6.02e-08F, 2.64e-16F, 4.91e-17F, 2.91e-16F, 1.21e-13F, 3.02e-13F, 7.54e-14F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 6.02e-08F, 8.00e-12F, 3.96e-11F, 2.01e-18F, 3.60e-14F, 3.51e-18F, 6.73e-08F, 1.06e-07F, 1.53e-07F, 4.20e-15F, 1.58e-14F, 1.09e-14F, 8.00e-12F, 6.02e-08F, 3.59e-11F, 5.29e-14F, 1.47e-18F, 3.09e-18F, 5.79e-08F, 1.62e-07F, 1.03e-07F, 5.07e-15F, 1.42e-14F, 1.93e-14F, 3.75e-11F, 2.28e-11F, 6.02e-08F, 2.97e-18F, 2.07e-14F, 1.11e-18F, 1.73e-07F, 4.56e-08F, 6.52e-08F, 1.69e-15F, 7.08e-15F, 4.98e-15F, 2.10e-08F, 8.19e-05F, 1.36e-04F, 1.20e-07F, 2.18e-11F, 3.51e-11F, 7.33e-05F, 3.81e-05F, 3.52e-05F, 6.73e-08F, 1.06e-07F, 1.53e-07F, 8.19e-05F, 1.09e-08F, 9.04e-05F, 1.32e-11F, 1.20e-07F, 4.00e-11F, 3.58e-05F, 2.40e-05F, 3.58e-05F, 5.79e-08F, 1.62e-07F, 1.03e-07F, 1.36e-04F, 9.04e-05F, 3.62e-08F, 8.18e-11F, 5.99e-11F, 6.02e-08F, 1.86e-05F, 6.35e-05F, 7.06e-05F, 1.73e-07F, 4.57e-08F, 6.52e-08F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #else
-static const double tol_Phi[N_VECTORS][85] = {
-    { 2.24e-16, 3.11e-24, 2.03e-25, 7.53e-37, 1.32e-28, 2.12e-38, 1.4e-22, 2.25e-22, 6.74e-22, 1.1e-34, 1.1e-35, 1.76e-35, 3.11e-24, 2.24e-16, 1.67e-25, 1.85e-28, 7.43e-37, 2.9e-38, 6.74e-22, 1.4e-22, 2.25e-22, 1.1e-35, 1.76e-35, 1.37e-34, 2.03e-25, 1.67e-25, 2.24e-16, 5.02e-36, 2.71e-27, 3.37e-37, 2.25e-22, 6.74e-22, 1.4e-22, 1.86e-33, 1.25e-34, 2.01e-34, 4.55e-27, 6.88e-19, 6.88e-19, 3.36e-16, 6.62e-24, 2.03e-25, 5.7e-25, 5.49e-25, 9.14e-26, 1.4e-22, 2.25e-22, 6.74e-22, 6.88e-19, 2.97e-27, 6.32e-19, 3.11e-24, 3.36e-16, 1.67e-25, 9.14e-26, 5.42e-25, 5.49e-25, 6.74e-22, 1.4e-22, 2.25e-22, 6.88e-19, 6.32e-19, 6.25e-28, 4.41e-25, 3.69e-25, 2.24e-16, 5.2e-25, 9.14e-26, 5.7e-25, 2.25e-22, 6.74e-22, 1.4e-22, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 2.24e-16, 1.66e-20, 8e-20, 3.96e-27, 7.73e-23, 7.01e-27, 1.34e-16, 2.37e-16, 3.36e-16, 8.26e-24, 3.19e-23, 2.21e-23, 1.66e-20, 2.24e-16, 7.13e-20, 1.09e-22, 2.91e-27, 6.05e-27, 1.17e-16, 3.54e-16, 2.31e-16, 9.83e-24, 2.83e-23, 3.83e-23, 7.59e-20, 4.82e-20, 2.24e-16, 5.75e-27, 4.17e-23, 2.2e-27, 3.87e-16, 8.77e-17, 1.34e-16, 3.27e-24, 1.39e-23, 9.8e-24, 4.04e-17, 1.67e-13, 2.82e-13, 3.36e-16, 4.45e-20, 7.16e-20, 1.45e-13, 7.39e-14, 6.63e-14, 1.34e-16, 2.37e-16, 3.36e-16, 1.67e-13, 2.07e-17, 1.71e-13, 2.77e-20, 3.37e-16, 8.5e-20, 6.78e-14, 4.73e-14, 6.98e-14, 1.17e-16, 3.54e-16, 2.31e-16, 2.82e-13, 1.71e-13, 6.97e-17, 1.65e-19, 1.24e-19, 2.24e-16, 3.57e-14, 1.24e-13, 1.38e-13, 3.87e-16, 8.77e-17, 1.34e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][85] = {
+    { 2.24e-16F, 3.11e-24F, 2.03e-25F, 7.53e-37F, 1.32e-28F, 2.12e-38F, 1.40e-22F, 2.25e-22F, 6.74e-22F, 1.10e-34F, 1.10e-35F, 1.76e-35F, 3.11e-24F, 2.24e-16F, 1.67e-25F, 1.85e-28F, 7.43e-37F, 2.90e-38F, 6.74e-22F, 1.40e-22F, 2.25e-22F, 1.10e-35F, 1.76e-35F, 1.37e-34F, 2.03e-25F, 1.67e-25F, 2.24e-16F, 5.02e-36F, 2.71e-27F, 3.37e-37F, 2.25e-22F, 6.74e-22F, 1.40e-22F, 1.86e-33F, 1.25e-34F, 2.01e-34F, 4.55e-27F, 6.88e-19F, 6.88e-19F, 3.36e-16F, 6.62e-24F, 2.03e-25F, 5.70e-25F, 5.49e-25F, 9.14e-26F, 1.40e-22F, 2.25e-22F, 6.74e-22F, 6.88e-19F, 2.97e-27F, 6.32e-19F, 3.11e-24F, 3.36e-16F, 1.67e-25F, 9.14e-26F, 5.42e-25F, 5.49e-25F, 6.74e-22F, 1.40e-22F, 2.25e-22F, 6.88e-19F, 6.32e-19F, 6.25e-28F, 4.41e-25F, 3.69e-25F, 2.24e-16F, 5.20e-25F, 9.14e-26F, 5.70e-25F, 2.25e-22F, 6.74e-22F, 1.40e-22F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 2.24e-16F, 1.66e-20F, 8.00e-20F, 3.96e-27F, 7.73e-23F, 7.01e-27F, 1.34e-16F, 2.37e-16F, 3.36e-16F, 8.26e-24F, 3.19e-23F, 2.21e-23F, 1.66e-20F, 2.24e-16F, 7.13e-20F, 1.09e-22F, 2.91e-27F, 6.05e-27F, 1.17e-16F, 3.54e-16F, 2.31e-16F, 9.83e-24F, 2.83e-23F, 3.83e-23F, 7.59e-20F, 4.82e-20F, 2.24e-16F, 5.75e-27F, 4.17e-23F, 2.20e-27F, 3.87e-16F, 8.77e-17F, 1.34e-16F, 3.27e-24F, 1.39e-23F, 9.80e-24F, 4.04e-17F, 1.67e-13F, 2.82e-13F, 3.36e-16F, 4.45e-20F, 7.16e-20F, 1.45e-13F, 7.39e-14F, 6.63e-14F, 1.34e-16F, 2.37e-16F, 3.36e-16F, 1.67e-13F, 2.07e-17F, 1.71e-13F, 2.77e-20F, 3.37e-16F, 8.50e-20F, 6.78e-14F, 4.73e-14F, 6.98e-14F, 1.17e-16F, 3.54e-16F, 2.31e-16F, 2.82e-13F, 1.71e-13F, 6.97e-17F, 1.65e-19F, 1.24e-19F, 2.24e-16F, 3.57e-14F, 1.24e-13F, 1.38e-13F, 3.87e-16F, 8.77e-17F, 1.34e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #endif
 static const unsigned short at_Phi[85] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 19, 20, 21, 22, 23,
@@ -100,7 +99,7 @@ int test_val_Phi(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 361);
             if (val_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("val_Phi: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Phi: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Phi Phi", Phi, 361);
@@ -113,7 +112,7 @@ int test_val_Phi(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("val_Phi: position[%d] end %d refused\n", i, end);
+                selftest_print("val_Phi: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -129,7 +128,7 @@ int test_val_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 361);
             if (val_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("val_Phi: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Phi Phi", Phi, 361);
@@ -140,7 +139,7 @@ int test_val_Phi(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("val_Phi: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -158,7 +157,7 @@ int test_val_Phi(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 361);
             if (val_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("val_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Phi Phi", Phi, 361);
@@ -172,7 +171,7 @@ int test_val_Phi(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("val_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -185,7 +184,7 @@ int test_val_Phi(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_Phi(&nav, &imu, Phi) != BS_OUT_OF_RANGE) {
-            (void)printf("val_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -200,7 +199,7 @@ int test_val_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 361);
             if (val_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("val_Phi: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Phi Phi", Phi, 361);
@@ -211,7 +210,7 @@ int test_val_Phi(void)
             set_point(0, &nav, &imu);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (val_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("val_Phi: f_b[%d] end %d refused\n", i, end);
+                selftest_print("val_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -227,7 +226,7 @@ int test_val_Phi(void)
                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 361);
             if (val_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("val_Phi: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Phi Phi", Phi, 361);
@@ -238,7 +237,7 @@ int test_val_Phi(void)
             set_point(0, &nav, &imu);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (val_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("val_Phi: dt[%d] end %d refused\n", i, end);
+                selftest_print("val_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

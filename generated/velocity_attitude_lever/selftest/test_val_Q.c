@@ -2,54 +2,53 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { -0x1.12581c0000000p-2, -0x1.21a91a0000000p-1, 0x1.87a9120000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.9c09c80000000p+7, -0x1.288fe60000000p+9, 0x1.ea72060000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.a366f60000000p-1, -0x1.5192420000000p-2, 0x1.c800d00000000p-3, 0x1.a95b3a0000000p-2 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, -0x1.f400000000000p+8, 0x1.f400000000000p+8 },
     { 0x1.6da7340000000p+8, 0x1.a7d4880000000p+8, 0x1.3517fc0000000p+8 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.0c6f7c0000000p-20 },
     { 0x1.c114d00000000p+1 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x0.0p+0, 0x1.9999980000000p-4 },
     { 0x1.4448200000000p-4, 0x1.63e65c0000000p-5, 0x1.03c9540000000p-5 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x1.4000000000000p+3, 0x1.4000000000000p+3 },
     { 0x1.5dcc5a0000000p+2, 0x1.4663b20000000p+2, 0x1.1bb5ea0000000p+3 }
 };
-static const double in_gyro_bias_noise[N_VECTORS][3] = {
+static const float in_gyro_bias_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x0.0p+0 },
     { 0x1.10c0680000000p-4, 0x1.7651960000000p-7, 0x1.4e85380000000p-4 }
 };
-static const double in_accel_bias_noise[N_VECTORS][3] = {
+static const float in_accel_bias_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.4000000000000p+3, 0x0.0p+0 },
     { 0x1.73222a0000000p+0, 0x1.5c800c0000000p-1, 0x1.52f1300000000p+1 }
 };
-static const double in_mu_noise[N_VECTORS][3] = {
+static const float in_mu_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x0.0p+0 },
     { 0x1.8ba9920000000p-5, 0x1.7a14120000000p-4, 0x1.df83360000000p-5 }
 };
-static const double in_tau_noise[N_VECTORS][1] = {
+static const float in_tau_noise[N_VECTORS][1] = {
     { 0x1.9999980000000p-4 },
     { 0x1.075a7a0000000p-4 }
 };
@@ -59,14 +58,14 @@ static const double out_Q[N_VECTORS][118] = {
     { 0x1.10f4b4dfe0b0bp-5, 0x1.db4e3ae8272bap-6, -0x1.662edae458d07p-6, -0x1.668e93cff0760p+3, -0x1.692f7536d4f81p+3, -0x1.ff577abee286fp+4, 0x1.f29d5373f987fp-7, -0x1.5c5b73a9a567fp-11, 0x1.e8f69c692c417p-9, -0x1.52665ae4ff270p-20, -0x1.eb40976452aaep-23, -0x1.7f6c2d84236b1p-18, 0x1.db4e3ae8272bap-6, 0x1.4136979af4058p-4, 0x1.355788d1fbca4p-6, 0x1.bb4cf4a1f0b2fp+4, -0x1.08992a4a892e3p+2, -0x1.0d06bc2b349aap+5, 0x1.dd4e3386b2120p-7, 0x1.71ffa2c9fcbbdp-12, 0x1.e7a5ea52a1b02p-6, 0x1.63b70f3055330p-20, -0x1.d16a58386db6cp-22, 0x1.82fae113903b6p-21, -0x1.662edae458d07p-6, 0x1.355788d1fbca4p-6, 0x1.5340aaa08302ep-4, 0x1.07502c28eac1ap+6, 0x1.143b6c5d406d5p+4, 0x1.eab1a82603504p+3, -0x1.1d8b7225390e1p-6, -0x1.2b0f311bc7415p-12, 0x1.ccee418b1a485p-6, -0x1.7394f2b29cf8ep-22, -0x1.0db60fda5717ap-24, -0x1.a504f14440668p-20, -0x1.668e93cff0760p+3, 0x1.bb4cf4a1f0b2fp+4, 0x1.07502c28eac1ap+6, 0x1.c9d15cf04e183p+15, 0x1.ae75edad1fa70p+13, 0x1.f574994540622p+12, -0x1.2d0f9b3a8b659p+3, -0x1.0c0a46092b904p-3, 0x1.9ea1f9af0129cp+4, -0x1.cdacab42f103bp+2, 0x1.2e03b37bd365fp+1, -0x1.f60979da19ca9p+1, -0x1.692f7536d4f81p+3, -0x1.08992a4a892e3p+2, 0x1.143b6c5d406d5p+4, 0x1.ae75edad1fa70p+13, 0x1.919e6964f1d2dp+12, 0x1.81ceabb607f88p+13, -0x1.5ef02d77a0c73p+2, 0x1.81fa778621856p-4, 0x1.9393690d7ba3dp+1, -0x1.b9e5b50c9dd76p+2, -0x1.40c556a532faep+0, -0x1.f4c1ddcf2f3afp+4, -0x1.ff577abee286fp+4, -0x1.0d06bc2b349aap+5, 0x1.eab1a82603504p+3, 0x1.f574994540622p+12, 0x1.81ceabb607f88p+13, 0x1.265819afd239cp+15, -0x1.99786a41c2254p+3, 0x1.afa2be6683b3cp-2, -0x1.b180f2f41271cp+2, 0x1.0854666c4777fp+3, 0x1.033dd7f1ef386p+0, -0x1.d936448012fa0p+4, 0x1.f29d5373f987fp-7, 0x1.dd4e3386b2120p-7, -0x1.1d8b7225390e1p-6, -0x1.2d0f9b3a8b659p+3, -0x1.5ef02d77a0c73p+2, -0x1.99786a41c2254p+3, 0x1.fdc6b9581f5c7p-7, -0x1.5c5b73a9a567fp-11, 0x1.71ffa2c9fcbbdp-12, -0x1.2b0f311bc7415p-12, -0x1.0c0a46092b904p-3, 0x1.81fa778621856p-4, 0x1.afa2be6683b3cp-2, 0x1.e010158fbcd97p-12, 0x1.e8f69c692c417p-9, 0x1.e7a5ea52a1b02p-6, 0x1.ccee418b1a485p-6, 0x1.9ea1f9af0129cp+4, 0x1.9393690d7ba3dp+1, -0x1.b180f2f41271cp+2, 0x1.7f683bca653d5p-6, -0x1.52665ae4ff270p-20, 0x1.63b70f3055330p-20, -0x1.7394f2b29cf8ep-22, -0x1.cdacab42f103bp+2, -0x1.b9e5b50c9dd76p+2, 0x1.0854666c4777fp+3, 0x1.d7ed6e1439bd5p+2, -0x1.eb40976452aaep-23, -0x1.d16a58386db6cp-22, -0x1.0db60fda5717ap-24, 0x1.2e03b37bd365fp+1, -0x1.40c556a532faep+0, 0x1.033dd7f1ef386p+0, 0x1.a01f53bea47c3p+0, -0x1.7f6c2d84236b1p-18, 0x1.82fae113903b6p-21, -0x1.a504f14440668p-20, -0x1.f60979da19ca9p+1, -0x1.f4c1ddcf2f3afp+4, -0x1.d936448012fa0p+4, 0x1.899c2bff6dd4cp+4, 0x1.0c2f5fddf3972p-7, 0x1.e9c140164c8c3p-6, 0x1.89e62b951af24p-7, 0x1.db403d24a4203p-7 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Q[N_VECTORS][118] = {
-    { 1.42e-14, 1.81e-15, 7.55e-16, 6.43e-19, 6.13e-18, 6.36e-18, 3.02e-22, 6.03e-22, 1.19e-38, 1.19e-38, 1.56e-31, 1.19e-38, 1.81e-15, 1.48e-14, 1.21e-15, 6.39e-18, 7.57e-19, 6.36e-18, 3.62e-21, 3.02e-22, 1.19e-38, 1.19e-38, 3.13e-31, 1.19e-38, 7.55e-16, 1.21e-15, 2.01e-22, 3.03e-19, 1.89e-19, 4.92e-19, 6.03e-22, 3.62e-21, 1.19e-38, 1.19e-38, 1.79e-30, 1.19e-38, 6.43e-19, 6.39e-18, 3.03e-19, 1.28e-10, 1.81e-11, 1.96e-11, 1.27e-24, 1.21e-24, 1.19e-38, 1.19e-38, 6.03e-18, 1.19e-38, 6.13e-18, 7.57e-19, 1.89e-19, 1.81e-11, 1.39e-10, 1.81e-11, 1.51e-25, 1.21e-24, 1.19e-38, 1.19e-38, 3.02e-18, 1.19e-38, 6.36e-18, 6.36e-18, 4.92e-19, 1.96e-11, 1.81e-11, 1.34e-10, 1.16e-24, 1.51e-25, 1.19e-38, 1.19e-38, 3.62e-17, 1.19e-38, 3.02e-22, 3.62e-21, 6.03e-22, 1.27e-24, 1.51e-25, 1.16e-24, 2.86e-15, 6.03e-22, 3.02e-22, 3.62e-21, 1.21e-24, 1.21e-24, 1.51e-25, 2.86e-15, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.56e-31, 3.13e-31, 1.79e-30, 6.03e-18, 3.02e-18, 3.62e-17, 2.86e-11, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 2.86e-15, 2.86e-15, 1.19e-38, 2.86e-15 },
-    { 5.6e-08, 5.86e-08, 5.88e-08, 6.95e-05, 4.3e-05, 7.99e-05, 1.17e-08, 4.8e-10, 5.4e-09, 1.41e-12, 2.62e-13, 6.02e-12, 5.86e-08, 1.23e-07, 1.01e-07, 0.000141, 5.45e-05, 9.8e-05, 1.15e-08, 2.88e-10, 2.15e-08, 1.7e-12, 5.34e-13, 1.41e-12, 5.88e-08, 1.01e-07, 1.36e-07, 0.000166, 6.4e-05, 9.62e-05, 1.26e-08, 2.42e-10, 2.29e-08, 5.12e-13, 9.47e-14, 2.22e-12, 6.95e-05, 0.000141, 0.000166, 0.201, 0.0695, 0.115, 1.84e-05, 3.52e-07, 3.89e-05, 5.56e-06, 1.7e-06, 5.68e-06, 4.3e-05, 5.45e-05, 6.4e-05, 0.0695, 0.0326, 0.064, 1.24e-05, 3.38e-07, 1.11e-05, 5.45e-06, 1.02e-06, 2.26e-05, 7.99e-05, 9.8e-05, 9.62e-05, 0.115, 0.064, 0.128, 1.88e-05, 6.49e-07, 1.51e-05, 5.97e-06, 8.59e-07, 2.41e-05, 1.17e-08, 1.15e-08, 1.26e-08, 1.84e-05, 1.24e-05, 1.88e-05, 4.45e-09, 4.8e-10, 2.88e-10, 2.42e-10, 3.52e-07, 3.38e-07, 6.49e-07, 1.31e-10, 5.4e-09, 2.15e-08, 2.29e-08, 3.89e-05, 1.11e-05, 1.51e-05, 6.69e-09, 1.41e-12, 1.7e-12, 5.12e-13, 5.56e-06, 5.45e-06, 5.97e-06, 2.11e-06, 2.62e-13, 5.34e-13, 9.47e-14, 1.7e-06, 1.02e-06, 8.59e-07, 4.65e-07, 6.02e-12, 1.41e-12, 2.22e-12, 5.68e-06, 2.26e-05, 2.41e-05, 7.03e-06, 2.34e-09, 8.55e-09, 3.44e-09, 4.15e-09 }
+static const float tol_Q[N_VECTORS][118] = {
+    { 1.42e-14F, 1.81e-15F, 7.55e-16F, 6.43e-19F, 6.13e-18F, 6.36e-18F, 3.02e-22F, 6.03e-22F, 1.19e-38F, 1.19e-38F, 1.56e-31F, 1.19e-38F, 1.81e-15F, 1.48e-14F, 1.21e-15F, 6.39e-18F, 7.57e-19F, 6.36e-18F, 3.62e-21F, 3.02e-22F, 1.19e-38F, 1.19e-38F, 3.13e-31F, 1.19e-38F, 7.55e-16F, 1.21e-15F, 2.01e-22F, 3.03e-19F, 1.89e-19F, 4.92e-19F, 6.03e-22F, 3.62e-21F, 1.19e-38F, 1.19e-38F, 1.79e-30F, 1.19e-38F, 6.43e-19F, 6.39e-18F, 3.03e-19F, 1.28e-10F, 1.81e-11F, 1.96e-11F, 1.27e-24F, 1.21e-24F, 1.19e-38F, 1.19e-38F, 6.03e-18F, 1.19e-38F, 6.13e-18F, 7.57e-19F, 1.89e-19F, 1.81e-11F, 1.39e-10F, 1.81e-11F, 1.51e-25F, 1.21e-24F, 1.19e-38F, 1.19e-38F, 3.02e-18F, 1.19e-38F, 6.36e-18F, 6.36e-18F, 4.92e-19F, 1.96e-11F, 1.81e-11F, 1.34e-10F, 1.16e-24F, 1.51e-25F, 1.19e-38F, 1.19e-38F, 3.62e-17F, 1.19e-38F, 3.02e-22F, 3.62e-21F, 6.03e-22F, 1.27e-24F, 1.51e-25F, 1.16e-24F, 2.86e-15F, 6.03e-22F, 3.02e-22F, 3.62e-21F, 1.21e-24F, 1.21e-24F, 1.51e-25F, 2.86e-15F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.56e-31F, 3.13e-31F, 1.79e-30F, 6.03e-18F, 3.02e-18F, 3.62e-17F, 2.86e-11F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 2.86e-15F, 2.86e-15F, 1.19e-38F, 2.86e-15F },
+    { 5.60e-08F, 5.86e-08F, 5.88e-08F, 6.95e-05F, 4.30e-05F, 7.99e-05F, 1.17e-08F, 4.80e-10F, 5.40e-09F, 1.41e-12F, 2.62e-13F, 6.02e-12F, 5.86e-08F, 1.23e-07F, 1.01e-07F, 1.41e-04F, 5.45e-05F, 9.80e-05F, 1.15e-08F, 2.88e-10F, 2.15e-08F, 1.70e-12F, 5.34e-13F, 1.41e-12F, 5.88e-08F, 1.01e-07F, 1.36e-07F, 1.66e-04F, 6.40e-05F, 9.62e-05F, 1.26e-08F, 2.42e-10F, 2.29e-08F, 5.12e-13F, 9.47e-14F, 2.22e-12F, 6.95e-05F, 1.41e-04F, 1.66e-04F, 2.01e-01F, 6.95e-02F, 1.15e-01F, 1.84e-05F, 3.52e-07F, 3.89e-05F, 5.56e-06F, 1.70e-06F, 5.68e-06F, 4.30e-05F, 5.45e-05F, 6.40e-05F, 6.95e-02F, 3.26e-02F, 6.40e-02F, 1.24e-05F, 3.38e-07F, 1.11e-05F, 5.45e-06F, 1.02e-06F, 2.26e-05F, 7.99e-05F, 9.80e-05F, 9.62e-05F, 1.15e-01F, 6.40e-02F, 1.28e-01F, 1.88e-05F, 6.49e-07F, 1.51e-05F, 5.97e-06F, 8.59e-07F, 2.41e-05F, 1.17e-08F, 1.15e-08F, 1.26e-08F, 1.84e-05F, 1.24e-05F, 1.88e-05F, 4.45e-09F, 4.80e-10F, 2.88e-10F, 2.42e-10F, 3.52e-07F, 3.38e-07F, 6.49e-07F, 1.31e-10F, 5.40e-09F, 2.15e-08F, 2.29e-08F, 3.89e-05F, 1.11e-05F, 1.51e-05F, 6.69e-09F, 1.41e-12F, 1.70e-12F, 5.12e-13F, 5.56e-06F, 5.45e-06F, 5.97e-06F, 2.11e-06F, 2.62e-13F, 5.34e-13F, 9.47e-14F, 1.70e-06F, 1.02e-06F, 8.59e-07F, 4.65e-07F, 6.02e-12F, 1.41e-12F, 2.22e-12F, 5.68e-06F, 2.26e-05F, 2.41e-05F, 7.03e-06F, 2.34e-09F, 8.55e-09F, 3.44e-09F, 4.15e-09F }
 };
 #else
-static const double tol_Q[N_VECTORS][118] = {
-    { 2.76e-23, 3.38e-24, 1.41e-24, 1.2e-27, 1.17e-26, 1.21e-26, 5.62e-31, 1.12e-30, 1.01e-45, 1.01e-45, 2.91e-40, 1.01e-45, 3.38e-24, 2.87e-23, 2.25e-24, 1.22e-26, 1.41e-27, 1.21e-26, 7.3e-30, 5.62e-31, 1.01e-45, 1.01e-45, 5.82e-40, 1.01e-45, 1.41e-24, 2.25e-24, 5.93e-34, 5.64e-28, 3.53e-28, 9.16e-28, 1.12e-30, 7.3e-30, 1.01e-45, 1.01e-45, 3.33e-39, 1.01e-45, 1.2e-27, 1.22e-26, 5.64e-28, 2.5e-19, 3.38e-20, 3.66e-20, 2.46e-33, 2.34e-33, 1.01e-45, 1.01e-45, 1.12e-26, 1.01e-45, 1.17e-26, 1.41e-27, 3.53e-28, 3.38e-20, 2.7e-19, 3.38e-20, 2.81e-34, 2.34e-33, 1.01e-45, 1.01e-45, 5.62e-27, 1.01e-45, 1.21e-26, 1.21e-26, 9.16e-28, 3.66e-20, 3.38e-20, 2.62e-19, 2.25e-33, 2.81e-34, 1.01e-45, 1.01e-45, 7.3e-26, 1.01e-45, 5.62e-31, 7.3e-30, 1.12e-30, 2.46e-33, 2.81e-34, 2.25e-33, 6.45e-24, 1.12e-30, 5.62e-31, 7.3e-30, 2.34e-33, 2.34e-33, 2.81e-34, 6.45e-24, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 2.91e-40, 5.82e-40, 3.33e-39, 1.12e-26, 5.62e-27, 7.3e-26, 6.45e-20, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 6.45e-24, 6.45e-24, 1.01e-45, 6.45e-24 },
-    { 1.08e-16, 1.12e-16, 1.12e-16, 1.31e-13, 8.14e-14, 1.52e-13, 2.35e-17, 9.69e-19, 1.05e-17, 2.77e-21, 5.14e-22, 1.18e-20, 1.12e-16, 2.39e-16, 1.9e-16, 2.67e-13, 1.02e-13, 1.86e-13, 2.3e-17, 5.76e-19, 4.34e-17, 3.31e-21, 1.04e-21, 2.71e-21, 1.12e-16, 1.9e-16, 2.63e-16, 3.16e-13, 1.21e-13, 1.81e-13, 2.54e-17, 4.82e-19, 4.58e-17, 9.93e-22, 1.83e-22, 4.31e-21, 1.31e-13, 2.67e-13, 3.16e-13, 3.8e-10, 1.31e-10, 2.16e-10, 3.52e-14, 6.71e-16, 7.54e-14, 1.12e-14, 3.44e-15, 1.1e-14, 8.14e-14, 1.02e-13, 1.21e-13, 1.31e-10, 6.14e-11, 1.21e-10, 2.37e-14, 6.4e-16, 2.1e-14, 1.09e-14, 2.04e-15, 4.56e-14, 1.52e-13, 1.86e-13, 1.81e-13, 2.16e-10, 1.21e-10, 2.43e-10, 3.65e-14, 1.26e-15, 2.9e-14, 1.2e-14, 1.71e-15, 4.82e-14, 2.35e-17, 2.3e-17, 2.54e-17, 3.52e-14, 2.37e-14, 3.65e-14, 1e-17, 9.69e-19, 5.76e-19, 4.82e-19, 6.71e-16, 6.4e-16, 1.26e-15, 2.95e-19, 1.05e-17, 4.34e-17, 4.58e-17, 7.54e-14, 2.1e-14, 2.9e-14, 1.51e-17, 2.77e-21, 3.31e-21, 9.93e-22, 1.12e-14, 1.09e-14, 1.2e-14, 4.75e-15, 5.14e-22, 1.04e-21, 1.83e-22, 3.44e-15, 2.04e-15, 1.71e-15, 1.05e-15, 1.18e-20, 2.71e-21, 4.31e-21, 1.1e-14, 4.56e-14, 4.82e-14, 1.59e-14, 5.28e-18, 1.93e-17, 7.75e-18, 9.35e-18 }
+static const float tol_Q[N_VECTORS][118] = {
+    { 2.76e-23F, 3.38e-24F, 1.41e-24F, 1.20e-27F, 1.17e-26F, 1.21e-26F, 5.62e-31F, 1.12e-30F, 0.0F, 0.0F, 2.91e-40F, 0.0F, 3.38e-24F, 2.87e-23F, 2.25e-24F, 1.22e-26F, 1.41e-27F, 1.21e-26F, 7.30e-30F, 5.62e-31F, 0.0F, 0.0F, 5.82e-40F, 0.0F, 1.41e-24F, 2.25e-24F, 5.93e-34F, 5.64e-28F, 3.53e-28F, 9.16e-28F, 1.12e-30F, 7.30e-30F, 0.0F, 0.0F, 3.33e-39F, 0.0F, 1.20e-27F, 1.22e-26F, 5.64e-28F, 2.50e-19F, 3.38e-20F, 3.66e-20F, 2.46e-33F, 2.34e-33F, 0.0F, 0.0F, 1.12e-26F, 0.0F, 1.17e-26F, 1.41e-27F, 3.53e-28F, 3.38e-20F, 2.70e-19F, 3.38e-20F, 2.81e-34F, 2.34e-33F, 0.0F, 0.0F, 5.62e-27F, 0.0F, 1.21e-26F, 1.21e-26F, 9.16e-28F, 3.66e-20F, 3.38e-20F, 2.62e-19F, 2.25e-33F, 2.81e-34F, 0.0F, 0.0F, 7.30e-26F, 0.0F, 5.62e-31F, 7.30e-30F, 1.12e-30F, 2.46e-33F, 2.81e-34F, 2.25e-33F, 6.45e-24F, 1.12e-30F, 5.62e-31F, 7.30e-30F, 2.34e-33F, 2.34e-33F, 2.81e-34F, 6.45e-24F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 2.91e-40F, 5.82e-40F, 3.33e-39F, 1.12e-26F, 5.62e-27F, 7.30e-26F, 6.45e-20F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 6.45e-24F, 6.45e-24F, 0.0F, 6.45e-24F },
+    { 1.08e-16F, 1.12e-16F, 1.12e-16F, 1.31e-13F, 8.14e-14F, 1.52e-13F, 2.35e-17F, 9.69e-19F, 1.05e-17F, 2.77e-21F, 5.14e-22F, 1.18e-20F, 1.12e-16F, 2.39e-16F, 1.90e-16F, 2.67e-13F, 1.02e-13F, 1.86e-13F, 2.30e-17F, 5.76e-19F, 4.34e-17F, 3.31e-21F, 1.04e-21F, 2.71e-21F, 1.12e-16F, 1.90e-16F, 2.63e-16F, 3.16e-13F, 1.21e-13F, 1.81e-13F, 2.54e-17F, 4.82e-19F, 4.58e-17F, 9.93e-22F, 1.83e-22F, 4.31e-21F, 1.31e-13F, 2.67e-13F, 3.16e-13F, 3.80e-10F, 1.31e-10F, 2.16e-10F, 3.52e-14F, 6.71e-16F, 7.54e-14F, 1.12e-14F, 3.44e-15F, 1.10e-14F, 8.14e-14F, 1.02e-13F, 1.21e-13F, 1.31e-10F, 6.14e-11F, 1.21e-10F, 2.37e-14F, 6.40e-16F, 2.10e-14F, 1.09e-14F, 2.04e-15F, 4.56e-14F, 1.52e-13F, 1.86e-13F, 1.81e-13F, 2.16e-10F, 1.21e-10F, 2.43e-10F, 3.65e-14F, 1.26e-15F, 2.90e-14F, 1.20e-14F, 1.71e-15F, 4.82e-14F, 2.35e-17F, 2.30e-17F, 2.54e-17F, 3.52e-14F, 2.37e-14F, 3.65e-14F, 1.00e-17F, 9.69e-19F, 5.76e-19F, 4.82e-19F, 6.71e-16F, 6.40e-16F, 1.26e-15F, 2.95e-19F, 1.05e-17F, 4.34e-17F, 4.58e-17F, 7.54e-14F, 2.10e-14F, 2.90e-14F, 1.51e-17F, 2.77e-21F, 3.31e-21F, 9.93e-22F, 1.12e-14F, 1.09e-14F, 1.20e-14F, 4.75e-15F, 5.14e-22F, 1.04e-21F, 1.83e-22F, 3.44e-15F, 2.04e-15F, 1.71e-15F, 1.05e-15F, 1.18e-20F, 2.71e-21F, 4.31e-21F, 1.10e-14F, 4.56e-14F, 4.82e-14F, 1.59e-14F, 5.28e-18F, 1.93e-17F, 7.75e-18F, 9.35e-18F }
 };
 #endif
 static const unsigned short at_Q[118] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 19, 20, 21, 22, 23,
@@ -145,7 +144,7 @@ int test_val_Q(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 361);
             if (val_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("val_Q: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Q: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Q Q", Q, 361);
@@ -158,7 +157,7 @@ int test_val_Q(void)
             set_point(0, &nav, &imu, &noise);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("val_Q: position[%d] end %d refused\n", i, end);
+                selftest_print("val_Q: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -174,7 +173,7 @@ int test_val_Q(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 361);
             if (val_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("val_Q: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Q Q", Q, 361);
@@ -185,7 +184,7 @@ int test_val_Q(void)
             set_point(0, &nav, &imu, &noise);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("val_Q: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -203,7 +202,7 @@ int test_val_Q(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 361);
             if (val_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("val_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Q Q", Q, 361);
@@ -217,7 +216,7 @@ int test_val_Q(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("val_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -230,7 +229,7 @@ int test_val_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_Q(&nav, &imu, &noise, Q) != BS_OUT_OF_RANGE) {
-            (void)printf("val_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -245,7 +244,7 @@ int test_val_Q(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 361);
             if (val_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("val_Q: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Q: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Q Q", Q, 361);
@@ -256,7 +255,7 @@ int test_val_Q(void)
             set_point(0, &nav, &imu, &noise);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (val_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("val_Q: f_b[%d] end %d refused\n", i, end);
+                selftest_print("val_Q: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -272,7 +271,7 @@ int test_val_Q(void)
                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 361);
             if (val_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("val_Q: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Q Q", Q, 361);
@@ -283,7 +282,7 @@ int test_val_Q(void)
             set_point(0, &nav, &imu, &noise);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (val_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("val_Q: dt[%d] end %d refused\n", i, end);
+                selftest_print("val_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -301,7 +300,7 @@ int test_val_Q(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 361);
             if (val_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("val_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Q Q", Q, 361);
@@ -312,7 +311,7 @@ int test_val_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (val_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("val_Q: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("val_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -330,7 +329,7 @@ int test_val_Q(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 361);
             if (val_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("val_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Q Q", Q, 361);
@@ -341,7 +340,7 @@ int test_val_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (val_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("val_Q: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("val_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -359,7 +358,7 @@ int test_val_Q(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 361);
             if (val_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("val_Q: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Q: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Q Q", Q, 361);
@@ -370,7 +369,7 @@ int test_val_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (val_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("val_Q: gyro_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("val_Q: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -388,7 +387,7 @@ int test_val_Q(void)
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 361);
             if (val_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("val_Q: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Q: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Q Q", Q, 361);
@@ -399,7 +398,7 @@ int test_val_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (val_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("val_Q: accel_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("val_Q: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -417,7 +416,7 @@ int test_val_Q(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 361);
             if (val_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("val_Q: mu_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Q: mu_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Q Q", Q, 361);
@@ -428,7 +427,7 @@ int test_val_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.mu_noise[i] = (end == 0) ? low[i] : high[i];
             if (val_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("val_Q: mu_noise[%d] end %d refused\n", i, end);
+                selftest_print("val_Q: mu_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -446,7 +445,7 @@ int test_val_Q(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 361);
             if (val_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("val_Q: tau_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Q: tau_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Q Q", Q, 361);
@@ -457,7 +456,7 @@ int test_val_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.tau_noise = (end == 0) ? low[i] : high[i];
             if (val_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("val_Q: tau_noise[%d] end %d refused\n", i, end);
+                selftest_print("val_Q: tau_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

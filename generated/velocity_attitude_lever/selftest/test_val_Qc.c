@@ -2,38 +2,37 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.1b253a0000000p-1, -0x1.159df40000000p-1, -0x1.c9f5be0000000p-2, 0x1.c847580000000p-2 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.8159ee0000000p-6, 0x1.b33eac0000000p-5, 0x1.06c1b60000000p-4 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x1.4000000000000p+3, 0x1.4000000000000p+3 },
     { 0x1.ed36980000000p+2, 0x1.7862f60000000p+1, 0x1.8983a40000000p+2 }
 };
-static const double in_gyro_bias_noise[N_VECTORS][3] = {
+static const float in_gyro_bias_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.3cf1380000000p-7, 0x1.5bebe20000000p-5, 0x1.c314580000000p-12 }
 };
-static const double in_accel_bias_noise[N_VECTORS][3] = {
+static const float in_accel_bias_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.4000000000000p+3, 0x1.4000000000000p+3 },
     { 0x1.eee63a0000000p-3, 0x1.9c234a0000000p+1, 0x1.16c8480000000p+2 }
 };
-static const double in_mu_noise[N_VECTORS][3] = {
+static const float in_mu_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.39d1e80000000p-4, 0x1.5c2fae0000000p-6, 0x1.492adc0000000p-4 }
 };
-static const double in_tau_noise[N_VECTORS][1] = {
+static const float in_tau_noise[N_VECTORS][1] = {
     { 0x1.9999980000000p-4 },
     { 0x1.c7838a0000000p-8 }
 };
@@ -43,14 +42,14 @@ static const double out_Qc[N_VECTORS][28] = {
     { 0x1.64c6a95c3c3b1p-9, -0x1.76f1835ab5780p-17, 0x1.d4926ac551023p-12, -0x1.76f1835ab5780p-17, 0x1.0ccb6ab0f8756p-8, -0x1.021eba65b763bp-15, 0x1.d4926ac551023p-12, -0x1.021eba65b763bp-15, 0x1.51734aa3a8399p-11, 0x1.55b4e97651e3ep+3, -0x1.a6f816b4eb7fdp-2, -0x1.3f7a773593728p+3, -0x1.a6f816b4eb7fdp-2, 0x1.2d71c11c16dcdp+5, 0x1.6695935fb623dp-4, -0x1.3f7a773593728p+3, 0x1.6695935fb623dp-4, 0x1.c92445f541463p+5, 0x1.8864658a7c400p-14, 0x1.d8d95004b3840p-10, 0x1.8d6857d6ef200p-23, 0x1.de5eab7222920p-5, 0x1.4bc0cd86a8b20p+3, 0x1.2f97991094400p+4, 0x1.80b2f56ca2400p-8, 0x1.d991a9f15a440p-12, 0x1.a73f30a4ed100p-8, 0x1.95426c1143320p-15 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Qc[N_VECTORS][28] = {
-    { 4.83e-09, 6.04e-10, 1.66e-09, 6.04e-10, 7.2e-17, 6.04e-10, 1.66e-09, 6.04e-10, 5.44e-09, 4.83e-05, 1.21e-05, 1.66e-05, 1.21e-05, 5.44e-05, 1.21e-05, 1.66e-05, 1.21e-05, 5.44e-05, 6.02e-10, 1.19e-38, 1.19e-38, 1.19e-38, 6.02e-06, 6.02e-06, 1.19e-38, 6.02e-10, 6.02e-10, 6.02e-10 },
-    { 1.49e-09, 4.81e-10, 5.06e-10, 4.81e-10, 1.98e-09, 5.12e-10, 5.06e-10, 5.12e-10, 4.12e-10, 7.27e-06, 3.82e-06, 1.08e-05, 3.82e-06, 1.82e-05, 7.72e-06, 1.08e-05, 7.72e-06, 3.12e-05, 5.63e-12, 1.09e-10, 1.11e-14, 3.52e-09, 6.24e-07, 1.14e-06, 3.53e-10, 2.72e-11, 3.89e-10, 2.91e-12 }
+static const float tol_Qc[N_VECTORS][28] = {
+    { 4.83e-09F, 6.04e-10F, 1.66e-09F, 6.04e-10F, 7.20e-17F, 6.04e-10F, 1.66e-09F, 6.04e-10F, 5.44e-09F, 4.83e-05F, 1.21e-05F, 1.66e-05F, 1.21e-05F, 5.44e-05F, 1.21e-05F, 1.66e-05F, 1.21e-05F, 5.44e-05F, 6.02e-10F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 6.02e-06F, 6.02e-06F, 1.19e-38F, 6.02e-10F, 6.02e-10F, 6.02e-10F },
+    { 1.49e-09F, 4.81e-10F, 5.06e-10F, 4.81e-10F, 1.98e-09F, 5.12e-10F, 5.06e-10F, 5.12e-10F, 4.12e-10F, 7.27e-06F, 3.82e-06F, 1.08e-05F, 3.82e-06F, 1.82e-05F, 7.72e-06F, 1.08e-05F, 7.72e-06F, 3.12e-05F, 5.63e-12F, 1.09e-10F, 1.11e-14F, 3.52e-09F, 6.24e-07F, 1.14e-06F, 3.53e-10F, 2.72e-11F, 3.89e-10F, 2.91e-12F }
 };
 #else
-static const double tol_Qc[N_VECTORS][28] = {
-    { 1.01e-17, 1.13e-18, 3.09e-18, 1.13e-18, 2.5e-34, 1.13e-18, 3.09e-18, 1.13e-18, 1.13e-17, 1.01e-13, 2.25e-14, 3.09e-14, 2.25e-14, 1.13e-13, 2.25e-14, 3.09e-14, 2.25e-14, 1.13e-13, 2.24e-18, 1.01e-45, 1.01e-45, 1.01e-45, 2.24e-14, 2.24e-14, 1.01e-45, 2.24e-18, 2.24e-18, 2.24e-18 },
-    { 3.09e-18, 8.98e-19, 9.93e-19, 8.98e-19, 4.15e-18, 9.58e-19, 9.93e-19, 9.58e-19, 8.39e-19, 1.47e-14, 7.16e-15, 2.13e-14, 7.16e-15, 3.82e-14, 1.44e-14, 2.13e-14, 1.44e-14, 6.45e-14, 2.1e-20, 4.05e-19, 4.15e-23, 1.31e-17, 2.33e-15, 4.26e-15, 1.32e-18, 1.01e-19, 1.45e-18, 1.08e-20 }
+static const float tol_Qc[N_VECTORS][28] = {
+    { 1.01e-17F, 1.13e-18F, 3.09e-18F, 1.13e-18F, 2.50e-34F, 1.13e-18F, 3.09e-18F, 1.13e-18F, 1.13e-17F, 1.01e-13F, 2.25e-14F, 3.09e-14F, 2.25e-14F, 1.13e-13F, 2.25e-14F, 3.09e-14F, 2.25e-14F, 1.13e-13F, 2.24e-18F, 0.0F, 0.0F, 0.0F, 2.24e-14F, 2.24e-14F, 0.0F, 2.24e-18F, 2.24e-18F, 2.24e-18F },
+    { 3.09e-18F, 8.98e-19F, 9.93e-19F, 8.98e-19F, 4.15e-18F, 9.58e-19F, 9.93e-19F, 9.58e-19F, 8.39e-19F, 1.47e-14F, 7.16e-15F, 2.13e-14F, 7.16e-15F, 3.82e-14F, 1.44e-14F, 2.13e-14F, 1.44e-14F, 6.45e-14F, 2.10e-20F, 4.05e-19F, 4.15e-23F, 1.31e-17F, 2.33e-15F, 4.26e-15F, 1.32e-18F, 1.01e-19F, 1.45e-18F, 1.08e-20F }
 };
 #endif
 static const unsigned short at_Qc[28] = { 0, 1, 2, 19, 20, 21, 38, 39, 40, 60, 61, 62, 79, 80, 81,
@@ -109,7 +108,7 @@ int test_val_Qc(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 361);
             if (val_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("val_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Qc Qc", Qc, 361);
@@ -123,7 +122,7 @@ int test_val_Qc(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("val_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -136,7 +135,7 @@ int test_val_Qc(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_Qc(&nav, &noise, Qc) != BS_OUT_OF_RANGE) {
-            (void)printf("val_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -153,7 +152,7 @@ int test_val_Qc(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 361);
             if (val_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("val_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Qc Qc", Qc, 361);
@@ -164,7 +163,7 @@ int test_val_Qc(void)
             set_point(0, &nav, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (val_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("val_Qc: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("val_Qc: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -182,7 +181,7 @@ int test_val_Qc(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 361);
             if (val_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("val_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Qc Qc", Qc, 361);
@@ -193,7 +192,7 @@ int test_val_Qc(void)
             set_point(0, &nav, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (val_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("val_Qc: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("val_Qc: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -211,7 +210,7 @@ int test_val_Qc(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 361);
             if (val_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("val_Qc: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Qc: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Qc Qc", Qc, 361);
@@ -222,7 +221,7 @@ int test_val_Qc(void)
             set_point(0, &nav, &noise);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (val_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("val_Qc: gyro_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("val_Qc: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -240,7 +239,7 @@ int test_val_Qc(void)
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 361);
             if (val_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("val_Qc: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Qc: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Qc Qc", Qc, 361);
@@ -251,7 +250,7 @@ int test_val_Qc(void)
             set_point(0, &nav, &noise);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (val_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("val_Qc: accel_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("val_Qc: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -269,7 +268,7 @@ int test_val_Qc(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 361);
             if (val_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("val_Qc: mu_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Qc: mu_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Qc Qc", Qc, 361);
@@ -280,7 +279,7 @@ int test_val_Qc(void)
             set_point(0, &nav, &noise);
             noise.mu_noise[i] = (end == 0) ? low[i] : high[i];
             if (val_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("val_Qc: mu_noise[%d] end %d refused\n", i, end);
+                selftest_print("val_Qc: mu_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -298,7 +297,7 @@ int test_val_Qc(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 361);
             if (val_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("val_Qc: tau_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_Qc: tau_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Qc Qc", Qc, 361);
@@ -309,7 +308,7 @@ int test_val_Qc(void)
             set_point(0, &nav, &noise);
             noise.tau_noise = (end == 0) ? low[i] : high[i];
             if (val_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("val_Qc: tau_noise[%d] end %d refused\n", i, end);
+                selftest_print("val_Qc: tau_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

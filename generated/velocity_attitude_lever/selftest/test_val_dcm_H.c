@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.81a3a00000000p-1, 0x1.7e8a540000000p+1, 0x1.8795060000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.22d00c0000000p+9, -0x1.700d720000000p+9, -0x1.1a9cb40000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.02f9900000000p-1, -0x1.04f4be0000000p-1, 0x1.4e802a0000000p-1, 0x1.e5ada80000000p-3 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.4af81c0000000p-1, -0x1.5485dc0000000p-2, 0x1.dc035a0000000p-5, -0x1.5ee3ca0000000p-1 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, 0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { 0x1.0bd4ce0000000p+4, 0x1.f51a700000000p+3, -0x1.cc41d60000000p+3 }
 };
@@ -35,14 +34,14 @@ static const double out_H[N_VECTORS][15] = {
     { -0x1.0000000000000p+0, -0x1.ad4d535b6c724p-1, -0x1.1d35ba5ce4313p-2, -0x1.e0066c5ddbecbp-2, -0x1.b6c5e0fe359c0p+2, -0x1.0000000000000p+0, 0x1.35d963b03d489p-3, 0x1.6a1ed08e0af09p-1, -0x1.61b5ccb8e124cp-1, 0x1.9da06dc4697cbp+2, -0x1.0000000000000p+0, 0x1.0c383b49d63b0p-1, -0x1.4cd4365514bb3p-1, -0x1.1a00b3c9c901bp-1, -0x1.95478d2934a34p+4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][15] = {
-    { 1.12e-16, 5.72e-07, 1.51e-07, 1.51e-07, 7.21e-06, 1.12e-16, 1.51e-07, 5.72e-07, 1.51e-07, 9.92e-06, 1.12e-16, 1.51e-07, 1.51e-07, 6.32e-07, 9.92e-06 },
-    { 1.12e-16, 6.26e-07, 3.38e-07, 3.95e-07, 6.26e-06, 1.12e-16, 3.3e-07, 6.18e-07, 4.35e-07, 7.57e-06, 1.12e-16, 3.99e-07, 4.32e-07, 6.47e-07, 1.05e-05 }
+static const float tol_H[N_VECTORS][15] = {
+    { 1.12e-16F, 5.72e-07F, 1.51e-07F, 1.51e-07F, 7.21e-06F, 1.12e-16F, 1.51e-07F, 5.72e-07F, 1.51e-07F, 9.92e-06F, 1.12e-16F, 1.51e-07F, 1.51e-07F, 6.32e-07F, 9.92e-06F },
+    { 1.12e-16F, 6.26e-07F, 3.38e-07F, 3.95e-07F, 6.26e-06F, 1.12e-16F, 3.30e-07F, 6.18e-07F, 4.35e-07F, 7.57e-06F, 1.12e-16F, 3.99e-07F, 4.32e-07F, 6.47e-07F, 1.05e-05F }
 };
 #else
-static const double tol_H[N_VECTORS][15] = {
-    { 1.12e-16, 1.18e-15, 2.8e-16, 2.8e-16, 1.57e-14, 1.12e-16, 2.8e-16, 1.18e-15, 2.8e-16, 2.07e-14, 1.12e-16, 2.8e-16, 2.8e-16, 1.29e-15, 2.07e-14 },
-    { 1.12e-16, 1.26e-15, 6.6e-16, 7.89e-16, 1.24e-14, 1.12e-16, 6.32e-16, 1.23e-15, 8.87e-16, 1.48e-14, 1.12e-16, 8.01e-16, 8.78e-16, 1.27e-15, 2.24e-14 }
+static const float tol_H[N_VECTORS][15] = {
+    { 1.12e-16F, 1.18e-15F, 2.80e-16F, 2.80e-16F, 1.57e-14F, 1.12e-16F, 2.80e-16F, 1.18e-15F, 2.80e-16F, 2.07e-14F, 1.12e-16F, 2.80e-16F, 2.80e-16F, 1.29e-15F, 2.07e-14F },
+    { 1.12e-16F, 1.26e-15F, 6.60e-16F, 7.89e-16F, 1.24e-14F, 1.12e-16F, 6.32e-16F, 1.23e-15F, 8.87e-16F, 1.48e-14F, 1.12e-16F, 8.01e-16F, 8.78e-16F, 1.27e-15F, 2.24e-14F }
 };
 #endif
 static const unsigned short at_H[15] = { 0, 12, 13, 14, 15, 20, 31, 32, 33, 34, 40, 50, 51, 52,
@@ -94,7 +93,7 @@ int test_val_dcm_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_dcm_H(&nav, &imu, H) != expected) {
-                (void)printf("val_dcm_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_dcm_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_H H", H, 57);
@@ -107,7 +106,7 @@ int test_val_dcm_H(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_dcm_H(&nav, &imu, H) != BS_OK) {
-                (void)printf("val_dcm_H: position[%d] end %d refused\n", i, end);
+                selftest_print("val_dcm_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -123,7 +122,7 @@ int test_val_dcm_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_dcm_H(&nav, &imu, H) != expected) {
-                (void)printf("val_dcm_H: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_dcm_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_H H", H, 57);
@@ -134,7 +133,7 @@ int test_val_dcm_H(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_dcm_H(&nav, &imu, H) != BS_OK) {
-                (void)printf("val_dcm_H: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_dcm_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -152,7 +151,7 @@ int test_val_dcm_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_dcm_H(&nav, &imu, H) != expected) {
-                (void)printf("val_dcm_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_dcm_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_H H", H, 57);
@@ -166,7 +165,7 @@ int test_val_dcm_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_dcm_H(&nav, &imu, H) != BS_OK) {
-                (void)printf("val_dcm_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_dcm_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -179,7 +178,7 @@ int test_val_dcm_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_dcm_H(&nav, &imu, H) != BS_OUT_OF_RANGE) {
-            (void)printf("val_dcm_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_dcm_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -196,7 +195,7 @@ int test_val_dcm_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_dcm_H(&nav, &imu, H) != expected) {
-                (void)printf("val_dcm_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_dcm_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_H H", H, 57);
@@ -210,7 +209,7 @@ int test_val_dcm_H(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_dcm_H(&nav, &imu, H) != BS_OK) {
-                (void)printf("val_dcm_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_dcm_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -223,7 +222,7 @@ int test_val_dcm_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_dcm_H(&nav, &imu, H) != BS_OUT_OF_RANGE) {
-            (void)printf("val_dcm_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_dcm_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -240,7 +239,7 @@ int test_val_dcm_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_dcm_H(&nav, &imu, H) != expected) {
-                (void)printf("val_dcm_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_dcm_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_H H", H, 57);
@@ -251,7 +250,7 @@ int test_val_dcm_H(void)
             set_point(0, &nav, &imu);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (val_dcm_H(&nav, &imu, H) != BS_OK) {
-                (void)printf("val_dcm_H: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("val_dcm_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,38 +2,37 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.36b6e20000000p-3, -0x1.757c040000000p+2, 0x1.1eb50e0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.cfe56a0000000p+7, 0x1.74af3a0000000p+9, 0x1.8a3b3a0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.6ba8c00000000p-1, -0x1.17edfa0000000p-2, -0x1.4a0a120000000p-1, -0x1.53e94c0000000p-4 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.382b1e0000000p-6, 0x1.a324960000000p-1, -0x1.0154000000000p-1, 0x1.1bd49e0000000p-2 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, 0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { -0x1.1dfb920000000p+4, 0x1.3693580000000p+4, 0x1.7f4df40000000p+1 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.7591fe0000000p-1, -0x1.2fc3840000000p-2, -0x1.e408680000000p-2, 0x1.9666140000000p-2 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { -0x1.0000000000000p+0 },
     { 0x1.af1b900000000p-2 }
 };
@@ -43,14 +42,14 @@ static const double out_z[N_VECTORS][3] = {
     { -0x1.9515cd9134041p+0, -0x1.68c2d8c993eb5p+2, 0x1.458df07f2a261p+3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 1.61e-05, 1.61e-05, 1.61e-05 },
-    { 3.73e-06, 5.9e-06, 7.38e-06 }
+static const float tol_z[N_VECTORS][3] = {
+    { 1.61e-05F, 1.61e-05F, 1.61e-05F },
+    { 3.73e-06F, 5.90e-06F, 7.38e-06F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 3.22e-14, 3.22e-14, 3.23e-14 },
-    { 7.13e-15, 1.16e-14, 1.49e-14 }
+static const float tol_z[N_VECTORS][3] = {
+    { 3.22e-14F, 3.22e-14F, 3.23e-14F },
+    { 7.13e-15F, 1.16e-14F, 1.49e-14F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -108,7 +107,7 @@ int test_val_dcm_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_dcm_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_dcm_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_z z", z, 3);
@@ -121,7 +120,7 @@ int test_val_dcm_z(void)
             set_point(0, &nav, &imu, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_dcm_z: position[%d] end %d refused\n", i, end);
+                selftest_print("val_dcm_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -137,7 +136,7 @@ int test_val_dcm_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_dcm_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_dcm_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_z z", z, 3);
@@ -148,7 +147,7 @@ int test_val_dcm_z(void)
             set_point(0, &nav, &imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_dcm_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_dcm_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -166,7 +165,7 @@ int test_val_dcm_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_dcm_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_dcm_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_z z", z, 3);
@@ -180,7 +179,7 @@ int test_val_dcm_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_dcm_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_dcm_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -193,7 +192,7 @@ int test_val_dcm_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_dcm_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("val_dcm_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_dcm_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -210,7 +209,7 @@ int test_val_dcm_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_dcm_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_dcm_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_z z", z, 3);
@@ -224,7 +223,7 @@ int test_val_dcm_z(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_dcm_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_dcm_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -237,7 +236,7 @@ int test_val_dcm_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_dcm_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("val_dcm_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_dcm_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -254,7 +253,7 @@ int test_val_dcm_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_dcm_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_dcm_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_z z", z, 3);
@@ -265,7 +264,7 @@ int test_val_dcm_z(void)
             set_point(0, &nav, &imu, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (val_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_dcm_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("val_dcm_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -283,7 +282,7 @@ int test_val_dcm_z(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_dcm_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_dcm_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_z z", z, 3);
@@ -297,7 +296,7 @@ int test_val_dcm_z(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_dcm_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_dcm_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -310,7 +309,7 @@ int test_val_dcm_z(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_dcm_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("val_dcm_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_dcm_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -325,7 +324,7 @@ int test_val_dcm_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_dcm_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_dcm_z: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_dcm_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_z z", z, 3);
@@ -336,7 +335,7 @@ int test_val_dcm_z(void)
             set_point(0, &nav, &imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
             if (val_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_dcm_z: lag[%d] end %d refused\n", i, end);
+                selftest_print("val_dcm_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

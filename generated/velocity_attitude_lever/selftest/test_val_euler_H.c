@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.5c23380000000p-4, 0x1.c060060000000p+1, 0x1.931ea40000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.bc43020000000p+7, 0x1.14f77c0000000p+7, -0x1.e856020000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.4bb2ec0000000p-1, -0x1.da16220000000p-2, 0x1.31e4a60000000p-3, -0x1.2b92420000000p-1 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, -0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { 0x1.27b8940000000p+3, -0x1.334dfc0000000p+4, 0x1.2fc8460000000p+4 }
 };
-static const double in_euler_m[N_VECTORS][3] = {
+static const float in_euler_m[N_VECTORS][3] = {
     { -0x1.921fb40000000p+1, 0x1.6571840000000p+0, 0x1.921fb40000000p+1 },
     { -0x1.2d6aa80000000p+1, -0x1.765f700000000p-1, -0x1.1c02340000000p-2 }
 };
@@ -35,14 +34,14 @@ static const double out_H[N_VECTORS][17] = {
     { -0x1.4ac4f31b59d26p+0, 0x1.78aaa00bbeff4p-2, 0x1.0000000000000p+0, 0x1.45390ed28b72dp-1, 0x1.445411098d925p-1, -0x1.23fcaf8a6114ep+5, -0x1.1861a31cefa6cp-2, -0x1.ec6eeda357286p-1, -0x1.698a2e11f4d8cp-1, 0x1.6a8971bf3104cp-1, -0x1.600dbfd2ba35bp-1, 0x1.b9bfefaabe70ep-1, -0x1.f70be32a0e112p-3, -0x1.0000000000000p+0, -0x1.e708ea52a0067p-1, -0x1.e5b1fdc1683d9p-1, 0x1.f8850ccfb07b8p+3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][17] = {
-    { 7.13e-06, 2.72e-12, 1.12e-16, 6.16e-12, 1.08e-05, 0.000214, 1.82e-14, 1.2e-07, 1.2e-07, 1.82e-14, 1.72e-05, 5.8e-06, 2.24e-12, 1.12e-16, 3.14e-13, 2.08e-06, 0.000201 },
-    { 1.09e-06, 1.04e-06, 1.12e-16, 1.7e-06, 1.9e-06, 5.75e-05, 3.3e-08, 1.16e-07, 8.5e-08, 8.53e-08, 1.36e-05, 9.94e-07, 1.14e-06, 1.12e-16, 3.44e-07, 3.43e-07, 5.72e-05 }
+static const float tol_H[N_VECTORS][17] = {
+    { 7.13e-06F, 2.72e-12F, 1.12e-16F, 6.16e-12F, 1.08e-05F, 2.14e-04F, 1.82e-14F, 1.20e-07F, 1.20e-07F, 1.82e-14F, 1.72e-05F, 5.80e-06F, 2.24e-12F, 1.12e-16F, 3.14e-13F, 2.08e-06F, 2.01e-04F },
+    { 1.09e-06F, 1.04e-06F, 1.12e-16F, 1.70e-06F, 1.90e-06F, 5.75e-05F, 3.30e-08F, 1.16e-07F, 8.50e-08F, 8.53e-08F, 1.36e-05F, 9.94e-07F, 1.14e-06F, 1.12e-16F, 3.44e-07F, 3.43e-07F, 5.72e-05F }
 };
 #else
-static const double tol_H[N_VECTORS][17] = {
-    { 1.39e-14, 5.17e-21, 1.12e-16, 1.16e-20, 2.07e-14, 4.12e-13, 5.08e-23, 3.36e-16, 3.36e-16, 5.08e-23, 3.43e-14, 1.14e-14, 4.26e-21, 1.12e-16, 6.83e-22, 4.52e-15, 3.89e-13 },
-    { 2.18e-15, 1.97e-15, 1.12e-16, 3.23e-15, 3.61e-15, 1.11e-13, 9.21e-17, 3.24e-16, 2.38e-16, 2.38e-16, 2.55e-14, 1.95e-15, 2.16e-15, 1.12e-16, 7.47e-16, 7.45e-16, 1.08e-13 }
+static const float tol_H[N_VECTORS][17] = {
+    { 1.39e-14F, 5.17e-21F, 1.12e-16F, 1.16e-20F, 2.07e-14F, 4.12e-13F, 5.08e-23F, 3.36e-16F, 3.36e-16F, 5.08e-23F, 3.43e-14F, 1.14e-14F, 4.26e-21F, 1.12e-16F, 6.83e-22F, 4.52e-15F, 3.89e-13F },
+    { 2.18e-15F, 1.97e-15F, 1.12e-16F, 3.23e-15F, 3.61e-15F, 1.11e-13F, 9.21e-17F, 3.24e-16F, 2.38e-16F, 2.38e-16F, 2.55e-14F, 1.95e-15F, 2.16e-15F, 1.12e-16F, 7.47e-16F, 7.45e-16F, 1.08e-13F }
 };
 #endif
 static const unsigned short at_H[17] = { 0, 1, 12, 13, 14, 15, 19, 20, 32, 33, 34, 38, 39, 40, 51,
@@ -95,7 +94,7 @@ int test_val_euler_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_euler_H(&nav, &imu, &master, H) != expected) {
-                (void)printf("val_euler_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_euler_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_euler_H H", H, 57);
@@ -108,7 +107,7 @@ int test_val_euler_H(void)
             set_point(0, &nav, &imu, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_euler_H(&nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_euler_H: position[%d] end %d refused\n", i, end);
+                selftest_print("val_euler_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -124,7 +123,7 @@ int test_val_euler_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_euler_H(&nav, &imu, &master, H) != expected) {
-                (void)printf("val_euler_H: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_euler_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_euler_H H", H, 57);
@@ -135,7 +134,7 @@ int test_val_euler_H(void)
             set_point(0, &nav, &imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_euler_H(&nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_euler_H: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_euler_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -153,7 +152,7 @@ int test_val_euler_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_euler_H(&nav, &imu, &master, H) != expected) {
-                (void)printf("val_euler_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_euler_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_euler_H H", H, 57);
@@ -167,7 +166,7 @@ int test_val_euler_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_euler_H(&nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_euler_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_euler_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -180,7 +179,8 @@ int test_val_euler_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_euler_H(&nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("val_euler_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_euler_H: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -197,7 +197,7 @@ int test_val_euler_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_euler_H(&nav, &imu, &master, H) != expected) {
-                (void)printf("val_euler_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_euler_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_euler_H H", H, 57);
@@ -208,7 +208,7 @@ int test_val_euler_H(void)
             set_point(0, &nav, &imu, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (val_euler_H(&nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_euler_H: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("val_euler_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -228,7 +228,7 @@ int test_val_euler_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_euler_H(&nav, &imu, &master, H) != expected) {
-                (void)printf("val_euler_H: euler_m[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_euler_H: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_euler_H H", H, 57);
@@ -243,7 +243,7 @@ int test_val_euler_H(void)
             set_point(0, &nav, &imu, &master);
             master.euler_m[i] = (end == 0) ? low[i] : high[i];
             if (val_euler_H(&nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_euler_H: euler_m[%d] end %d refused\n", i, end);
+                selftest_print("val_euler_H: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

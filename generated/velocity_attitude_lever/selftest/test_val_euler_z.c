@@ -2,38 +2,37 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.39e7780000000p-1, -0x1.17ec1a0000000p+1, 0x1.6bbc100000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.3ce5280000000p+9, 0x1.3b169e0000000p+9, -0x1.675fe00000000p+8 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.f41d2e0000000p-4, 0x1.21cb1c0000000p-1, 0x1.1b6f880000000p-4, -0x1.a001e40000000p-1 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.5079f40000000p-1, -0x1.72ff6a0000000p-3, -0x1.9de5980000000p-3, 0x1.6898660000000p-1 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.13c6720000000p+4, -0x1.21a9c20000000p+4, 0x1.978c220000000p+3 }
 };
-static const double in_euler_m[N_VECTORS][3] = {
+static const float in_euler_m[N_VECTORS][3] = {
     { 0x1.921fb40000000p+1, -0x1.6571840000000p+0, -0x1.921fb40000000p+1 },
     { -0x1.2cc4ac0000000p+0, -0x1.87e3e40000000p-7, -0x1.9a75780000000p+0 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { 0x1.0000000000000p+0 },
     { 0x1.d8c2ee0000000p-1 }
 };
@@ -43,14 +42,14 @@ static const double out_z[N_VECTORS][3] = {
     { -0x1.a61d6c4b92607p-2, -0x1.f257306bcd9a6p-2, -0x1.7b67d8546a892p+1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 2.63e-05, 2.92e-05, 2.63e-05 },
-    { 6.24e-05, 5.87e-05, 6.29e-05 }
+static const float tol_z[N_VECTORS][3] = {
+    { 2.63e-05F, 2.92e-05F, 2.63e-05F },
+    { 6.24e-05F, 5.87e-05F, 6.29e-05F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 4.91e-14, 5.46e-14, 4.92e-14 },
-    { 1.16e-13, 1.09e-13, 1.17e-13 }
+static const float tol_z[N_VECTORS][3] = {
+    { 4.91e-14F, 5.46e-14F, 4.92e-14F },
+    { 1.16e-13F, 1.09e-13F, 1.17e-13F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -108,7 +107,7 @@ int test_val_euler_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_euler_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_euler_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_euler_z z", z, 3);
@@ -121,7 +120,7 @@ int test_val_euler_z(void)
             set_point(0, &nav, &imu, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_euler_z: position[%d] end %d refused\n", i, end);
+                selftest_print("val_euler_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -137,7 +136,7 @@ int test_val_euler_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_euler_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_euler_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_euler_z z", z, 3);
@@ -148,7 +147,7 @@ int test_val_euler_z(void)
             set_point(0, &nav, &imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_euler_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_euler_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -166,7 +165,7 @@ int test_val_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_euler_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_euler_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_euler_z z", z, 3);
@@ -180,7 +179,7 @@ int test_val_euler_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_euler_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_euler_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -193,7 +192,8 @@ int test_val_euler_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_euler_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("val_euler_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_euler_z: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -210,7 +210,7 @@ int test_val_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_euler_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_euler_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_euler_z z", z, 3);
@@ -224,7 +224,7 @@ int test_val_euler_z(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_euler_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_euler_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -237,7 +237,8 @@ int test_val_euler_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_euler_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("val_euler_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_euler_z: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -254,7 +255,7 @@ int test_val_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_euler_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_euler_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_euler_z z", z, 3);
@@ -265,7 +266,7 @@ int test_val_euler_z(void)
             set_point(0, &nav, &imu, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (val_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_euler_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("val_euler_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -285,7 +286,7 @@ int test_val_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_euler_z: euler_m[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_euler_z: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_euler_z z", z, 3);
@@ -300,7 +301,7 @@ int test_val_euler_z(void)
             set_point(0, &nav, &imu, &master);
             master.euler_m[i] = (end == 0) ? low[i] : high[i];
             if (val_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_euler_z: euler_m[%d] end %d refused\n", i, end);
+                selftest_print("val_euler_z: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -316,7 +317,7 @@ int test_val_euler_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_euler_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_euler_z: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_euler_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_euler_z z", z, 3);
@@ -327,7 +328,7 @@ int test_val_euler_z(void)
             set_point(0, &nav, &imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
             if (val_euler_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_euler_z: lag[%d] end %d refused\n", i, end);
+                selftest_print("val_euler_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

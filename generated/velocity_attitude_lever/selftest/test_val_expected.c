@@ -2,34 +2,33 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.b6861a0000000p-1, 0x1.978e580000000p+1, 0x1.5708360000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.e44de40000000p+3, 0x1.f8a2be0000000p+5, -0x1.1587640000000p+5 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { 0x1.395e780000000p-3, -0x1.fd85880000000p-2, -0x1.43ffd40000000p-1, -0x1.25984c0000000p-1 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.ce64e00000000p-2, -0x1.8a52440000000p-2, -0x1.70a5720000000p-1, -0x1.71bf160000000p-2 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, 0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { 0x1.9a859e0000000p+3, 0x1.3e72260000000p+4, 0x1.f58c7c0000000p+1 }
 };
-static const double in_lever_b[N_VECTORS][3] = {
+static const float in_lever_b[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { 0x1.bc6a3e0000000p+5, -0x1.edf2e20000000p+5, 0x1.5387ca0000000p+6 }
 };
@@ -39,14 +38,14 @@ static const double out_v_m_n[N_VECTORS][3] = {
     { 0x1.21a777d7a72d3p+11, 0x1.678a19cea1b49p+9, -0x1.89220a256d597p+10 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_m_n[N_VECTORS][3] = {
-    { 0.00307, 0.0027, 0.00295 },
-    { 0.00125, 0.00138, 0.00117 }
+static const float tol_v_m_n[N_VECTORS][3] = {
+    { 3.07e-03F, 2.70e-03F, 2.95e-03F },
+    { 1.25e-03F, 1.38e-03F, 1.17e-03F }
 };
 #else
-static const double tol_v_m_n[N_VECTORS][3] = {
-    { 6.27e-12, 5.15e-12, 6.05e-12 },
-    { 2.6e-12, 2.65e-12, 2.36e-12 }
+static const float tol_v_m_n[N_VECTORS][3] = {
+    { 6.27e-12F, 5.15e-12F, 6.05e-12F },
+    { 2.60e-12F, 2.65e-12F, 2.36e-12F }
 };
 #endif
 static const unsigned short at_v_m_n[3] = { 0, 1, 2 };
@@ -56,14 +55,14 @@ static const double out_q_m2n_wxyz[N_VECTORS][4] = {
     { 0x1.d87a52b15163bp-1, 0x1.30ce30e960653p-6, -0x1.bb94dc25e642cp-3, -0x1.45b34fb8e3560p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_m2n_wxyz[N_VECTORS][4] = {
-    { 4.4e-07, 3.8e-07, 4.4e-07, 3.8e-07 },
-    { 6.33e-07, 9.23e-08, 1.96e-07, 2.57e-07 }
+static const float tol_q_m2n_wxyz[N_VECTORS][4] = {
+    { 4.40e-07F, 3.80e-07F, 4.40e-07F, 3.80e-07F },
+    { 6.33e-07F, 9.23e-08F, 1.96e-07F, 2.57e-07F }
 };
 #else
-static const double tol_q_m2n_wxyz[N_VECTORS][4] = {
-    { 8.76e-16, 7.64e-16, 8.76e-16, 7.64e-16 },
-    { 1.28e-15, 1.74e-16, 3.89e-16, 5.15e-16 }
+static const float tol_q_m2n_wxyz[N_VECTORS][4] = {
+    { 8.76e-16F, 7.64e-16F, 8.76e-16F, 7.64e-16F },
+    { 1.28e-15F, 1.74e-16F, 3.89e-16F, 5.15e-16F }
 };
 #endif
 static const unsigned short at_q_m2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -73,14 +72,14 @@ static const double out_omega_nb_n[N_VECTORS][3] = {
     { 0x1.73fbb96edcc34p+3, 0x1.8ed98cdd8bec1p+2, 0x1.40f5474701ff2p+4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_omega_nb_n[N_VECTORS][3] = {
-    { 1.23e-05, 9.92e-06, 1.23e-05 },
-    { 8.52e-06, 6.16e-06, 9.37e-06 }
+static const float tol_omega_nb_n[N_VECTORS][3] = {
+    { 1.23e-05F, 9.92e-06F, 1.23e-05F },
+    { 8.52e-06F, 6.16e-06F, 9.37e-06F }
 };
 #else
-static const double tol_omega_nb_n[N_VECTORS][3] = {
-    { 2.52e-14, 2.07e-14, 2.52e-14 },
-    { 1.72e-14, 1.22e-14, 1.97e-14 }
+static const float tol_omega_nb_n[N_VECTORS][3] = {
+    { 2.52e-14F, 2.07e-14F, 2.52e-14F },
+    { 1.72e-14F, 1.22e-14F, 1.97e-14F }
 };
 #endif
 static const unsigned short at_omega_nb_n[3] = { 0, 1, 2 };
@@ -144,7 +143,7 @@ int test_val_expected(void)
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
             if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                (void)printf("val_expected: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_expected: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
@@ -159,7 +158,7 @@ int test_val_expected(void)
             set_point(0, &nav, &imu, &mounting);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                (void)printf("val_expected: position[%d] end %d refused\n", i, end);
+                selftest_print("val_expected: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -177,7 +176,7 @@ int test_val_expected(void)
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
             if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                (void)printf("val_expected: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_expected: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
@@ -190,7 +189,7 @@ int test_val_expected(void)
             set_point(0, &nav, &imu, &mounting);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                (void)printf("val_expected: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_expected: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -210,7 +209,7 @@ int test_val_expected(void)
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
             if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                (void)printf("val_expected: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_expected: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
@@ -226,7 +225,7 @@ int test_val_expected(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                (void)printf("val_expected: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_expected: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -239,8 +238,8 @@ int test_val_expected(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OUT_OF_RANGE) {
-            (void)printf("val_expected: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_expected: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -259,7 +258,7 @@ int test_val_expected(void)
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
             if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                (void)printf("val_expected: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_expected: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
@@ -275,7 +274,7 @@ int test_val_expected(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                (void)printf("val_expected: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_expected: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -288,8 +287,8 @@ int test_val_expected(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OUT_OF_RANGE) {
-            (void)printf("val_expected: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_expected: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -308,7 +307,7 @@ int test_val_expected(void)
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
             if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                (void)printf("val_expected: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_expected: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
@@ -321,7 +320,7 @@ int test_val_expected(void)
             set_point(0, &nav, &imu, &mounting);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                (void)printf("val_expected: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("val_expected: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -341,7 +340,7 @@ int test_val_expected(void)
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
             if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                (void)printf("val_expected: lever_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_expected: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
@@ -354,7 +353,7 @@ int test_val_expected(void)
             set_point(0, &nav, &imu, &mounting);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
             if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                (void)printf("val_expected: lever_b[%d] end %d refused\n", i, end);
+                selftest_print("val_expected: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

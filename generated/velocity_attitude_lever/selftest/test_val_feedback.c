@@ -2,42 +2,41 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_x[N_VECTORS][19] = {
+static const float in_x[N_VECTORS][19] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p+0, 0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { -0x1.7c99580000000p-4, 0x1.aeae6e0000000p-2, -0x1.da14840000000p-2, 0x1.1b51a40000000p+4, -0x1.3179c80000000p+6, -0x1.b15ca60000000p+0, 0x1.6a37be0000000p-7, 0x1.3fbc8e0000000p-8, -0x1.1993880000000p-8, -0x1.9a873e0000000p-1, 0x1.e135d40000000p-2, 0x1.f7e6540000000p-2, 0x1.5f53fc0000000p-2, 0x1.53d2ce0000000p-4, 0x1.2dd8b00000000p-2, -0x1.cad6c60000000p-1, 0x1.47c3900000000p+4, -0x1.1ea9e60000000p+4, -0x1.7e10580000000p+2 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.4dee760000000p+9, 0x1.e54f3c0000000p+9, 0x1.060b1e0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { 0x1.b2272c0000000p-3, 0x1.2570e60000000p-1, 0x1.0790b20000000p-1, 0x1.3423200000000p-1 }
 };
-static const double in_gyro_bias[N_VECTORS][3] = {
+static const float in_gyro_bias[N_VECTORS][3] = {
     { 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6 },
     { 0x1.e0007a0000000p-8, -0x1.a72aa60000000p-7, 0x1.6cfb320000000p-7 }
 };
-static const double in_accel_bias[N_VECTORS][3] = {
+static const float in_accel_bias[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { 0x1.e5940e0000000p-1, 0x1.e894b40000000p-1, 0x1.eb2be00000000p-3 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.a225ac0000000p-2, -0x1.55657c0000000p-1, 0x1.0c7b600000000p-1, -0x1.5ae7920000000p-2 }
 };
-static const double in_tau[N_VECTORS][1] = {
+static const float in_tau[N_VECTORS][1] = {
     { 0x1.0000000000000p+0 },
     { -0x1.fda8940000000p-2 }
 };
-static const double in_lever_b[N_VECTORS][3] = {
+static const float in_lever_b[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { -0x1.4be7a80000000p+4, -0x1.4be2120000000p+5, -0x1.671bf20000000p+3 }
 };
@@ -47,14 +46,14 @@ static const double out_v_n[N_VECTORS][3] = {
     { -0x1.56c9032000000p+9, 0x1.05bf3a8000000p+10, 0x1.06e3cc5300000p+9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 6.62e-05, 5.42e-05, 5.42e-05 },
-    { 4.13e-05, 6.3e-05, 3.17e-05 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 6.62e-05F, 5.42e-05F, 5.42e-05F },
+    { 4.13e-05F, 6.30e-05F, 3.17e-05F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 2.47e-13, 2.02e-13, 2.02e-13 },
-    { 1.54e-13, 2.35e-13, 1.18e-13 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 2.47e-13F, 2.02e-13F, 2.02e-13F },
+    { 1.54e-13F, 2.35e-13F, 1.18e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -64,14 +63,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.08543538e436dp-2, 0x1.8d8a61c57d408p-1, 0x1.b850eb215a303p-2, 0x1.86bc3536b7b32p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.06e-06, 1.06e-06, 1.05e-06, 4.72e-07 },
-    { 5.16e-07, 1.13e-06, 7.09e-07, 6.88e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 1.06e-06F, 1.06e-06F, 1.05e-06F, 4.72e-07F },
+    { 5.16e-07F, 1.13e-06F, 7.09e-07F, 6.88e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.04e-15, 2.04e-15, 2.02e-15, 8.89e-16 },
-    { 9.89e-16, 2.19e-15, 1.37e-15, 1.32e-15 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 2.04e-15F, 2.04e-15F, 2.02e-15F, 8.89e-16F },
+    { 9.89e-16F, 2.19e-15F, 1.37e-15F, 1.32e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -81,14 +80,14 @@ static const double out_gyro_bias[N_VECTORS][3] = {
     { -0x1.e8de040000000p-9, -0x1.2384768000000p-6, 0x1.f9c4f60000000p-7 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_gyro_bias[N_VECTORS][3] = {
-    { 1.19e-38, 2.1e-09, 1.19e-38 },
-    { 2.25e-10, 1.07e-09, 9.29e-10 }
+static const float tol_gyro_bias[N_VECTORS][3] = {
+    { 1.19e-38F, 2.10e-09F, 1.19e-38F },
+    { 2.25e-10F, 1.07e-09F, 9.29e-10F }
 };
 #else
-static const double tol_gyro_bias[N_VECTORS][3] = {
-    { 1.01e-45, 7.83e-18, 1.01e-45 },
-    { 8.36e-19, 3.99e-18, 3.46e-18 }
+static const float tol_gyro_bias[N_VECTORS][3] = {
+    { 0.0F, 7.83e-18F, 0.0F },
+    { 8.36e-19F, 3.99e-18F, 3.46e-18F }
 };
 #endif
 static const unsigned short at_gyro_bias[3] = { 0, 1, 2 };
@@ -98,14 +97,14 @@ static const double out_accel_bias[N_VECTORS][3] = {
     { 0x1.c00da60000000p+0, 0x1.eff3940000000p-2, -0x1.0250640000000p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_accel_bias[N_VECTORS][3] = {
-    { 1.19e-38, 1.2e-07, 1.19e-38 },
-    { 1.05e-07, 2.92e-08, 1.52e-08 }
+static const float tol_accel_bias[N_VECTORS][3] = {
+    { 1.19e-38F, 1.20e-07F, 1.19e-38F },
+    { 1.05e-07F, 2.92e-08F, 1.52e-08F }
 };
 #else
-static const double tol_accel_bias[N_VECTORS][3] = {
-    { 1.01e-45, 4.49e-16, 1.01e-45 },
-    { 3.93e-16, 1.09e-16, 5.66e-17 }
+static const float tol_accel_bias[N_VECTORS][3] = {
+    { 0.0F, 4.49e-16F, 0.0F },
+    { 3.93e-16F, 1.09e-16F, 5.66e-17F }
 };
 #endif
 static const unsigned short at_accel_bias[3] = { 0, 1, 2 };
@@ -115,14 +114,14 @@ static const double out_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.13c553c1e6838p-1, -0x1.5706e287ef598p-1, 0x1.f2fd187300294p-2, -0x1.3a7106b41d0b8p-3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2m_wxyz[N_VECTORS][4] = {
-    { 4.73e-07, 1.07e-06, 1.07e-06, 1.07e-06 },
-    { 7.51e-07, 9.13e-07, 7.15e-07, 3.46e-07 }
+static const float tol_q_b2m_wxyz[N_VECTORS][4] = {
+    { 4.73e-07F, 1.07e-06F, 1.07e-06F, 1.07e-06F },
+    { 7.51e-07F, 9.13e-07F, 7.15e-07F, 3.46e-07F }
 };
 #else
-static const double tol_q_b2m_wxyz[N_VECTORS][4] = {
-    { 8.9e-16, 2.05e-15, 2.05e-15, 2.05e-15 },
-    { 1.46e-15, 1.78e-15, 1.39e-15, 6.62e-16 }
+static const float tol_q_b2m_wxyz[N_VECTORS][4] = {
+    { 8.90e-16F, 2.05e-15F, 2.05e-15F, 2.05e-15F },
+    { 1.46e-15F, 1.78e-15F, 1.39e-15F, 6.62e-16F }
 };
 #endif
 static const unsigned short at_q_b2m_wxyz[4] = { 0, 1, 2, 3 };
@@ -132,14 +131,14 @@ static const double out_tau[N_VECTORS][1] = {
     { 0x1.9804f80000000p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_tau[N_VECTORS][1] = {
-    { 1.19e-38 },
-    { 2.4e-08 }
+static const float tol_tau[N_VECTORS][1] = {
+    { 1.19e-38F },
+    { 2.40e-08F }
 };
 #else
-static const double tol_tau[N_VECTORS][1] = {
-    { 1.01e-45 },
-    { 8.94e-17 }
+static const float tol_tau[N_VECTORS][1] = {
+    { 0.0F },
+    { 8.94e-17F }
 };
 #endif
 static const unsigned short at_tau[1] = { 0 };
@@ -149,14 +148,14 @@ static const double out_lever_b[N_VECTORS][3] = {
     { -0x1.49d59c0000000p+5, -0x1.791a3e0000000p+4, -0x1.50278c0000000p+2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_lever_b[N_VECTORS][3] = {
-    { 1.2e-05, 1.2e-05, 1.2e-05 },
-    { 2.48e-06, 1.42e-06, 3.16e-07 }
+static const float tol_lever_b[N_VECTORS][3] = {
+    { 1.20e-05F, 1.20e-05F, 1.20e-05F },
+    { 2.48e-06F, 1.42e-06F, 3.16e-07F }
 };
 #else
-static const double tol_lever_b[N_VECTORS][3] = {
-    { 4.49e-14, 4.49e-14, 4.49e-14 },
-    { 9.25e-15, 5.29e-15, 1.18e-15 }
+static const float tol_lever_b[N_VECTORS][3] = {
+    { 4.49e-14F, 4.49e-14F, 4.49e-14F },
+    { 9.25e-15F, 5.29e-15F, 1.18e-15F }
 };
 #endif
 static const unsigned short at_lever_b[3] = { 0, 1, 2 };
@@ -250,7 +249,7 @@ int test_val_feedback(void)
             selftest_paint(lever_b, 3);
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != expected) {
-                (void)printf("val_feedback: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_feedback v_n", v_n, 3);
@@ -282,7 +281,7 @@ int test_val_feedback(void)
             x[i] = (end == 0) ? low[i] : high[i];
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != BS_OK) {
-                (void)printf("val_feedback: x[%d] end %d refused\n", i, end);
+                selftest_print("val_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -305,7 +304,7 @@ int test_val_feedback(void)
             selftest_paint(lever_b, 3);
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != expected) {
-                (void)printf("val_feedback: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_feedback v_n", v_n, 3);
@@ -323,7 +322,7 @@ int test_val_feedback(void)
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != BS_OK) {
-                (void)printf("val_feedback: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -348,7 +347,7 @@ int test_val_feedback(void)
             selftest_paint(lever_b, 3);
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != expected) {
-                (void)printf("val_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_feedback v_n", v_n, 3);
@@ -369,7 +368,7 @@ int test_val_feedback(void)
             }
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != BS_OK) {
-                (void)printf("val_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -383,8 +382,8 @@ int test_val_feedback(void)
         }
         if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                          tau, lever_b) != BS_OUT_OF_RANGE) {
-            (void)printf("val_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -410,7 +409,7 @@ int test_val_feedback(void)
             selftest_paint(lever_b, 3);
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != expected) {
-                (void)printf("val_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_feedback v_n", v_n, 3);
@@ -432,7 +431,7 @@ int test_val_feedback(void)
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != BS_OK) {
-                (void)printf("val_feedback: gyro_bias[%d] end %d refused\n", i, end);
+                selftest_print("val_feedback: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -457,7 +456,7 @@ int test_val_feedback(void)
             selftest_paint(lever_b, 3);
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != expected) {
-                (void)printf("val_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_feedback v_n", v_n, 3);
@@ -475,7 +474,7 @@ int test_val_feedback(void)
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != BS_OK) {
-                (void)printf("val_feedback: accel_bias[%d] end %d refused\n", i, end);
+                selftest_print("val_feedback: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -500,7 +499,7 @@ int test_val_feedback(void)
             selftest_paint(lever_b, 3);
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != expected) {
-                (void)printf("val_feedback: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_feedback: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_feedback v_n", v_n, 3);
@@ -521,7 +520,7 @@ int test_val_feedback(void)
             }
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != BS_OK) {
-                (void)printf("val_feedback: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_feedback: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -535,8 +534,8 @@ int test_val_feedback(void)
         }
         if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                          tau, lever_b) != BS_OUT_OF_RANGE) {
-            (void)printf("val_feedback: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_feedback: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -558,7 +557,7 @@ int test_val_feedback(void)
             selftest_paint(lever_b, 3);
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != expected) {
-                (void)printf("val_feedback: tau[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_feedback: tau[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_feedback v_n", v_n, 3);
@@ -576,7 +575,7 @@ int test_val_feedback(void)
             nav.tau = (end == 0) ? low[i] : high[i];
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != BS_OK) {
-                (void)printf("val_feedback: tau[%d] end %d refused\n", i, end);
+                selftest_print("val_feedback: tau[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -601,7 +600,7 @@ int test_val_feedback(void)
             selftest_paint(lever_b, 3);
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != expected) {
-                (void)printf("val_feedback: lever_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_feedback: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_feedback v_n", v_n, 3);
@@ -619,7 +618,7 @@ int test_val_feedback(void)
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
             if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
                              tau, lever_b) != BS_OK) {
-                (void)printf("val_feedback: lever_b[%d] end %d refused\n", i, end);
+                selftest_print("val_feedback: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -3,7 +3,6 @@
  * The functions of the model and of the covariance have golden vectors of their own; here the
  * matrices are taken dense, so that zeros are multiplied too, and the results must be equal.  Then
  * every input is spoilt, one at a time. */
-#include <stdio.h>
 #include <string.h>
 
 #include "velocity_attitude_lever_filter.h"
@@ -109,7 +108,7 @@ static val_master given_master;
 static int expect(const char *what, int good)
 {
     if (!good) {
-        (void)printf("val_filter: %s\n", what);
+        selftest_print("val_filter: %s\n", what);
     }
     return good ? 0 : 1;
 }

@@ -3,14 +3,13 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 10
 
-static const double in_x[N_VECTORS][19] = {
+static const float in_x[N_VECTORS][19] = {
     { 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p+0, -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { -0x1.9570540000000p-5, -0x1.d6d8280000000p-2, -0x1.4400dc0000000p-5, 0x1.f9a6f40000000p+5, -0x1.e2ecf60000000p+4, -0x1.46f7a20000000p+6, 0x1.3fae780000000p-7, -0x1.065d480000000p-6, -0x1.e418b60000000p-7, 0x1.7c956a0000000p-2, 0x1.83e1220000000p-1, 0x1.e661b00000000p-1, -0x1.6d20f20000000p-2, 0x1.fb79480000000p-3, 0x1.7686e00000000p-2, 0x1.03d9d80000000p-1, 0x1.5afea40000000p+6, 0x1.e766020000000p+4, 0x1.8be4880000000p+4 },
     { -0x1.a35c620000000p-3, -0x1.4265860000000p-3, 0x1.3ae5e80000000p-3, 0x1.a609da0000000p+5, -0x1.c71d2c0000000p+4, -0x1.3f3b880000000p+4, -0x1.e421c60000000p-7, -0x1.b835f40000000p-7, 0x1.262fb60000000p-8, 0x1.2346740000000p-1, -0x1.9b48480000000p-1, 0x1.ae73a20000000p-5, -0x1.582e340000000p-4, 0x1.73a85c0000000p-2, 0x1.bcee0c0000000p-2, 0x1.9aa42a0000000p-2, 0x1.77f09c0000000p+6, -0x1.5c055e0000000p+6, -0x1.bd96000000000p+5 },
@@ -22,7 +21,7 @@ static const double in_x[N_VECTORS][19] = {
     { -0x1.a6bba00000000p-2, 0x1.bdf47c0000000p-3, -0x1.c6fa960000000p-2, 0x1.281d360000000p+1, 0x1.2b957c0000000p+5, -0x1.60e6720000000p+4, -0x1.1390160000000p-6, -0x1.5aa7140000000p-8, -0x1.05c5ba0000000p-6, -0x1.9974020000000p-1, -0x1.947b180000000p-5, -0x1.9ba3c20000000p-1, -0x1.4490560000000p-2, 0x1.95c70c0000000p-2, -0x1.9494720000000p-4, -0x1.c11faa0000000p-5, -0x1.22ad280000000p+6, 0x1.47cd160000000p+6, 0x1.771fc60000000p+6 },
     { -0x1.5840860000000p-3, -0x1.5dc1980000000p-3, -0x1.0635780000000p-4, -0x1.7423b00000000p-7, -0x1.a10c560000000p-7, -0x1.564e200000000p+5, -0x1.19e4740000000p-21, 0x1.159cb80000000p-6, 0x1.3b7b540000000p-7, -0x1.f546780000000p-14, -0x1.6f1cc60000000p-3, -0x1.ee15be0000000p-2, -0x1.e6056a0000000p-14, 0x1.530f560000000p-15, 0x1.7dca960000000p-3, 0x1.a6b3bc0000000p-17, -0x1.6d14880000000p+5, -0x1.6d4a1e0000000p-7, -0x1.8565660000000p+6 }
 };
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.3b13240000000p-6, -0x1.19a6100000000p+2, 0x1.e7581e0000000p+13 },
     { -0x1.36c7fc0000000p+0, 0x1.4b17e40000000p+2, 0x1.917fb40000000p+14 },
@@ -34,7 +33,7 @@ static const double in_position[N_VECTORS][3] = {
     { -0x1.0d51ea0000000p+0, 0x1.4f91a80000000p+2, 0x1.6c130e0000000p+14 },
     { -0x1.c5bc940000000p-13, 0x1.d031380000000p-2, 0x1.166d0e0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.a4b0580000000p+7, -0x1.3cdd640000000p+5, -0x1.928fa60000000p+9 },
     { -0x1.9c5a920000000p+8, 0x1.1ccc160000000p+9, -0x1.013fc40000000p+8 },
@@ -46,7 +45,7 @@ static const double in_v_n[N_VECTORS][3] = {
     { 0x1.cfd89e0000000p+9, -0x1.1a81380000000p+7, 0x1.cb9f300000000p+8 },
     { -0x1.c2d1740000000p-3, 0x1.667f8e0000000p+4, 0x1.5a7ffe0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.1492d20000000p-3, -0x1.bddd9e0000000p-2, -0x1.2a5cf00000000p-1, -0x1.58950e0000000p-1 },
     { 0x1.47c2da0000000p-1, 0x1.6231c20000000p-4, -0x1.5cbf0c0000000p-1, -0x1.62fcce0000000p-2 },
@@ -58,7 +57,7 @@ static const double in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.3e30ae0000000p-1, -0x1.0d06c20000000p-5, 0x1.70aaae0000000p-2, 0x1.646e0a0000000p-1 },
     { -0x1.4bb8e80000000p-1, 0x1.85d3200000000p-1, -0x1.018afc0000000p-11, -0x1.735b8e0000000p-12 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.0b7dbc0000000p-1, -0x1.a8f2000000000p-2, -0x1.a375a80000000p-5, -0x1.7c10ce0000000p-1 },
     { -0x1.8c017a0000000p-4, -0x1.3f7fc80000000p-1, -0x1.2c01e80000000p-4, 0x1.8b280c0000000p-1 },
@@ -70,7 +69,7 @@ static const double in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.abfe1a0000000p-2, -0x1.aa76800000000p-3, -0x1.93fa460000000p-1, 0x1.99fbb20000000p-2 },
     { 0x1.00193e0000000p+0, 0x1.0d7b580000000p-16, 0x1.94afa80000000p-12, -0x1.fe7e5a0000000p-14 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, -0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { 0x1.feac760000000p+3, -0x1.eaebe40000000p+3, -0x1.b7cf380000000p+0 },
     { 0x1.c916c00000000p+3, 0x1.48a3f40000000p+3, -0x1.e299320000000p+3 },
@@ -82,7 +81,7 @@ static const double in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.9f93ae0000000p+2, 0x1.3548440000000p+3, 0x1.0432e40000000p+4 },
     { -0x1.0382280000000p+2, -0x1.c33e240000000p-10, 0x1.8891f60000000p-10 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.29732c0000000p-3, 0x1.8976de0000000p-1, 0x1.1ce0320000000p-1, -0x1.1fc86e0000000p-2 },
     { 0x1.2334900000000p-1, -0x1.385f7e0000000p-2, 0x1.826f460000000p-3, 0x1.7b5b680000000p-1 },
@@ -94,7 +93,7 @@ static const double in_q_m2n_wxyz[N_VECTORS][4] = {
     { 0x1.7f41f40000000p-2, 0x1.155b6c0000000p-1, 0x1.a317c80000000p-3, 0x1.7322320000000p-1 },
     { -0x1.12784e0000000p-3, -0x1.6088be0000000p-14, 0x1.57d6fe0000000p-13, -0x1.fb54880000000p-1 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { 0x1.0000000000000p+0 },
     { 0x1.ea80dc0000000p-1 },
     { -0x1.4cdcce0000000p-2 },
@@ -120,30 +119,30 @@ static const double out_H[N_VECTORS][30] = {
     { -0x1.39cb6d1b8075dp-5, 0x1.96fac5b599810p-1, 0x1.2f5fecf94d669p-1, -0x1.5a6e73c590e81p-7, -0x1.2198456fd0b68p-2, -0x1.98665e8fa2c5ap-2, 0x1.6676724a8c03bp-4, -0x1.ae86c4f01bd8fp-1, 0x1.0a3c89147660ap-1, 0x1.5a2d10408ca08p-5, -0x1.b20d117e92dedp-1, -0x1.50c2932f3d491p-4, -0x1.82fc6bf41c5fap-5, -0x1.5de0a031512f3p-1, 0x1.d48a7c3d4e787p-5, 0x1.1a1831e69d804p-8, 0x1.ae6abd7a07be4p-1, 0x1.664d589ba06c4p-4, -0x1.d09d8e95c101cp-4, 0x1.b73e554cfa9d2p+1, -0x1.0d35e7d24984bp-1, 0x1.9417d9529a24fp-4, -0x1.e3aa90e8072d3p-8, -0x1.b4a9ff1dd7375p-2, -0x1.012d825e5caf0p-5, -0x1.eeb38d7a62232p-6, 0x1.100ed1464eadfp-1, -0x1.52493ba426ef7p-6, 0x1.f245396544550p-5, 0x1.11e10468eae41p+1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][30] = {
-    { 1.01e-05, 1e-05, 1.01e-05, 1.19e-38, 1.19e-38, 1.19e-38, 1.05e-05, 1.08e-05, 1.05e-05, 0.000435, 1.03e-05, 1.03e-05, 1.04e-05, 1.19e-38, 1.19e-38, 1.19e-38, 1.06e-05, 1.08e-05, 1.08e-05, 0.000433, 1.08e-05, 1.08e-05, 1.07e-05, 1.19e-38, 1.19e-38, 1.19e-38, 1.01e-05, 9.98e-06, 9.84e-06, 0.0004 },
-    { 0.000345, 0.000962, 0.00033, 5.62e-06, 4.41e-06, 4.46e-06, 0.000115, 9.08e-05, 0.000117, 0.000265, 0.00068, 0.00189, 0.00065, 1.24e-05, 9.35e-06, 9.63e-06, 0.000121, 9.59e-05, 0.000123, 0.000632, 0.000602, 0.00168, 0.000579, 1.08e-05, 7.54e-06, 8.61e-06, 0.000118, 9.36e-05, 0.00012, 0.000531 },
-    { 0.00383, 0.0035, 0.00313, 2.43e-05, 1.34e-05, 1.85e-05, 7.52e-05, 0.000155, 0.000177, 0.000893, 0.0033, 0.00301, 0.0027, 2.08e-05, 1.2e-05, 1.61e-05, 7.64e-05, 0.000157, 0.00018, 0.000736, 0.00138, 0.00125, 0.00113, 7.42e-06, 4.3e-06, 6.36e-06, 7.63e-05, 0.000155, 0.000179, 0.000244 },
-    { 2.2e-05, 2.08e-05, 5.12e-06, 1.01e-07, 2.21e-07, 2.24e-07, 6.57e-06, 8.03e-06, 3.34e-06, 0.00019, 1.77e-05, 1.69e-05, 5.01e-06, 1.8e-07, 1.53e-07, 7.86e-08, 6.93e-06, 6.82e-06, 2.71e-06, 0.000123, 1.06e-05, 1e-05, 2.82e-06, 5.67e-08, 8.28e-08, 4.49e-08, 7.1e-06, 7.07e-06, 2.76e-06, 6.75e-05 },
-    { 0.00143, 0.00271, 0.00272, 1.34e-05, 1.51e-05, 1.67e-05, 0.000107, 0.000192, 0.000117, 0.000724, 0.00102, 0.00192, 0.00193, 9.78e-06, 1.06e-05, 1.13e-05, 0.000106, 0.000195, 0.000119, 0.000483, 0.000895, 0.00168, 0.0017, 8e-06, 9.26e-06, 1.02e-05, 0.000107, 0.000198, 0.00012, 0.000392 },
-    { 0.000832, 0.000691, 0.000958, 1.03e-05, 8.75e-06, 1.24e-05, 4.8e-05, 2.33e-05, 7.17e-05, 0.000243, 0.000843, 0.0007, 0.000971, 1.1e-05, 8.05e-06, 1.26e-05, 5.39e-05, 2.62e-05, 8.13e-05, 0.000236, 0.000944, 0.000785, 0.00109, 1.21e-05, 9.96e-06, 1.43e-05, 5.01e-05, 2.37e-05, 7.65e-05, 0.000294 },
-    { 0.00627, 0.00271, 0.00495, 3.38e-05, 3.19e-05, 2.77e-05, 0.00033, 0.00017, 0.00011, 0.000788, 0.00292, 0.00126, 0.00231, 1.45e-05, 1.45e-05, 1.27e-05, 0.000312, 0.00016, 0.000105, 0.000314, 0.00563, 0.00244, 0.00445, 2.96e-05, 2.95e-05, 2.57e-05, 0.000312, 0.000161, 0.000106, 0.000702 },
-    { 0.000165, 4.75e-05, 8.72e-05, 8.9e-06, 6.13e-06, 7.21e-06, 6.24e-06, 1.97e-05, 7.54e-06, 3.65e-05, 0.000239, 6.9e-05, 0.000126, 1.34e-05, 8.4e-06, 9.88e-06, 6.78e-06, 2.26e-05, 7.32e-06, 7.27e-05, 0.000164, 4.79e-05, 8.52e-05, 8.13e-06, 6.32e-06, 6.72e-06, 7.25e-06, 2.61e-05, 6.76e-06, 3.91e-05 },
-    { 4.27e-05, 2.86e-05, 4.53e-05, 2.02e-07, 2.26e-07, 2.13e-07, 1.26e-05, 1.51e-05, 6.82e-06, 0.000541, 4.8e-05, 3.19e-05, 5.1e-05, 2.39e-07, 2.61e-07, 2.47e-07, 1.21e-05, 1.42e-05, 7.09e-06, 0.0007, 5.6e-05, 3.75e-05, 5.79e-05, 2.79e-07, 3.2e-07, 3.02e-07, 1.3e-05, 1.51e-05, 6.37e-06, 0.000931 },
-    { 5.05e-05, 5.98e-05, 3.49e-05, 2.71e-06, 3.1e-06, 2.6e-06, 2.08e-06, 6.08e-06, 1.7e-05, 1.3e-05, 0.000115, 8.95e-05, 4.47e-05, 1.02e-05, 3.92e-06, 2.91e-06, 6.25e-06, 2.06e-06, 7.33e-06, 5.61e-05, 9.03e-05, 6.73e-05, 3.29e-05, 7.92e-06, 2.74e-06, 1.81e-06, 5.61e-06, 2.1e-06, 6.84e-06, 4.02e-05 }
+static const float tol_H[N_VECTORS][30] = {
+    { 1.01e-05F, 1.00e-05F, 1.01e-05F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.05e-05F, 1.08e-05F, 1.05e-05F, 4.35e-04F, 1.03e-05F, 1.03e-05F, 1.04e-05F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.06e-05F, 1.08e-05F, 1.08e-05F, 4.33e-04F, 1.08e-05F, 1.08e-05F, 1.07e-05F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.01e-05F, 9.98e-06F, 9.84e-06F, 4.00e-04F },
+    { 3.45e-04F, 9.62e-04F, 3.30e-04F, 5.62e-06F, 4.41e-06F, 4.46e-06F, 1.15e-04F, 9.08e-05F, 1.17e-04F, 2.65e-04F, 6.80e-04F, 1.89e-03F, 6.50e-04F, 1.24e-05F, 9.35e-06F, 9.63e-06F, 1.21e-04F, 9.59e-05F, 1.23e-04F, 6.32e-04F, 6.02e-04F, 1.68e-03F, 5.79e-04F, 1.08e-05F, 7.54e-06F, 8.61e-06F, 1.18e-04F, 9.36e-05F, 1.20e-04F, 5.31e-04F },
+    { 3.83e-03F, 3.50e-03F, 3.13e-03F, 2.43e-05F, 1.34e-05F, 1.85e-05F, 7.52e-05F, 1.55e-04F, 1.77e-04F, 8.93e-04F, 3.30e-03F, 3.01e-03F, 2.70e-03F, 2.08e-05F, 1.20e-05F, 1.61e-05F, 7.64e-05F, 1.57e-04F, 1.80e-04F, 7.36e-04F, 1.38e-03F, 1.25e-03F, 1.13e-03F, 7.42e-06F, 4.30e-06F, 6.36e-06F, 7.63e-05F, 1.55e-04F, 1.79e-04F, 2.44e-04F },
+    { 2.20e-05F, 2.08e-05F, 5.12e-06F, 1.01e-07F, 2.21e-07F, 2.24e-07F, 6.57e-06F, 8.03e-06F, 3.34e-06F, 1.90e-04F, 1.77e-05F, 1.69e-05F, 5.01e-06F, 1.80e-07F, 1.53e-07F, 7.86e-08F, 6.93e-06F, 6.82e-06F, 2.71e-06F, 1.23e-04F, 1.06e-05F, 1.00e-05F, 2.82e-06F, 5.67e-08F, 8.28e-08F, 4.49e-08F, 7.10e-06F, 7.07e-06F, 2.76e-06F, 6.75e-05F },
+    { 1.43e-03F, 2.71e-03F, 2.72e-03F, 1.34e-05F, 1.51e-05F, 1.67e-05F, 1.07e-04F, 1.92e-04F, 1.17e-04F, 7.24e-04F, 1.02e-03F, 1.92e-03F, 1.93e-03F, 9.78e-06F, 1.06e-05F, 1.13e-05F, 1.06e-04F, 1.95e-04F, 1.19e-04F, 4.83e-04F, 8.95e-04F, 1.68e-03F, 1.70e-03F, 8.00e-06F, 9.26e-06F, 1.02e-05F, 1.07e-04F, 1.98e-04F, 1.20e-04F, 3.92e-04F },
+    { 8.32e-04F, 6.91e-04F, 9.58e-04F, 1.03e-05F, 8.75e-06F, 1.24e-05F, 4.80e-05F, 2.33e-05F, 7.17e-05F, 2.43e-04F, 8.43e-04F, 7.00e-04F, 9.71e-04F, 1.10e-05F, 8.05e-06F, 1.26e-05F, 5.39e-05F, 2.62e-05F, 8.13e-05F, 2.36e-04F, 9.44e-04F, 7.85e-04F, 1.09e-03F, 1.21e-05F, 9.96e-06F, 1.43e-05F, 5.01e-05F, 2.37e-05F, 7.65e-05F, 2.94e-04F },
+    { 6.27e-03F, 2.71e-03F, 4.95e-03F, 3.38e-05F, 3.19e-05F, 2.77e-05F, 3.30e-04F, 1.70e-04F, 1.10e-04F, 7.88e-04F, 2.92e-03F, 1.26e-03F, 2.31e-03F, 1.45e-05F, 1.45e-05F, 1.27e-05F, 3.12e-04F, 1.60e-04F, 1.05e-04F, 3.14e-04F, 5.63e-03F, 2.44e-03F, 4.45e-03F, 2.96e-05F, 2.95e-05F, 2.57e-05F, 3.12e-04F, 1.61e-04F, 1.06e-04F, 7.02e-04F },
+    { 1.65e-04F, 4.75e-05F, 8.72e-05F, 8.90e-06F, 6.13e-06F, 7.21e-06F, 6.24e-06F, 1.97e-05F, 7.54e-06F, 3.65e-05F, 2.39e-04F, 6.90e-05F, 1.26e-04F, 1.34e-05F, 8.40e-06F, 9.88e-06F, 6.78e-06F, 2.26e-05F, 7.32e-06F, 7.27e-05F, 1.64e-04F, 4.79e-05F, 8.52e-05F, 8.13e-06F, 6.32e-06F, 6.72e-06F, 7.25e-06F, 2.61e-05F, 6.76e-06F, 3.91e-05F },
+    { 4.27e-05F, 2.86e-05F, 4.53e-05F, 2.02e-07F, 2.26e-07F, 2.13e-07F, 1.26e-05F, 1.51e-05F, 6.82e-06F, 5.41e-04F, 4.80e-05F, 3.19e-05F, 5.10e-05F, 2.39e-07F, 2.61e-07F, 2.47e-07F, 1.21e-05F, 1.42e-05F, 7.09e-06F, 7.00e-04F, 5.60e-05F, 3.75e-05F, 5.79e-05F, 2.79e-07F, 3.20e-07F, 3.02e-07F, 1.30e-05F, 1.51e-05F, 6.37e-06F, 9.31e-04F },
+    { 5.05e-05F, 5.98e-05F, 3.49e-05F, 2.71e-06F, 3.10e-06F, 2.60e-06F, 2.08e-06F, 6.08e-06F, 1.70e-05F, 1.30e-05F, 1.15e-04F, 8.95e-05F, 4.47e-05F, 1.02e-05F, 3.92e-06F, 2.91e-06F, 6.25e-06F, 2.06e-06F, 7.33e-06F, 5.61e-05F, 9.03e-05F, 6.73e-05F, 3.29e-05F, 7.92e-06F, 2.74e-06F, 1.81e-06F, 5.61e-06F, 2.10e-06F, 6.84e-06F, 4.02e-05F }
 };
 #else
-static const double tol_H[N_VECTORS][30] = {
-    { 1.88e-14, 1.87e-14, 1.89e-14, 1.01e-45, 1.01e-45, 1.01e-45, 1.96e-14, 2.01e-14, 1.96e-14, 8.13e-13, 1.92e-14, 1.92e-14, 1.95e-14, 1.01e-45, 1.01e-45, 1.01e-45, 1.98e-14, 2.01e-14, 2.03e-14, 8.07e-13, 2.01e-14, 2.03e-14, 2e-14, 1.01e-45, 1.01e-45, 1.01e-45, 1.89e-14, 1.86e-14, 1.83e-14, 7.46e-13 },
-    { 6.43e-13, 1.79e-12, 6.14e-13, 1.05e-14, 8.24e-15, 8.31e-15, 2.14e-13, 1.69e-13, 2.18e-13, 4.94e-13, 1.27e-12, 3.53e-12, 1.21e-12, 2.31e-14, 1.74e-14, 1.79e-14, 2.26e-13, 1.79e-13, 2.3e-13, 1.18e-12, 1.12e-12, 3.13e-12, 1.08e-12, 2.02e-14, 1.4e-14, 1.6e-14, 2.2e-13, 1.74e-13, 2.24e-13, 9.89e-13 },
-    { 7.13e-12, 6.52e-12, 5.82e-12, 4.52e-14, 2.5e-14, 3.44e-14, 1.4e-13, 2.88e-13, 3.3e-13, 1.66e-12, 6.15e-12, 5.6e-12, 5.03e-12, 3.88e-14, 2.24e-14, 3e-14, 1.42e-13, 2.93e-13, 3.35e-13, 1.37e-12, 2.57e-12, 2.32e-12, 2.11e-12, 1.38e-14, 8e-15, 1.19e-14, 1.42e-13, 2.89e-13, 3.33e-13, 4.55e-13 },
-    { 4.1e-14, 3.88e-14, 9.55e-15, 1.88e-16, 4.12e-16, 4.19e-16, 1.22e-14, 1.51e-14, 6.22e-15, 3.54e-13, 3.31e-14, 3.16e-14, 9.34e-15, 3.37e-16, 2.85e-16, 1.47e-16, 1.3e-14, 1.27e-14, 5.06e-15, 2.29e-13, 1.97e-14, 1.87e-14, 5.25e-15, 1.06e-16, 1.54e-16, 8.38e-17, 1.32e-14, 1.32e-14, 5.14e-15, 1.26e-13 },
-    { 2.66e-12, 5.04e-12, 5.07e-12, 2.5e-14, 2.81e-14, 3.12e-14, 1.99e-13, 3.58e-13, 2.18e-13, 1.35e-12, 1.9e-12, 3.58e-12, 3.6e-12, 1.82e-14, 1.98e-14, 2.11e-14, 1.98e-13, 3.63e-13, 2.22e-13, 9e-13, 1.67e-12, 3.14e-12, 3.16e-12, 1.49e-14, 1.73e-14, 1.9e-14, 1.99e-13, 3.68e-13, 2.23e-13, 7.31e-13 },
-    { 1.55e-12, 1.29e-12, 1.78e-12, 1.92e-14, 1.63e-14, 2.3e-14, 8.95e-14, 4.35e-14, 1.34e-13, 4.53e-13, 1.57e-12, 1.3e-12, 1.81e-12, 2.05e-14, 1.5e-14, 2.35e-14, 1e-13, 4.89e-14, 1.52e-13, 4.39e-13, 1.76e-12, 1.46e-12, 2.03e-12, 2.25e-14, 1.86e-14, 2.66e-14, 9.32e-14, 4.43e-14, 1.43e-13, 5.49e-13 },
-    { 1.17e-11, 5.05e-12, 9.22e-12, 6.3e-14, 5.94e-14, 5.16e-14, 6.14e-13, 3.17e-13, 2.05e-13, 1.47e-12, 5.44e-12, 2.35e-12, 4.3e-12, 2.71e-14, 2.71e-14, 2.36e-14, 5.8e-13, 2.98e-13, 1.95e-13, 5.85e-13, 1.05e-11, 4.54e-12, 8.3e-12, 5.51e-14, 5.49e-14, 4.79e-14, 5.81e-13, 3e-13, 1.98e-13, 1.31e-12 },
-    { 3.08e-13, 8.85e-14, 1.63e-13, 1.66e-14, 1.15e-14, 1.35e-14, 1.16e-14, 3.66e-14, 1.42e-14, 6.8e-14, 4.45e-13, 1.28e-13, 2.35e-13, 2.5e-14, 1.57e-14, 1.84e-14, 1.26e-14, 4.22e-14, 1.37e-14, 1.35e-13, 3.06e-13, 8.92e-14, 1.59e-13, 1.51e-14, 1.18e-14, 1.26e-14, 1.35e-14, 4.88e-14, 1.26e-14, 7.3e-14 },
-    { 7.95e-14, 5.34e-14, 8.44e-14, 3.77e-16, 4.21e-16, 3.96e-16, 2.36e-14, 2.82e-14, 1.27e-14, 1.01e-12, 8.94e-14, 5.94e-14, 9.51e-14, 4.46e-16, 4.86e-16, 4.61e-16, 2.26e-14, 2.65e-14, 1.33e-14, 1.3e-12, 1.04e-13, 7e-14, 1.08e-13, 5.2e-16, 5.96e-16, 5.63e-16, 2.43e-14, 2.81e-14, 1.19e-14, 1.74e-12 },
-    { 9.4e-14, 1.11e-13, 6.5e-14, 5.05e-15, 5.8e-15, 4.89e-15, 3.89e-15, 1.14e-14, 3.17e-14, 2.41e-14, 2.15e-13, 1.67e-13, 8.33e-14, 1.91e-14, 7.31e-15, 5.42e-15, 1.17e-14, 3.84e-15, 1.37e-14, 1.05e-13, 1.68e-13, 1.25e-13, 6.14e-14, 1.48e-14, 5.12e-15, 3.38e-15, 1.05e-14, 3.92e-15, 1.28e-14, 7.52e-14 }
+static const float tol_H[N_VECTORS][30] = {
+    { 1.88e-14F, 1.87e-14F, 1.89e-14F, 0.0F, 0.0F, 0.0F, 1.96e-14F, 2.01e-14F, 1.96e-14F, 8.13e-13F, 1.92e-14F, 1.92e-14F, 1.95e-14F, 0.0F, 0.0F, 0.0F, 1.98e-14F, 2.01e-14F, 2.03e-14F, 8.07e-13F, 2.01e-14F, 2.03e-14F, 2.00e-14F, 0.0F, 0.0F, 0.0F, 1.89e-14F, 1.86e-14F, 1.83e-14F, 7.46e-13F },
+    { 6.43e-13F, 1.79e-12F, 6.14e-13F, 1.05e-14F, 8.24e-15F, 8.31e-15F, 2.14e-13F, 1.69e-13F, 2.18e-13F, 4.94e-13F, 1.27e-12F, 3.53e-12F, 1.21e-12F, 2.31e-14F, 1.74e-14F, 1.79e-14F, 2.26e-13F, 1.79e-13F, 2.30e-13F, 1.18e-12F, 1.12e-12F, 3.13e-12F, 1.08e-12F, 2.02e-14F, 1.40e-14F, 1.60e-14F, 2.20e-13F, 1.74e-13F, 2.24e-13F, 9.89e-13F },
+    { 7.13e-12F, 6.52e-12F, 5.82e-12F, 4.52e-14F, 2.50e-14F, 3.44e-14F, 1.40e-13F, 2.88e-13F, 3.30e-13F, 1.66e-12F, 6.15e-12F, 5.60e-12F, 5.03e-12F, 3.88e-14F, 2.24e-14F, 3.00e-14F, 1.42e-13F, 2.93e-13F, 3.35e-13F, 1.37e-12F, 2.57e-12F, 2.32e-12F, 2.11e-12F, 1.38e-14F, 8.00e-15F, 1.19e-14F, 1.42e-13F, 2.89e-13F, 3.33e-13F, 4.55e-13F },
+    { 4.10e-14F, 3.88e-14F, 9.55e-15F, 1.88e-16F, 4.12e-16F, 4.19e-16F, 1.22e-14F, 1.51e-14F, 6.22e-15F, 3.54e-13F, 3.31e-14F, 3.16e-14F, 9.34e-15F, 3.37e-16F, 2.85e-16F, 1.47e-16F, 1.30e-14F, 1.27e-14F, 5.06e-15F, 2.29e-13F, 1.97e-14F, 1.87e-14F, 5.25e-15F, 1.06e-16F, 1.54e-16F, 8.38e-17F, 1.32e-14F, 1.32e-14F, 5.14e-15F, 1.26e-13F },
+    { 2.66e-12F, 5.04e-12F, 5.07e-12F, 2.50e-14F, 2.81e-14F, 3.12e-14F, 1.99e-13F, 3.58e-13F, 2.18e-13F, 1.35e-12F, 1.90e-12F, 3.58e-12F, 3.60e-12F, 1.82e-14F, 1.98e-14F, 2.11e-14F, 1.98e-13F, 3.63e-13F, 2.22e-13F, 9.00e-13F, 1.67e-12F, 3.14e-12F, 3.16e-12F, 1.49e-14F, 1.73e-14F, 1.90e-14F, 1.99e-13F, 3.68e-13F, 2.23e-13F, 7.31e-13F },
+    { 1.55e-12F, 1.29e-12F, 1.78e-12F, 1.92e-14F, 1.63e-14F, 2.30e-14F, 8.95e-14F, 4.35e-14F, 1.34e-13F, 4.53e-13F, 1.57e-12F, 1.30e-12F, 1.81e-12F, 2.05e-14F, 1.50e-14F, 2.35e-14F, 1.00e-13F, 4.89e-14F, 1.52e-13F, 4.39e-13F, 1.76e-12F, 1.46e-12F, 2.03e-12F, 2.25e-14F, 1.86e-14F, 2.66e-14F, 9.32e-14F, 4.43e-14F, 1.43e-13F, 5.49e-13F },
+    { 1.17e-11F, 5.05e-12F, 9.22e-12F, 6.30e-14F, 5.94e-14F, 5.16e-14F, 6.14e-13F, 3.17e-13F, 2.05e-13F, 1.47e-12F, 5.44e-12F, 2.35e-12F, 4.30e-12F, 2.71e-14F, 2.71e-14F, 2.36e-14F, 5.80e-13F, 2.98e-13F, 1.95e-13F, 5.85e-13F, 1.05e-11F, 4.54e-12F, 8.30e-12F, 5.51e-14F, 5.49e-14F, 4.79e-14F, 5.81e-13F, 3.00e-13F, 1.98e-13F, 1.31e-12F },
+    { 3.08e-13F, 8.85e-14F, 1.63e-13F, 1.66e-14F, 1.15e-14F, 1.35e-14F, 1.16e-14F, 3.66e-14F, 1.42e-14F, 6.80e-14F, 4.45e-13F, 1.28e-13F, 2.35e-13F, 2.50e-14F, 1.57e-14F, 1.84e-14F, 1.26e-14F, 4.22e-14F, 1.37e-14F, 1.35e-13F, 3.06e-13F, 8.92e-14F, 1.59e-13F, 1.51e-14F, 1.18e-14F, 1.26e-14F, 1.35e-14F, 4.88e-14F, 1.26e-14F, 7.30e-14F },
+    { 7.95e-14F, 5.34e-14F, 8.44e-14F, 3.77e-16F, 4.21e-16F, 3.96e-16F, 2.36e-14F, 2.82e-14F, 1.27e-14F, 1.01e-12F, 8.94e-14F, 5.94e-14F, 9.51e-14F, 4.46e-16F, 4.86e-16F, 4.61e-16F, 2.26e-14F, 2.65e-14F, 1.33e-14F, 1.30e-12F, 1.04e-13F, 7.00e-14F, 1.08e-13F, 5.20e-16F, 5.96e-16F, 5.63e-16F, 2.43e-14F, 2.81e-14F, 1.19e-14F, 1.74e-12F },
+    { 9.40e-14F, 1.11e-13F, 6.50e-14F, 5.05e-15F, 5.80e-15F, 4.89e-15F, 3.89e-15F, 1.14e-14F, 3.17e-14F, 2.41e-14F, 2.15e-13F, 1.67e-13F, 8.33e-14F, 1.91e-14F, 7.31e-15F, 5.42e-15F, 1.17e-14F, 3.84e-15F, 1.37e-14F, 1.05e-13F, 1.68e-13F, 1.25e-13F, 6.14e-14F, 1.48e-14F, 5.12e-15F, 3.38e-15F, 1.05e-14F, 3.92e-15F, 1.28e-14F, 7.52e-14F }
 };
 #endif
 static const unsigned short at_H[30] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 19, 20, 21, 25, 26, 27,
@@ -217,7 +216,7 @@ int test_val_quaternion_H(void)
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("val_quaternion_H: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_H: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_H H", H, 57);
@@ -242,7 +241,7 @@ int test_val_quaternion_H(void)
             set_point(0, x, &nav, &imu, &master);
             x[i] = (end == 0) ? low[i] : high[i];
             if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_quaternion_H: x[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_H: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -260,7 +259,7 @@ int test_val_quaternion_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("val_quaternion_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_H H", H, 57);
@@ -273,7 +272,7 @@ int test_val_quaternion_H(void)
             set_point(0, x, &nav, &imu, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_quaternion_H: position[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -289,7 +288,7 @@ int test_val_quaternion_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("val_quaternion_H: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_H H", H, 57);
@@ -300,7 +299,7 @@ int test_val_quaternion_H(void)
             set_point(0, x, &nav, &imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_quaternion_H: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -318,7 +317,8 @@ int test_val_quaternion_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("val_quaternion_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_H: q_b2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_H H", H, 57);
@@ -337,7 +337,7 @@ int test_val_quaternion_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_quaternion_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -350,8 +350,7 @@ int test_val_quaternion_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("val_quaternion_H: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_quaternion_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -368,7 +367,8 @@ int test_val_quaternion_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("val_quaternion_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_H: q_b2m_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_H H", H, 57);
@@ -387,7 +387,7 @@ int test_val_quaternion_H(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_quaternion_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -400,8 +400,7 @@ int test_val_quaternion_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("val_quaternion_H: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_quaternion_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -418,7 +417,8 @@ int test_val_quaternion_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("val_quaternion_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_H: omega_ib_b[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_H H", H, 57);
@@ -429,7 +429,7 @@ int test_val_quaternion_H(void)
             set_point(0, x, &nav, &imu, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_quaternion_H: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -447,7 +447,8 @@ int test_val_quaternion_H(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("val_quaternion_H: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_H: q_m2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_H H", H, 57);
@@ -461,7 +462,7 @@ int test_val_quaternion_H(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_quaternion_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -474,8 +475,7 @@ int test_val_quaternion_H(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("val_quaternion_H: q_m2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_quaternion_H: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -490,7 +490,7 @@ int test_val_quaternion_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                (void)printf("val_quaternion_H: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_H: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_H H", H, 57);
@@ -501,7 +501,7 @@ int test_val_quaternion_H(void)
             set_point(0, x, &nav, &imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
             if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                (void)printf("val_quaternion_H: lag[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_H: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

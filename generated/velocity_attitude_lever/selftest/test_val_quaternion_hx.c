@@ -3,63 +3,62 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 5
 
-static const double in_x[N_VECTORS][19] = {
+static const float in_x[N_VECTORS][19] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p+0, 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { -0x1.d1371c0000000p-2, 0x1.c554c60000000p-2, -0x1.a6a2880000000p-2, 0x1.0bb7240000000p+6, 0x1.7b9dae0000000p+6, -0x1.b903840000000p+5, -0x1.e9b2aa0000000p-8, 0x1.7ce1800000000p-9, 0x1.0dc2480000000p-6, -0x1.bf0ec20000000p-2, 0x1.438af00000000p-2, 0x1.3a012c0000000p-2, -0x1.3898920000000p-2, 0x1.6487da0000000p-3, 0x1.75ce0c0000000p-2, -0x1.dc39060000000p-2, -0x1.bcef7c0000000p+4, 0x1.8899420000000p+6, 0x1.aa61ea0000000p+5 },
     { -0x1.1c70960000000p-2, 0x1.dfe3720000000p-4, 0x1.1a833a0000000p-5, -0x1.6b089c0000000p+3, 0x1.07e1ba0000000p+5, 0x1.ccabe60000000p+4, 0x1.3873e20000000p-10, -0x1.6740560000000p-7, 0x1.238ec60000000p-9, -0x1.a6a3680000000p-4, -0x1.3fb28c0000000p-2, -0x1.917a940000000p-1, 0x1.87479c0000000p-2, -0x1.0e87aa0000000p-2, 0x1.fd9eec0000000p-3, 0x1.4bf18c0000000p-2, -0x1.f36c520000000p+5, 0x1.f7c50c0000000p+4, 0x1.5dd0420000000p+4 },
     { 0x1.b42dbe0000000p-5, 0x1.afd6a80000000p-3, -0x1.678c1a0000000p-3, 0x1.1f64220000000p+2, -0x1.59ffac0000000p+6, -0x1.aea9ee0000000p+5, 0x1.7d58b00000000p-7, 0x1.ba3ae80000000p-7, 0x1.9e724e0000000p-8, -0x1.180dbc0000000p-2, -0x1.a9bfec0000000p-2, 0x1.d57bd20000000p-1, 0x1.c045940000000p-3, 0x1.725ca80000000p-3, -0x1.630b3c0000000p-2, -0x1.74afca0000000p-1, -0x1.33a6a80000000p+5, -0x1.7d10ea0000000p+5, -0x1.5e1b140000000p+6 },
     { 0x1.a93b6e0000000p-15, 0x1.2c27e80000000p-3, -0x1.10ed600000000p-16, 0x1.38d8840000000p-7, -0x1.ecd92a0000000p+5, 0x1.81fe6a0000000p-6, 0x1.16d4840000000p-19, -0x1.b6cca80000000p-21, 0x1.10fa5e0000000p-6, -0x1.ec00820000000p-4, 0x1.469a7c0000000p-16, 0x1.cb62200000000p-1, -0x1.e26a920000000p-15, 0x1.00522c0000000p-3, 0x1.f791640000000p-14, 0x1.ca739a0000000p-13, 0x1.809d620000000p+6, -0x1.f4d0980000000p+3, -0x1.afe7300000000p+3 }
 };
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { -0x1.210d1e0000000p-5, 0x1.3122100000000p+1, 0x1.9590120000000p+13 },
     { 0x1.1949ea0000000p+0, -0x1.810ffe0000000p+2, 0x1.126ad40000000p+14 },
     { -0x1.2f84c80000000p+0, 0x1.5ecb660000000p+2, 0x1.32b2e60000000p+12 },
     { 0x1.3bf4e60000000p-12, 0x1.0d67080000000p+0, 0x1.1567060000000p+2 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.a27c800000000p+9, -0x1.e65d500000000p+9, 0x1.9a1b060000000p+9 },
     { -0x1.0e3c5c0000000p+8, -0x1.88ae0c0000000p+9, -0x1.6e23400000000p+9 },
     { 0x1.aa99760000000p+8, -0x1.42032c0000000p+8, -0x1.c1f9fa0000000p+8 },
     { -0x1.be58aa0000000p+5, -0x1.bea25c0000000p-5, 0x1.c4cd880000000p-3 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.0337da0000000p-1, -0x1.db836e0000000p-5, 0x1.a013480000000p-1, -0x1.1f7f500000000p-2 },
     { -0x1.143c460000000p-1, -0x1.32dc7c0000000p-1, -0x1.6ddbb00000000p-2, 0x1.e149e80000000p-2 },
     { 0x1.7355620000000p-1, 0x1.8230720000000p-5, 0x1.117b780000000p-3, 0x1.599a040000000p-1 },
     { 0x1.0036a80000000p+0, 0x1.35915e0000000p-13, -0x1.5ea3aa0000000p-13, -0x1.f7551a0000000p-13 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.ec191c0000000p-2, 0x1.bd0f2c0000000p-2, -0x1.7693840000000p-1, -0x1.acb85e0000000p-3 },
     { 0x1.143d7a0000000p-3, -0x1.3aa07c0000000p-1, 0x1.89bfa20000000p-2, -0x1.59f9880000000p-1 },
     { 0x1.5d21180000000p-1, -0x1.3d7db40000000p-4, 0x1.4e7c380000000p-1, 0x1.4a017c0000000p-2 },
     { 0x1.5a1a940000000p-1, -0x1.18c78a0000000p-2, -0x1.4a419e0000000p-1, 0x1.d97f860000000p-3 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, -0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { 0x1.02f68c0000000p+4, 0x1.a5b6dc0000000p+1, 0x1.82cd400000000p+1 },
     { 0x1.8745a20000000p+3, 0x1.6709a60000000p+1, 0x1.e1037a0000000p+0 },
     { -0x1.3836ec0000000p+3, -0x1.0808ee0000000p+3, -0x1.0e6a080000000p+4 },
     { -0x1.6d457c0000000p+3, 0x1.9f2cf40000000p-13, 0x1.511c480000000p-10 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.04297c0000000p-1, -0x1.1c20d80000000p-1, 0x1.501f000000000p-1, -0x1.5f3bf20000000p-5 },
     { 0x1.3f13000000000p-2, -0x1.74879e0000000p-1, -0x1.a1c30a0000000p-4, 0x1.34a6e20000000p-1 },
     { 0x1.50033a0000000p-1, 0x1.00b8520000000p-2, 0x1.6cac860000000p-1, -0x1.0398780000000p-6 },
     { 0x1.92b3b20000000p-14, 0x1.107f100000000p-14, 0x1.5e327c0000000p-12, 0x1.000d2c0000000p+0 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { 0x1.0000000000000p+0 },
     { 0x1.0afa600000000p-3 },
     { -0x1.86c0ba0000000p-1 },
@@ -75,20 +74,20 @@ static const double out_h[N_VECTORS][3] = {
     { -0x1.c7157a01d15cep-7, -0x1.1c89efa5faf93p-4, 0x1.b35dd2a6d219ep-7 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_h[N_VECTORS][3] = {
-    { 2.52e-05, 2.5e-05, 2.5e-05 },
-    { 6.58e-05, 6.17e-05, 7.3e-05 },
-    { 9.08e-05, 9.21e-05, 9.05e-05 },
-    { 4.91e-05, 5.18e-05, 4.95e-05 },
-    { 3.04e-06, 1.4e-06, 3.54e-06 }
+static const float tol_h[N_VECTORS][3] = {
+    { 2.52e-05F, 2.50e-05F, 2.50e-05F },
+    { 6.58e-05F, 6.17e-05F, 7.30e-05F },
+    { 9.08e-05F, 9.21e-05F, 9.05e-05F },
+    { 4.91e-05F, 5.18e-05F, 4.95e-05F },
+    { 3.04e-06F, 1.40e-06F, 3.54e-06F }
 };
 #else
-static const double tol_h[N_VECTORS][3] = {
-    { 4.71e-14, 4.66e-14, 4.66e-14 },
-    { 1.23e-13, 1.15e-13, 1.36e-13 },
-    { 1.69e-13, 1.72e-13, 1.69e-13 },
-    { 9.16e-14, 9.67e-14, 9.24e-14 },
-    { 5.66e-15, 2.61e-15, 6.59e-15 }
+static const float tol_h[N_VECTORS][3] = {
+    { 4.71e-14F, 4.66e-14F, 4.66e-14F },
+    { 1.23e-13F, 1.15e-13F, 1.36e-13F },
+    { 1.69e-13F, 1.72e-13F, 1.69e-13F },
+    { 9.16e-14F, 9.67e-14F, 9.24e-14F },
+    { 5.66e-15F, 2.61e-15F, 6.59e-15F }
 };
 #endif
 static const unsigned short at_h[3] = { 0, 1, 2 };
@@ -160,7 +159,7 @@ int test_val_quaternion_h(void)
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("val_quaternion_h: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_h: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_h h", h, 3);
@@ -185,7 +184,7 @@ int test_val_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master);
             x[i] = (end == 0) ? low[i] : high[i];
             if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("val_quaternion_h: x[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_h: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -203,7 +202,7 @@ int test_val_quaternion_h(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("val_quaternion_h: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_h: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_h h", h, 3);
@@ -216,7 +215,7 @@ int test_val_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("val_quaternion_h: position[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_h: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -232,7 +231,7 @@ int test_val_quaternion_h(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("val_quaternion_h: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_h: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_h h", h, 3);
@@ -243,7 +242,7 @@ int test_val_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("val_quaternion_h: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_h: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -261,7 +260,8 @@ int test_val_quaternion_h(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("val_quaternion_h: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_h: q_b2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_h h", h, 3);
@@ -275,7 +275,7 @@ int test_val_quaternion_h(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("val_quaternion_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -288,8 +288,7 @@ int test_val_quaternion_h(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
-            (void)printf("val_quaternion_h: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_quaternion_h: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -306,7 +305,8 @@ int test_val_quaternion_h(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("val_quaternion_h: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_h: q_b2m_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_h h", h, 3);
@@ -325,7 +325,7 @@ int test_val_quaternion_h(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("val_quaternion_h: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_h: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -338,8 +338,7 @@ int test_val_quaternion_h(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
-            (void)printf("val_quaternion_h: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_quaternion_h: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -356,7 +355,8 @@ int test_val_quaternion_h(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("val_quaternion_h: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_h: omega_ib_b[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_h h", h, 3);
@@ -367,7 +367,7 @@ int test_val_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("val_quaternion_h: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_h: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -385,7 +385,8 @@ int test_val_quaternion_h(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("val_quaternion_h: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_h: q_m2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_h h", h, 3);
@@ -404,7 +405,7 @@ int test_val_quaternion_h(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("val_quaternion_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -417,8 +418,7 @@ int test_val_quaternion_h(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
-            (void)printf("val_quaternion_h: q_m2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_quaternion_h: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -433,7 +433,7 @@ int test_val_quaternion_h(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                (void)printf("val_quaternion_h: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_h: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_h h", h, 3);
@@ -444,7 +444,7 @@ int test_val_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
             if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                (void)printf("val_quaternion_h: lag[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_h: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

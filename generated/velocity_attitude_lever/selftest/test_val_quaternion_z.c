@@ -3,50 +3,49 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 4
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.3db4ba0000000p-7, -0x1.347acc0000000p+1, 0x1.7120cc0000000p+9 },
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.bfd7c40000000p+9, 0x1.e4a7c60000000p+7, -0x1.8a46bc0000000p+8 },
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.0cf6300000000p-2, -0x1.028f680000000p-6, 0x1.5be8420000000p-1, 0x1.5ee4c60000000p-1 },
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.bacd640000000p-3, 0x1.11e9660000000p-1, 0x1.6eac860000000p-1, 0x1.929d040000000p-2 },
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.4050a20000000p+3, 0x1.1674b40000000p+4, -0x1.0b603c0000000p+4 },
     { 0x1.4000000000000p+4, 0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { 0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.ad13040000000p-1, -0x1.9cbabe0000000p-3, -0x1.2634740000000p-3, 0x1.f0f4fa0000000p-2 },
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { -0x1.0000000000000p+0 },
     { -0x1.78b6b20000000p-1 },
     { -0x1.0000000000000p+0 },
@@ -60,18 +59,18 @@ static const double out_z[N_VECTORS][3] = {
     { 0x1.2d0848e88116fp-1, -0x1.2d178db677222p-1, 0x1.b92e8641183aap+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 1.85e-05, 1.86e-05, 1.88e-05 },
-    { 2.16e-05, 2.09e-05, 1.91e-05 },
-    { 3.5e-05, 3.5e-05, 3.5e-05 },
-    { 3.2e-05, 3.2e-05, 3.23e-05 }
+static const float tol_z[N_VECTORS][3] = {
+    { 1.85e-05F, 1.86e-05F, 1.88e-05F },
+    { 2.16e-05F, 2.09e-05F, 1.91e-05F },
+    { 3.50e-05F, 3.50e-05F, 3.50e-05F },
+    { 3.20e-05F, 3.20e-05F, 3.23e-05F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 3.45e-14, 3.47e-14, 3.52e-14 },
-    { 4.04e-14, 3.91e-14, 3.57e-14 },
-    { 6.54e-14, 6.54e-14, 6.54e-14 },
-    { 5.97e-14, 5.97e-14, 6.04e-14 }
+static const float tol_z[N_VECTORS][3] = {
+    { 3.45e-14F, 3.47e-14F, 3.52e-14F },
+    { 4.04e-14F, 3.91e-14F, 3.57e-14F },
+    { 6.54e-14F, 6.54e-14F, 6.54e-14F },
+    { 5.97e-14F, 5.97e-14F, 6.04e-14F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -129,7 +128,7 @@ int test_val_quaternion_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_quaternion_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_z z", z, 3);
@@ -142,7 +141,7 @@ int test_val_quaternion_z(void)
             set_point(0, &nav, &imu, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_quaternion_z: position[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -158,7 +157,7 @@ int test_val_quaternion_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_quaternion_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_z z", z, 3);
@@ -169,7 +168,7 @@ int test_val_quaternion_z(void)
             set_point(0, &nav, &imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_quaternion_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -187,7 +186,8 @@ int test_val_quaternion_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_quaternion_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_z: q_b2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_z z", z, 3);
@@ -201,7 +201,7 @@ int test_val_quaternion_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_quaternion_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -214,8 +214,7 @@ int test_val_quaternion_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("val_quaternion_z: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_quaternion_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -232,7 +231,8 @@ int test_val_quaternion_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_quaternion_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_z: q_b2m_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_z z", z, 3);
@@ -246,7 +246,7 @@ int test_val_quaternion_z(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_quaternion_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -259,8 +259,7 @@ int test_val_quaternion_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("val_quaternion_z: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_quaternion_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -277,7 +276,8 @@ int test_val_quaternion_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_quaternion_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_z: omega_ib_b[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_z z", z, 3);
@@ -288,7 +288,7 @@ int test_val_quaternion_z(void)
             set_point(0, &nav, &imu, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (val_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_quaternion_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -306,7 +306,8 @@ int test_val_quaternion_z(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_quaternion_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_z: q_m2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_z z", z, 3);
@@ -320,7 +321,7 @@ int test_val_quaternion_z(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_quaternion_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -333,8 +334,7 @@ int test_val_quaternion_z(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("val_quaternion_z: q_m2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_quaternion_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -349,7 +349,7 @@ int test_val_quaternion_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_quaternion_z(&nav, &imu, &master, z) != expected) {
-                (void)printf("val_quaternion_z: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_quaternion_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_z z", z, 3);
@@ -360,7 +360,7 @@ int test_val_quaternion_z(void)
             set_point(0, &nav, &imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
             if (val_quaternion_z(&nav, &imu, &master, z) != BS_OK) {
-                (void)printf("val_quaternion_z: lag[%d] end %d refused\n", i, end);
+                selftest_print("val_quaternion_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,50 +2,49 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { -0x1.54e6a60000000p+0, -0x1.51e4680000000p+2, 0x1.0fe3fe0000000p+12 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.c043f00000000p+8, -0x1.d0d86a0000000p+9, 0x1.c95a1a0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.bfed3a0000000p-2, -0x1.7d57d20000000p-4, -0x1.c2c4340000000p-1, -0x1.3dc0520000000p-3 }
 };
-static const double in_gyro_bias[N_VECTORS][3] = {
+static const float in_gyro_bias[N_VECTORS][3] = {
     { 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6 },
     { -0x1.09c1580000000p-8, 0x1.bac3f60000000p-8, -0x1.8e93820000000p-10 }
 };
-static const double in_accel_bias[N_VECTORS][3] = {
+static const float in_accel_bias[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { 0x1.9a801c0000000p-2, -0x1.0b7a800000000p-1, -0x1.da52540000000p-1 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.1d608e0000000p+1 }
 };
-static const double in_dtheta_ib_b[N_VECTORS][3] = {
+static const float in_dtheta_ib_b[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { -0x1.e445220000000p-3, -0x1.c5022e0000000p-2, 0x1.ef8edc0000000p-2 }
 };
-static const double in_dv_b[N_VECTORS][3] = {
+static const float in_dv_b[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { -0x1.c412ea0000000p+5, -0x1.dd17360000000p+4, -0x1.674fc20000000p+3 }
 };
-static const double in_dtheta_before[N_VECTORS][3] = {
+static const float in_dtheta_before[N_VECTORS][3] = {
     { 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { 0x1.5f3d6c0000000p-2, 0x1.c1d6f80000000p-2, -0x1.80b3220000000p-2 }
 };
-static const double in_dv_before[N_VECTORS][3] = {
+static const float in_dv_before[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { -0x1.0a08aa0000000p+5, -0x1.036e8a0000000p+6, -0x1.1362f00000000p+3 }
 };
@@ -55,14 +54,14 @@ static const double out_position[N_VECTORS][3] = {
     { -0x1.54f0aa6f3c617p+0, -0x1.51fb77a7b5a06p+2, 0x1.1a051b2d42174p+11 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_position[N_VECTORS][3] = {
-    { 9.14e-08, 4.18e-07, 0.00694 },
-    { 8.04e-08, 3.2e-07, 0.0011 }
+static const float tol_position[N_VECTORS][3] = {
+    { 9.14e-08F, 4.18e-07F, 6.94e-03F },
+    { 8.04e-08F, 3.20e-07F, 1.10e-03F }
 };
 #else
-static const double tol_position[N_VECTORS][3] = {
-    { 3.37e-16, 1.48e-15, 1.5e-11 },
-    { 2.99e-16, 1.19e-15, 2.31e-12 }
+static const float tol_position[N_VECTORS][3] = {
+    { 3.37e-16F, 1.48e-15F, 1.50e-11F },
+    { 2.99e-16F, 1.19e-15F, 2.31e-12F }
 };
 #endif
 static const unsigned short at_position[3] = { 0, 1, 2 };
@@ -72,14 +71,14 @@ static const double out_v_n[N_VECTORS][3] = {
     { -0x1.afa2b8dcc4be8p+8, -0x1.ec4d91fbe4179p+9, 0x1.e36e1eddb69b2p+9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 0.000379, 0.000368, 0.000474 },
-    { 0.00013, 0.000242, 0.000254 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 3.79e-04F, 3.68e-04F, 4.74e-04F },
+    { 1.30e-04F, 2.42e-04F, 2.54e-04F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 8.27e-13, 7.89e-13, 1.02e-12 },
-    { 2.91e-13, 5.61e-13, 5.82e-13 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 8.27e-13F, 7.89e-13F, 1.02e-12F },
+    { 2.91e-13F, 5.61e-13F, 5.82e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -89,14 +88,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.2b3d06e9c7f1cp-1, -0x1.20e8977585321p-2, -0x1.6034b1a0376dfp-1, -0x1.4cc5c81bfd1d7p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.61e-06, 1.64e-06, 1.12e-06, 2.74e-06 },
-    { 1.57e-06, 9.39e-07, 1.72e-06, 9.47e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 1.61e-06F, 1.64e-06F, 1.12e-06F, 2.74e-06F },
+    { 1.57e-06F, 9.39e-07F, 1.72e-06F, 9.47e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 3.03e-15, 3.1e-15, 2.11e-15, 5.2e-15 },
-    { 2.99e-15, 1.78e-15, 3.28e-15, 1.8e-15 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 3.03e-15F, 3.10e-15F, 2.11e-15F, 5.20e-15F },
+    { 2.99e-15F, 1.78e-15F, 3.28e-15F, 1.80e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -172,7 +171,7 @@ int test_val_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("val_strapdown: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_strapdown: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_strapdown position", position, 3);
@@ -187,7 +186,7 @@ int test_val_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("val_strapdown: position[%d] end %d refused\n", i, end);
+                selftest_print("val_strapdown: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -205,7 +204,7 @@ int test_val_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("val_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_strapdown position", position, 3);
@@ -218,7 +217,7 @@ int test_val_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("val_strapdown: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_strapdown: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -238,7 +237,7 @@ int test_val_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("val_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_strapdown position", position, 3);
@@ -254,7 +253,7 @@ int test_val_strapdown(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("val_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -267,8 +266,8 @@ int test_val_strapdown(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
-            (void)printf("val_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -289,7 +288,7 @@ int test_val_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("val_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_strapdown position", position, 3);
@@ -306,7 +305,7 @@ int test_val_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("val_strapdown: gyro_bias[%d] end %d refused\n", i, end);
+                selftest_print("val_strapdown: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -326,7 +325,7 @@ int test_val_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("val_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_strapdown position", position, 3);
@@ -339,7 +338,7 @@ int test_val_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("val_strapdown: accel_bias[%d] end %d refused\n", i, end);
+                selftest_print("val_strapdown: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -357,7 +356,7 @@ int test_val_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("val_strapdown: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_strapdown position", position, 3);
@@ -370,7 +369,7 @@ int test_val_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("val_strapdown: dt[%d] end %d refused\n", i, end);
+                selftest_print("val_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -390,7 +389,7 @@ int test_val_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("val_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_strapdown position", position, 3);
@@ -403,7 +402,7 @@ int test_val_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("val_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("val_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -422,7 +421,7 @@ int test_val_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("val_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_strapdown position", position, 3);
@@ -435,7 +434,7 @@ int test_val_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dv_b[i] = (end == 0) ? low[i] : high[i];
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("val_strapdown: dv_b[%d] end %d refused\n", i, end);
+                selftest_print("val_strapdown: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -455,7 +454,8 @@ int test_val_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("val_strapdown: dtheta_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_strapdown: dtheta_before[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_strapdown position", position, 3);
@@ -468,7 +468,7 @@ int test_val_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dtheta_before[i] = (end == 0) ? low[i] : high[i];
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("val_strapdown: dtheta_before[%d] end %d refused\n", i, end);
+                selftest_print("val_strapdown: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -488,7 +488,7 @@ int test_val_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("val_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_strapdown position", position, 3);
@@ -501,7 +501,7 @@ int test_val_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dv_before[i] = (end == 0) ? low[i] : high[i];
             if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("val_strapdown: dv_before[%d] end %d refused\n", i, end);
+                selftest_print("val_strapdown: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

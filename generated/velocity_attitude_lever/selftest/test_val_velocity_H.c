@@ -2,34 +2,33 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.3f602c0000000p-3, -0x1.8100a60000000p+1, 0x1.7f105e0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.1de5960000000p+4, -0x1.bed58e0000000p+9, -0x1.cf61e60000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.1f9ea40000000p-2, -0x1.a3b2120000000p-1, -0x1.6bb8b00000000p-2, -0x1.67e4940000000p-2 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, -0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { 0x1.0f6ae80000000p+3, 0x1.a6724e0000000p+3, -0x1.4986da0000000p+2 }
 };
-static const double in_lever_b[N_VECTORS][3] = {
+static const float in_lever_b[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { -0x1.35361c0000000p+3, -0x1.2c6d2e0000000p+6, -0x1.20dba80000000p+4 }
 };
-static const double in_a_n[N_VECTORS][3] = {
+static const float in_a_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, -0x1.f400000000000p+8, 0x1.f400000000000p+8 },
     { -0x1.7335de0000000p+7, 0x1.6943060000000p+8, -0x1.1c9f6e0000000p+6 }
 };
@@ -39,14 +38,14 @@ static const double out_H[N_VECTORS][33] = {
     { 0x1.05516a293ffb1p-13, -0x1.c04b681331e43p+7, 0x1.6914bc69852f4p+9, 0x1.0000000000000p+0, -0x1.c6c998adc0f16p+3, -0x1.5a1a412a5e4ddp+2, 0x1.e1abf460a0ebbp+4, 0x1.7335de0000000p+7, 0x1.1f97eece97af3p+3, -0x1.719a97794010ep+2, -0x1.0fa9a6ece8c94p-9, 0x1.c04a5821dc394p+7, -0x1.296e289a94aaap-8, -0x1.5af0904a35c5ap+8, 0x1.0000000000000p+0, -0x1.fff873f12ad64p+5, -0x1.62493de4ea445p-4, 0x1.14e6aaa756b20p+5, -0x1.6943060000000p+8, 0x1.95748a579aa31p+2, -0x1.002a3dad7a686p+3, -0x1.42d77eddf6fa0p+3, -0x1.6914ce3bc507ep+9, 0x1.5af0807565d9fp+8, -0x1.3bd52490d4733p-8, 0x1.0000000000000p+0, 0x1.477924a469fe6p+5, -0x1.3c2be9a93d957p+4, 0x1.e264ddc7cde81p+5, 0x1.1c9f6e0000000p+6, -0x1.1e615a8dc9ab4p+3, 0x1.0ef519859de05p+0, -0x1.80ec09a4ec968p+3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][33] = {
-    { 2.59e-07, 0.00235, 0.00296, 1.12e-16, 4.22e-05, 1.96e-05, 3.77e-05, 5.61e-14, 1.09e-05, 3.92e-06, 9.95e-06, 0.00235, 2.57e-07, 0.00283, 1.12e-16, 3.77e-05, 4.22e-05, 1.96e-05, 5.61e-14, 9.95e-06, 8.44e-06, 3.92e-06, 0.00296, 0.00283, 3.32e-08, 1.12e-16, 1.96e-05, 3.77e-05, 4.22e-05, 5.61e-14, 3.92e-06, 9.95e-06, 1.09e-05 },
-    { 6.24e-10, 0.000363, 0.000482, 1.12e-16, 1.47e-05, 4.57e-06, 1.57e-05, 2.08e-14, 4.42e-06, 3.05e-06, 3.72e-06, 0.000363, 6.99e-09, 0.00037, 1.12e-16, 2.05e-05, 4.19e-06, 1.46e-05, 4.05e-14, 4.48e-06, 2.89e-06, 5.46e-06, 0.000482, 0.00037, 6.62e-09, 1.12e-16, 1.92e-05, 6.46e-06, 1.87e-05, 7.98e-15, 4.77e-06, 3.17e-06, 5.58e-06 }
+static const float tol_H[N_VECTORS][33] = {
+    { 2.59e-07F, 2.35e-03F, 2.96e-03F, 1.12e-16F, 4.22e-05F, 1.96e-05F, 3.77e-05F, 5.61e-14F, 1.09e-05F, 3.92e-06F, 9.95e-06F, 2.35e-03F, 2.57e-07F, 2.83e-03F, 1.12e-16F, 3.77e-05F, 4.22e-05F, 1.96e-05F, 5.61e-14F, 9.95e-06F, 8.44e-06F, 3.92e-06F, 2.96e-03F, 2.83e-03F, 3.32e-08F, 1.12e-16F, 1.96e-05F, 3.77e-05F, 4.22e-05F, 5.61e-14F, 3.92e-06F, 9.95e-06F, 1.09e-05F },
+    { 6.24e-10F, 3.63e-04F, 4.82e-04F, 1.12e-16F, 1.47e-05F, 4.57e-06F, 1.57e-05F, 2.08e-14F, 4.42e-06F, 3.05e-06F, 3.72e-06F, 3.63e-04F, 6.99e-09F, 3.70e-04F, 1.12e-16F, 2.05e-05F, 4.19e-06F, 1.46e-05F, 4.05e-14F, 4.48e-06F, 2.89e-06F, 5.46e-06F, 4.82e-04F, 3.70e-04F, 6.62e-09F, 1.12e-16F, 1.92e-05F, 6.46e-06F, 1.87e-05F, 7.98e-15F, 4.77e-06F, 3.17e-06F, 5.58e-06F }
 };
 #else
-static const double tol_H[N_VECTORS][33] = {
-    { 5.04e-16, 4.38e-12, 5.95e-12, 1.12e-16, 8.99e-14, 3.65e-14, 8.14e-14, 5.61e-14, 2.25e-14, 7.3e-15, 2.08e-14, 4.38e-12, 5e-16, 5.73e-12, 1.12e-16, 8.14e-14, 8.99e-14, 3.65e-14, 5.61e-14, 2.08e-14, 1.8e-14, 7.3e-15, 5.95e-12, 5.73e-12, 6.53e-17, 1.12e-16, 3.65e-14, 8.14e-14, 8.99e-14, 5.61e-14, 7.3e-15, 2.08e-14, 2.25e-14 },
-    { 1.18e-18, 7.01e-13, 9.79e-13, 1.12e-16, 2.89e-14, 9.12e-15, 3.27e-14, 2.08e-14, 9.24e-15, 6.33e-15, 6.93e-15, 7.01e-13, 1.35e-17, 7.28e-13, 1.12e-16, 4.53e-14, 7.81e-15, 3.12e-14, 4.05e-14, 9.06e-15, 6.29e-15, 1.13e-14, 9.79e-13, 7.28e-13, 1.29e-17, 1.12e-16, 4.03e-14, 1.42e-14, 4.17e-14, 7.98e-15, 9.9e-15, 6.02e-15, 1.17e-14 }
+static const float tol_H[N_VECTORS][33] = {
+    { 5.04e-16F, 4.38e-12F, 5.95e-12F, 1.12e-16F, 8.99e-14F, 3.65e-14F, 8.14e-14F, 5.61e-14F, 2.25e-14F, 7.30e-15F, 2.08e-14F, 4.38e-12F, 5.00e-16F, 5.73e-12F, 1.12e-16F, 8.14e-14F, 8.99e-14F, 3.65e-14F, 5.61e-14F, 2.08e-14F, 1.80e-14F, 7.30e-15F, 5.95e-12F, 5.73e-12F, 6.53e-17F, 1.12e-16F, 3.65e-14F, 8.14e-14F, 8.99e-14F, 5.61e-14F, 7.30e-15F, 2.08e-14F, 2.25e-14F },
+    { 1.18e-18F, 7.01e-13F, 9.79e-13F, 1.12e-16F, 2.89e-14F, 9.12e-15F, 3.27e-14F, 2.08e-14F, 9.24e-15F, 6.33e-15F, 6.93e-15F, 7.01e-13F, 1.35e-17F, 7.28e-13F, 1.12e-16F, 4.53e-14F, 7.81e-15F, 3.12e-14F, 4.05e-14F, 9.06e-15F, 6.29e-15F, 1.13e-14F, 9.79e-13F, 7.28e-13F, 1.29e-17F, 1.12e-16F, 4.03e-14F, 1.42e-14F, 4.17e-14F, 7.98e-15F, 9.90e-15F, 6.02e-15F, 1.17e-14F }
 };
 #endif
 static const unsigned short at_H[33] = { 0, 1, 2, 3, 6, 7, 8, 15, 16, 17, 18, 19, 20, 21, 23, 25,
@@ -104,7 +103,7 @@ int test_val_velocity_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                (void)printf("val_velocity_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_H H", H, 57);
@@ -117,7 +116,7 @@ int test_val_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                (void)printf("val_velocity_H: position[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -133,7 +132,7 @@ int test_val_velocity_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                (void)printf("val_velocity_H: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_H H", H, 57);
@@ -144,7 +143,7 @@ int test_val_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                (void)printf("val_velocity_H: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -162,7 +161,7 @@ int test_val_velocity_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                (void)printf("val_velocity_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_H H", H, 57);
@@ -176,7 +175,7 @@ int test_val_velocity_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                (void)printf("val_velocity_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -189,8 +188,8 @@ int test_val_velocity_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("val_velocity_H: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_velocity_H: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -207,7 +206,7 @@ int test_val_velocity_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                (void)printf("val_velocity_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_H H", H, 57);
@@ -218,7 +217,7 @@ int test_val_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (val_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                (void)printf("val_velocity_H: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -236,7 +235,7 @@ int test_val_velocity_H(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                (void)printf("val_velocity_H: lever_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_H: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_H H", H, 57);
@@ -247,7 +246,7 @@ int test_val_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
             if (val_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                (void)printf("val_velocity_H: lever_b[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_H: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -263,7 +262,7 @@ int test_val_velocity_H(void)
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
             if (val_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                (void)printf("val_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_H H", H, 57);
@@ -274,7 +273,7 @@ int test_val_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
             if (val_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                (void)printf("val_velocity_H: a_n[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_H: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

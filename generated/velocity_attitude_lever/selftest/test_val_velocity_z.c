@@ -2,42 +2,41 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_lever.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.056e4c0000000p-2, 0x1.1322340000000p+2, 0x1.0d808a0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.4436c80000000p+9, 0x1.402c500000000p+9, 0x1.ec6e0e0000000p+8 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.38cdae0000000p-1, 0x1.83fb880000000p-2, -0x1.09a72c0000000p-1, 0x1.d876b00000000p-2 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, -0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { -0x1.35da740000000p+3, 0x1.25e4800000000p+3, -0x1.f4f1d00000000p+2 }
 };
-static const double in_lever_b[N_VECTORS][3] = {
+static const float in_lever_b[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { -0x1.71f6be0000000p+6, -0x1.4b52380000000p+6, -0x1.72dc500000000p+5 }
 };
-static const double in_v_m_n[N_VECTORS][3] = {
+static const float in_v_m_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.2f92760000000p+7, -0x1.e239820000000p+5, -0x1.3a6c960000000p+9 }
 };
-static const double in_a_n[N_VECTORS][3] = {
+static const float in_a_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { 0x1.9b23540000000p+7, 0x1.ed37020000000p+7, 0x1.3b9cc80000000p+8 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { 0x1.0000000000000p+0 },
     { 0x1.fae2fc0000000p-1 }
 };
@@ -47,14 +46,14 @@ static const double out_z[N_VECTORS][3] = {
     { -0x1.23c6858a88983p+11, -0x1.37f51602582fbp+9, 0x1.dc2787e583122p+8 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 0.00214, 0.00232, 0.00238 },
-    { 0.00129, 0.000815, 0.00106 }
+static const float tol_z[N_VECTORS][3] = {
+    { 2.14e-03F, 2.32e-03F, 2.38e-03F },
+    { 1.29e-03F, 8.15e-04F, 1.06e-03F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 4.04e-12, 4.72e-12, 4.6e-12 },
-    { 2.67e-12, 1.59e-12, 2.04e-12 }
+static const float tol_z[N_VECTORS][3] = {
+    { 4.04e-12F, 4.72e-12F, 4.60e-12F },
+    { 2.67e-12F, 1.59e-12F, 2.04e-12F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -116,7 +115,7 @@ int test_val_velocity_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("val_velocity_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_z z", z, 3);
@@ -129,7 +128,7 @@ int test_val_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("val_velocity_z: position[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -145,7 +144,7 @@ int test_val_velocity_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("val_velocity_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_z z", z, 3);
@@ -156,7 +155,7 @@ int test_val_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("val_velocity_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -174,7 +173,7 @@ int test_val_velocity_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("val_velocity_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_z z", z, 3);
@@ -188,7 +187,7 @@ int test_val_velocity_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("val_velocity_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -201,8 +200,8 @@ int test_val_velocity_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("val_velocity_z: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("val_velocity_z: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -219,7 +218,7 @@ int test_val_velocity_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("val_velocity_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_z z", z, 3);
@@ -230,7 +229,7 @@ int test_val_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("val_velocity_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -248,7 +247,7 @@ int test_val_velocity_z(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("val_velocity_z: lever_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_z: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_z z", z, 3);
@@ -259,7 +258,7 @@ int test_val_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("val_velocity_z: lever_b[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_z: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -277,7 +276,7 @@ int test_val_velocity_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("val_velocity_z: v_m_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_z: v_m_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_z z", z, 3);
@@ -288,7 +287,7 @@ int test_val_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             master.v_m_n[i] = (end == 0) ? low[i] : high[i];
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("val_velocity_z: v_m_n[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_z: v_m_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -304,7 +303,7 @@ int test_val_velocity_z(void)
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("val_velocity_z: a_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_z: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_z z", z, 3);
@@ -315,7 +314,7 @@ int test_val_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("val_velocity_z: a_n[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_z: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -331,7 +330,7 @@ int test_val_velocity_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                (void)printf("val_velocity_z: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("val_velocity_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_z z", z, 3);
@@ -342,7 +341,7 @@ int test_val_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master);
             master.lag = (end == 0) ? low[i] : high[i];
             if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                (void)printf("val_velocity_z: lag[%d] end %d refused\n", i, end);
+                selftest_print("val_velocity_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

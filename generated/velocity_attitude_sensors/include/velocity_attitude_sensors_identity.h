@@ -3,7 +3,9 @@
  * sha256sum prints of them in the order of their names (LC_ALL=C).  It is the same in both
  * precisions.
  * In single precision each function has the ending _f32, so that both precisions link into one
- * program and a header of one does not link with a library of the other. */
+ * program and a header of one does not link with a library of the other.
+ * In a form that is not that of its precision (BORESIGHT_UD) each function of the filter has the
+ * ending _ud, or _f32_joseph: P of one form is never read as the other. */
 #ifndef VELOCITY_ATTITUDE_SENSORS_IDENTITY_H
 #define VELOCITY_ATTITUDE_SENSORS_IDENTITY_H
 
@@ -18,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "de769a3015477226c128ca3a1bdb7bc3a44485d74a936a2548b0463bebc001fb"
+#define VAS_MODEL_HASH "1968f738a7ff012348c9fce4bc9dbca7a66f39644761fe9763cb6e2102638b20"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
@@ -48,25 +50,6 @@
 #define vas_euler_z vas_euler_z_f32
 #define vas_expected vas_expected_f32
 #define vas_feedback vas_feedback_f32
-#define vas_filter_consider vas_filter_consider_f32
-#define vas_filter_correct vas_filter_correct_f32
-#define vas_filter_covariance vas_filter_covariance_f32
-#define vas_filter_digest vas_filter_digest_f32
-#define vas_filter_health vas_filter_health_f32
-#define vas_filter_init vas_filter_init_f32
-#define vas_filter_init_blocks vas_filter_init_blocks_f32
-#define vas_filter_init_sigmas vas_filter_init_sigmas_f32
-#define vas_filter_measure_dcm vas_filter_measure_dcm_f32
-#define vas_filter_measure_euler vas_filter_measure_euler_f32
-#define vas_filter_measure_quaternion vas_filter_measure_quaternion_f32
-#define vas_filter_measure_velocity vas_filter_measure_velocity_f32
-#define vas_filter_propagate vas_filter_propagate_f32
-#define vas_filter_restore vas_filter_restore_f32
-#define vas_filter_set_nav vas_filter_set_nav_f32
-#define vas_filter_sigmas vas_filter_sigmas_f32
-#define vas_filter_snapshot vas_filter_snapshot_f32
-#define vas_filter_strapdown vas_filter_strapdown_f32
-#define vas_filter_variance vas_filter_variance_f32
 #define vas_identity vas_identity_f32
 #define vas_joseph_add vas_joseph_add_f32
 #define vas_joseph_dense vas_joseph_dense_f32
@@ -87,6 +70,27 @@
 #define vas_velocity_H vas_velocity_H_f32
 #define vas_velocity_H_nz vas_velocity_H_nz_f32
 #define vas_velocity_z vas_velocity_z_f32
+#endif
+#ifdef BS_FORM
+#define vas_filter_consider BS_FORM(vas_filter_consider)
+#define vas_filter_correct BS_FORM(vas_filter_correct)
+#define vas_filter_covariance BS_FORM(vas_filter_covariance)
+#define vas_filter_digest BS_FORM(vas_filter_digest)
+#define vas_filter_health BS_FORM(vas_filter_health)
+#define vas_filter_init BS_FORM(vas_filter_init)
+#define vas_filter_init_blocks BS_FORM(vas_filter_init_blocks)
+#define vas_filter_init_sigmas BS_FORM(vas_filter_init_sigmas)
+#define vas_filter_measure_dcm BS_FORM(vas_filter_measure_dcm)
+#define vas_filter_measure_euler BS_FORM(vas_filter_measure_euler)
+#define vas_filter_measure_quaternion BS_FORM(vas_filter_measure_quaternion)
+#define vas_filter_measure_velocity BS_FORM(vas_filter_measure_velocity)
+#define vas_filter_propagate BS_FORM(vas_filter_propagate)
+#define vas_filter_restore BS_FORM(vas_filter_restore)
+#define vas_filter_set_nav BS_FORM(vas_filter_set_nav)
+#define vas_filter_sigmas BS_FORM(vas_filter_sigmas)
+#define vas_filter_snapshot BS_FORM(vas_filter_snapshot)
+#define vas_filter_strapdown BS_FORM(vas_filter_strapdown)
+#define vas_filter_variance BS_FORM(vas_filter_variance)
 #endif
 
 #ifdef __cplusplus

@@ -2,62 +2,61 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { -0x1.6bf5660000000p+0, -0x1.85ccc20000000p+0, 0x1.ddc4ae0000000p+11 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.267dee0000000p+9, -0x1.9130640000000p+9, 0x1.a1a4200000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.8c2ec80000000p-2, 0x1.8338a20000000p-2, 0x1.12f1780000000p-1, 0x1.4b1f740000000p-1 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, 0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { 0x1.1bb0a00000000p+8, -0x1.bfec1e0000000p+6, 0x1.d43da80000000p+8 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, 0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.11dd200000000p+4, 0x1.5ab5b00000000p+1, 0x1.c176540000000p+2 }
 };
-static const double in_flexure_omega[N_VECTORS][3] = {
+static const float in_flexure_omega[N_VECTORS][3] = {
     { 0x1.47ae160000000p-7, 0x1.47ae160000000p-7, 0x1.47ae160000000p-7 },
     { 0x1.765e180000000p+5, 0x1.8a053c0000000p+5, 0x1.9a2a600000000p+5 }
 };
-static const double in_flexure_damping[N_VECTORS][3] = {
+static const float in_flexure_damping[N_VECTORS][3] = {
     { 0x0.0p+0, 0x0.0p+0, 0x1.4000000000000p+3 },
     { 0x1.5dd5540000000p+2, 0x1.6d65e80000000p+2, 0x1.1f37440000000p+3 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.5c492c0000000p-5, 0x1.7d352e0000000p-4, -0x1.cb4d100000000p-5 }
 };
-static const double in_accel_scale[N_VECTORS][3] = {
+static const float in_accel_scale[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.cc2a5e0000000p-7, -0x1.2884d00000000p-6, -0x1.9514b00000000p-4 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.1304ec0000000p-4, -0x1.ce4ce40000000p-7, 0x1.864e760000000p-4, -0x1.50405a0000000p-4, -0x1.59144e0000000p-5, -0x1.e067960000000p-5 }
 };
-static const double in_accel_axes[N_VECTORS][3] = {
+static const float in_accel_axes[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.2299240000000p-4, 0x1.926cf60000000p-4, -0x1.7b3efa0000000p-4 }
 };
-static const double in_gyro_bias_beta[N_VECTORS][3] = {
+static const float in_gyro_bias_beta[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x1.4000000000000p+3 },
     { 0x1.c30b3e0000000p+2, 0x1.6d65720000000p+2, 0x1.b24a0a0000000p+2 }
 };
-static const double in_accel_bias_beta[N_VECTORS][3] = {
+static const float in_accel_bias_beta[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x1.4000000000000p+3 },
     { 0x1.b82d2a0000000p+2, 0x1.135e280000000p+3, 0x1.01d87c0000000p+3 }
 };
@@ -67,14 +66,14 @@ static const double out_F[N_VECTORS][107] = {
     { -0x1.8f9ee251aa46fp-11, -0x1.81e06459915c2p-14, 0x1.4f63e7340216bp-23, -0x1.079696d974938p-1, 0x1.b56638df55dcfp-1, 0x1.2b9bcbc144308p-3, -0x1.c572cd54e7293p+2, 0x1.3a5016100a933p+1, 0x1.08977be60595cp-1, -0x1.1f080769fc255p+0, -0x1.7418e966b06e6p+1, 0x1.f08c2027676fcp+3, 0x1.9776cbed4d18fp+2, 0x1.427066d1e0f52p+0, 0x1.9834aa50aad9ap-3, 0x1.8f9ee251aa46fp-11, -0x1.e02d18f8f5f76p-14, -0x1.4f70a958efe2bp-23, -0x1.70907a23c39d8p-5, -0x1.8520d09280499p-5, 0x1.07f5a9a3ad29bp+0, -0x1.9d39792bbd270p+0, -0x1.55b0466dc0555p-2, 0x1.bbb40acd27d68p+2, -0x1.0591da9f1eb55p-2, -0x1.5316faea2dc59p-1, -0x1.0de5c93a2bc9ep+1, -0x1.baf3f706f7536p-1, 0x1.0e5ad24b309f8p+4, 0x1.564470f0b57c9p+1, 0x1.81e06459915c2p-14, 0x1.e02d18f8f5f76p-14, 0x1.171fd63c2fb71p-20, 0x1.d2337a63f9f50p-1, 0x1.3f50a370bc415p-2, 0x1.851e9d0a528a6p-3, 0x1.ef7ed52748a8dp+3, 0x1.16bc61e20e462p+0, 0x1.eb19eb394272ap-1, 0x1.39a59fe7636afp+1, 0x1.9699d0f5eef22p+2, 0x1.b857e47eb4ee0p+2, 0x1.6957e42f188bdp+1, 0x1.2b3c2a9560d9ep+1, 0x1.7ad45de58513cp-2, -0x1.1f8ec8c224413p+8, 0x1.c6a42cfcb8be7p+8, 0x1.119ec8fa38728p-13, -0x1.8f9ee251aa46fp-10, -0x1.81e06459915c2p-14, 0x1.735d7aefb2bf2p-2, -0x1.dc0c07b8288b3p-1, -0x1.4b37059da4b98p-4, 0x1.d5b7d3d799737p+6, 0x1.96116bcc9b6c2p+6, -0x1.13a57c95ca10fp+5, -0x1.012e831ad8564p+8, -0x1.4e02139e3fed2p+4, 0x1.07af6af8714b2p+3, 0x1.1f8ec8c224413p+8, 0x1.52464142270eap+7, 0x1.69d0230e72d7bp-11, 0x1.857cf6455d8f5p-11, -0x1.b2bf4f0b14988p-14, 0x1.9c61a8824d28cp-3, 0x1.16a9236b15429p-5, -0x1.15b68a4a872b9p+0, 0x1.ac0d0869ab421p+4, -0x1.b96f768c68af1p+3, -0x1.ce3dc63b5f703p+8, 0x1.1794db1c9acdbp+5, -0x1.180e172cb914fp+8, 0x1.ba2ee1db639e3p+6, -0x1.c6a42cfcb8be7p+8, -0x1.52464142270eap+7, 0x1.81e06459915c2p-13, 0x1.e02d18f8f5f76p-13, -0x1.dd69177c4cd20p-1, -0x1.b004ec58168a4p-2, -0x1.33611c4f3a3f3p-3, -0x1.00a308d8b6780p+8, 0x1.681af79159649p+5, -0x1.ff9e9b5d8d0c2p+5, -0x1.c8248b69307a9p+6, -0x1.35f8b4fdd2a54p+5, 0x1.e96b2ffd79e51p+3, -0x1.c30b3e0000000p+2, 0x1.c30b3e0000000p+2, -0x1.6d65720000000p+2, 0x1.6d65720000000p+2, -0x1.b24a0a0000000p+2, 0x1.b24a0a0000000p+2, -0x1.b82d2a0000000p+2, 0x1.b82d2a0000000p+2, -0x1.135e280000000p+3, 0x1.135e280000000p+3, -0x1.01d87c0000000p+3, 0x1.01d87c0000000p+3, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.11bb885ad1200p+11, -0x1.ff963dd8d7e00p+8, -0x1.2f3a0e65b3080p+11, -0x1.193327d8b5300p+9, -0x1.4895e141d2000p+11, -0x1.cc2e0dade1800p+9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_F[N_VECTORS][107] = {
-    { 1.35e-09, 8e-11, 4.22e-14, 1.09e-07, 1.75e-07, 3.98e-07, 1.21e-06, 2.41e-06, 4.82e-06, 1.21e-06, 1.21e-06, 2.41e-06, 2.41e-06, 4.82e-06, 4.82e-06, 1.35e-09, 6.21e-11, 7.06e-14, 4.84e-07, 1.25e-07, 1.52e-07, 4.82e-06, 1.51e-06, 2.41e-06, 4.82e-06, 4.82e-06, 1.51e-06, 1.51e-06, 2.41e-06, 2.41e-06, 8e-11, 6.21e-11, 1.12e-12, 1.76e-07, 4.84e-07, 1.16e-07, 2.41e-06, 4.82e-06, 1.51e-06, 2.41e-06, 2.41e-06, 4.82e-06, 4.82e-06, 1.51e-06, 1.51e-06, 0.000369, 0.000357, 8e-11, 2.92e-09, 8e-11, 1.09e-07, 1.39e-07, 2.71e-07, 3.02e-05, 6.03e-05, 0.000121, 6.03e-05, 0.000121, 0.000121, 0.000369, 0.000368, 1.37e-09, 1.4e-09, 6.33e-11, 4.84e-07, 7.99e-08, 1.09e-07, 0.000121, 3.77e-05, 6.03e-05, 3.77e-05, 6.03e-05, 6.03e-05, 0.000357, 0.000368, 1.79e-10, 1.43e-10, 1.76e-07, 3.33e-07, 6.78e-08, 6.03e-05, 0.000121, 3.77e-05, 0.000121, 3.77e-05, 3.77e-05, 1.12e-15, 1.12e-15, 1.19e-38, 1.19e-38, 1.12e-15, 1.12e-15, 1.12e-15, 1.12e-15, 1.19e-38, 1.19e-38, 1.12e-15, 1.12e-15, 1.12e-16, 1.12e-16, 1.12e-16, 6.02e-12, 1.19e-38, 6.02e-12, 1.19e-38, 6.02e-12, 2.41e-08 },
-    { 6.42e-10, 4.74e-11, 4.25e-14, 2.55e-07, 3.65e-07, 1.67e-07, 2.31e-06, 5.91e-07, 8.27e-07, 3.65e-07, 9.47e-07, 3.74e-06, 1.53e-06, 2.02e-06, 3.19e-07, 6.42e-10, 5.12e-11, 7.11e-14, 1.56e-07, 1.19e-07, 4.48e-07, 2.06e-06, 2.5e-07, 1.67e-06, 3.26e-07, 8.46e-07, 1.58e-06, 6.49e-07, 4.07e-06, 6.44e-07, 4.74e-11, 5.12e-11, 6.59e-13, 4.13e-07, 2.31e-07, 1.55e-07, 3.73e-06, 4.53e-07, 7.15e-07, 5.9e-07, 1.53e-06, 2.86e-06, 1.17e-06, 1.74e-06, 2.76e-07, 0.000214, 0.000337, 6.73e-11, 1.38e-09, 4.74e-11, 2.32e-07, 3.45e-07, 1.34e-07, 3.83e-05, 2.44e-05, 5.51e-05, 6.19e-05, 3.34e-05, 1.32e-05, 0.000214, 0.000171, 6.55e-10, 5.13e-10, 5.31e-11, 1.82e-07, 1.26e-07, 3.27e-07, 3.42e-05, 1.03e-05, 0.000111, 2.62e-05, 6.74e-05, 2.66e-05, 0.000337, 0.000171, 1.06e-10, 1.17e-10, 4.11e-07, 2.3e-07, 1.21e-07, 6.18e-05, 1.87e-05, 4.77e-05, 4.74e-05, 2.89e-05, 1.14e-05, 7.9e-16, 7.9e-16, 6.4e-16, 6.4e-16, 7.61e-16, 7.61e-16, 7.71e-16, 7.71e-16, 9.65e-16, 9.65e-16, 9.04e-16, 9.04e-16, 1.12e-16, 1.12e-16, 1.12e-16, 0.000132, 6.16e-05, 0.000146, 6.77e-05, 0.000158, 0.000111 }
+static const float tol_F[N_VECTORS][107] = {
+    { 1.35e-09F, 8.00e-11F, 4.22e-14F, 1.09e-07F, 1.75e-07F, 3.98e-07F, 1.21e-06F, 2.41e-06F, 4.82e-06F, 1.21e-06F, 1.21e-06F, 2.41e-06F, 2.41e-06F, 4.82e-06F, 4.82e-06F, 1.35e-09F, 6.21e-11F, 7.06e-14F, 4.84e-07F, 1.25e-07F, 1.52e-07F, 4.82e-06F, 1.51e-06F, 2.41e-06F, 4.82e-06F, 4.82e-06F, 1.51e-06F, 1.51e-06F, 2.41e-06F, 2.41e-06F, 8.00e-11F, 6.21e-11F, 1.12e-12F, 1.76e-07F, 4.84e-07F, 1.16e-07F, 2.41e-06F, 4.82e-06F, 1.51e-06F, 2.41e-06F, 2.41e-06F, 4.82e-06F, 4.82e-06F, 1.51e-06F, 1.51e-06F, 3.69e-04F, 3.57e-04F, 8.00e-11F, 2.92e-09F, 8.00e-11F, 1.09e-07F, 1.39e-07F, 2.71e-07F, 3.02e-05F, 6.03e-05F, 1.21e-04F, 6.03e-05F, 1.21e-04F, 1.21e-04F, 3.69e-04F, 3.68e-04F, 1.37e-09F, 1.40e-09F, 6.33e-11F, 4.84e-07F, 7.99e-08F, 1.09e-07F, 1.21e-04F, 3.77e-05F, 6.03e-05F, 3.77e-05F, 6.03e-05F, 6.03e-05F, 3.57e-04F, 3.68e-04F, 1.79e-10F, 1.43e-10F, 1.76e-07F, 3.33e-07F, 6.78e-08F, 6.03e-05F, 1.21e-04F, 3.77e-05F, 1.21e-04F, 3.77e-05F, 3.77e-05F, 1.12e-15F, 1.12e-15F, 1.19e-38F, 1.19e-38F, 1.12e-15F, 1.12e-15F, 1.12e-15F, 1.12e-15F, 1.19e-38F, 1.19e-38F, 1.12e-15F, 1.12e-15F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 6.02e-12F, 1.19e-38F, 6.02e-12F, 1.19e-38F, 6.02e-12F, 2.41e-08F },
+    { 6.42e-10F, 4.74e-11F, 4.25e-14F, 2.55e-07F, 3.65e-07F, 1.67e-07F, 2.31e-06F, 5.91e-07F, 8.27e-07F, 3.65e-07F, 9.47e-07F, 3.74e-06F, 1.53e-06F, 2.02e-06F, 3.19e-07F, 6.42e-10F, 5.12e-11F, 7.11e-14F, 1.56e-07F, 1.19e-07F, 4.48e-07F, 2.06e-06F, 2.50e-07F, 1.67e-06F, 3.26e-07F, 8.46e-07F, 1.58e-06F, 6.49e-07F, 4.07e-06F, 6.44e-07F, 4.74e-11F, 5.12e-11F, 6.59e-13F, 4.13e-07F, 2.31e-07F, 1.55e-07F, 3.73e-06F, 4.53e-07F, 7.15e-07F, 5.90e-07F, 1.53e-06F, 2.86e-06F, 1.17e-06F, 1.74e-06F, 2.76e-07F, 2.14e-04F, 3.37e-04F, 6.73e-11F, 1.38e-09F, 4.74e-11F, 2.32e-07F, 3.45e-07F, 1.34e-07F, 3.83e-05F, 2.44e-05F, 5.51e-05F, 6.19e-05F, 3.34e-05F, 1.32e-05F, 2.14e-04F, 1.71e-04F, 6.55e-10F, 5.13e-10F, 5.31e-11F, 1.82e-07F, 1.26e-07F, 3.27e-07F, 3.42e-05F, 1.03e-05F, 1.11e-04F, 2.62e-05F, 6.74e-05F, 2.66e-05F, 3.37e-04F, 1.71e-04F, 1.06e-10F, 1.17e-10F, 4.11e-07F, 2.30e-07F, 1.21e-07F, 6.18e-05F, 1.87e-05F, 4.77e-05F, 4.74e-05F, 2.89e-05F, 1.14e-05F, 7.90e-16F, 7.90e-16F, 6.40e-16F, 6.40e-16F, 7.61e-16F, 7.61e-16F, 7.71e-16F, 7.71e-16F, 9.65e-16F, 9.65e-16F, 9.04e-16F, 9.04e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.32e-04F, 6.16e-05F, 1.46e-04F, 6.77e-05F, 1.58e-04F, 1.11e-04F }
 };
 #else
-static const double tol_F[N_VECTORS][107] = {
-    { 2.71e-18, 1.66e-19, 9.61e-23, 2.13e-16, 3.37e-16, 8.43e-16, 2.25e-15, 4.49e-15, 1.12e-14, 2.25e-15, 2.25e-15, 4.49e-15, 4.49e-15, 1.12e-14, 1.12e-14, 2.71e-18, 1.32e-19, 1.49e-22, 1.03e-15, 2.44e-16, 2.95e-16, 1.12e-14, 2.81e-15, 4.49e-15, 1.12e-14, 1.12e-14, 2.81e-15, 2.81e-15, 4.49e-15, 4.49e-15, 1.66e-19, 1.32e-19, 2.29e-21, 3.4e-16, 1.03e-15, 2.27e-16, 4.49e-15, 1.12e-14, 2.81e-15, 4.49e-15, 4.49e-15, 1.12e-14, 1.12e-14, 2.81e-15, 2.81e-15, 7.43e-13, 7.27e-13, 1.66e-19, 5.82e-18, 1.66e-19, 2.13e-16, 2.7e-16, 6.07e-16, 5.62e-14, 1.12e-13, 2.81e-13, 1.12e-13, 2.81e-13, 2.81e-13, 7.43e-13, 7.36e-13, 2.73e-18, 2.82e-18, 1.34e-19, 1.03e-15, 1.49e-16, 2.02e-16, 2.81e-13, 7.02e-14, 1.12e-13, 7.02e-14, 1.12e-13, 1.12e-13, 7.27e-13, 7.36e-13, 3.68e-19, 3e-19, 3.4e-16, 7.22e-16, 1.26e-16, 1.12e-13, 2.81e-13, 7.02e-14, 2.81e-13, 7.02e-14, 7.02e-14, 1.12e-15, 1.12e-15, 1.01e-45, 1.01e-45, 1.12e-15, 1.12e-15, 1.12e-15, 1.12e-15, 1.01e-45, 1.01e-45, 1.12e-15, 1.12e-15, 1.12e-16, 1.12e-16, 1.12e-16, 2.24e-20, 1.01e-45, 2.24e-20, 1.01e-45, 2.24e-20, 6.73e-17 },
-    { 1.28e-18, 9.87e-20, 9.67e-23, 5.32e-16, 7.75e-16, 3.27e-16, 5.1e-15, 1.38e-15, 1.6e-15, 8.06e-16, 2.09e-15, 8.7e-15, 3.57e-15, 3.9e-15, 6.17e-16, 1.28e-18, 1.08e-19, 1.5e-22, 2.97e-16, 2.26e-16, 9.5e-16, 4.02e-15, 5.03e-16, 3.89e-15, 6.37e-16, 1.65e-15, 3.18e-15, 1.31e-15, 9.47e-15, 1.5e-15, 9.87e-20, 1.08e-19, 1.34e-21, 8.72e-16, 4.66e-16, 3.1e-16, 8.68e-15, 9.66e-16, 1.44e-15, 1.37e-15, 3.56e-15, 6.1e-15, 2.5e-15, 3.51e-15, 5.55e-16, 4.31e-13, 6.79e-13, 1.4e-19, 2.75e-18, 9.87e-20, 4.73e-16, 7.46e-16, 2.59e-16, 8.45e-14, 5.69e-14, 1.07e-13, 1.44e-13, 6.46e-14, 2.55e-14, 4.31e-13, 3.37e-13, 1.3e-18, 1.04e-18, 1.11e-19, 3.61e-16, 2.38e-16, 7.3e-16, 6.67e-14, 2.08e-14, 2.59e-13, 5.27e-14, 1.57e-13, 6.2e-14, 6.79e-13, 3.37e-13, 2.18e-19, 2.44e-19, 8.7e-16, 4.75e-16, 2.42e-16, 1.44e-13, 3.99e-14, 9.59e-14, 1.01e-13, 5.81e-14, 2.29e-14, 7.9e-16, 7.9e-16, 6.4e-16, 6.4e-16, 7.61e-16, 7.61e-16, 7.71e-16, 7.71e-16, 9.65e-16, 9.65e-16, 9.04e-16, 9.04e-16, 1.12e-16, 1.12e-16, 1.12e-16, 4.91e-13, 1.72e-13, 5.44e-13, 1.89e-13, 5.9e-13, 3.1e-13 }
+static const float tol_F[N_VECTORS][107] = {
+    { 2.71e-18F, 1.66e-19F, 9.61e-23F, 2.13e-16F, 3.37e-16F, 8.43e-16F, 2.25e-15F, 4.49e-15F, 1.12e-14F, 2.25e-15F, 2.25e-15F, 4.49e-15F, 4.49e-15F, 1.12e-14F, 1.12e-14F, 2.71e-18F, 1.32e-19F, 1.49e-22F, 1.03e-15F, 2.44e-16F, 2.95e-16F, 1.12e-14F, 2.81e-15F, 4.49e-15F, 1.12e-14F, 1.12e-14F, 2.81e-15F, 2.81e-15F, 4.49e-15F, 4.49e-15F, 1.66e-19F, 1.32e-19F, 2.29e-21F, 3.40e-16F, 1.03e-15F, 2.27e-16F, 4.49e-15F, 1.12e-14F, 2.81e-15F, 4.49e-15F, 4.49e-15F, 1.12e-14F, 1.12e-14F, 2.81e-15F, 2.81e-15F, 7.43e-13F, 7.27e-13F, 1.66e-19F, 5.82e-18F, 1.66e-19F, 2.13e-16F, 2.70e-16F, 6.07e-16F, 5.62e-14F, 1.12e-13F, 2.81e-13F, 1.12e-13F, 2.81e-13F, 2.81e-13F, 7.43e-13F, 7.36e-13F, 2.73e-18F, 2.82e-18F, 1.34e-19F, 1.03e-15F, 1.49e-16F, 2.02e-16F, 2.81e-13F, 7.02e-14F, 1.12e-13F, 7.02e-14F, 1.12e-13F, 1.12e-13F, 7.27e-13F, 7.36e-13F, 3.68e-19F, 3.00e-19F, 3.40e-16F, 7.22e-16F, 1.26e-16F, 1.12e-13F, 2.81e-13F, 7.02e-14F, 2.81e-13F, 7.02e-14F, 7.02e-14F, 1.12e-15F, 1.12e-15F, 0.0F, 0.0F, 1.12e-15F, 1.12e-15F, 1.12e-15F, 1.12e-15F, 0.0F, 0.0F, 1.12e-15F, 1.12e-15F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.24e-20F, 0.0F, 2.24e-20F, 0.0F, 2.24e-20F, 6.73e-17F },
+    { 1.28e-18F, 9.87e-20F, 9.67e-23F, 5.32e-16F, 7.75e-16F, 3.27e-16F, 5.10e-15F, 1.38e-15F, 1.60e-15F, 8.06e-16F, 2.09e-15F, 8.70e-15F, 3.57e-15F, 3.90e-15F, 6.17e-16F, 1.28e-18F, 1.08e-19F, 1.50e-22F, 2.97e-16F, 2.26e-16F, 9.50e-16F, 4.02e-15F, 5.03e-16F, 3.89e-15F, 6.37e-16F, 1.65e-15F, 3.18e-15F, 1.31e-15F, 9.47e-15F, 1.50e-15F, 9.87e-20F, 1.08e-19F, 1.34e-21F, 8.72e-16F, 4.66e-16F, 3.10e-16F, 8.68e-15F, 9.66e-16F, 1.44e-15F, 1.37e-15F, 3.56e-15F, 6.10e-15F, 2.50e-15F, 3.51e-15F, 5.55e-16F, 4.31e-13F, 6.79e-13F, 1.40e-19F, 2.75e-18F, 9.87e-20F, 4.73e-16F, 7.46e-16F, 2.59e-16F, 8.45e-14F, 5.69e-14F, 1.07e-13F, 1.44e-13F, 6.46e-14F, 2.55e-14F, 4.31e-13F, 3.37e-13F, 1.30e-18F, 1.04e-18F, 1.11e-19F, 3.61e-16F, 2.38e-16F, 7.30e-16F, 6.67e-14F, 2.08e-14F, 2.59e-13F, 5.27e-14F, 1.57e-13F, 6.20e-14F, 6.79e-13F, 3.37e-13F, 2.18e-19F, 2.44e-19F, 8.70e-16F, 4.75e-16F, 2.42e-16F, 1.44e-13F, 3.99e-14F, 9.59e-14F, 1.01e-13F, 5.81e-14F, 2.29e-14F, 7.90e-16F, 7.90e-16F, 6.40e-16F, 6.40e-16F, 7.61e-16F, 7.61e-16F, 7.71e-16F, 7.71e-16F, 9.65e-16F, 9.65e-16F, 9.04e-16F, 9.04e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 4.91e-13F, 1.72e-13F, 5.44e-13F, 1.89e-13F, 5.90e-13F, 3.10e-13F }
 };
 #endif
 static const unsigned short at_F[107] = { 1, 2, 4, 6, 7, 8, 25, 26, 27, 31, 32, 33, 34, 35, 36, 46,
@@ -165,7 +164,7 @@ int test_vas_F(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -178,7 +177,7 @@ int test_vas_F(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -194,7 +193,7 @@ int test_vas_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -205,7 +204,7 @@ int test_vas_F(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -223,7 +222,7 @@ int test_vas_F(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -237,7 +236,7 @@ int test_vas_F(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -250,7 +249,7 @@ int test_vas_F(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -265,7 +264,7 @@ int test_vas_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -276,7 +275,7 @@ int test_vas_F(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: f_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -294,7 +293,7 @@ int test_vas_F(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -305,7 +304,7 @@ int test_vas_F(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -323,7 +322,7 @@ int test_vas_F(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: flexure_omega[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: flexure_omega[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -334,7 +333,7 @@ int test_vas_F(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             bending.flexure_omega[i] = (end == 0) ? low[i] : high[i];
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: flexure_omega[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: flexure_omega[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -352,7 +351,7 @@ int test_vas_F(void)
                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: flexure_damping[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: flexure_damping[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -363,7 +362,7 @@ int test_vas_F(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             bending.flexure_damping[i] = (end == 0) ? low[i] : high[i];
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: flexure_damping[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: flexure_damping[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -381,7 +380,7 @@ int test_vas_F(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -392,7 +391,7 @@ int test_vas_F(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -410,7 +409,7 @@ int test_vas_F(void)
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: accel_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -421,7 +420,7 @@ int test_vas_F(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: accel_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -441,7 +440,7 @@ int test_vas_F(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -454,7 +453,7 @@ int test_vas_F(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -472,7 +471,7 @@ int test_vas_F(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: accel_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -483,7 +482,7 @@ int test_vas_F(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: accel_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -501,7 +500,7 @@ int test_vas_F(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: gyro_bias_beta[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: gyro_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -512,7 +511,7 @@ int test_vas_F(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (end == 0) ? low[i] : high[i];
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: gyro_bias_beta[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: gyro_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -530,7 +529,7 @@ int test_vas_F(void)
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                (void)printf("vas_F: accel_bias_beta[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_F: accel_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -541,7 +540,7 @@ int test_vas_F(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (end == 0) ? low[i] : high[i];
             if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                (void)printf("vas_F: accel_bias_beta[%d] end %d refused\n", i, end);
+                selftest_print("vas_F: accel_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

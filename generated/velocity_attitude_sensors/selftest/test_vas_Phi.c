@@ -2,66 +2,65 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.3d1c060000000p-3, 0x1.50e03e0000000p+1, 0x1.5cf5840000000p+12 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.7c34d00000000p+9, 0x1.8c7c800000000p+9, -0x1.9424e80000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.566e4e0000000p-3, 0x1.9f3b140000000p-2, -0x1.46fcee0000000p-7, 0x1.cc02fa0000000p-1 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, 0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { 0x1.5697de0000000p+6, -0x1.00499c0000000p+8, -0x1.f152ac0000000p+8 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, 0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { -0x1.34fd5c0000000p+4, 0x1.09a4860000000p+1, -0x1.d39f5e0000000p+3 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.3ad7020000000p+1 }
 };
-static const double in_flexure_omega[N_VECTORS][3] = {
+static const float in_flexure_omega[N_VECTORS][3] = {
     { 0x1.47ae160000000p-7, 0x1.9000000000000p+6, 0x1.47ae160000000p-7 },
     { 0x1.4d269e0000000p+6, 0x1.33372e0000000p+6, 0x1.e95eb40000000p+4 }
 };
-static const double in_flexure_damping[N_VECTORS][3] = {
+static const float in_flexure_damping[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x1.4000000000000p+3 },
     { 0x1.f7e9200000000p+1, 0x1.2909d40000000p+3, 0x1.0b15b60000000p+2 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.56f0800000000p-7, -0x1.0560c40000000p-5, 0x1.9b99840000000p-7 }
 };
-static const double in_accel_scale[N_VECTORS][3] = {
+static const float in_accel_scale[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.0755a20000000p-4, 0x1.4538c20000000p-4, -0x1.2a78e60000000p-7 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.77ac460000000p-4, -0x1.835d040000000p-5, 0x1.247f080000000p-4, 0x1.39963e0000000p-5, 0x1.1ad75a0000000p-9, -0x1.0e4c340000000p-5 }
 };
-static const double in_accel_axes[N_VECTORS][3] = {
+static const float in_accel_axes[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.d7739a0000000p-5, -0x1.6f9f1e0000000p-4, -0x1.dfe8e00000000p-5 }
 };
-static const double in_gyro_bias_beta[N_VECTORS][3] = {
+static const float in_gyro_bias_beta[N_VECTORS][3] = {
     { 0x0.0p+0, 0x0.0p+0, 0x1.4000000000000p+3 },
     { 0x1.0f8fee0000000p+3, 0x1.870b3a0000000p-4, 0x1.73fad20000000p-1 }
 };
-static const double in_accel_bias_beta[N_VECTORS][3] = {
+static const float in_accel_bias_beta[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x1.4000000000000p+3, 0x0.0p+0 },
     { 0x1.6dfc0a0000000p+1, 0x1.8f116c0000000p-1, 0x1.d432720000000p+2 }
 };
@@ -71,14 +70,14 @@ static const double out_Phi[N_VECTORS][232] = {
     { 0x1.fff1304873617p-1, -0x1.3bbc4ec5e6865p-14, -0x1.e9c157e9db14ep-15, 0x1.2f0f6854e905fp-35, 0x1.9d9f3dc0c6613p-22, 0x1.179048fcf71d0p-33, 0x1.d4a81c314dcfbp+3, 0x1.a8f010709f85fp-1, 0x1.6d95930e239f4p-3, 0x1.0c22935f7d6a1p-23, 0x1.b6739974c9ab0p-22, -0x1.e34bce96107d5p-25, 0x1.d370ea069be12p+4, 0x1.7e206c7147b71p+0, -0x1.a4e854383fe66p+4, 0x1.a426884c80f73p-17, -0x1.e09dae7dfb786p-14, 0x1.d1345a411a308p-16, -0x1.91dd91596e1bcp+1, 0x1.61b5f6c51f562p+4, -0x1.bc7b35600d44ap+3, -0x1.505653d58d57ap+3, -0x1.161f37bdd82ddp+5, 0x1.de35e3479c030p+1, 0x1.413b84ba5dc36p-15, -0x1.4077b7ff17588p-18, 0x1.df78bbc24dd6bp-17, -0x1.0329f1547b6b2p+4, 0x1.c428109f4c369p-4, 0x1.800101a084df2p+0, 0x1.3c5528d46f226p-14, 0x1.fff114eb0a4d8p-1, 0x1.b487d523beafep-12, -0x1.a0572819c9bcfp-22, 0x1.010734e27f7e5p-35, 0x1.f6f884ce0cbc7p-35, 0x1.61dbae513d8f5p+2, -0x1.05a31dd6ed7f6p+1, 0x1.2b74474f9e52fp-5, -0x1.3623e333c54bcp-22, 0x1.3f95cb5f69103p-23, 0x1.7a464cfd9598dp-22, 0x1.d4c3c8e1e94edp+3, -0x1.34486338047f1p+2, -0x1.0f1fc9ce8b76ep+2, -0x1.a571f6534f8f6p-16, -0x1.2bc6bae0ea18fp-15, -0x1.6c1d460168ae3p-13, -0x1.9300e6401fce0p+0, 0x1.62b662cc37b23p+3, 0x1.6696738eab835p+5, 0x1.0f5785c637441p+5, -0x1.664ccbf1ac126p+2, 0x1.340910ca1d055p-1, 0x1.90ba1a940d0c8p-17, 0x1.f5a88c217a060p-16, -0x1.7747fb81074d2p-14, -0x1.875447b506ee5p+2, -0x1.1670361311f4dp-2, 0x1.35f1ec9054fa3p-2, 0x1.47aff2c7d61dep-12, -0x1.fa30e65f32a1ap-12, 0x1.fffb23d304166p-1, 0x1.8e0cb038261ecp-34, -0x1.01feee855b73dp-24, -0x1.5d179bc7528d8p-36, -0x1.0e1680accacf8p+4, -0x1.c22a3d0f5cfb2p-2, 0x1.7923ab2f39640p-3, -0x1.4ed2436439755p-26, -0x1.11bf84f8ae190p-24, 0x1.2dbf35d806338p-27, -0x1.139e6edc52a7dp+5, -0x1.908ff1cf775bap-1, -0x1.81be3c97fa331p+4, -0x1.06526367de9fdp-19, 0x1.2c12d3996eb87p-16, -0x1.22738d669e991p-18, 0x1.d9e81ae3c80e7p+1, -0x1.a11e920ea40c7p+4, 0x1.d1ecd9dcffecdp+2, 0x1.60905170195bap+2, -0x1.fdc5dbd1f60f3p+4, 0x1.b6423cd222b31p+1, -0x1.911fd37f68b34p-18, 0x1.902b548aab70cp-21, -0x1.2b5bec7c3d7c6p-19, 0x1.2ab4f981b9f50p+4, -0x1.dfda4b2f375a6p-5, 0x1.8b313e11c6625p+0, 0x1.5692b495176b3p-3, 0x1.252f4ce5bd7f9p+9, 0x1.567d7dc5a2080p+8, 0x1.ffc801658bf37p-1, -0x1.513a07dcc6898p-13, -0x1.3538fae5a71d2p-12, 0x1.0d1eebd878eefp+7, -0x1.7e3392689ba37p+9, 0x1.8b2e7f2809004p+8, -0x1.dfcdf3090ee61p+1, -0x1.0510d2b41f8afp-5, 0x1.d0f593999f173p+3, -0x1.90c6e70a75344p+10, -0x1.8299e12270817p+10, -0x1.4f81e48674188p+12, 0x1.0317c3d33c966p+7, 0x1.70a807032beeap+7, 0x1.bf916a0e4792bp+9, 0x1.588daefa44c5ap+7, -0x1.2f442e4efdce5p+10, 0x1.c1af93d146633p+13, 0x1.544686962a05ap+13, -0x1.bb6277f2cdd9ap+12, 0x1.7d2f114f8b4adp+9, -0x1.eccd79474a68cp+5, -0x1.34517dd9b6b63p+7, 0x1.cd4b5431cd88ap+8, 0x1.4f3d0c3c790cap+2, -0x1.78acc2538c755p-1, -0x1.058a5e5a49e9dp+4, -0x1.25185c8d136bep+9, -0x1.4c66fdeb11930p-1, 0x1.32ee9851d92fdp+10, 0x1.b0b9ece513da5p-14, 0x1.ffbd828182479p-1, 0x1.59eed00502775p-11, 0x1.844b8122a2925p+10, -0x1.22f6220295fb7p+9, 0x1.1c3e07cb67613p+9, -0x1.a1bbf55391a46p+0, 0x1.664870e153e0bp-4, 0x1.2ae39eeeec0b3p+1, -0x1.d04e0b4013da8p+14, -0x1.cb58340be7bdcp+9, -0x1.bad83725084d0p+12, 0x1.03c75c6fef134p+6, -0x1.296039963e889p+9, 0x1.20768775d7195p+7, 0x1.8f2b5448be981p+11, -0x1.5f566f6c8a312p+14, 0x1.0b26539aabc18p+13, 0x1.944d601f0b84fp+12, -0x1.249e03105a841p+13, 0x1.f722544578336p+9, 0x1.8d84a980f4097p+7, -0x1.8d6e0613c2529p+4, 0x1.294f4a2337d68p+6, 0x1.23bd3fa4a411ap+1, 0x1.041609d927c00p+1, -0x1.50596b755d4cdp+1, -0x1.564210f078c9ep+8, -0x1.32ea12a6e711fp+10, -0x1.79a3906b6e8f2p-1, 0x1.b1f8041d2646dp-11, -0x1.0e5a0ac49f5a5p-10, 0x1.fffff26471d07p-1, 0x1.38b8c85d3319dp+9, 0x1.3b3071e44ed0cp+10, -0x1.ef752311f11b4p+8, 0x1.4d25d9ba1a1eap+2, 0x1.2bc6c81c7d0f5p-7, 0x1.a9f9a04fce5bbp+3, -0x1.b57f7b9ee004cp+13, 0x1.51b1f6d74ec98p+11, 0x1.bbe2de5feda90p+12, -0x1.31961ff5fcb6ep+7, -0x1.81c5cfc9bdae6p+6, 0x1.9a4aad094cbd7p+9, 0x1.781f7dcb6cfe3p+10, -0x1.4b0d9008b7433p+13, -0x1.88ccb0494b676p+14, -0x1.293ad88506c09p+14, 0x1.254e352cef20bp+13, -0x1.f85148f4f606ap+9, 0x1.01d76b5a6c975p+5, -0x1.1aa3bd61a59f9p+7, 0x1.a6dfede60f86bp+8, -0x1.d18680869812dp+2, 0x1.ecc9fe350d47ap-3, -0x1.df418e29dccdfp+3, 0x1.8bf6a0734ef9dp+7, -0x1.89f6a0734ef9dp+7, 0x1.95e2cdb71f606p-1, 0x1.a874c923827e9p-3, 0x1.9e90e78949139p-1, 0x1.85bc61dadbb1cp-3, 0x1.2b29ff1ddf92bp+4, -0x1.1b29ff1ddf92bp+4, 0x1.d756e316ea6ecp-1, 0x1.4548e748ac8a1p-4, 0x1.21cc0dcd8c590p+7, -0x1.1fcc0dcd8c590p+7, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.47dc99ff7c73fp+14, -0x1.ef51b9b5aa134p+10, -0x1.16cc9bdb30289p+14, -0x1.0d6cc14bd41b9p+12, -0x1.619b593232044p+11, -0x1.80e274a5b4efdp+9, 0x1.a36d7e5d950ddp+23, 0x1.3814fa7976b7fp+20, 0x1.8402d1d5e36c1p+24, 0x1.76117aef9b7c6p+22, 0x1.5f9cfab43e594p+19, 0x1.7a46d8fa91944p+17, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Phi[N_VECTORS][232] = {
-    { 6.59e-08, 1.58e-08, 5.23e-09, 4.08e-14, 6.46e-13, 1.17e-15, 1.18e-06, 5.09e-06, 0.000107, 1.77e-12, 1.16e-12, 5.7e-12, 1.25e-05, 7.25e-05, 2.66e-05, 4.69e-10, 2.93e-10, 2.93e-09, 1.25e-05, 1.25e-05, 7.25e-05, 7.25e-05, 2.66e-05, 2.66e-05, 2.93e-10, 2.93e-09, 2.93e-09, 1.19e-38, 1.19e-38, 9.95e-05, 1.58e-08, 6.67e-08, 6.39e-09, 8.95e-13, 3.94e-14, 1.46e-15, 1.67e-06, 1.42e-06, 0.000446, 1.43e-12, 7.5e-12, 8.44e-13, 2.44e-05, 1.76e-05, 7.26e-05, 2.35e-10, 3.65e-09, 4.69e-10, 2.44e-05, 2.44e-05, 1.76e-05, 1.76e-05, 7.26e-05, 7.26e-05, 3.65e-09, 4.69e-10, 4.69e-10, 1.19e-38, 1.19e-38, 0.000375, 8.06e-08, 8.44e-10, 1.23e-07, 2.84e-13, 1.37e-11, 1.84e-14, 5.08e-06, 1.65e-06, 8.19e-05, 2.35e-11, 1.65e-11, 9.41e-11, 7.24e-05, 2.43e-05, 1.53e-05, 5.36e-09, 3.35e-09, 4.96e-08, 7.24e-05, 7.24e-05, 2.43e-05, 2.43e-05, 1.53e-05, 1.53e-05, 3.35e-09, 4.96e-08, 4.96e-08, 1.19e-38, 1.19e-38, 7.46e-05, 0.000285, 0.00416, 0.00441, 1.29e-07, 1.12e-07, 1.03e-09, 0.0386, 0.0112, 0.0464, 7.66e-05, 0.000335, 1.35e-06, 0.683, 0.0959, 0.681, 0.000317, 0.00182, 0.000739, 0.683, 0.683, 0.0959, 0.0959, 0.681, 0.681, 0.00182, 0.000739, 0.000739, 6.94e-05, 0.000277, 1.19e-38, 0.00424, 0.00019, 0.00377, 1.65e-08, 2.15e-07, 8.98e-10, 0.0323, 0.0389, 0.0121, 0.000108, 6.82e-05, 3.94e-06, 0.565, 0.696, 0.0967, 0.000616, 0.000448, 0.00188, 0.565, 0.565, 0.696, 0.696, 0.0967, 0.0967, 0.000448, 0.00188, 0.00188, 0.0001, 6.11e-05, 1.19e-38, 0.00433, 0.00371, 3.05e-05, 7.38e-09, 7.27e-09, 6.02e-08, 0.0101, 0.0358, 0.0401, 0.000446, 5.92e-05, 6.97e-07, 0.0755, 0.646, 0.586, 0.00181, 0.000613, 0.000386, 0.0755, 0.0755, 0.646, 0.646, 0.586, 0.586, 0.000613, 0.000386, 0.000386, 0.000375, 5.8e-05, 1.19e-38, 1.2e-07, 1.19e-38, 1.2e-07, 1.19e-38, 0.00151, 0.00151, 0.00151, 0.00151, 0.00151, 0.00151, 1.2e-07, 1.19e-38, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 6.11e-08, 3.01e-06, 0.151, 6.02e-07, 6.11e-08, 3.01e-06, 5.42e-10, 1.57e-06, 0.0181, 0.181, 5.42e-10, 1.57e-06, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 6.04e-08, 5.34e-11, 4.45e-10, 4.1e-17, 1.51e-13, 1.09e-16, 1.45e-05, 5.76e-07, 2.02e-06, 1.36e-13, 3.76e-13, 4.78e-14, 1.26e-05, 5.49e-07, 9.51e-06, 9.42e-12, 9.11e-11, 2.19e-11, 1.35e-06, 9.53e-06, 5.11e-06, 3.87e-06, 1.26e-05, 1.35e-06, 3.05e-11, 3.77e-12, 1.13e-11, 1.18e-05, 7.24e-08, 1.05e-06, 5.34e-11, 6.04e-08, 3.53e-10, 2.22e-13, 3.56e-17, 6.88e-17, 6.25e-06, 1.6e-06, 4.28e-07, 3.62e-13, 1.56e-13, 3.5e-13, 5.3e-06, 1.95e-06, 1.69e-06, 2.52e-11, 3.36e-11, 1.62e-10, 5.7e-07, 4.01e-06, 1.81e-05, 1.37e-05, 2.23e-06, 2.4e-07, 1.12e-11, 2.79e-11, 8.35e-11, 5.16e-06, 1.98e-07, 2.21e-07, 2.22e-10, 2.31e-10, 6.03e-08, 1.08e-16, 4.53e-14, 2.03e-17, 1.54e-05, 3.39e-07, 2.08e-06, 2.83e-14, 8.17e-14, 1.06e-14, 1.25e-05, 2.84e-07, 9.84e-06, 2.18e-12, 2.07e-11, 4.98e-12, 1.34e-06, 9.45e-06, 2.65e-06, 2e-06, 1.3e-05, 1.4e-06, 6.91e-12, 8.57e-13, 2.57e-12, 1.24e-05, 4.18e-08, 1.08e-06, 3.37e-07, 0.000662, 0.000435, 1.21e-07, 1.36e-10, 1.86e-10, 0.000861, 0.00138, 0.000744, 5.66e-06, 8.09e-07, 1.14e-05, 0.0156, 0.00248, 0.00914, 5.59e-05, 6.79e-05, 0.000324, 0.00168, 0.0118, 0.023, 0.0174, 0.0121, 0.0013, 2.27e-05, 5.57e-05, 0.000167, 4.2e-06, 4.41e-07, 8.86e-06, 0.000662, 9.79e-07, 0.000862, 6.52e-11, 1.21e-07, 3.06e-10, 0.00225, 0.00089, 0.00217, 2.51e-06, 2.44e-06, 1.94e-06, 0.0376, 0.00122, 0.0274, 2.35e-05, 0.00024, 5.76e-05, 0.00405, 0.0285, 0.0114, 0.0086, 0.0362, 0.00389, 8.04e-05, 9.92e-06, 2.97e-05, 1.87e-06, 1.32e-06, 1.52e-06, 0.000435, 0.000862, 1.42e-06, 7.55e-10, 6.2e-10, 6.02e-08, 0.00105, 0.00221, 0.000834, 6.52e-06, 3.79e-07, 1.12e-05, 0.0189, 0.00382, 0.0106, 5.54e-05, 3.53e-05, 0.000335, 0.00203, 0.0143, 0.0355, 0.0269, 0.0141, 0.00151, 1.18e-05, 5.77e-05, 0.000173, 4.78e-06, 1.99e-07, 8.82e-06, 6.68e-05, 6.56e-05, 1.15e-07, 3.33e-08, 5.88e-07, 5.04e-07, 7.87e-06, 7.44e-06, 6.69e-07, 5.63e-07, 4.98e-05, 4.87e-05, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 0.00632, 0.000716, 0.00537, 0.00156, 0.000852, 0.000279, 6.63, 0.783, 12.3, 3.7, 0.348, 0.119, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][232] = {
+    { 6.59e-08F, 1.58e-08F, 5.23e-09F, 4.08e-14F, 6.46e-13F, 1.17e-15F, 1.18e-06F, 5.09e-06F, 1.07e-04F, 1.77e-12F, 1.16e-12F, 5.70e-12F, 1.25e-05F, 7.25e-05F, 2.66e-05F, 4.69e-10F, 2.93e-10F, 2.93e-09F, 1.25e-05F, 1.25e-05F, 7.25e-05F, 7.25e-05F, 2.66e-05F, 2.66e-05F, 2.93e-10F, 2.93e-09F, 2.93e-09F, 1.19e-38F, 1.19e-38F, 9.95e-05F, 1.58e-08F, 6.67e-08F, 6.39e-09F, 8.95e-13F, 3.94e-14F, 1.46e-15F, 1.67e-06F, 1.42e-06F, 4.46e-04F, 1.43e-12F, 7.50e-12F, 8.44e-13F, 2.44e-05F, 1.76e-05F, 7.26e-05F, 2.35e-10F, 3.65e-09F, 4.69e-10F, 2.44e-05F, 2.44e-05F, 1.76e-05F, 1.76e-05F, 7.26e-05F, 7.26e-05F, 3.65e-09F, 4.69e-10F, 4.69e-10F, 1.19e-38F, 1.19e-38F, 3.75e-04F, 8.06e-08F, 8.44e-10F, 1.23e-07F, 2.84e-13F, 1.37e-11F, 1.84e-14F, 5.08e-06F, 1.65e-06F, 8.19e-05F, 2.35e-11F, 1.65e-11F, 9.41e-11F, 7.24e-05F, 2.43e-05F, 1.53e-05F, 5.36e-09F, 3.35e-09F, 4.96e-08F, 7.24e-05F, 7.24e-05F, 2.43e-05F, 2.43e-05F, 1.53e-05F, 1.53e-05F, 3.35e-09F, 4.96e-08F, 4.96e-08F, 1.19e-38F, 1.19e-38F, 7.46e-05F, 2.85e-04F, 4.16e-03F, 4.41e-03F, 1.29e-07F, 1.12e-07F, 1.03e-09F, 3.86e-02F, 1.12e-02F, 4.64e-02F, 7.66e-05F, 3.35e-04F, 1.35e-06F, 6.83e-01F, 9.59e-02F, 6.81e-01F, 3.17e-04F, 1.82e-03F, 7.39e-04F, 6.83e-01F, 6.83e-01F, 9.59e-02F, 9.59e-02F, 6.81e-01F, 6.81e-01F, 1.82e-03F, 7.39e-04F, 7.39e-04F, 6.94e-05F, 2.77e-04F, 1.19e-38F, 4.24e-03F, 1.90e-04F, 3.77e-03F, 1.65e-08F, 2.15e-07F, 8.98e-10F, 3.23e-02F, 3.89e-02F, 1.21e-02F, 1.08e-04F, 6.82e-05F, 3.94e-06F, 5.65e-01F, 6.96e-01F, 9.67e-02F, 6.16e-04F, 4.48e-04F, 1.88e-03F, 5.65e-01F, 5.65e-01F, 6.96e-01F, 6.96e-01F, 9.67e-02F, 9.67e-02F, 4.48e-04F, 1.88e-03F, 1.88e-03F, 1.00e-04F, 6.11e-05F, 1.19e-38F, 4.33e-03F, 3.71e-03F, 3.05e-05F, 7.38e-09F, 7.27e-09F, 6.02e-08F, 1.01e-02F, 3.58e-02F, 4.01e-02F, 4.46e-04F, 5.92e-05F, 6.97e-07F, 7.55e-02F, 6.46e-01F, 5.86e-01F, 1.81e-03F, 6.13e-04F, 3.86e-04F, 7.55e-02F, 7.55e-02F, 6.46e-01F, 6.46e-01F, 5.86e-01F, 5.86e-01F, 6.13e-04F, 3.86e-04F, 3.86e-04F, 3.75e-04F, 5.80e-05F, 1.19e-38F, 1.20e-07F, 1.19e-38F, 1.20e-07F, 1.19e-38F, 1.51e-03F, 1.51e-03F, 1.51e-03F, 1.51e-03F, 1.51e-03F, 1.51e-03F, 1.20e-07F, 1.19e-38F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 6.11e-08F, 3.01e-06F, 1.51e-01F, 6.02e-07F, 6.11e-08F, 3.01e-06F, 5.42e-10F, 1.57e-06F, 1.81e-02F, 1.81e-01F, 5.42e-10F, 1.57e-06F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 6.04e-08F, 5.34e-11F, 4.45e-10F, 4.10e-17F, 1.51e-13F, 1.09e-16F, 1.45e-05F, 5.76e-07F, 2.02e-06F, 1.36e-13F, 3.76e-13F, 4.78e-14F, 1.26e-05F, 5.49e-07F, 9.51e-06F, 9.42e-12F, 9.11e-11F, 2.19e-11F, 1.35e-06F, 9.53e-06F, 5.11e-06F, 3.87e-06F, 1.26e-05F, 1.35e-06F, 3.05e-11F, 3.77e-12F, 1.13e-11F, 1.18e-05F, 7.24e-08F, 1.05e-06F, 5.34e-11F, 6.04e-08F, 3.53e-10F, 2.22e-13F, 3.56e-17F, 6.88e-17F, 6.25e-06F, 1.60e-06F, 4.28e-07F, 3.62e-13F, 1.56e-13F, 3.50e-13F, 5.30e-06F, 1.95e-06F, 1.69e-06F, 2.52e-11F, 3.36e-11F, 1.62e-10F, 5.70e-07F, 4.01e-06F, 1.81e-05F, 1.37e-05F, 2.23e-06F, 2.40e-07F, 1.12e-11F, 2.79e-11F, 8.35e-11F, 5.16e-06F, 1.98e-07F, 2.21e-07F, 2.22e-10F, 2.31e-10F, 6.03e-08F, 1.08e-16F, 4.53e-14F, 2.03e-17F, 1.54e-05F, 3.39e-07F, 2.08e-06F, 2.83e-14F, 8.17e-14F, 1.06e-14F, 1.25e-05F, 2.84e-07F, 9.84e-06F, 2.18e-12F, 2.07e-11F, 4.98e-12F, 1.34e-06F, 9.45e-06F, 2.65e-06F, 2.00e-06F, 1.30e-05F, 1.40e-06F, 6.91e-12F, 8.57e-13F, 2.57e-12F, 1.24e-05F, 4.18e-08F, 1.08e-06F, 3.37e-07F, 6.62e-04F, 4.35e-04F, 1.21e-07F, 1.36e-10F, 1.86e-10F, 8.61e-04F, 1.38e-03F, 7.44e-04F, 5.66e-06F, 8.09e-07F, 1.14e-05F, 1.56e-02F, 2.48e-03F, 9.14e-03F, 5.59e-05F, 6.79e-05F, 3.24e-04F, 1.68e-03F, 1.18e-02F, 2.30e-02F, 1.74e-02F, 1.21e-02F, 1.30e-03F, 2.27e-05F, 5.57e-05F, 1.67e-04F, 4.20e-06F, 4.41e-07F, 8.86e-06F, 6.62e-04F, 9.79e-07F, 8.62e-04F, 6.52e-11F, 1.21e-07F, 3.06e-10F, 2.25e-03F, 8.90e-04F, 2.17e-03F, 2.51e-06F, 2.44e-06F, 1.94e-06F, 3.76e-02F, 1.22e-03F, 2.74e-02F, 2.35e-05F, 2.40e-04F, 5.76e-05F, 4.05e-03F, 2.85e-02F, 1.14e-02F, 8.60e-03F, 3.62e-02F, 3.89e-03F, 8.04e-05F, 9.92e-06F, 2.97e-05F, 1.87e-06F, 1.32e-06F, 1.52e-06F, 4.35e-04F, 8.62e-04F, 1.42e-06F, 7.55e-10F, 6.20e-10F, 6.02e-08F, 1.05e-03F, 2.21e-03F, 8.34e-04F, 6.52e-06F, 3.79e-07F, 1.12e-05F, 1.89e-02F, 3.82e-03F, 1.06e-02F, 5.54e-05F, 3.53e-05F, 3.35e-04F, 2.03e-03F, 1.43e-02F, 3.55e-02F, 2.69e-02F, 1.41e-02F, 1.51e-03F, 1.18e-05F, 5.77e-05F, 1.73e-04F, 4.78e-06F, 1.99e-07F, 8.82e-06F, 6.68e-05F, 6.56e-05F, 1.15e-07F, 3.33e-08F, 5.88e-07F, 5.04e-07F, 7.87e-06F, 7.44e-06F, 6.69e-07F, 5.63e-07F, 4.98e-05F, 4.87e-05F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 6.32e-03F, 7.16e-04F, 5.37e-03F, 1.56e-03F, 8.52e-04F, 2.79e-04F, 6.63e+00F, 7.83e-01F, 1.23e+01F, 3.70e+00F, 3.48e-01F, 1.19e-01F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #else
-static const double tol_Phi[N_VECTORS][232] = {
-    { 2.35e-16, 3.16e-17, 9.92e-18, 7.92e-23, 1.38e-21, 2.33e-24, 2.31e-15, 1.05e-14, 2.06e-13, 3.39e-21, 2.25e-21, 1.14e-20, 2.32e-14, 1.58e-13, 4.98e-14, 8.74e-19, 5.46e-19, 5.9e-18, 2.32e-14, 2.32e-14, 1.58e-13, 1.58e-13, 4.98e-14, 4.98e-14, 5.46e-19, 5.9e-18, 5.9e-18, 1.01e-45, 1.01e-45, 1.91e-13, 3.16e-17, 2.37e-16, 1.21e-17, 1.84e-21, 7.67e-23, 2.86e-24, 3.22e-15, 2.76e-15, 8.91e-13, 2.76e-21, 1.48e-20, 1.57e-21, 4.55e-14, 3.29e-14, 1.58e-13, 4.37e-19, 7.23e-18, 8.74e-19, 4.55e-14, 4.55e-14, 3.29e-14, 3.29e-14, 1.58e-13, 1.58e-13, 7.23e-18, 8.74e-19, 8.74e-19, 1.01e-45, 1.01e-45, 7.6e-13, 1.56e-16, 1.75e-18, 3.46e-16, 5.47e-22, 2.75e-20, 3.6e-23, 1.05e-14, 3.19e-15, 1.58e-13, 4.47e-20, 3.17e-20, 1.84e-19, 1.57e-13, 4.53e-14, 2.84e-14, 9.99e-18, 6.24e-18, 9.74e-17, 1.57e-13, 1.57e-13, 4.53e-14, 4.53e-14, 2.84e-14, 2.84e-14, 6.24e-18, 9.74e-17, 9.74e-17, 1.01e-45, 1.01e-45, 1.45e-13, 5.49e-13, 8.36e-12, 8.72e-12, 3.53e-16, 2.18e-16, 2.09e-18, 7.45e-11, 2.09e-11, 8.96e-11, 1.48e-13, 6.74e-13, 2.53e-15, 1.32e-09, 1.79e-10, 1.33e-09, 5.91e-13, 3.95e-12, 1.39e-12, 1.32e-09, 1.32e-09, 1.79e-10, 1.79e-10, 1.33e-09, 1.33e-09, 3.95e-12, 1.39e-12, 1.39e-12, 1.35e-13, 5.67e-13, 1.01e-45, 8.53e-12, 3.64e-13, 7.47e-12, 3.29e-17, 5.19e-16, 1.87e-18, 6.19e-11, 7.49e-11, 2.3e-11, 2.07e-13, 1.33e-13, 8.36e-15, 1.1e-09, 1.36e-09, 1.8e-10, 1.15e-12, 8.39e-13, 4.07e-12, 1.1e-09, 1.1e-09, 1.36e-09, 1.36e-09, 1.8e-10, 1.8e-10, 8.39e-13, 4.07e-12, 4.07e-12, 1.92e-13, 1.19e-13, 1.01e-45, 8.56e-12, 7.37e-12, 5.68e-14, 1.44e-17, 1.43e-17, 2.24e-16, 1.92e-11, 6.88e-11, 7.74e-11, 8.91e-13, 1.1e-13, 1.3e-15, 1.41e-10, 1.25e-09, 1.14e-09, 3.93e-12, 1.14e-12, 7.21e-13, 1.41e-10, 1.41e-10, 1.25e-09, 1.25e-09, 1.14e-09, 1.14e-09, 1.14e-12, 7.21e-13, 7.21e-13, 7.6e-13, 1.08e-13, 1.01e-45, 3.36e-16, 1.01e-45, 3.36e-16, 1.01e-45, 3.36e-12, 3.35e-12, 3.36e-12, 3.35e-12, 3.36e-12, 3.35e-12, 3.36e-16, 1.01e-45, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 2.25e-16, 5.61e-15, 3.36e-10, 2.24e-15, 2.25e-16, 5.61e-15, 1.01e-18, 3.03e-15, 4.49e-11, 3.92e-10, 1.01e-18, 3.03e-15, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 2.25e-16, 1.08e-19, 8.35e-19, 8.03e-26, 3.24e-22, 2.17e-25, 2.86e-14, 1.17e-15, 3.79e-15, 2.67e-22, 7.46e-22, 9.53e-23, 2.67e-14, 1.19e-15, 2.07e-14, 1.9e-20, 1.83e-19, 4.39e-20, 2.87e-15, 2.02e-14, 1.11e-14, 8.38e-15, 2.73e-14, 2.93e-15, 6.1e-20, 7.55e-21, 2.26e-20, 2.38e-14, 1.47e-16, 2.12e-15, 1.08e-19, 2.25e-16, 7.05e-19, 4.57e-22, 6.96e-26, 1.35e-25, 1.23e-14, 3.21e-15, 8.01e-16, 7.06e-22, 3.08e-22, 6.91e-22, 1.15e-14, 4.17e-15, 3.62e-15, 4.97e-20, 6.65e-20, 3.21e-19, 1.24e-15, 8.72e-15, 3.88e-14, 2.93e-14, 4.79e-15, 5.15e-16, 2.22e-20, 5.53e-20, 1.66e-19, 1.03e-14, 3.99e-16, 4.46e-16, 4.48e-19, 4.84e-19, 2.24e-16, 2.11e-25, 9.12e-23, 4e-26, 3.06e-14, 6.8e-16, 3.9e-15, 5.48e-23, 1.59e-22, 2.08e-23, 2.71e-14, 6.17e-16, 2.1e-14, 4.27e-21, 4.05e-20, 9.76e-21, 2.92e-15, 2.05e-14, 5.74e-15, 4.35e-15, 2.78e-14, 2.99e-15, 1.35e-20, 1.68e-21, 5.03e-21, 2.52e-14, 8.44e-17, 2.19e-15, 6.46e-16, 1.3e-12, 8.49e-13, 3.37e-16, 2.71e-19, 3.8e-19, 1.62e-12, 2.66e-12, 1.43e-12, 1.1e-14, 1.51e-15, 2.28e-14, 2.93e-11, 4.78e-12, 1.76e-11, 1.19e-13, 1.47e-13, 7.03e-13, 3.14e-12, 2.21e-11, 4.45e-11, 3.37e-11, 2.33e-11, 2.5e-12, 4.92e-14, 1.21e-13, 3.62e-13, 8.41e-15, 9.04e-16, 1.83e-14, 1.3e-12, 1.9e-15, 1.74e-12, 1.33e-19, 3.37e-16, 6.44e-19, 4.37e-12, 1.72e-12, 4.11e-12, 4.87e-15, 4.56e-15, 3.87e-15, 7.35e-11, 2.38e-12, 5.18e-11, 5.11e-14, 5.15e-13, 1.23e-13, 7.89e-12, 5.56e-11, 2.21e-11, 1.67e-11, 6.85e-11, 7.36e-12, 1.72e-13, 2.13e-14, 6.36e-14, 3.73e-15, 2.69e-15, 3.13e-15, 8.5e-13, 1.74e-12, 2.72e-15, 1.5e-18, 1.27e-18, 2.24e-16, 2.02e-12, 4.25e-12, 1.61e-12, 1.27e-14, 7.06e-16, 2.24e-14, 3.68e-11, 7.42e-12, 2.06e-11, 1.2e-13, 7.65e-14, 7.16e-13, 3.95e-12, 2.78e-11, 6.9e-11, 5.22e-11, 2.72e-11, 2.93e-12, 2.56e-14, 1.23e-13, 3.69e-13, 9.72e-15, 3.98e-16, 1.81e-14, 1.47e-13, 1.44e-13, 3.02e-16, 8.52e-17, 1.19e-15, 9.59e-16, 1.68e-14, 1.59e-14, 1.35e-15, 1.06e-15, 1.09e-13, 1.07e-13, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.41e-11, 1.56e-12, 1.2e-11, 3.39e-12, 1.9e-12, 6.06e-13, 1.39e-08, 1.6e-09, 2.57e-08, 7.58e-09, 7.29e-10, 2.43e-10, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][232] = {
+    { 2.35e-16F, 3.16e-17F, 9.92e-18F, 7.92e-23F, 1.38e-21F, 2.33e-24F, 2.31e-15F, 1.05e-14F, 2.06e-13F, 3.39e-21F, 2.25e-21F, 1.14e-20F, 2.32e-14F, 1.58e-13F, 4.98e-14F, 8.74e-19F, 5.46e-19F, 5.90e-18F, 2.32e-14F, 2.32e-14F, 1.58e-13F, 1.58e-13F, 4.98e-14F, 4.98e-14F, 5.46e-19F, 5.90e-18F, 5.90e-18F, 0.0F, 0.0F, 1.91e-13F, 3.16e-17F, 2.37e-16F, 1.21e-17F, 1.84e-21F, 7.67e-23F, 2.86e-24F, 3.22e-15F, 2.76e-15F, 8.91e-13F, 2.76e-21F, 1.48e-20F, 1.57e-21F, 4.55e-14F, 3.29e-14F, 1.58e-13F, 4.37e-19F, 7.23e-18F, 8.74e-19F, 4.55e-14F, 4.55e-14F, 3.29e-14F, 3.29e-14F, 1.58e-13F, 1.58e-13F, 7.23e-18F, 8.74e-19F, 8.74e-19F, 0.0F, 0.0F, 7.60e-13F, 1.56e-16F, 1.75e-18F, 3.46e-16F, 5.47e-22F, 2.75e-20F, 3.60e-23F, 1.05e-14F, 3.19e-15F, 1.58e-13F, 4.47e-20F, 3.17e-20F, 1.84e-19F, 1.57e-13F, 4.53e-14F, 2.84e-14F, 9.99e-18F, 6.24e-18F, 9.74e-17F, 1.57e-13F, 1.57e-13F, 4.53e-14F, 4.53e-14F, 2.84e-14F, 2.84e-14F, 6.24e-18F, 9.74e-17F, 9.74e-17F, 0.0F, 0.0F, 1.45e-13F, 5.49e-13F, 8.36e-12F, 8.72e-12F, 3.53e-16F, 2.18e-16F, 2.09e-18F, 7.45e-11F, 2.09e-11F, 8.96e-11F, 1.48e-13F, 6.74e-13F, 2.53e-15F, 1.32e-09F, 1.79e-10F, 1.33e-09F, 5.91e-13F, 3.95e-12F, 1.39e-12F, 1.32e-09F, 1.32e-09F, 1.79e-10F, 1.79e-10F, 1.33e-09F, 1.33e-09F, 3.95e-12F, 1.39e-12F, 1.39e-12F, 1.35e-13F, 5.67e-13F, 0.0F, 8.53e-12F, 3.64e-13F, 7.47e-12F, 3.29e-17F, 5.19e-16F, 1.87e-18F, 6.19e-11F, 7.49e-11F, 2.30e-11F, 2.07e-13F, 1.33e-13F, 8.36e-15F, 1.10e-09F, 1.36e-09F, 1.80e-10F, 1.15e-12F, 8.39e-13F, 4.07e-12F, 1.10e-09F, 1.10e-09F, 1.36e-09F, 1.36e-09F, 1.80e-10F, 1.80e-10F, 8.39e-13F, 4.07e-12F, 4.07e-12F, 1.92e-13F, 1.19e-13F, 0.0F, 8.56e-12F, 7.37e-12F, 5.68e-14F, 1.44e-17F, 1.43e-17F, 2.24e-16F, 1.92e-11F, 6.88e-11F, 7.74e-11F, 8.91e-13F, 1.10e-13F, 1.30e-15F, 1.41e-10F, 1.25e-09F, 1.14e-09F, 3.93e-12F, 1.14e-12F, 7.21e-13F, 1.41e-10F, 1.41e-10F, 1.25e-09F, 1.25e-09F, 1.14e-09F, 1.14e-09F, 1.14e-12F, 7.21e-13F, 7.21e-13F, 7.60e-13F, 1.08e-13F, 0.0F, 3.36e-16F, 0.0F, 3.36e-16F, 0.0F, 3.36e-12F, 3.35e-12F, 3.36e-12F, 3.35e-12F, 3.36e-12F, 3.35e-12F, 3.36e-16F, 0.0F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.25e-16F, 5.61e-15F, 3.36e-10F, 2.24e-15F, 2.25e-16F, 5.61e-15F, 1.01e-18F, 3.03e-15F, 4.49e-11F, 3.92e-10F, 1.01e-18F, 3.03e-15F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 2.25e-16F, 1.08e-19F, 8.35e-19F, 8.03e-26F, 3.24e-22F, 2.17e-25F, 2.86e-14F, 1.17e-15F, 3.79e-15F, 2.67e-22F, 7.46e-22F, 9.53e-23F, 2.67e-14F, 1.19e-15F, 2.07e-14F, 1.90e-20F, 1.83e-19F, 4.39e-20F, 2.87e-15F, 2.02e-14F, 1.11e-14F, 8.38e-15F, 2.73e-14F, 2.93e-15F, 6.10e-20F, 7.55e-21F, 2.26e-20F, 2.38e-14F, 1.47e-16F, 2.12e-15F, 1.08e-19F, 2.25e-16F, 7.05e-19F, 4.57e-22F, 6.96e-26F, 1.35e-25F, 1.23e-14F, 3.21e-15F, 8.01e-16F, 7.06e-22F, 3.08e-22F, 6.91e-22F, 1.15e-14F, 4.17e-15F, 3.62e-15F, 4.97e-20F, 6.65e-20F, 3.21e-19F, 1.24e-15F, 8.72e-15F, 3.88e-14F, 2.93e-14F, 4.79e-15F, 5.15e-16F, 2.22e-20F, 5.53e-20F, 1.66e-19F, 1.03e-14F, 3.99e-16F, 4.46e-16F, 4.48e-19F, 4.84e-19F, 2.24e-16F, 2.11e-25F, 9.12e-23F, 4.00e-26F, 3.06e-14F, 6.80e-16F, 3.90e-15F, 5.48e-23F, 1.59e-22F, 2.08e-23F, 2.71e-14F, 6.17e-16F, 2.10e-14F, 4.27e-21F, 4.05e-20F, 9.76e-21F, 2.92e-15F, 2.05e-14F, 5.74e-15F, 4.35e-15F, 2.78e-14F, 2.99e-15F, 1.35e-20F, 1.68e-21F, 5.03e-21F, 2.52e-14F, 8.44e-17F, 2.19e-15F, 6.46e-16F, 1.30e-12F, 8.49e-13F, 3.37e-16F, 2.71e-19F, 3.80e-19F, 1.62e-12F, 2.66e-12F, 1.43e-12F, 1.10e-14F, 1.51e-15F, 2.28e-14F, 2.93e-11F, 4.78e-12F, 1.76e-11F, 1.19e-13F, 1.47e-13F, 7.03e-13F, 3.14e-12F, 2.21e-11F, 4.45e-11F, 3.37e-11F, 2.33e-11F, 2.50e-12F, 4.92e-14F, 1.21e-13F, 3.62e-13F, 8.41e-15F, 9.04e-16F, 1.83e-14F, 1.30e-12F, 1.90e-15F, 1.74e-12F, 1.33e-19F, 3.37e-16F, 6.44e-19F, 4.37e-12F, 1.72e-12F, 4.11e-12F, 4.87e-15F, 4.56e-15F, 3.87e-15F, 7.35e-11F, 2.38e-12F, 5.18e-11F, 5.11e-14F, 5.15e-13F, 1.23e-13F, 7.89e-12F, 5.56e-11F, 2.21e-11F, 1.67e-11F, 6.85e-11F, 7.36e-12F, 1.72e-13F, 2.13e-14F, 6.36e-14F, 3.73e-15F, 2.69e-15F, 3.13e-15F, 8.50e-13F, 1.74e-12F, 2.72e-15F, 1.50e-18F, 1.27e-18F, 2.24e-16F, 2.02e-12F, 4.25e-12F, 1.61e-12F, 1.27e-14F, 7.06e-16F, 2.24e-14F, 3.68e-11F, 7.42e-12F, 2.06e-11F, 1.20e-13F, 7.65e-14F, 7.16e-13F, 3.95e-12F, 2.78e-11F, 6.90e-11F, 5.22e-11F, 2.72e-11F, 2.93e-12F, 2.56e-14F, 1.23e-13F, 3.69e-13F, 9.72e-15F, 3.98e-16F, 1.81e-14F, 1.47e-13F, 1.44e-13F, 3.02e-16F, 8.52e-17F, 1.19e-15F, 9.59e-16F, 1.68e-14F, 1.59e-14F, 1.35e-15F, 1.06e-15F, 1.09e-13F, 1.07e-13F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.41e-11F, 1.56e-12F, 1.20e-11F, 3.39e-12F, 1.90e-12F, 6.06e-13F, 1.39e-08F, 1.60e-09F, 2.57e-08F, 7.58e-09F, 7.29e-10F, 2.43e-10F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #endif
 static const unsigned short at_Phi[232] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 25, 26, 27, 28,
@@ -185,7 +184,7 @@ int test_vas_Phi(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -198,7 +197,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -214,7 +213,7 @@ int test_vas_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -225,7 +224,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -243,7 +242,7 @@ int test_vas_Phi(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -257,7 +256,7 @@ int test_vas_Phi(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -270,7 +269,7 @@ int test_vas_Phi(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -285,7 +284,7 @@ int test_vas_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -296,7 +295,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: f_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -314,7 +313,7 @@ int test_vas_Phi(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -325,7 +324,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -341,7 +340,7 @@ int test_vas_Phi(void)
                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -352,7 +351,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: dt[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -370,7 +369,7 @@ int test_vas_Phi(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: flexure_omega[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: flexure_omega[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -381,7 +380,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             bending.flexure_omega[i] = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: flexure_omega[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: flexure_omega[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -399,7 +398,7 @@ int test_vas_Phi(void)
                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: flexure_damping[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: flexure_damping[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -410,7 +409,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             bending.flexure_damping[i] = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: flexure_damping[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: flexure_damping[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -428,7 +427,7 @@ int test_vas_Phi(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -439,7 +438,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -457,7 +456,7 @@ int test_vas_Phi(void)
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: accel_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -468,7 +467,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: accel_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -488,7 +487,7 @@ int test_vas_Phi(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -501,7 +500,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -519,7 +518,7 @@ int test_vas_Phi(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: accel_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -530,7 +529,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: accel_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -548,7 +547,7 @@ int test_vas_Phi(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: gyro_bias_beta[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: gyro_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -559,7 +558,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: gyro_bias_beta[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: gyro_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -577,7 +576,7 @@ int test_vas_Phi(void)
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                (void)printf("vas_Phi: accel_bias_beta[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Phi: accel_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -588,7 +587,7 @@ int test_vas_Phi(void)
             set_point(0, &nav, &imu, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (end == 0) ? low[i] : high[i];
             if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                (void)printf("vas_Phi: accel_bias_beta[%d] end %d refused\n", i, end);
+                selftest_print("vas_Phi: accel_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,109 +2,108 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 3
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.ca85d60000000p-2, 0x1.f96d020000000p+0, 0x1.9589fc0000000p+14 },
     { 0x1.4001aa0000000p-1, 0x1.05cbf80000000p+0, 0x1.dc0b6a0000000p+11 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.a8db9c0000000p+8, 0x1.7e087e0000000p+9, 0x1.c72e2c0000000p+9 },
     { 0x1.43c49c0000000p+8, -0x1.0b9a880000000p+9, 0x1.2772ae0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.904ef00000000p-1, 0x1.63095c0000000p-3, 0x1.deb8f60000000p-2, -0x1.7d03280000000p-2 },
     { 0x1.835ad40000000p-3, -0x1.e849bc0000000p-2, 0x1.1e1dc20000000p-5, 0x1.b73dc60000000p-1 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { -0x1.5e69e00000000p+7, -0x1.45a07e0000000p+8, 0x1.4a48aa0000000p+7 },
     { -0x1.d9edc20000000p+8, 0x1.b37f940000000p+6, 0x1.2217120000000p+6 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.7cac640000000p+1 },
     { 0x1.4f243a0000000p-1 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.0104760000000p-4, 0x1.fae17c0000000p-5, 0x1.0f30ee0000000p-4 },
     { 0x1.2261860000000p-8, 0x1.77033a0000000p-4, 0x1.bc5a6a0000000p-8 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x0.0p+0, 0x1.4000000000000p+3 },
     { 0x1.2a33a00000000p+3, 0x1.4ef5560000000p+1, 0x1.0e9de40000000p+2 },
     { 0x1.64ce400000000p+2, 0x1.9663940000000p+0, 0x1.36cd1c0000000p+2 }
 };
-static const double in_gyro_bias_noise[N_VECTORS][3] = {
+static const float in_gyro_bias_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.58f03e0000000p-4, 0x1.8bface0000000p-4, 0x1.11c8600000000p-4 },
     { 0x1.120c820000000p-4, 0x1.95d5440000000p-5, 0x1.03748e0000000p-6 }
 };
-static const double in_accel_bias_noise[N_VECTORS][3] = {
+static const float in_accel_bias_noise[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x1.4000000000000p+3, 0x1.4000000000000p+3 },
     { 0x1.5b78fe0000000p+2, 0x1.ab38320000000p+2, 0x1.a917a40000000p-6 },
     { 0x1.c166a60000000p+2, 0x1.705d020000000p+0, 0x1.65e91a0000000p+2 }
 };
-static const double in_mu_noise[N_VECTORS][3] = {
+static const float in_mu_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.c68aee0000000p-5, 0x1.7c6bd60000000p-4, 0x1.ab75d60000000p-5 },
     { 0x1.cbdd4e0000000p-6, 0x1.a6a21c0000000p-5, 0x1.08111c0000000p-4 }
 };
-static const double in_tau_noise[N_VECTORS][1] = {
+static const float in_tau_noise[N_VECTORS][1] = {
     { 0x0.0p+0 },
     { 0x1.9556fa0000000p-4 },
     { 0x1.bb2aae0000000p-7 }
 };
-static const double in_flexure_omega[N_VECTORS][3] = {
+static const float in_flexure_omega[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { 0x1.d180fe0000000p+0, 0x1.621f4c0000000p+6, 0x1.784cda0000000p+6 },
     { 0x1.47ff740000000p+5, 0x1.703d1c0000000p+6, 0x1.d8663a0000000p+5 }
 };
-static const double in_flexure_damping[N_VECTORS][3] = {
+static const float in_flexure_damping[N_VECTORS][3] = {
     { 0x0.0p+0, 0x0.0p+0, 0x1.4000000000000p+3 },
     { 0x1.f1569c0000000p+2, 0x1.0c97520000000p+3, 0x1.ab4d540000000p-2 },
     { 0x1.baac040000000p+2, 0x1.123b300000000p+2, 0x1.a942460000000p+1 }
 };
-static const double in_flexure_noise[N_VECTORS][3] = {
+static const float in_flexure_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.be753e0000000p+9, 0x1.78b6080000000p+5, 0x1.4f63cc0000000p+4 },
     { 0x1.963b940000000p+7, 0x1.978b3a0000000p+9, 0x1.65107c0000000p+9 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.b247fc0000000p-7, 0x1.82a1c80000000p-4, 0x1.d6f4480000000p-6 },
     { 0x1.57e4d40000000p-4, 0x1.29f7460000000p-7, -0x1.65891a0000000p-4 }
 };
-static const double in_accel_scale[N_VECTORS][3] = {
+static const float in_accel_scale[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.6fad360000000p-4, -0x1.5f62f60000000p-4, -0x1.4206fa0000000p-4 },
     { 0x1.852ea20000000p-4, -0x1.02b25a0000000p-4, -0x1.6b91d80000000p-4 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.3b99720000000p-6, -0x1.0cc5780000000p-4, 0x1.d98e520000000p-5, 0x1.6780e20000000p-4, 0x1.6b81a20000000p-5, -0x1.8ad81a0000000p-7 },
     { -0x1.41764e0000000p-5, 0x1.3fccd80000000p-5, -0x1.5995a80000000p-5, -0x1.ae9aee0000000p-7, 0x1.3e0ff20000000p-4, -0x1.d55a6e0000000p-5 }
 };
-static const double in_accel_axes[N_VECTORS][3] = {
+static const float in_accel_axes[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.28660e0000000p-5, 0x1.1534ee0000000p-6, -0x1.038cec0000000p-4 },
     { 0x1.2e24480000000p-4, 0x1.cf62f80000000p-7, 0x1.75d84a0000000p-5 }
 };
-static const double in_gyro_bias_beta[N_VECTORS][3] = {
+static const float in_gyro_bias_beta[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.4000000000000p+3, 0x1.4000000000000p+3 },
     { 0x1.3ce0300000000p+1, 0x1.4294640000000p+2, 0x1.6bcdea0000000p+2 },
     { 0x1.011d120000000p+2, 0x1.fcb2ac0000000p+1, 0x1.1560d40000000p+1 }
 };
-static const double in_accel_bias_beta[N_VECTORS][3] = {
+static const float in_accel_bias_beta[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x1.4000000000000p+3 },
     { 0x1.b4a10c0000000p-1, 0x1.c22f260000000p+1, 0x1.0463e00000000p+1 },
     { 0x1.29b26e0000000p+2, 0x1.699e420000000p+2, 0x1.c6a4780000000p+2 }
@@ -116,16 +115,16 @@ static const double out_Q[N_VECTORS][130] = {
     { 0x1.04f38b5316740p-10, 0x1.0c3a4ae0ef660p-9, 0x1.158bf07151cbep-12, -0x1.1d11b6800d31dp-2, 0x1.e370f7260685bp-4, 0x1.18f422e4b4457p-3, -0x1.2d1089995b265p-15, -0x1.7a37823b3c27ap-16, -0x1.9a84423610daep-17, -0x1.0629f693ce096p-23, 0x1.97ef88c05509fp-26, -0x1.5bbaff4380567p-23, 0x1.0c3a4ae0ef660p-9, 0x1.1eff5a7bea5dbp-8, 0x1.37c157d29471ep-11, -0x1.31bd002f4c9edp-1, 0x1.ebb8987babb1bp-3, 0x1.24bda9c053f4ap-2, 0x1.455f20f443969p-16, -0x1.9299698b0a7e3p-15, 0x1.c532da25df871p-19, -0x1.39a0f03d726a5p-23, -0x1.1ad43e7f12cb5p-27, -0x1.247d1748b3323p-21, 0x1.158bf07151cbep-12, 0x1.37c157d29471ep-11, 0x1.c079e7058c7f8p-14, -0x1.58c57bad215a9p-4, 0x1.f733c8eca5f83p-6, 0x1.39ab7b5624742p-5, -0x1.3aacd6a404c35p-14, -0x1.b40c5d7d2e6ebp-18, 0x1.282b6a261d6c9p-17, 0x1.7a4df39f9b18fp-24, -0x1.2653be3a2d6c2p-26, 0x1.f5c714680750ap-24, -0x1.1d11b6800d31dp-2, -0x1.31bd002f4c9edp-1, -0x1.58c57bad215a9p-4, 0x1.f7143a4c11cfep+6, -0x1.8dbf4cf4973b8p+5, -0x1.b6c3dc3b5d7bfp+5, 0x1.3df920eb7fc6bp-6, 0x1.0c3bcb6ac4f19p-5, -0x1.76c665b06fef8p-10, -0x1.039364520048bp-4, -0x1.c9a59629d0041p-5, -0x1.1787185fb40fcp+3, 0x1.e370f7260685bp-4, 0x1.ebb8987babb1bp-3, 0x1.f733c8eca5f83p-6, -0x1.8dbf4cf4973b8p+5, 0x1.7c83c21097642p+4, 0x1.38862fd5be911p+4, -0x1.ab89a6df75fddp-7, -0x1.b225e905d0659p-7, -0x1.26220a12bcbe5p-9, 0x1.b4c7c065498b8p-5, -0x1.4b86cd6bb9fe9p-3, 0x1.4dc89d14a001dp+1, 0x1.18f422e4b4457p-3, 0x1.24bda9c053f4ap-2, 0x1.39ab7b5624742p-5, -0x1.b6c3dc3b5d7bfp+5, 0x1.38862fd5be911p+4, 0x1.56391660c8af0p+5, -0x1.9ea35430949c2p-7, -0x1.01b3a54685bdfp-6, -0x1.2672b718cb670p-10, -0x1.f41e492c73e7ep-4, -0x1.971867271bc37p-6, 0x1.7936b0e2ce08bp+2, -0x1.2d1089995b265p-15, 0x1.455f20f443969p-16, -0x1.3aacd6a404c35p-14, 0x1.3df920eb7fc6bp-6, -0x1.ab89a6df75fddp-7, -0x1.9ea35430949c2p-7, 0x1.10e26956e3882p-9, -0x1.7a37823b3c27ap-16, -0x1.9299698b0a7e3p-15, -0x1.b40c5d7d2e6ebp-18, 0x1.0c3bcb6ac4f19p-5, -0x1.b225e905d0659p-7, -0x1.01b3a54685bdfp-6, 0x1.24573ea3af7e9p-10, -0x1.9a84423610daep-17, 0x1.c532da25df871p-19, 0x1.282b6a261d6c9p-17, -0x1.76c665b06fef8p-10, -0x1.26220a12bcbe5p-9, -0x1.2672b718cb670p-10, 0x1.2dfb70ff21bfep-14, -0x1.0629f693ce096p-23, -0x1.39a0f03d726a5p-23, 0x1.7a4df39f9b18fp-24, -0x1.039364520048bp-4, 0x1.b4c7c065498b8p-5, -0x1.f41e492c73e7ep-4, 0x1.0e1b427b3b3ebp+5, 0x1.97ef88c05509fp-26, -0x1.1ad43e7f12cb5p-27, -0x1.2653be3a2d6c2p-26, -0x1.c9a59629d0041p-5, -0x1.4b86cd6bb9fe9p-3, -0x1.971867271bc37p-6, 0x1.6dc10481d5fb3p+1, -0x1.5bbaff4380567p-23, -0x1.247d1748b3323p-21, 0x1.f5c714680750ap-24, -0x1.1787185fb40fcp+3, 0x1.4dc89d14a001dp+1, 0x1.7936b0e2ce08bp+2, 0x1.d5d12dbdac62fp+6, 0x1.0e5d0c8810bdfp-11, 0x1.c8b7207277fd1p-10, 0x1.64987aae57ec1p-9, 0x1.f62c0dec3dc3cp-14, 0x1.bb63ea85930bcp+25, -0x1.e898807ec7648p+34, 0x1.b1b2ed3a82da5p+30, -0x1.49910133acb9ap+40, 0x1.4581d8c1a774fp+28, -0x1.e78042e88e9fdp+36, -0x1.e898807ec7648p+34, 0x1.0d347ac762f0ap+44, -0x1.49910133acb9ap+40, 0x1.f4df789099169p+49, -0x1.e78042e88e9fdp+36, 0x1.6d0e8aaa930ddp+45 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Q[N_VECTORS][130] = {
-    { 0.00733, 0.00249, 0.00132, 0.151, 0.416, 0.561, 9.12e-08, 0.0518, 0.0104, 1.55e-06, 5.1e-10, 9.92e-06, 0.00249, 0.0106, 0.00143, 0.602, 0.139, 0.611, 1.22e-07, 0.00842, 0.0632, 1.41e-06, 3.61e-09, 7.39e-07, 0.00132, 0.00143, 0.000323, 0.0992, 0.0866, 0.13, 6.05e-07, 0.00974, 0.00874, 2e-05, 6.9e-09, 0.000139, 0.151, 0.602, 0.0992, 93.7, 61.1, 55.2, 0.00213, 0.824, 4.17, 79.1, 0.00468, 49.3, 0.416, 0.139, 0.0866, 61.1, 149, 56.8, 0.00167, 3.44, 0.729, 95.2, 0.00086, 576, 0.561, 0.611, 0.13, 55.2, 56.8, 137, 0.000467, 4.24, 4, 518, 0.000587, 30.6, 9.12e-08, 1.22e-07, 6.05e-07, 0.00213, 0.00167, 0.000467, 4.67e-08, 0.0518, 0.00842, 0.00974, 0.824, 3.44, 4.24, 0.413, 0.0104, 0.0632, 0.00874, 4.17, 0.729, 4, 0.413, 1.55e-06, 1.41e-06, 2e-05, 79.1, 95.2, 518, 4.13e+03, 5.1e-10, 3.61e-09, 6.9e-09, 0.00468, 0.00086, 0.000587, 0.000467, 9.92e-06, 7.39e-07, 0.000139, 49.3, 576, 30.6, 4.13e+03, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38 },
-    { 2.42e-06, 1.37e-06, 2.03e-06, 0.000243, 0.000176, 0.000268, 4.29e-07, 5.96e-06, 7.97e-06, 3.31e-11, 7.86e-10, 5.62e-16, 1.37e-06, 1.9e-06, 1.84e-06, 0.000244, 0.000134, 0.000198, 7.9e-07, 8.83e-06, 1.44e-06, 1.43e-11, 6.14e-10, 4.86e-15, 2.03e-06, 1.84e-06, 2.52e-06, 0.000311, 0.00018, 0.000259, 7.04e-07, 8.06e-06, 6.06e-06, 1.81e-11, 4.47e-10, 3.04e-16, 0.000243, 0.000244, 0.000311, 0.0838, 0.0393, 0.0532, 0.00025, 0.000945, 0.000568, 6.27e-05, 0.0111, 4.48e-08, 0.000176, 0.000134, 0.00018, 0.0393, 0.0255, 0.0368, 9.17e-05, 0.000596, 0.000528, 0.000132, 0.0157, 7.23e-09, 0.000268, 0.000198, 0.000259, 0.0532, 0.0368, 0.0556, 0.000115, 0.000851, 0.000735, 0.000108, 0.0135, 2.88e-08, 4.29e-07, 7.9e-07, 7.04e-07, 0.00025, 9.17e-05, 0.000115, 1.93e-06, 5.96e-06, 8.83e-06, 8.06e-06, 0.000945, 0.000596, 0.000851, 5.05e-05, 7.97e-06, 1.44e-06, 6.06e-06, 0.000568, 0.000528, 0.000735, 3.98e-05, 3.31e-11, 1.43e-11, 1.81e-11, 6.27e-05, 0.000132, 0.000108, 0.000114, 7.86e-10, 6.14e-10, 4.47e-10, 0.0111, 0.0157, 0.0135, 0.0535, 5.62e-16, 4.86e-15, 3.04e-16, 4.48e-08, 7.23e-09, 2.88e-08, 7.93e-08, 2.62e-09, 7.34e-09, 2.32e-09, 8.33e-09, 6.37e+03, 2.17e+05, 5.08e+04, 9.03e+07, 27.7, 1.85e+03, 2.17e+05, 7.4e+06, 9.03e+07, 1.62e+11, 1.85e+03, 9.87e+04 },
-    { 1.98e-09, 4.17e-09, 7.1e-10, 8.53e-07, 3.81e-07, 4.92e-07, 5.95e-10, 2.71e-10, 3.92e-11, 3.22e-13, 5.84e-14, 3.56e-13, 4.17e-09, 9.11e-09, 1.41e-09, 1.83e-06, 7.87e-07, 1.04e-06, 3.12e-10, 6.19e-10, 1.12e-11, 4.36e-13, 2.19e-14, 1.3e-12, 7.1e-10, 1.41e-09, 3.54e-10, 2.9e-07, 1.33e-07, 1.64e-07, 9.75e-10, 1.04e-10, 2.96e-11, 2.64e-13, 4.83e-14, 2.99e-13, 8.53e-07, 1.83e-06, 2.9e-07, 0.000457, 0.000195, 0.000255, 9.01e-08, 1e-07, 3.65e-09, 8.2e-06, 4.91e-07, 3.81e-05, 3.81e-07, 7.87e-07, 1.33e-07, 0.000195, 8.96e-05, 0.000109, 8.48e-08, 4.3e-08, 6.03e-09, 5.68e-06, 1.38e-06, 1.13e-05, 4.92e-07, 1.04e-06, 1.64e-07, 0.000255, 0.000109, 0.000161, 5.3e-08, 5.7e-08, 3.27e-09, 1.27e-05, 2.29e-07, 2.78e-05, 5.95e-10, 3.12e-10, 9.75e-10, 9.01e-08, 8.48e-08, 5.3e-08, 4.27e-09, 2.71e-10, 6.19e-10, 1.04e-10, 1e-07, 4.3e-08, 5.7e-08, 2.26e-09, 3.92e-11, 1.12e-11, 2.96e-11, 3.65e-09, 6.03e-09, 3.27e-09, 7.14e-11, 3.22e-13, 4.36e-13, 2.64e-13, 8.2e-06, 5.68e-06, 1.27e-05, 7.74e-05, 5.84e-14, 2.19e-14, 4.83e-14, 4.91e-07, 1.38e-06, 2.29e-07, 6.84e-06, 3.56e-13, 1.3e-12, 2.99e-13, 3.81e-05, 1.13e-05, 2.78e-05, 0.000265, 1.47e-10, 4.98e-10, 7.78e-10, 3.42e-11, 70.5, 4.79e+04, 2.2e+03, 2.07e+06, 416, 1.93e+05, 4.79e+04, 3.27e+07, 2.07e+06, 1.95e+09, 1.93e+05, 9e+07 }
+static const float tol_Q[N_VECTORS][130] = {
+    { 7.33e-03F, 2.49e-03F, 1.32e-03F, 1.51e-01F, 4.16e-01F, 5.61e-01F, 9.12e-08F, 5.18e-02F, 1.04e-02F, 1.55e-06F, 5.10e-10F, 9.92e-06F, 2.49e-03F, 1.06e-02F, 1.43e-03F, 6.02e-01F, 1.39e-01F, 6.11e-01F, 1.22e-07F, 8.42e-03F, 6.32e-02F, 1.41e-06F, 3.61e-09F, 7.39e-07F, 1.32e-03F, 1.43e-03F, 3.23e-04F, 9.92e-02F, 8.66e-02F, 1.30e-01F, 6.05e-07F, 9.74e-03F, 8.74e-03F, 2.00e-05F, 6.90e-09F, 1.39e-04F, 1.51e-01F, 6.02e-01F, 9.92e-02F, 9.37e+01F, 6.11e+01F, 5.52e+01F, 2.13e-03F, 8.24e-01F, 4.17e+00F, 7.91e+01F, 4.68e-03F, 4.93e+01F, 4.16e-01F, 1.39e-01F, 8.66e-02F, 6.11e+01F, 1.49e+02F, 5.68e+01F, 1.67e-03F, 3.44e+00F, 7.29e-01F, 9.52e+01F, 8.60e-04F, 5.76e+02F, 5.61e-01F, 6.11e-01F, 1.30e-01F, 5.52e+01F, 5.68e+01F, 1.37e+02F, 4.67e-04F, 4.24e+00F, 4.00e+00F, 5.18e+02F, 5.87e-04F, 3.06e+01F, 9.12e-08F, 1.22e-07F, 6.05e-07F, 2.13e-03F, 1.67e-03F, 4.67e-04F, 4.67e-08F, 5.18e-02F, 8.42e-03F, 9.74e-03F, 8.24e-01F, 3.44e+00F, 4.24e+00F, 4.13e-01F, 1.04e-02F, 6.32e-02F, 8.74e-03F, 4.17e+00F, 7.29e-01F, 4.00e+00F, 4.13e-01F, 1.55e-06F, 1.41e-06F, 2.00e-05F, 7.91e+01F, 9.52e+01F, 5.18e+02F, 4.13e+03F, 5.10e-10F, 3.61e-09F, 6.90e-09F, 4.68e-03F, 8.60e-04F, 5.87e-04F, 4.67e-04F, 9.92e-06F, 7.39e-07F, 1.39e-04F, 4.93e+01F, 5.76e+02F, 3.06e+01F, 4.13e+03F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F },
+    { 2.42e-06F, 1.37e-06F, 2.03e-06F, 2.43e-04F, 1.76e-04F, 2.68e-04F, 4.29e-07F, 5.96e-06F, 7.97e-06F, 3.31e-11F, 7.86e-10F, 5.62e-16F, 1.37e-06F, 1.90e-06F, 1.84e-06F, 2.44e-04F, 1.34e-04F, 1.98e-04F, 7.90e-07F, 8.83e-06F, 1.44e-06F, 1.43e-11F, 6.14e-10F, 4.86e-15F, 2.03e-06F, 1.84e-06F, 2.52e-06F, 3.11e-04F, 1.80e-04F, 2.59e-04F, 7.04e-07F, 8.06e-06F, 6.06e-06F, 1.81e-11F, 4.47e-10F, 3.04e-16F, 2.43e-04F, 2.44e-04F, 3.11e-04F, 8.38e-02F, 3.93e-02F, 5.32e-02F, 2.50e-04F, 9.45e-04F, 5.68e-04F, 6.27e-05F, 1.11e-02F, 4.48e-08F, 1.76e-04F, 1.34e-04F, 1.80e-04F, 3.93e-02F, 2.55e-02F, 3.68e-02F, 9.17e-05F, 5.96e-04F, 5.28e-04F, 1.32e-04F, 1.57e-02F, 7.23e-09F, 2.68e-04F, 1.98e-04F, 2.59e-04F, 5.32e-02F, 3.68e-02F, 5.56e-02F, 1.15e-04F, 8.51e-04F, 7.35e-04F, 1.08e-04F, 1.35e-02F, 2.88e-08F, 4.29e-07F, 7.90e-07F, 7.04e-07F, 2.50e-04F, 9.17e-05F, 1.15e-04F, 1.93e-06F, 5.96e-06F, 8.83e-06F, 8.06e-06F, 9.45e-04F, 5.96e-04F, 8.51e-04F, 5.05e-05F, 7.97e-06F, 1.44e-06F, 6.06e-06F, 5.68e-04F, 5.28e-04F, 7.35e-04F, 3.98e-05F, 3.31e-11F, 1.43e-11F, 1.81e-11F, 6.27e-05F, 1.32e-04F, 1.08e-04F, 1.14e-04F, 7.86e-10F, 6.14e-10F, 4.47e-10F, 1.11e-02F, 1.57e-02F, 1.35e-02F, 5.35e-02F, 5.62e-16F, 4.86e-15F, 3.04e-16F, 4.48e-08F, 7.23e-09F, 2.88e-08F, 7.93e-08F, 2.62e-09F, 7.34e-09F, 2.32e-09F, 8.33e-09F, 6.37e+03F, 2.17e+05F, 5.08e+04F, 9.03e+07F, 2.77e+01F, 1.85e+03F, 2.17e+05F, 7.40e+06F, 9.03e+07F, 1.62e+11F, 1.85e+03F, 9.87e+04F },
+    { 1.98e-09F, 4.17e-09F, 7.10e-10F, 8.53e-07F, 3.81e-07F, 4.92e-07F, 5.95e-10F, 2.71e-10F, 3.92e-11F, 3.22e-13F, 5.84e-14F, 3.56e-13F, 4.17e-09F, 9.11e-09F, 1.41e-09F, 1.83e-06F, 7.87e-07F, 1.04e-06F, 3.12e-10F, 6.19e-10F, 1.12e-11F, 4.36e-13F, 2.19e-14F, 1.30e-12F, 7.10e-10F, 1.41e-09F, 3.54e-10F, 2.90e-07F, 1.33e-07F, 1.64e-07F, 9.75e-10F, 1.04e-10F, 2.96e-11F, 2.64e-13F, 4.83e-14F, 2.99e-13F, 8.53e-07F, 1.83e-06F, 2.90e-07F, 4.57e-04F, 1.95e-04F, 2.55e-04F, 9.01e-08F, 1.00e-07F, 3.65e-09F, 8.20e-06F, 4.91e-07F, 3.81e-05F, 3.81e-07F, 7.87e-07F, 1.33e-07F, 1.95e-04F, 8.96e-05F, 1.09e-04F, 8.48e-08F, 4.30e-08F, 6.03e-09F, 5.68e-06F, 1.38e-06F, 1.13e-05F, 4.92e-07F, 1.04e-06F, 1.64e-07F, 2.55e-04F, 1.09e-04F, 1.61e-04F, 5.30e-08F, 5.70e-08F, 3.27e-09F, 1.27e-05F, 2.29e-07F, 2.78e-05F, 5.95e-10F, 3.12e-10F, 9.75e-10F, 9.01e-08F, 8.48e-08F, 5.30e-08F, 4.27e-09F, 2.71e-10F, 6.19e-10F, 1.04e-10F, 1.00e-07F, 4.30e-08F, 5.70e-08F, 2.26e-09F, 3.92e-11F, 1.12e-11F, 2.96e-11F, 3.65e-09F, 6.03e-09F, 3.27e-09F, 7.14e-11F, 3.22e-13F, 4.36e-13F, 2.64e-13F, 8.20e-06F, 5.68e-06F, 1.27e-05F, 7.74e-05F, 5.84e-14F, 2.19e-14F, 4.83e-14F, 4.91e-07F, 1.38e-06F, 2.29e-07F, 6.84e-06F, 3.56e-13F, 1.30e-12F, 2.99e-13F, 3.81e-05F, 1.13e-05F, 2.78e-05F, 2.65e-04F, 1.47e-10F, 4.98e-10F, 7.78e-10F, 3.42e-11F, 7.05e+01F, 4.79e+04F, 2.20e+03F, 2.07e+06F, 4.16e+02F, 1.93e+05F, 4.79e+04F, 3.27e+07F, 2.07e+06F, 1.95e+09F, 1.93e+05F, 9.00e+07F }
 };
 #else
-static const double tol_Q[N_VECTORS][130] = {
-    { 1.4e-11, 4.71e-12, 2.49e-12, 2.82e-10, 7.87e-10, 1.06e-09, 1.75e-16, 1e-10, 1.97e-11, 2.95e-15, 9.8e-19, 1.92e-14, 4.71e-12, 2.01e-11, 2.71e-12, 1.14e-09, 2.61e-10, 1.15e-09, 2.33e-16, 1.61e-11, 1.22e-10, 2.68e-15, 6.99e-18, 1.38e-15, 2.49e-12, 2.71e-12, 6.09e-13, 1.87e-10, 1.63e-10, 2.43e-10, 1.19e-15, 1.85e-11, 1.67e-11, 3.8e-14, 1.32e-17, 2.66e-13, 2.82e-10, 1.14e-09, 1.87e-10, 1.77e-07, 1.15e-07, 1.04e-07, 4.08e-12, 1.54e-09, 7.94e-09, 1.51e-07, 9.22e-12, 9.18e-08, 7.87e-10, 2.61e-10, 1.63e-10, 1.15e-07, 2.84e-07, 1.07e-07, 3.2e-12, 6.55e-09, 1.36e-09, 1.81e-07, 1.65e-12, 1.12e-06, 1.06e-09, 1.15e-09, 2.43e-10, 1.04e-07, 1.07e-07, 2.61e-07, 8.88e-13, 8.09e-09, 7.61e-09, 1e-06, 1.09e-12, 5.7e-08, 1.75e-16, 2.33e-16, 1.19e-15, 4.08e-12, 3.2e-12, 8.88e-13, 9.81e-17, 1e-10, 1.61e-11, 1.85e-11, 1.54e-09, 6.55e-09, 8.09e-09, 8.09e-10, 1.97e-11, 1.22e-10, 1.67e-11, 7.94e-09, 1.36e-09, 7.61e-09, 8.09e-10, 2.95e-15, 2.68e-15, 3.8e-14, 1.51e-07, 1.81e-07, 1e-06, 8.09e-06, 9.8e-19, 6.99e-18, 1.32e-17, 9.22e-12, 1.65e-12, 1.09e-12, 9.81e-13, 1.92e-14, 1.38e-15, 2.66e-13, 9.18e-08, 1.12e-06, 5.7e-08, 8.09e-06, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45 },
-    { 4.59e-15, 2.58e-15, 3.79e-15, 4.53e-13, 3.31e-13, 5.05e-13, 8.13e-16, 1.14e-14, 1.53e-14, 6.31e-20, 1.51e-18, 1.07e-24, 2.58e-15, 3.59e-15, 3.48e-15, 4.55e-13, 2.52e-13, 3.71e-13, 1.5e-15, 1.69e-14, 2.72e-15, 2.72e-20, 1.18e-18, 9.29e-24, 3.79e-15, 3.48e-15, 4.77e-15, 5.86e-13, 3.35e-13, 4.83e-13, 1.34e-15, 1.54e-14, 1.16e-14, 3.44e-20, 8.53e-19, 5.76e-25, 4.53e-13, 4.55e-13, 5.86e-13, 1.58e-10, 7.35e-11, 9.91e-11, 4.76e-13, 1.78e-12, 1.08e-12, 1.17e-13, 2.13e-11, 8.51e-17, 3.31e-13, 2.52e-13, 3.35e-13, 7.35e-11, 4.81e-11, 6.92e-11, 1.73e-13, 1.13e-12, 9.97e-13, 2.47e-13, 2.99e-11, 1.36e-17, 5.05e-13, 3.71e-13, 4.83e-13, 9.91e-11, 6.92e-11, 1.05e-10, 2.18e-13, 1.62e-12, 1.4e-12, 2.01e-13, 2.58e-11, 5.47e-17, 8.13e-16, 1.5e-15, 1.34e-15, 4.76e-13, 1.73e-13, 2.18e-13, 3.71e-15, 1.14e-14, 1.69e-14, 1.54e-14, 1.78e-12, 1.13e-12, 1.62e-12, 9.81e-14, 1.53e-14, 2.72e-15, 1.16e-14, 1.08e-12, 9.97e-13, 1.4e-12, 7.73e-14, 6.31e-20, 2.72e-20, 3.44e-20, 1.17e-13, 2.47e-13, 2.01e-13, 2.19e-13, 1.51e-18, 1.18e-18, 8.53e-19, 2.13e-11, 2.99e-11, 2.58e-11, 1.03e-10, 1.07e-24, 9.29e-24, 5.76e-25, 8.51e-17, 1.36e-17, 5.47e-17, 1.52e-16, 5.9e-18, 1.65e-17, 5.22e-18, 1.88e-17, 1.24e-05, 0.00042, 9.93e-05, 0.175, 5.42e-08, 3.54e-06, 0.00042, 0.0142, 0.175, 312, 3.54e-06, 0.000187 },
-    { 3.81e-18, 7.99e-18, 1.35e-18, 1.62e-15, 7.22e-16, 9.31e-16, 1.11e-18, 5.07e-19, 7.44e-20, 6.13e-22, 1.11e-22, 6.81e-22, 7.99e-18, 1.75e-17, 2.69e-18, 3.48e-15, 1.49e-15, 1.97e-15, 5.84e-19, 1.16e-18, 2.13e-20, 8.28e-22, 4.18e-23, 2.48e-21, 1.35e-18, 2.69e-18, 6.71e-19, 5.5e-16, 2.52e-16, 3.1e-16, 1.82e-18, 1.95e-19, 5.61e-20, 5.01e-22, 9.19e-23, 5.7e-22, 1.62e-15, 3.48e-15, 5.5e-16, 8.65e-13, 3.68e-13, 4.82e-13, 1.7e-16, 1.91e-16, 6.97e-18, 1.53e-14, 9.2e-16, 7.2e-14, 7.22e-16, 1.49e-15, 2.52e-16, 3.68e-13, 1.7e-13, 2.06e-13, 1.59e-16, 8.15e-17, 1.15e-17, 1.06e-14, 2.6e-15, 2.14e-14, 9.31e-16, 1.97e-15, 3.1e-16, 4.82e-13, 2.06e-13, 3.04e-13, 1e-16, 1.08e-16, 6.21e-18, 2.37e-14, 4.29e-16, 5.24e-14, 1.11e-18, 5.84e-19, 1.82e-18, 1.7e-16, 1.59e-16, 1e-16, 8.18e-18, 5.07e-19, 1.16e-18, 1.95e-19, 1.91e-16, 8.15e-17, 1.08e-16, 4.34e-18, 7.44e-20, 2.13e-20, 5.61e-20, 6.97e-18, 1.15e-17, 6.21e-18, 1.41e-19, 6.13e-22, 8.28e-22, 5.01e-22, 1.53e-14, 1.06e-14, 2.37e-14, 1.48e-13, 1.11e-22, 4.18e-23, 9.19e-23, 9.2e-16, 2.6e-15, 4.29e-16, 1.31e-14, 6.81e-22, 2.48e-21, 5.7e-22, 7.2e-14, 2.14e-14, 5.24e-14, 5.07e-13, 3.32e-19, 1.12e-18, 1.75e-18, 7.72e-20, 1.38e-07, 9.29e-05, 4.31e-06, 0.00401, 8.13e-07, 0.000375, 9.29e-05, 0.063, 0.00401, 3.76, 0.000375, 0.173 }
+static const float tol_Q[N_VECTORS][130] = {
+    { 1.40e-11F, 4.71e-12F, 2.49e-12F, 2.82e-10F, 7.87e-10F, 1.06e-09F, 1.75e-16F, 1.00e-10F, 1.97e-11F, 2.95e-15F, 9.80e-19F, 1.92e-14F, 4.71e-12F, 2.01e-11F, 2.71e-12F, 1.14e-09F, 2.61e-10F, 1.15e-09F, 2.33e-16F, 1.61e-11F, 1.22e-10F, 2.68e-15F, 6.99e-18F, 1.38e-15F, 2.49e-12F, 2.71e-12F, 6.09e-13F, 1.87e-10F, 1.63e-10F, 2.43e-10F, 1.19e-15F, 1.85e-11F, 1.67e-11F, 3.80e-14F, 1.32e-17F, 2.66e-13F, 2.82e-10F, 1.14e-09F, 1.87e-10F, 1.77e-07F, 1.15e-07F, 1.04e-07F, 4.08e-12F, 1.54e-09F, 7.94e-09F, 1.51e-07F, 9.22e-12F, 9.18e-08F, 7.87e-10F, 2.61e-10F, 1.63e-10F, 1.15e-07F, 2.84e-07F, 1.07e-07F, 3.20e-12F, 6.55e-09F, 1.36e-09F, 1.81e-07F, 1.65e-12F, 1.12e-06F, 1.06e-09F, 1.15e-09F, 2.43e-10F, 1.04e-07F, 1.07e-07F, 2.61e-07F, 8.88e-13F, 8.09e-09F, 7.61e-09F, 1.00e-06F, 1.09e-12F, 5.70e-08F, 1.75e-16F, 2.33e-16F, 1.19e-15F, 4.08e-12F, 3.20e-12F, 8.88e-13F, 9.81e-17F, 1.00e-10F, 1.61e-11F, 1.85e-11F, 1.54e-09F, 6.55e-09F, 8.09e-09F, 8.09e-10F, 1.97e-11F, 1.22e-10F, 1.67e-11F, 7.94e-09F, 1.36e-09F, 7.61e-09F, 8.09e-10F, 2.95e-15F, 2.68e-15F, 3.80e-14F, 1.51e-07F, 1.81e-07F, 1.00e-06F, 8.09e-06F, 9.80e-19F, 6.99e-18F, 1.32e-17F, 9.22e-12F, 1.65e-12F, 1.09e-12F, 9.81e-13F, 1.92e-14F, 1.38e-15F, 2.66e-13F, 9.18e-08F, 1.12e-06F, 5.70e-08F, 8.09e-06F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F },
+    { 4.59e-15F, 2.58e-15F, 3.79e-15F, 4.53e-13F, 3.31e-13F, 5.05e-13F, 8.13e-16F, 1.14e-14F, 1.53e-14F, 6.31e-20F, 1.51e-18F, 1.07e-24F, 2.58e-15F, 3.59e-15F, 3.48e-15F, 4.55e-13F, 2.52e-13F, 3.71e-13F, 1.50e-15F, 1.69e-14F, 2.72e-15F, 2.72e-20F, 1.18e-18F, 9.29e-24F, 3.79e-15F, 3.48e-15F, 4.77e-15F, 5.86e-13F, 3.35e-13F, 4.83e-13F, 1.34e-15F, 1.54e-14F, 1.16e-14F, 3.44e-20F, 8.53e-19F, 5.76e-25F, 4.53e-13F, 4.55e-13F, 5.86e-13F, 1.58e-10F, 7.35e-11F, 9.91e-11F, 4.76e-13F, 1.78e-12F, 1.08e-12F, 1.17e-13F, 2.13e-11F, 8.51e-17F, 3.31e-13F, 2.52e-13F, 3.35e-13F, 7.35e-11F, 4.81e-11F, 6.92e-11F, 1.73e-13F, 1.13e-12F, 9.97e-13F, 2.47e-13F, 2.99e-11F, 1.36e-17F, 5.05e-13F, 3.71e-13F, 4.83e-13F, 9.91e-11F, 6.92e-11F, 1.05e-10F, 2.18e-13F, 1.62e-12F, 1.40e-12F, 2.01e-13F, 2.58e-11F, 5.47e-17F, 8.13e-16F, 1.50e-15F, 1.34e-15F, 4.76e-13F, 1.73e-13F, 2.18e-13F, 3.71e-15F, 1.14e-14F, 1.69e-14F, 1.54e-14F, 1.78e-12F, 1.13e-12F, 1.62e-12F, 9.81e-14F, 1.53e-14F, 2.72e-15F, 1.16e-14F, 1.08e-12F, 9.97e-13F, 1.40e-12F, 7.73e-14F, 6.31e-20F, 2.72e-20F, 3.44e-20F, 1.17e-13F, 2.47e-13F, 2.01e-13F, 2.19e-13F, 1.51e-18F, 1.18e-18F, 8.53e-19F, 2.13e-11F, 2.99e-11F, 2.58e-11F, 1.03e-10F, 1.07e-24F, 9.29e-24F, 5.76e-25F, 8.51e-17F, 1.36e-17F, 5.47e-17F, 1.52e-16F, 5.90e-18F, 1.65e-17F, 5.22e-18F, 1.88e-17F, 1.24e-05F, 4.20e-04F, 9.93e-05F, 1.75e-01F, 5.42e-08F, 3.54e-06F, 4.20e-04F, 1.42e-02F, 1.75e-01F, 3.12e+02F, 3.54e-06F, 1.87e-04F },
+    { 3.81e-18F, 7.99e-18F, 1.35e-18F, 1.62e-15F, 7.22e-16F, 9.31e-16F, 1.11e-18F, 5.07e-19F, 7.44e-20F, 6.13e-22F, 1.11e-22F, 6.81e-22F, 7.99e-18F, 1.75e-17F, 2.69e-18F, 3.48e-15F, 1.49e-15F, 1.97e-15F, 5.84e-19F, 1.16e-18F, 2.13e-20F, 8.28e-22F, 4.18e-23F, 2.48e-21F, 1.35e-18F, 2.69e-18F, 6.71e-19F, 5.50e-16F, 2.52e-16F, 3.10e-16F, 1.82e-18F, 1.95e-19F, 5.61e-20F, 5.01e-22F, 9.19e-23F, 5.70e-22F, 1.62e-15F, 3.48e-15F, 5.50e-16F, 8.65e-13F, 3.68e-13F, 4.82e-13F, 1.70e-16F, 1.91e-16F, 6.97e-18F, 1.53e-14F, 9.20e-16F, 7.20e-14F, 7.22e-16F, 1.49e-15F, 2.52e-16F, 3.68e-13F, 1.70e-13F, 2.06e-13F, 1.59e-16F, 8.15e-17F, 1.15e-17F, 1.06e-14F, 2.60e-15F, 2.14e-14F, 9.31e-16F, 1.97e-15F, 3.10e-16F, 4.82e-13F, 2.06e-13F, 3.04e-13F, 1.00e-16F, 1.08e-16F, 6.21e-18F, 2.37e-14F, 4.29e-16F, 5.24e-14F, 1.11e-18F, 5.84e-19F, 1.82e-18F, 1.70e-16F, 1.59e-16F, 1.00e-16F, 8.18e-18F, 5.07e-19F, 1.16e-18F, 1.95e-19F, 1.91e-16F, 8.15e-17F, 1.08e-16F, 4.34e-18F, 7.44e-20F, 2.13e-20F, 5.61e-20F, 6.97e-18F, 1.15e-17F, 6.21e-18F, 1.41e-19F, 6.13e-22F, 8.28e-22F, 5.01e-22F, 1.53e-14F, 1.06e-14F, 2.37e-14F, 1.48e-13F, 1.11e-22F, 4.18e-23F, 9.19e-23F, 9.20e-16F, 2.60e-15F, 4.29e-16F, 1.31e-14F, 6.81e-22F, 2.48e-21F, 5.70e-22F, 7.20e-14F, 2.14e-14F, 5.24e-14F, 5.07e-13F, 3.32e-19F, 1.12e-18F, 1.75e-18F, 7.72e-20F, 1.38e-07F, 9.29e-05F, 4.31e-06F, 4.01e-03F, 8.13e-07F, 3.75e-04F, 9.29e-05F, 6.30e-02F, 4.01e-03F, 3.76e+00F, 3.75e-04F, 1.73e-01F }
 };
 #endif
 static const unsigned short at_Q[130] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 46, 47, 48, 49, 50,
@@ -241,7 +240,7 @@ int test_vas_Q(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -254,7 +253,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -270,7 +269,7 @@ int test_vas_Q(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -281,7 +280,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -299,7 +298,7 @@ int test_vas_Q(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -313,7 +312,7 @@ int test_vas_Q(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -326,7 +325,7 @@ int test_vas_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -341,7 +340,7 @@ int test_vas_Q(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -352,7 +351,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: f_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -368,7 +367,7 @@ int test_vas_Q(void)
                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -379,7 +378,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: dt[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -397,7 +396,7 @@ int test_vas_Q(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -408,7 +407,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -426,7 +425,7 @@ int test_vas_Q(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -437,7 +436,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -455,7 +454,7 @@ int test_vas_Q(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -466,7 +465,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: gyro_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -484,7 +483,7 @@ int test_vas_Q(void)
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -495,7 +494,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: accel_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -513,7 +512,7 @@ int test_vas_Q(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: mu_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: mu_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -524,7 +523,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             noise.mu_noise[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: mu_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: mu_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -542,7 +541,7 @@ int test_vas_Q(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: tau_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: tau_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -553,7 +552,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             noise.tau_noise = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: tau_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: tau_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -571,7 +570,7 @@ int test_vas_Q(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: flexure_omega[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: flexure_omega[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -582,7 +581,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             bending.flexure_omega[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: flexure_omega[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: flexure_omega[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -600,7 +599,7 @@ int test_vas_Q(void)
                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: flexure_damping[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: flexure_damping[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -611,7 +610,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             bending.flexure_damping[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: flexure_damping[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: flexure_damping[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -629,7 +628,7 @@ int test_vas_Q(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: flexure_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: flexure_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -640,7 +639,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             bending.flexure_noise[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: flexure_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: flexure_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -658,7 +657,7 @@ int test_vas_Q(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -669,7 +668,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -687,7 +686,7 @@ int test_vas_Q(void)
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: accel_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -698,7 +697,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: accel_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -718,7 +717,7 @@ int test_vas_Q(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -731,7 +730,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -749,7 +748,7 @@ int test_vas_Q(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: accel_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -760,7 +759,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: accel_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -778,7 +777,7 @@ int test_vas_Q(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: gyro_bias_beta[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: gyro_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -789,7 +788,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: gyro_bias_beta[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: gyro_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -807,7 +806,7 @@ int test_vas_Q(void)
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                (void)printf("vas_Q: accel_bias_beta[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Q: accel_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -818,7 +817,7 @@ int test_vas_Q(void)
             set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (end == 0) ? low[i] : high[i];
             if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                (void)printf("vas_Q: accel_bias_beta[%d] end %d refused\n", i, end);
+                selftest_print("vas_Q: accel_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

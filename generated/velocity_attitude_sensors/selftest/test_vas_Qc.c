@@ -2,58 +2,57 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.2b89960000000p-1, -0x1.7d18d40000000p-1, -0x1.4792fa0000000p-2, 0x1.faeb660000000p-8 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.0423ae0000000p-4, 0x1.bd63540000000p-7, 0x1.6a61660000000p-7 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.4000000000000p+3, 0x1.4000000000000p+3 },
     { 0x1.c216300000000p+2, 0x1.f21e220000000p+1, 0x1.e1651c0000000p+2 }
 };
-static const double in_gyro_bias_noise[N_VECTORS][3] = {
+static const float in_gyro_bias_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.9999980000000p-4, 0x0.0p+0 },
     { 0x1.e4244a0000000p-8, 0x1.4d9ee80000000p-5, 0x1.13a48c0000000p-5 }
 };
-static const double in_accel_bias_noise[N_VECTORS][3] = {
+static const float in_accel_bias_noise[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x1.4000000000000p+3 },
     { 0x1.3b5ce00000000p+3, 0x1.2381f80000000p+3, 0x1.972e060000000p+2 }
 };
-static const double in_mu_noise[N_VECTORS][3] = {
+static const float in_mu_noise[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x0.0p+0 },
     { 0x1.7026be0000000p-4, 0x1.9241440000000p-4, 0x1.14a87a0000000p-6 }
 };
-static const double in_tau_noise[N_VECTORS][1] = {
+static const float in_tau_noise[N_VECTORS][1] = {
     { 0x0.0p+0 },
     { 0x1.326e220000000p-4 }
 };
-static const double in_flexure_noise[N_VECTORS][3] = {
+static const float in_flexure_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.69dfaa0000000p+5, 0x1.fa80d20000000p+8, 0x1.21aeb40000000p+8 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.11236c0000000p-6, -0x1.6336240000000p-4, 0x1.d50daa0000000p-5 }
 };
-static const double in_accel_scale[N_VECTORS][3] = {
+static const float in_accel_scale[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.5f675c0000000p-4, 0x1.dc4cd60000000p-6, 0x1.61fea00000000p-5 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.c40faa0000000p-5, -0x1.6a162e0000000p-8, -0x1.348d540000000p-4, 0x1.7ec1dc0000000p-4, 0x1.0192d80000000p-4, -0x1.1cce100000000p-4 }
 };
-static const double in_accel_axes[N_VECTORS][3] = {
+static const float in_accel_axes[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.a3968e0000000p-5, -0x1.5ee6880000000p-5, 0x1.4a33700000000p-11 }
 };
@@ -63,14 +62,14 @@ static const double out_Qc[N_VECTORS][31] = {
     { 0x1.6bf8e20330a44p-9, 0x1.b7fc3ea7073c2p-10, -0x1.ee5f0c021dbedp-11, 0x1.b7fc3ea7073c2p-10, 0x1.371e0d37c61d9p-10, -0x1.52077598033ccp-11, -0x1.ee5f0c021dbedp-11, -0x1.52077598033ccp-11, 0x1.268e8ec41604ap-11, 0x1.1c822611ba8e4p+5, -0x1.9ab11e0fa3cbep+1, -0x1.ce6417fd10155p+3, -0x1.9ab11e0fa3cbep+1, 0x1.7d019189c57f5p+5, 0x1.380a25ec6332cp+2, -0x1.ce6417fd10155p+3, 0x1.380a25ec6332cp+2, 0x1.827592cdddc2ap+4, 0x1.c9cc9e7a72b20p-15, 0x1.b2c6ca3332400p-10, 0x1.28caee8bac900p-10, 0x1.847db0f1c4000p+6, 0x1.4bf0bbcbe0400p+6, 0x1.43d1afad14120p+5, 0x1.08b7b40e7a820p-7, 0x1.3c088519cd080p-7, 0x1.2afbb5f05a240p-12, 0x1.6ecb78a93c840p-8, 0x1.ff8890dd9ce40p+10, 0x1.f510bf7d56220p+17, 0x1.47cbe9a12e900p+16 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Qc[N_VECTORS][31] = {
-    { 1.28e-08, 3.64e-09, 2.1e-09, 3.64e-09, 1.22e-08, 2.16e-09, 2.1e-09, 2.16e-09, 4.86e-10, 0.00011, 2.56e-05, 8.08e-06, 2.56e-05, 8.95e-05, 9.81e-06, 8.08e-06, 9.81e-06, 1.21e-12, 1.19e-38, 6.02e-10, 1.19e-38, 6.02e-06, 1.19e-38, 6.02e-06, 6.02e-10, 6.02e-10, 1.19e-38, 1.19e-38, 1.19e-38, 0.0602, 0.0602 },
-    { 3.31e-09, 2e-09, 1.36e-09, 2e-09, 1.26e-09, 8.54e-10, 1.36e-09, 8.54e-10, 6.87e-10, 3.85e-05, 2.8e-05, 2.57e-05, 2.8e-05, 3.8e-05, 2.35e-05, 2.57e-05, 2.35e-05, 2.41e-05, 3.29e-12, 9.98e-11, 6.82e-11, 5.85e-06, 5e-06, 2.44e-06, 4.86e-10, 5.81e-10, 1.72e-11, 3.37e-10, 0.000123, 0.0154, 0.00505 }
+static const float tol_Qc[N_VECTORS][31] = {
+    { 1.28e-08F, 3.64e-09F, 2.10e-09F, 3.64e-09F, 1.22e-08F, 2.16e-09F, 2.10e-09F, 2.16e-09F, 4.86e-10F, 1.10e-04F, 2.56e-05F, 8.08e-06F, 2.56e-05F, 8.95e-05F, 9.81e-06F, 8.08e-06F, 9.81e-06F, 1.21e-12F, 1.19e-38F, 6.02e-10F, 1.19e-38F, 6.02e-06F, 1.19e-38F, 6.02e-06F, 6.02e-10F, 6.02e-10F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 6.02e-02F, 6.02e-02F },
+    { 3.31e-09F, 2.00e-09F, 1.36e-09F, 2.00e-09F, 1.26e-09F, 8.54e-10F, 1.36e-09F, 8.54e-10F, 6.87e-10F, 3.85e-05F, 2.80e-05F, 2.57e-05F, 2.80e-05F, 3.80e-05F, 2.35e-05F, 2.57e-05F, 2.35e-05F, 2.41e-05F, 3.29e-12F, 9.98e-11F, 6.82e-11F, 5.85e-06F, 5.00e-06F, 2.44e-06F, 4.86e-10F, 5.81e-10F, 1.72e-11F, 3.37e-10F, 1.23e-04F, 1.54e-02F, 5.05e-03F }
 };
 #else
-static const double tol_Qc[N_VECTORS][31] = {
-    { 2.52e-17, 6.78e-18, 4.02e-18, 6.78e-18, 2.4e-17, 4.16e-18, 4.02e-18, 4.16e-18, 9.27e-19, 2.19e-13, 4.9e-14, 1.51e-14, 4.9e-14, 1.8e-13, 1.83e-14, 1.51e-14, 1.83e-14, 4.21e-30, 1.01e-45, 2.24e-18, 1.01e-45, 2.24e-14, 1.01e-45, 2.24e-14, 2.24e-18, 2.24e-18, 1.01e-45, 1.01e-45, 1.01e-45, 2.24e-10, 2.24e-10 },
-    { 6.48e-18, 3.91e-18, 2.63e-18, 3.91e-18, 2.48e-18, 1.66e-18, 2.63e-18, 1.66e-18, 1.34e-18, 7.57e-14, 5.25e-14, 4.95e-14, 5.25e-14, 7.61e-14, 4.43e-14, 4.95e-14, 4.43e-14, 4.77e-14, 1.22e-20, 3.72e-19, 2.54e-19, 2.18e-14, 1.86e-14, 9.08e-15, 1.81e-18, 2.16e-18, 6.39e-20, 1.26e-18, 4.59e-13, 5.75e-11, 1.88e-11 }
+static const float tol_Qc[N_VECTORS][31] = {
+    { 2.52e-17F, 6.78e-18F, 4.02e-18F, 6.78e-18F, 2.40e-17F, 4.16e-18F, 4.02e-18F, 4.16e-18F, 9.27e-19F, 2.19e-13F, 4.90e-14F, 1.51e-14F, 4.90e-14F, 1.80e-13F, 1.83e-14F, 1.51e-14F, 1.83e-14F, 4.21e-30F, 0.0F, 2.24e-18F, 0.0F, 2.24e-14F, 0.0F, 2.24e-14F, 2.24e-18F, 2.24e-18F, 0.0F, 0.0F, 0.0F, 2.24e-10F, 2.24e-10F },
+    { 6.48e-18F, 3.91e-18F, 2.63e-18F, 3.91e-18F, 2.48e-18F, 1.66e-18F, 2.63e-18F, 1.66e-18F, 1.34e-18F, 7.57e-14F, 5.25e-14F, 4.95e-14F, 5.25e-14F, 7.61e-14F, 4.43e-14F, 4.95e-14F, 4.43e-14F, 4.77e-14F, 1.22e-20F, 3.72e-19F, 2.54e-19F, 2.18e-14F, 1.86e-14F, 9.08e-15F, 1.81e-18F, 2.16e-18F, 6.39e-20F, 1.26e-18F, 4.59e-13F, 5.75e-11F, 1.88e-11F }
 };
 #endif
 static const unsigned short at_Qc[31] = { 0, 1, 2, 46, 47, 48, 92, 93, 94, 141, 142, 143, 187, 188,
@@ -150,7 +149,7 @@ int test_vas_Qc(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 2116);
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
-                (void)printf("vas_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Qc Qc", Qc, 2116);
@@ -164,7 +163,7 @@ int test_vas_Qc(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
-                (void)printf("vas_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -177,7 +176,7 @@ int test_vas_Qc(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -194,7 +193,7 @@ int test_vas_Qc(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 2116);
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
-                (void)printf("vas_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Qc Qc", Qc, 2116);
@@ -205,7 +204,7 @@ int test_vas_Qc(void)
             set_point(0, &nav, &noise, &bending, &triads);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
-                (void)printf("vas_Qc: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Qc: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -223,7 +222,7 @@ int test_vas_Qc(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 2116);
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
-                (void)printf("vas_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Qc Qc", Qc, 2116);
@@ -234,7 +233,7 @@ int test_vas_Qc(void)
             set_point(0, &nav, &noise, &bending, &triads);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
-                (void)printf("vas_Qc: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Qc: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -252,7 +251,7 @@ int test_vas_Qc(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 2116);
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
-                (void)printf("vas_Qc: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Qc: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Qc Qc", Qc, 2116);
@@ -263,7 +262,7 @@ int test_vas_Qc(void)
             set_point(0, &nav, &noise, &bending, &triads);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
-                (void)printf("vas_Qc: gyro_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Qc: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -281,7 +280,7 @@ int test_vas_Qc(void)
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 2116);
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
-                (void)printf("vas_Qc: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Qc: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Qc Qc", Qc, 2116);
@@ -292,7 +291,7 @@ int test_vas_Qc(void)
             set_point(0, &nav, &noise, &bending, &triads);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
-                (void)printf("vas_Qc: accel_bias_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Qc: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -310,7 +309,7 @@ int test_vas_Qc(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 2116);
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
-                (void)printf("vas_Qc: mu_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Qc: mu_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Qc Qc", Qc, 2116);
@@ -321,7 +320,7 @@ int test_vas_Qc(void)
             set_point(0, &nav, &noise, &bending, &triads);
             noise.mu_noise[i] = (end == 0) ? low[i] : high[i];
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
-                (void)printf("vas_Qc: mu_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Qc: mu_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -339,7 +338,7 @@ int test_vas_Qc(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 2116);
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
-                (void)printf("vas_Qc: tau_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Qc: tau_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Qc Qc", Qc, 2116);
@@ -350,7 +349,7 @@ int test_vas_Qc(void)
             set_point(0, &nav, &noise, &bending, &triads);
             noise.tau_noise = (end == 0) ? low[i] : high[i];
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
-                (void)printf("vas_Qc: tau_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Qc: tau_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -368,7 +367,7 @@ int test_vas_Qc(void)
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 2116);
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
-                (void)printf("vas_Qc: flexure_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Qc: flexure_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Qc Qc", Qc, 2116);
@@ -379,7 +378,7 @@ int test_vas_Qc(void)
             set_point(0, &nav, &noise, &bending, &triads);
             bending.flexure_noise[i] = (end == 0) ? low[i] : high[i];
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
-                (void)printf("vas_Qc: flexure_noise[%d] end %d refused\n", i, end);
+                selftest_print("vas_Qc: flexure_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -397,7 +396,7 @@ int test_vas_Qc(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 2116);
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
-                (void)printf("vas_Qc: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Qc: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Qc Qc", Qc, 2116);
@@ -408,7 +407,7 @@ int test_vas_Qc(void)
             set_point(0, &nav, &noise, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
-                (void)printf("vas_Qc: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_Qc: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -426,7 +425,7 @@ int test_vas_Qc(void)
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 2116);
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
-                (void)printf("vas_Qc: accel_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Qc: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Qc Qc", Qc, 2116);
@@ -437,7 +436,7 @@ int test_vas_Qc(void)
             set_point(0, &nav, &noise, &bending, &triads);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
-                (void)printf("vas_Qc: accel_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_Qc: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -457,7 +456,7 @@ int test_vas_Qc(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 2116);
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
-                (void)printf("vas_Qc: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Qc: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Qc Qc", Qc, 2116);
@@ -470,7 +469,7 @@ int test_vas_Qc(void)
             set_point(0, &nav, &noise, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
-                (void)printf("vas_Qc: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_Qc: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -488,7 +487,7 @@ int test_vas_Qc(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 2116);
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
-                (void)printf("vas_Qc: accel_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_Qc: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Qc Qc", Qc, 2116);
@@ -499,7 +498,7 @@ int test_vas_Qc(void)
             set_point(0, &nav, &noise, &bending, &triads);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
-                (void)printf("vas_Qc: accel_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_Qc: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,46 +2,45 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.6b19700000000p-12, 0x1.c3f4020000000p+1, 0x1.eb595e0000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.ea667c0000000p+9, 0x1.82ab700000000p+9, 0x1.c043a80000000p+8 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.6560920000000p-1, 0x1.5fec820000000p-2, 0x1.e962d00000000p-3, 0x1.2904a40000000p-1 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.ef80ec0000000p-2, 0x1.ab90760000000p-1, -0x1.540f260000000p-3, 0x1.a2e4200000000p-3 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.d5078e0000000p+3, 0x1.57b3560000000p-3, 0x1.3abde60000000p+4 }
 };
-static const double in_flexure[N_VECTORS][3] = {
+static const float in_flexure[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.b6b79e0000000p-7, -0x1.13977a0000000p-6, -0x1.1905580000000p-4 }
 };
-static const double in_flexure_rate[N_VECTORS][3] = {
+static const float in_flexure_rate[N_VECTORS][3] = {
     { -0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { 0x1.37e48a0000000p-2, 0x1.b590900000000p-2, -0x1.0405a60000000p-1 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.4d27e80000000p-4, -0x1.2862460000000p-4, 0x1.2388040000000p-10 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.89a9d20000000p-4, -0x1.b885260000000p-7, 0x1.77d1c60000000p-6, 0x1.1056ea0000000p-4, -0x1.40064a0000000p-4, 0x1.15827c0000000p-6 }
 };
@@ -51,14 +50,14 @@ static const double out_H[N_VECTORS][24] = {
     { -0x1.0000000000000p+0, -0x1.45aac23ed6abdp-2, -0x1.042f12e43afd2p-1, 0x1.99b7ef626cf95p-1, -0x1.03db7774c4babp+2, 0x1.45aac23ed6abdp-2, 0x1.042f12e43afd2p-1, -0x1.99b7ef626cf95p-1, -0x1.0000000000000p+0, -0x1.fc2972769093dp-2, -0x1.42843f151dd3cp-1, -0x1.31c96c54cb67fp-1, -0x1.53fca9ba6a092p+2, 0x1.fc2972769093dp-2, 0x1.42843f151dd3cp-1, 0x1.31c96c54cb67fp-1, -0x1.0000000000000p+0, 0x1.9d87e62f4128dp-1, -0x1.2c9c72de2bfb1p-1, -0x1.a8c76be2d793ap-5, -0x1.98653ed8c3a30p+4, -0x1.9d87e62f4128dp-1, 0x1.2c9c72de2bfb1p-1, 0x1.a8c76be2d793ap-5 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][24] = {
-    { 1.12e-16, 2.57e-06, 2.62e-06, 2.67e-06, 1.7e-05, 2.57e-06, 2.62e-06, 2.67e-06, 1.12e-16, 2.67e-06, 2.58e-06, 2.63e-06, 1.79e-05, 2.67e-06, 2.58e-06, 2.63e-06, 1.12e-16, 2.62e-06, 2.69e-06, 2.58e-06, 1.57e-05, 2.62e-06, 2.69e-06, 2.58e-06 },
-    { 1.12e-16, 1.77e-06, 1.68e-06, 1.78e-06, 6.65e-06, 1.77e-06, 1.68e-06, 1.78e-06, 1.12e-16, 1.68e-06, 1.79e-06, 1.66e-06, 1.97e-05, 1.68e-06, 1.79e-06, 1.66e-06, 1.12e-16, 1.78e-06, 1.66e-06, 1.72e-06, 2.28e-05, 1.78e-06, 1.66e-06, 1.72e-06 }
+static const float tol_H[N_VECTORS][24] = {
+    { 1.12e-16F, 2.57e-06F, 2.62e-06F, 2.67e-06F, 1.70e-05F, 2.57e-06F, 2.62e-06F, 2.67e-06F, 1.12e-16F, 2.67e-06F, 2.58e-06F, 2.63e-06F, 1.79e-05F, 2.67e-06F, 2.58e-06F, 2.63e-06F, 1.12e-16F, 2.62e-06F, 2.69e-06F, 2.58e-06F, 1.57e-05F, 2.62e-06F, 2.69e-06F, 2.58e-06F },
+    { 1.12e-16F, 1.77e-06F, 1.68e-06F, 1.78e-06F, 6.65e-06F, 1.77e-06F, 1.68e-06F, 1.78e-06F, 1.12e-16F, 1.68e-06F, 1.79e-06F, 1.66e-06F, 1.97e-05F, 1.68e-06F, 1.79e-06F, 1.66e-06F, 1.12e-16F, 1.78e-06F, 1.66e-06F, 1.72e-06F, 2.28e-05F, 1.78e-06F, 1.66e-06F, 1.72e-06F }
 };
 #else
-static const double tol_H[N_VECTORS][24] = {
-    { 1.12e-16, 4.8e-15, 4.89e-15, 5.09e-15, 3.35e-14, 4.8e-15, 4.89e-15, 5.09e-15, 1.12e-16, 5.09e-15, 4.81e-15, 4.91e-15, 3.52e-14, 5.09e-15, 4.81e-15, 4.91e-15, 1.12e-16, 4.89e-15, 5.11e-15, 4.81e-15, 3.07e-14, 4.89e-15, 5.11e-15, 4.81e-15 },
-    { 1.12e-16, 3.32e-15, 3.19e-15, 3.41e-15, 1.28e-14, 3.32e-15, 3.19e-15, 3.41e-15, 1.12e-16, 3.18e-15, 3.41e-15, 3.16e-15, 3.72e-14, 3.18e-15, 3.41e-15, 3.16e-15, 1.12e-16, 3.41e-15, 3.16e-15, 3.21e-15, 4.53e-14, 3.41e-15, 3.16e-15, 3.21e-15 }
+static const float tol_H[N_VECTORS][24] = {
+    { 1.12e-16F, 4.80e-15F, 4.89e-15F, 5.09e-15F, 3.35e-14F, 4.80e-15F, 4.89e-15F, 5.09e-15F, 1.12e-16F, 5.09e-15F, 4.81e-15F, 4.91e-15F, 3.52e-14F, 5.09e-15F, 4.81e-15F, 4.91e-15F, 1.12e-16F, 4.89e-15F, 5.11e-15F, 4.81e-15F, 3.07e-14F, 4.89e-15F, 5.11e-15F, 4.81e-15F },
+    { 1.12e-16F, 3.32e-15F, 3.19e-15F, 3.41e-15F, 1.28e-14F, 3.32e-15F, 3.19e-15F, 3.41e-15F, 1.12e-16F, 3.18e-15F, 3.41e-15F, 3.16e-15F, 3.72e-14F, 3.18e-15F, 3.41e-15F, 3.16e-15F, 1.12e-16F, 3.41e-15F, 3.16e-15F, 3.21e-15F, 4.53e-14F, 3.41e-15F, 3.16e-15F, 3.21e-15F }
 };
 #endif
 static const unsigned short at_H[24] = { 0, 12, 13, 14, 15, 19, 20, 21, 47, 58, 59, 60, 61, 65, 66,
@@ -124,7 +123,7 @@ int test_vas_dcm_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
-                (void)printf("vas_dcm_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_H H", H, 138);
@@ -137,7 +136,7 @@ int test_vas_dcm_H(void)
             set_point(0, &nav, &imu, &bending, &triads);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_dcm_H: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -153,7 +152,7 @@ int test_vas_dcm_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
-                (void)printf("vas_dcm_H: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_H H", H, 138);
@@ -164,7 +163,7 @@ int test_vas_dcm_H(void)
             set_point(0, &nav, &imu, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_dcm_H: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -182,7 +181,7 @@ int test_vas_dcm_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
-                (void)printf("vas_dcm_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_H H", H, 138);
@@ -196,7 +195,7 @@ int test_vas_dcm_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_dcm_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -209,7 +208,7 @@ int test_vas_dcm_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_dcm_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_dcm_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -226,7 +225,7 @@ int test_vas_dcm_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
-                (void)printf("vas_dcm_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_H H", H, 138);
@@ -240,7 +239,7 @@ int test_vas_dcm_H(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_dcm_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -253,7 +252,7 @@ int test_vas_dcm_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_dcm_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_dcm_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -270,7 +269,7 @@ int test_vas_dcm_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
-                (void)printf("vas_dcm_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_H H", H, 138);
@@ -281,7 +280,7 @@ int test_vas_dcm_H(void)
             set_point(0, &nav, &imu, &bending, &triads);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_dcm_H: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -299,7 +298,7 @@ int test_vas_dcm_H(void)
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
-                (void)printf("vas_dcm_H: flexure[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_H: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_H H", H, 138);
@@ -310,7 +309,7 @@ int test_vas_dcm_H(void)
             set_point(0, &nav, &imu, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_dcm_H: flexure[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_H: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -328,7 +327,7 @@ int test_vas_dcm_H(void)
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
-                (void)printf("vas_dcm_H: flexure_rate[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_H: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_H H", H, 138);
@@ -339,7 +338,7 @@ int test_vas_dcm_H(void)
             set_point(0, &nav, &imu, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_dcm_H: flexure_rate[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_H: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -357,7 +356,7 @@ int test_vas_dcm_H(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
-                (void)printf("vas_dcm_H: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_H: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_H H", H, 138);
@@ -368,7 +367,7 @@ int test_vas_dcm_H(void)
             set_point(0, &nav, &imu, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_dcm_H: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_H: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -388,7 +387,7 @@ int test_vas_dcm_H(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
-                (void)printf("vas_dcm_H: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_H: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_H H", H, 138);
@@ -401,7 +400,7 @@ int test_vas_dcm_H(void)
             set_point(0, &nav, &imu, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_dcm_H: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_H: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

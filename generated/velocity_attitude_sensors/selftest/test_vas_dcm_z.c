@@ -2,54 +2,53 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.6ef4600000000p+0, -0x1.638e360000000p+2, 0x1.889fba0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.91b7380000000p+7, 0x1.4113de0000000p+7, -0x1.99771e0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.17aa0e0000000p-3, -0x1.9824540000000p-2, -0x1.bc1c240000000p-1, 0x1.0f8c380000000p-2 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { 0x1.05faee0000000p-2, 0x1.519ca20000000p-1, 0x1.eb08800000000p-3, -0x1.54b5ce0000000p-1 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, -0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { 0x1.f57c320000000p+3, -0x1.49a0880000000p+2, 0x1.0ac85c0000000p+4 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.b1ef300000000p-2, 0x1.32f7440000000p-1, -0x1.9b7b320000000p-2, 0x1.189b780000000p-1 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { -0x1.0000000000000p+0 },
     { 0x1.f2ff6a0000000p-1 }
 };
-static const double in_flexure[N_VECTORS][3] = {
+static const float in_flexure[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.928a5e0000000p-4, -0x1.2c42240000000p-4, 0x1.44c0420000000p-4 }
 };
-static const double in_flexure_rate[N_VECTORS][3] = {
+static const float in_flexure_rate[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { -0x1.3ef19e0000000p-2, 0x1.9cbcda0000000p-1, 0x1.dda1b40000000p-1 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.2b0d800000000p-4, -0x1.d87b1c0000000p-8, 0x1.5ee9f00000000p-4 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.3c7e3a0000000p-4, -0x1.0f8dce0000000p-4, 0x1.b9f7ae0000000p-6, 0x1.3470000000000p-4, -0x1.4460220000000p-4, -0x1.4a40fa0000000p-9 }
 };
@@ -59,14 +58,14 @@ static const double out_z[N_VECTORS][3] = {
     { 0x1.4b689dc81e565p+4, -0x1.268cc607a7a88p+1, 0x1.4082d113082ebp+3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 2.86e-05, 2.55e-05, 2.74e-05 },
-    { 2.77e-05, 1.9e-05, 2.14e-05 }
+static const float tol_z[N_VECTORS][3] = {
+    { 2.86e-05F, 2.55e-05F, 2.74e-05F },
+    { 2.77e-05F, 1.90e-05F, 2.14e-05F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 5.53e-14, 4.91e-14, 5.32e-14 },
-    { 5.38e-14, 3.56e-14, 4.11e-14 }
+static const float tol_z[N_VECTORS][3] = {
+    { 5.53e-14F, 4.91e-14F, 5.32e-14F },
+    { 5.38e-14F, 3.56e-14F, 4.11e-14F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -143,7 +142,7 @@ int test_vas_dcm_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_dcm_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_z z", z, 3);
@@ -156,7 +155,7 @@ int test_vas_dcm_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_dcm_z: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -172,7 +171,7 @@ int test_vas_dcm_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_dcm_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_z z", z, 3);
@@ -183,7 +182,7 @@ int test_vas_dcm_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_dcm_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -201,7 +200,7 @@ int test_vas_dcm_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_dcm_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_z z", z, 3);
@@ -215,7 +214,7 @@ int test_vas_dcm_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_dcm_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -228,7 +227,7 @@ int test_vas_dcm_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_dcm_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_dcm_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -245,7 +244,7 @@ int test_vas_dcm_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_dcm_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_z z", z, 3);
@@ -259,7 +258,7 @@ int test_vas_dcm_z(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_dcm_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -272,7 +271,7 @@ int test_vas_dcm_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_dcm_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_dcm_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -289,7 +288,7 @@ int test_vas_dcm_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_dcm_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_z z", z, 3);
@@ -300,7 +299,7 @@ int test_vas_dcm_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_dcm_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -318,7 +317,7 @@ int test_vas_dcm_z(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_dcm_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_z z", z, 3);
@@ -332,7 +331,7 @@ int test_vas_dcm_z(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_dcm_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -345,7 +344,7 @@ int test_vas_dcm_z(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_dcm_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_dcm_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -360,7 +359,7 @@ int test_vas_dcm_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_dcm_z: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_z z", z, 3);
@@ -371,7 +370,7 @@ int test_vas_dcm_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_dcm_z: lag[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -389,7 +388,7 @@ int test_vas_dcm_z(void)
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_dcm_z: flexure[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_z: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_z z", z, 3);
@@ -400,7 +399,7 @@ int test_vas_dcm_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_dcm_z: flexure[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_z: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -418,7 +417,7 @@ int test_vas_dcm_z(void)
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_dcm_z: flexure_rate[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_z: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_z z", z, 3);
@@ -429,7 +428,7 @@ int test_vas_dcm_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_dcm_z: flexure_rate[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_z: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -447,7 +446,7 @@ int test_vas_dcm_z(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_dcm_z: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_z: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_z z", z, 3);
@@ -458,7 +457,7 @@ int test_vas_dcm_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_dcm_z: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_z: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -478,7 +477,7 @@ int test_vas_dcm_z(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_dcm_z: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_dcm_z: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_z z", z, 3);
@@ -491,7 +490,7 @@ int test_vas_dcm_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_dcm_z: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_dcm_z: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,46 +2,45 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.1085c60000000p+0, -0x1.b6c0b80000000p+1, 0x1.61eb380000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.e2702a0000000p+7, 0x1.d011f00000000p+8, -0x1.95073c0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.23fec80000000p-3, 0x1.869abe0000000p-2, -0x1.c30aa40000000p-1, -0x1.ee838e0000000p-3 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.ef39c60000000p-2, -0x1.304d3a0000000p-1, -0x1.47ff3c0000000p-1, -0x1.33daa40000000p-5 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.5fd3de0000000p+1, 0x1.d712000000000p+3, 0x1.584a400000000p+3 }
 };
-static const double in_euler_m[N_VECTORS][3] = {
+static const float in_euler_m[N_VECTORS][3] = {
     { -0x1.921fb40000000p+1, 0x1.6571840000000p+0, 0x1.921fb40000000p+1 },
     { 0x1.4657580000000p+1, 0x1.3cd49e0000000p-1, 0x1.fe504a0000000p-12 }
 };
-static const double in_flexure_rate[N_VECTORS][3] = {
+static const float in_flexure_rate[N_VECTORS][3] = {
     { -0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { 0x1.97cf680000000p-1, 0x1.06bfc80000000p-1, -0x1.9cc9ec0000000p-4 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.0afc9a0000000p-5, -0x1.010b660000000p-4, -0x1.061fd20000000p-5 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.5f99620000000p-6, -0x1.5fa8620000000p-4, 0x1.75a6bc0000000p-4, 0x1.39e3d40000000p-4, -0x1.61f9d00000000p-4, -0x1.8830780000000p-6 }
 };
@@ -51,14 +50,14 @@ static const double out_H[N_VECTORS][24] = {
     { -0x1.3a46c19a08e77p+0, -0x1.393dc4f1d1739p-11, 0x1.0000000000000p+0, 0x1.96f181af87fa4p-2, -0x1.2e8bb9ff73963p-1, 0x1.2b4b22377e2ffp+4, -0x1.0000000000000p+0, -0x1.96f181af87fa4p-2, 0x1.2e8bb9ff73963p-1, 0x1.fe5048ae073fbp-12, -0x1.fffffc06bc015p-1, -0x1.a8db2dd1f527fp-1, -0x1.1dbab3d48f670p-1, -0x1.37f2313b02768p+3, 0x1.a8db2dd1f527fp-1, 0x1.1dbab3d48f670p-1, -0x1.6c9a20b7e4081p-1, -0x1.6b66b53fe8c9dp-12, -0x1.0000000000000p+0, 0x1.5ec5fc6e80b07p-1, -0x1.04c923bd9b4d7p+0, 0x1.9a67b2a4f576ap+3, -0x1.5ec5fc6e80b07p-1, 0x1.04c923bd9b4d7p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][24] = {
-    { 7.13e-06, 2.72e-12, 1.12e-16, 6.16e-12, 1.08e-05, 0.000316, 1.12e-16, 6.16e-12, 1.08e-05, 1.82e-14, 1.2e-07, 1.2e-07, 1.82e-14, 3.14e-05, 1.2e-07, 1.82e-14, 5.8e-06, 2.24e-12, 1.12e-16, 3.14e-13, 2.08e-06, 0.000309, 3.14e-13, 2.08e-06 },
-    { 8.58e-07, 6.55e-07, 1.12e-16, 1.09e-06, 1.17e-06, 3.78e-05, 1.12e-16, 1.09e-06, 1.17e-06, 5.86e-11, 1.2e-07, 9.99e-08, 6.72e-08, 1.45e-05, 9.99e-08, 6.72e-08, 7.29e-07, 8.9e-07, 1.12e-16, 2.47e-07, 3.68e-07, 4.39e-05, 2.47e-07, 3.68e-07 }
+static const float tol_H[N_VECTORS][24] = {
+    { 7.13e-06F, 2.72e-12F, 1.12e-16F, 6.16e-12F, 1.08e-05F, 3.16e-04F, 1.12e-16F, 6.16e-12F, 1.08e-05F, 1.82e-14F, 1.20e-07F, 1.20e-07F, 1.82e-14F, 3.14e-05F, 1.20e-07F, 1.82e-14F, 5.80e-06F, 2.24e-12F, 1.12e-16F, 3.14e-13F, 2.08e-06F, 3.09e-04F, 3.14e-13F, 2.08e-06F },
+    { 8.58e-07F, 6.55e-07F, 1.12e-16F, 1.09e-06F, 1.17e-06F, 3.78e-05F, 1.12e-16F, 1.09e-06F, 1.17e-06F, 5.86e-11F, 1.20e-07F, 9.99e-08F, 6.72e-08F, 1.45e-05F, 9.99e-08F, 6.72e-08F, 7.29e-07F, 8.90e-07F, 1.12e-16F, 2.47e-07F, 3.68e-07F, 4.39e-05F, 2.47e-07F, 3.68e-07F }
 };
 #else
-static const double tol_H[N_VECTORS][24] = {
-    { 1.39e-14, 5.17e-21, 1.12e-16, 1.16e-20, 2.07e-14, 6.03e-13, 1.12e-16, 1.16e-20, 2.07e-14, 5.08e-23, 3.36e-16, 3.36e-16, 5.08e-23, 6.16e-14, 3.36e-16, 5.08e-23, 1.14e-14, 4.26e-21, 1.12e-16, 6.83e-22, 4.52e-15, 5.92e-13, 6.83e-22, 4.52e-15 },
-    { 1.74e-15, 1.22e-15, 1.12e-16, 2.07e-15, 2.25e-15, 7.26e-14, 1.12e-16, 2.07e-15, 2.25e-15, 1.64e-19, 3.36e-16, 2.79e-16, 1.88e-16, 2.81e-14, 2.79e-16, 1.88e-16, 1.44e-15, 1.66e-15, 1.12e-16, 5.38e-16, 8e-16, 8.32e-14, 5.38e-16, 8e-16 }
+static const float tol_H[N_VECTORS][24] = {
+    { 1.39e-14F, 5.17e-21F, 1.12e-16F, 1.16e-20F, 2.07e-14F, 6.03e-13F, 1.12e-16F, 1.16e-20F, 2.07e-14F, 5.08e-23F, 3.36e-16F, 3.36e-16F, 5.08e-23F, 6.16e-14F, 3.36e-16F, 5.08e-23F, 1.14e-14F, 4.26e-21F, 1.12e-16F, 6.83e-22F, 4.52e-15F, 5.92e-13F, 6.83e-22F, 4.52e-15F },
+    { 1.74e-15F, 1.22e-15F, 1.12e-16F, 2.07e-15F, 2.25e-15F, 7.26e-14F, 1.12e-16F, 2.07e-15F, 2.25e-15F, 1.64e-19F, 3.36e-16F, 2.79e-16F, 1.88e-16F, 2.81e-14F, 2.79e-16F, 1.88e-16F, 1.44e-15F, 1.66e-15F, 1.12e-16F, 5.38e-16F, 8.00e-16F, 8.32e-14F, 5.38e-16F, 8.00e-16F }
 };
 #endif
 static const unsigned short at_H[24] = { 0, 1, 12, 13, 14, 15, 19, 20, 21, 46, 47, 59, 60, 61, 66,
@@ -130,7 +129,7 @@ int test_vas_euler_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_euler_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_H H", H, 138);
@@ -143,7 +142,7 @@ int test_vas_euler_H(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_euler_H: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -159,7 +158,7 @@ int test_vas_euler_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_euler_H: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_H H", H, 138);
@@ -170,7 +169,7 @@ int test_vas_euler_H(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_euler_H: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -188,7 +187,7 @@ int test_vas_euler_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_euler_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_H H", H, 138);
@@ -202,7 +201,7 @@ int test_vas_euler_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_euler_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -215,7 +214,8 @@ int test_vas_euler_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_euler_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_euler_H: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -232,7 +232,7 @@ int test_vas_euler_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_euler_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_H H", H, 138);
@@ -246,7 +246,7 @@ int test_vas_euler_H(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_euler_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -259,7 +259,8 @@ int test_vas_euler_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_euler_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_euler_H: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -276,7 +277,7 @@ int test_vas_euler_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_euler_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_H H", H, 138);
@@ -287,7 +288,7 @@ int test_vas_euler_H(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_euler_H: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -307,7 +308,7 @@ int test_vas_euler_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_euler_H: euler_m[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_H: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_H H", H, 138);
@@ -322,7 +323,7 @@ int test_vas_euler_H(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             master.euler_m[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_euler_H: euler_m[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_H: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -340,7 +341,7 @@ int test_vas_euler_H(void)
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_euler_H: flexure_rate[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_H: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_H H", H, 138);
@@ -351,7 +352,7 @@ int test_vas_euler_H(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_euler_H: flexure_rate[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_H: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -369,7 +370,7 @@ int test_vas_euler_H(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_euler_H: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_H: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_H H", H, 138);
@@ -380,7 +381,7 @@ int test_vas_euler_H(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_euler_H: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_H: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -400,7 +401,7 @@ int test_vas_euler_H(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_euler_H: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_H: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_H H", H, 138);
@@ -413,7 +414,7 @@ int test_vas_euler_H(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_H(&nav, &imu, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_euler_H: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_H: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,54 +2,53 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.4d41d80000000p+0, 0x1.fdd8ee0000000p-2, 0x1.fababc0000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.ca0ea60000000p+8, 0x1.b1a69c0000000p+9, 0x1.7da7800000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.f567c00000000p-2, 0x1.6d65a40000000p-2, 0x1.12af160000000p-1, -0x1.2d63aa0000000p-1 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.a4214e0000000p-1, -0x1.d5be700000000p-4, -0x1.0e3ebc0000000p-1, -0x1.75b11c0000000p-3 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.645ce00000000p+3, -0x1.34c52c0000000p+1, -0x1.3aac040000000p+4 }
 };
-static const double in_euler_m[N_VECTORS][3] = {
+static const float in_euler_m[N_VECTORS][3] = {
     { -0x1.921fb40000000p+1, -0x1.6571840000000p+0, 0x1.921fb40000000p+1 },
     { -0x1.f276140000000p-1, 0x1.32e3b80000000p+0, 0x1.f5dadc0000000p-1 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { -0x1.0000000000000p+0 },
     { -0x1.3324e20000000p-1 }
 };
-static const double in_flexure[N_VECTORS][3] = {
+static const float in_flexure[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.22dd500000000p-6, -0x1.9304e20000000p-7, 0x1.27fc6a0000000p-4 }
 };
-static const double in_flexure_rate[N_VECTORS][3] = {
+static const float in_flexure_rate[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { 0x1.eb98960000000p-2, 0x1.1b189e0000000p-8, 0x1.bb6eb00000000p-3 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.846b840000000p-5, -0x1.e8d0ce0000000p-6, 0x1.6614ee0000000p-8 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.6c4c9a0000000p-5, -0x1.72e9ba0000000p-4, 0x1.5fedc60000000p-4, 0x1.7ef2380000000p-4, -0x1.9744f40000000p-7, 0x1.7f34860000000p-4 }
 };
@@ -59,14 +58,14 @@ static const double out_z[N_VECTORS][3] = {
     { -0x1.66962319e93bcp-3, -0x1.8763d2f4082c5p+0, 0x1.8e076064e0f52p+1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 3.98e-05, 3.48e-05, 3.22e-05 },
-    { 5.23e-05, 6.12e-05, 5.33e-05 }
+static const float tol_z[N_VECTORS][3] = {
+    { 3.98e-05F, 3.48e-05F, 3.22e-05F },
+    { 5.23e-05F, 6.12e-05F, 5.33e-05F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 7.4e-14, 6.5e-14, 6e-14 },
-    { 9.75e-14, 1.14e-13, 9.97e-14 }
+static const float tol_z[N_VECTORS][3] = {
+    { 7.40e-14F, 6.50e-14F, 6.00e-14F },
+    { 9.75e-14F, 1.14e-13F, 9.97e-14F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -143,7 +142,7 @@ int test_vas_euler_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_euler_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_z z", z, 3);
@@ -156,7 +155,7 @@ int test_vas_euler_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_euler_z: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -172,7 +171,7 @@ int test_vas_euler_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_euler_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_z z", z, 3);
@@ -183,7 +182,7 @@ int test_vas_euler_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_euler_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -201,7 +200,7 @@ int test_vas_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_euler_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_z z", z, 3);
@@ -215,7 +214,7 @@ int test_vas_euler_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_euler_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -228,7 +227,8 @@ int test_vas_euler_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_euler_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_euler_z: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -245,7 +245,7 @@ int test_vas_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_euler_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_z z", z, 3);
@@ -259,7 +259,7 @@ int test_vas_euler_z(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_euler_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -272,7 +272,8 @@ int test_vas_euler_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_euler_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_euler_z: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -289,7 +290,7 @@ int test_vas_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_euler_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_z z", z, 3);
@@ -300,7 +301,7 @@ int test_vas_euler_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_euler_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -320,7 +321,7 @@ int test_vas_euler_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_euler_z: euler_m[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_z: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_z z", z, 3);
@@ -335,7 +336,7 @@ int test_vas_euler_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             master.euler_m[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_euler_z: euler_m[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_z: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -351,7 +352,7 @@ int test_vas_euler_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_euler_z: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_z z", z, 3);
@@ -362,7 +363,7 @@ int test_vas_euler_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_euler_z: lag[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -380,7 +381,7 @@ int test_vas_euler_z(void)
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_euler_z: flexure[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_z: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_z z", z, 3);
@@ -391,7 +392,7 @@ int test_vas_euler_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_euler_z: flexure[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_z: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -409,7 +410,7 @@ int test_vas_euler_z(void)
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_euler_z: flexure_rate[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_z: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_z z", z, 3);
@@ -420,7 +421,7 @@ int test_vas_euler_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_euler_z: flexure_rate[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_z: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -438,7 +439,7 @@ int test_vas_euler_z(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_euler_z: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_z: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_z z", z, 3);
@@ -449,7 +450,7 @@ int test_vas_euler_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_euler_z: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_z: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -469,7 +470,7 @@ int test_vas_euler_z(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_euler_z: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_euler_z: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_z z", z, 3);
@@ -482,7 +483,7 @@ int test_vas_euler_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_euler_z: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_euler_z: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

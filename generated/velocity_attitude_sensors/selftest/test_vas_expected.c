@@ -2,50 +2,49 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.4c723c0000000p+0, 0x1.0652180000000p+2, 0x1.0bd3200000000p+11 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.f144240000000p+4, 0x1.156cbe0000000p+9, -0x1.726fc60000000p+7 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.9e8b980000000p-1, 0x1.37f9f60000000p-2, 0x1.aae1700000000p-3, 0x1.d17c6c0000000p-2 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.7c2b460000000p-2, 0x1.61e52e0000000p-2, 0x1.a3372a0000000p-2, -0x1.840c400000000p-1 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, -0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { -0x1.3af52e0000000p+4, 0x1.cefeea0000000p+3, -0x1.82cc0e0000000p+3 }
 };
-static const double in_lever_b[N_VECTORS][3] = {
+static const float in_lever_b[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { -0x1.466d180000000p+6, -0x1.db15de0000000p+2, 0x1.6b3a680000000p+6 }
 };
-static const double in_flexure[N_VECTORS][3] = {
+static const float in_flexure[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.344b600000000p-4, 0x1.33f2d80000000p-4, 0x1.1eb7200000000p-4 }
 };
-static const double in_flexure_rate[N_VECTORS][3] = {
+static const float in_flexure_rate[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { -0x1.ccc42c0000000p-3, -0x1.26fff80000000p-1, -0x1.17acf80000000p-3 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.ba77200000000p-9, -0x1.2029a00000000p-4, 0x1.7cb5640000000p-6 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.15f0d60000000p-5, -0x1.8eaf440000000p-4, -0x1.93c8ba0000000p-7, -0x1.89f85a0000000p-5, -0x1.4b727a0000000p-5, -0x1.5331fc0000000p-4 }
 };
@@ -55,14 +54,14 @@ static const double out_v_m_n[N_VECTORS][3] = {
     { -0x1.68489afdd9592p+11, -0x1.641586aa5c851p+9, -0x1.035c84f7d527ep+10 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_m_n[N_VECTORS][3] = {
-    { 0.00469, 0.00537, 0.00511 },
-    { 0.00295, 0.00255, 0.00231 }
+static const float tol_v_m_n[N_VECTORS][3] = {
+    { 4.69e-03F, 5.37e-03F, 5.11e-03F },
+    { 2.95e-03F, 2.55e-03F, 2.31e-03F }
 };
 #else
-static const double tol_v_m_n[N_VECTORS][3] = {
-    { 8.86e-12, 1.06e-11, 1.02e-11 },
-    { 5.82e-12, 4.84e-12, 4.43e-12 }
+static const float tol_v_m_n[N_VECTORS][3] = {
+    { 8.86e-12F, 1.06e-11F, 1.02e-11F },
+    { 5.82e-12F, 4.84e-12F, 4.43e-12F }
 };
 #endif
 static const unsigned short at_v_m_n[3] = { 0, 1, 2 };
@@ -72,14 +71,14 @@ static const double out_q_m2n_wxyz[N_VECTORS][4] = {
     { 0x1.7d6e687931afcp-4, 0x1.f4e6aa71da96fp-2, -0x1.390bfef0a69eap-3, -0x1.b50f0b24995e3p-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_m2n_wxyz[N_VECTORS][4] = {
-    { 1.53e-06, 1.42e-06, 1.39e-06, 1.39e-06 },
-    { 6.25e-07, 1.02e-06, 6.73e-07, 1.59e-06 }
+static const float tol_q_m2n_wxyz[N_VECTORS][4] = {
+    { 1.53e-06F, 1.42e-06F, 1.39e-06F, 1.39e-06F },
+    { 6.25e-07F, 1.02e-06F, 6.73e-07F, 1.59e-06F }
 };
 #else
-static const double tol_q_m2n_wxyz[N_VECTORS][4] = {
-    { 2.91e-15, 2.69e-15, 2.63e-15, 2.63e-15 },
-    { 1.17e-15, 1.96e-15, 1.27e-15, 3.05e-15 }
+static const float tol_q_m2n_wxyz[N_VECTORS][4] = {
+    { 2.91e-15F, 2.69e-15F, 2.63e-15F, 2.63e-15F },
+    { 1.17e-15F, 1.96e-15F, 1.27e-15F, 3.05e-15F }
 };
 #endif
 static const unsigned short at_q_m2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -89,14 +88,14 @@ static const double out_omega_nb_n[N_VECTORS][3] = {
     { 0x1.892f6bd546a3cp+1, 0x1.3aa25dd8fd992p+3, -0x1.91e621c318544p+4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_omega_nb_n[N_VECTORS][3] = {
-    { 2.62e-05, 1.99e-05, 2.05e-05 },
-    { 1.9e-05, 2.02e-05, 2.12e-05 }
+static const float tol_omega_nb_n[N_VECTORS][3] = {
+    { 2.62e-05F, 1.99e-05F, 2.05e-05F },
+    { 1.90e-05F, 2.02e-05F, 2.12e-05F }
 };
 #else
-static const double tol_omega_nb_n[N_VECTORS][3] = {
-    { 5.16e-14, 3.94e-14, 4.06e-14 },
-    { 3.58e-14, 3.86e-14, 4.23e-14 }
+static const float tol_omega_nb_n[N_VECTORS][3] = {
+    { 5.16e-14F, 3.94e-14F, 4.06e-14F },
+    { 3.58e-14F, 3.86e-14F, 4.23e-14F }
 };
 #endif
 static const unsigned short at_omega_nb_n[3] = { 0, 1, 2 };
@@ -181,7 +180,7 @@ int test_vas_expected(void)
             selftest_paint(omega_nb_n, 3);
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
-                (void)printf("vas_expected: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_expected: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
@@ -197,7 +196,7 @@ int test_vas_expected(void)
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
-                (void)printf("vas_expected: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_expected: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -216,7 +215,7 @@ int test_vas_expected(void)
             selftest_paint(omega_nb_n, 3);
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
-                (void)printf("vas_expected: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_expected: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
@@ -230,7 +229,7 @@ int test_vas_expected(void)
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
-                (void)printf("vas_expected: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_expected: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -251,7 +250,7 @@ int test_vas_expected(void)
             selftest_paint(omega_nb_n, 3);
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
-                (void)printf("vas_expected: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_expected: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
@@ -268,7 +267,7 @@ int test_vas_expected(void)
             }
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
-                (void)printf("vas_expected: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_expected: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -282,8 +281,8 @@ int test_vas_expected(void)
         }
         if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                          omega_nb_n) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_expected: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_expected: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -303,7 +302,7 @@ int test_vas_expected(void)
             selftest_paint(omega_nb_n, 3);
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
-                (void)printf("vas_expected: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_expected: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
@@ -320,7 +319,7 @@ int test_vas_expected(void)
             }
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
-                (void)printf("vas_expected: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_expected: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -334,8 +333,8 @@ int test_vas_expected(void)
         }
         if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                          omega_nb_n) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_expected: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_expected: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -355,7 +354,7 @@ int test_vas_expected(void)
             selftest_paint(omega_nb_n, 3);
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
-                (void)printf("vas_expected: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_expected: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
@@ -369,7 +368,7 @@ int test_vas_expected(void)
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
-                (void)printf("vas_expected: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_expected: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -390,7 +389,7 @@ int test_vas_expected(void)
             selftest_paint(omega_nb_n, 3);
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
-                (void)printf("vas_expected: lever_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_expected: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
@@ -404,7 +403,7 @@ int test_vas_expected(void)
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
-                (void)printf("vas_expected: lever_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_expected: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -425,7 +424,7 @@ int test_vas_expected(void)
             selftest_paint(omega_nb_n, 3);
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
-                (void)printf("vas_expected: flexure[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_expected: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
@@ -439,7 +438,7 @@ int test_vas_expected(void)
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
-                (void)printf("vas_expected: flexure[%d] end %d refused\n", i, end);
+                selftest_print("vas_expected: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -460,7 +459,7 @@ int test_vas_expected(void)
             selftest_paint(omega_nb_n, 3);
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
-                (void)printf("vas_expected: flexure_rate[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_expected: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
@@ -474,7 +473,7 @@ int test_vas_expected(void)
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
-                (void)printf("vas_expected: flexure_rate[%d] end %d refused\n", i, end);
+                selftest_print("vas_expected: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -495,7 +494,7 @@ int test_vas_expected(void)
             selftest_paint(omega_nb_n, 3);
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
-                (void)printf("vas_expected: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_expected: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
@@ -509,7 +508,7 @@ int test_vas_expected(void)
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
-                (void)printf("vas_expected: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_expected: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -532,7 +531,7 @@ int test_vas_expected(void)
             selftest_paint(omega_nb_n, 3);
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
-                (void)printf("vas_expected: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_expected: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
@@ -548,7 +547,7 @@ int test_vas_expected(void)
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
-                (void)printf("vas_expected: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_expected: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,74 +2,73 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_x[N_VECTORS][46] = {
+static const float in_x[N_VECTORS][46] = {
     { 0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, 0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p+0, -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { 0x1.343e0a0000000p-2, -0x1.0884a40000000p-2, -0x1.4501620000000p-2, 0x1.11f2780000000p+5, -0x1.1b3d400000000p+6, -0x1.50c0460000000p+0, -0x1.5e29300000000p-9, -0x1.3b54700000000p-11, 0x1.1f17f20000000p-8, 0x1.16d1b40000000p-2, 0x1.9a2c480000000p-9, 0x1.c84e640000000p-3, 0x1.6cc8ce0000000p-6, 0x1.08d4680000000p-2, 0x1.8246580000000p-4, -0x1.40e6060000000p-1, -0x1.6591060000000p+6, -0x1.17d9b60000000p+6, 0x1.29a4620000000p+2, -0x1.ff6aa80000000p-5, -0x1.57cc860000000p-5, -0x1.3fc77a0000000p-6, -0x1.8b281a0000000p-1, -0x1.1248b80000000p-1, -0x1.4990e40000000p-1, -0x1.2190ae0000000p-5, 0x1.60c8d60000000p-4, 0x1.76c6360000000p-4, 0x1.8ab1c60000000p-5, 0x1.3ef6dc0000000p-6, 0x1.68fc3e0000000p-4, 0x1.cfedd80000000p-5, 0x1.0844fc0000000p-4, 0x1.4fb1c00000000p-4, 0x1.634f5c0000000p-4, 0x1.1d8bec0000000p-6, 0x1.f4a9c40000000p-7, -0x1.9a9cc20000000p-6, 0x1.8ba74c0000000p-5, -0x1.90cdae0000000p-4, 0x1.bf6c460000000p-7, -0x1.9997320000000p-7, -0x1.8ecfac0000000p-7, -0x1.8a34c60000000p-1, 0x1.4f0d000000000p-2, 0x1.1ffe4c0000000p-4 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.141fc40000000p+9, -0x1.d952460000000p+9, 0x1.0004a40000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.ca50880000000p-1, 0x1.6ef82e0000000p-2, -0x1.f5cfc00000000p-3, -0x1.877e280000000p-4 }
 };
-static const double in_gyro_bias[N_VECTORS][3] = {
+static const float in_gyro_bias[N_VECTORS][3] = {
     { 0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6 },
     { -0x1.40415a0000000p-8, -0x1.0a4db20000000p-8, -0x1.0928da0000000p-6 }
 };
-static const double in_accel_bias[N_VECTORS][3] = {
+static const float in_accel_bias[N_VECTORS][3] = {
     { -0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { -0x1.c5227e0000000p-1, -0x1.9a82bc0000000p-1, 0x1.81cb880000000p-8 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.0e38000000000p-2, 0x1.de03580000000p-2, -0x1.fe70800000000p-3, 0x1.9d070c0000000p-1 }
 };
-static const double in_tau[N_VECTORS][1] = {
+static const float in_tau[N_VECTORS][1] = {
     { 0x1.0000000000000p+0 },
     { -0x1.8360820000000p-1 }
 };
-static const double in_lever_b[N_VECTORS][3] = {
+static const float in_lever_b[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { -0x1.877f200000000p+6, -0x1.ac39740000000p+5, -0x1.be5fd00000000p+5 }
 };
-static const double in_flexure[N_VECTORS][3] = {
+static const float in_flexure[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.0f41880000000p-4, -0x1.69774c0000000p-4, 0x1.6f109c0000000p-5 }
 };
-static const double in_flexure_rate[N_VECTORS][3] = {
+static const float in_flexure_rate[N_VECTORS][3] = {
     { -0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { -0x1.148ad00000000p-1, 0x1.88053c0000000p-1, 0x1.5b64c60000000p-2 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.22b9960000000p-4, 0x1.2d04c80000000p-5, -0x1.35b72a0000000p-4 }
 };
-static const double in_accel_scale[N_VECTORS][3] = {
+static const float in_accel_scale[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.ee0e9e0000000p-6, -0x1.71ce580000000p-4, -0x1.5566700000000p-7 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.73b05e0000000p-4, 0x1.fa1d8e0000000p-5, 0x1.08440c0000000p-7, -0x1.beb7d80000000p-6, 0x1.b013ba0000000p-8, 0x1.53d0480000000p-5 }
 };
-static const double in_accel_axes[N_VECTORS][3] = {
+static const float in_accel_axes[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.bce12c0000000p-6, 0x1.ac131e0000000p-5, 0x1.88fd480000000p-5 }
 };
-static const double in_gyro_turn_on[N_VECTORS][3] = {
+static const float in_gyro_turn_on[N_VECTORS][3] = {
     { 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6 },
     { -0x1.43efd80000000p-7, 0x1.dce9680000000p-7, 0x1.e5e1960000000p-10 }
 };
-static const double in_accel_turn_on[N_VECTORS][3] = {
+static const float in_accel_turn_on[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { 0x1.80969a0000000p-3, -0x1.d86d8e0000000p-1, -0x1.f342d00000000p-1 }
 };
@@ -79,14 +78,14 @@ static const double out_v_n[N_VECTORS][3] = {
     { 0x1.03009c8000000p+9, -0x1.b5ea9e0000000p+9, 0x1.00ad042300000p+9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 5.42e-05, 6.62e-05, 5.42e-05 },
-    { 3.12e-05, 5.27e-05, 3.09e-05 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 5.42e-05F, 6.62e-05F, 5.42e-05F },
+    { 3.12e-05F, 5.27e-05F, 3.09e-05F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 2.02e-13, 2.47e-13, 2.02e-13 },
-    { 1.16e-13, 1.96e-13, 1.15e-13 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 2.02e-13F, 2.47e-13F, 2.02e-13F },
+    { 1.16e-13F, 1.96e-13F, 1.15e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -96,14 +95,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.eeeac4e36688bp-1, 0x1.7fde94f3758e8p-3, -0x1.51bb45642a41cp-3, 0x1.d5e14c2d0df61p-5 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.05e-06, 4.72e-07, 1.06e-06, 1.05e-06 },
-    { 1.1e-06, 3.7e-07, 3.25e-07, 2.18e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 1.05e-06F, 4.72e-07F, 1.06e-06F, 1.05e-06F },
+    { 1.10e-06F, 3.70e-07F, 3.25e-07F, 2.18e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.02e-15, 8.89e-16, 2.05e-15, 2.02e-15 },
-    { 2.15e-15, 7.11e-16, 6.24e-16, 4.13e-16 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 2.02e-15F, 8.89e-16F, 2.05e-15F, 2.02e-15F },
+    { 2.15e-15F, 7.11e-16F, 6.24e-16F, 4.13e-16F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -113,14 +112,14 @@ static const double out_gyro_bias[N_VECTORS][3] = {
     { -0x1.2259840000000p-9, -0x1.c5c6480000000p-9, -0x1.50eed68000000p-6 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_gyro_bias[N_VECTORS][3] = {
-    { 1.19e-38, 1.19e-38, 1.19e-38 },
-    { 1.33e-10, 2.08e-10, 1.24e-09 }
+static const float tol_gyro_bias[N_VECTORS][3] = {
+    { 1.19e-38F, 1.19e-38F, 1.19e-38F },
+    { 1.33e-10F, 2.08e-10F, 1.24e-09F }
 };
 #else
-static const double tol_gyro_bias[N_VECTORS][3] = {
-    { 1.01e-45, 1.01e-45, 1.01e-45 },
-    { 4.97e-19, 7.76e-19, 4.61e-18 }
+static const float tol_gyro_bias[N_VECTORS][3] = {
+    { 0.0F, 0.0F, 0.0F },
+    { 4.97e-19F, 7.76e-19F, 4.61e-18F }
 };
 #endif
 static const unsigned short at_gyro_bias[3] = { 0, 1, 2 };
@@ -130,14 +129,14 @@ static const double out_accel_bias[N_VECTORS][3] = {
     { -0x1.2845ac0000000p+0, -0x1.9c1ce84800000p-1, -0x1.bc4007c000000p-3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_accel_bias[N_VECTORS][3] = {
-    { 1.2e-07, 1.2e-07, 1.19e-38 },
-    { 6.97e-08, 4.85e-08, 1.31e-08 }
+static const float tol_accel_bias[N_VECTORS][3] = {
+    { 1.20e-07F, 1.20e-07F, 1.19e-38F },
+    { 6.97e-08F, 4.85e-08F, 1.31e-08F }
 };
 #else
-static const double tol_accel_bias[N_VECTORS][3] = {
-    { 4.49e-16, 4.49e-16, 1.01e-45 },
-    { 2.6e-16, 1.81e-16, 4.86e-17 }
+static const float tol_accel_bias[N_VECTORS][3] = {
+    { 4.49e-16F, 4.49e-16F, 0.0F },
+    { 2.60e-16F, 1.81e-16F, 4.86e-17F }
 };
 #endif
 static const unsigned short at_accel_bias[3] = { 0, 1, 2 };
@@ -147,14 +146,14 @@ static const double out_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.005bdd4d75554p-2, 0x1.2967d09f9ec1ep-1, -0x1.993a87dd13393p-3, 0x1.7f242a500cacbp-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2m_wxyz[N_VECTORS][4] = {
-    { 7.6e-07, 1.34e-06, 7.45e-07, 7.6e-07 },
-    { 3.32e-07, 6.94e-07, 2.74e-07, 8.98e-07 }
+static const float tol_q_b2m_wxyz[N_VECTORS][4] = {
+    { 7.60e-07F, 1.34e-06F, 7.45e-07F, 7.60e-07F },
+    { 3.32e-07F, 6.94e-07F, 2.74e-07F, 8.98e-07F }
 };
 #else
-static const double tol_q_b2m_wxyz[N_VECTORS][4] = {
-    { 1.45e-15, 2.58e-15, 1.42e-15, 1.45e-15 },
-    { 6.47e-16, 1.36e-15, 5.32e-16, 1.76e-15 }
+static const float tol_q_b2m_wxyz[N_VECTORS][4] = {
+    { 1.45e-15F, 2.58e-15F, 1.42e-15F, 1.45e-15F },
+    { 6.47e-16F, 1.36e-15F, 5.32e-16F, 1.76e-15F }
 };
 #endif
 static const unsigned short at_q_b2m_wxyz[4] = { 0, 1, 2, 3 };
@@ -164,14 +163,14 @@ static const double out_tau[N_VECTORS][1] = {
     { -0x1.09e9f00000000p-3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_tau[N_VECTORS][1] = {
-    { 1.2e-07 },
-    { 7.82e-09 }
+static const float tol_tau[N_VECTORS][1] = {
+    { 1.20e-07F },
+    { 7.82e-09F }
 };
 #else
-static const double tol_tau[N_VECTORS][1] = {
-    { 4.49e-16 },
-    { 2.91e-17 }
+static const float tol_tau[N_VECTORS][1] = {
+    { 4.49e-16F },
+    { 2.91e-17F }
 };
 #endif
 static const unsigned short at_tau[1] = { 0 };
@@ -181,14 +180,14 @@ static const double out_lever_b[N_VECTORS][3] = {
     { -0x1.0f70d00000000p+3, 0x1.06f3f00000000p+4, -0x1.e3945c4000000p+5 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_lever_b[N_VECTORS][3] = {
-    { 1.2e-05, 1.19e-38, 1.2e-05 },
-    { 5.11e-07, 9.89e-07, 3.64e-06 }
+static const float tol_lever_b[N_VECTORS][3] = {
+    { 1.20e-05F, 1.19e-38F, 1.20e-05F },
+    { 5.11e-07F, 9.89e-07F, 3.64e-06F }
 };
 #else
-static const double tol_lever_b[N_VECTORS][3] = {
-    { 4.49e-14, 1.01e-45, 4.49e-14 },
-    { 1.9e-15, 3.69e-15, 1.36e-14 }
+static const float tol_lever_b[N_VECTORS][3] = {
+    { 4.49e-14F, 0.0F, 4.49e-14F },
+    { 1.90e-15F, 3.69e-15F, 1.36e-14F }
 };
 #endif
 static const unsigned short at_lever_b[3] = { 0, 1, 2 };
@@ -198,14 +197,14 @@ static const double out_flexure[N_VECTORS][3] = {
     { 0x1.077b6e0000000p-3, -0x1.7b22120000000p-5, 0x1.077a2c8000000p-4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_flexure[N_VECTORS][3] = {
-    { 1.19e-38, 1.2e-08, 1.2e-08 },
-    { 7.75e-09, 2.79e-09, 3.87e-09 }
+static const float tol_flexure[N_VECTORS][3] = {
+    { 1.19e-38F, 1.20e-08F, 1.20e-08F },
+    { 7.75e-09F, 2.79e-09F, 3.87e-09F }
 };
 #else
-static const double tol_flexure[N_VECTORS][3] = {
-    { 1.01e-45, 4.49e-17, 4.49e-17 },
-    { 2.89e-17, 1.04e-17, 1.44e-17 }
+static const float tol_flexure[N_VECTORS][3] = {
+    { 0.0F, 4.49e-17F, 4.49e-17F },
+    { 2.89e-17F, 1.04e-17F, 1.44e-17F }
 };
 #endif
 static const unsigned short at_flexure[3] = { 0, 1, 2 };
@@ -215,14 +214,14 @@ static const double out_flexure_rate[N_VECTORS][3] = {
     { 0x1.da75280000000p-3, 0x1.4d26fa0000000p+0, 0x1.f743470000000p-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_flexure_rate[N_VECTORS][3] = {
-    { 1.19e-38, 1.2e-07, 1.2e-07 },
-    { 1.39e-08, 7.83e-08, 5.92e-08 }
+static const float tol_flexure_rate[N_VECTORS][3] = {
+    { 1.19e-38F, 1.20e-07F, 1.20e-07F },
+    { 1.39e-08F, 7.83e-08F, 5.92e-08F }
 };
 #else
-static const double tol_flexure_rate[N_VECTORS][3] = {
-    { 1.01e-45, 4.49e-16, 4.49e-16 },
-    { 5.2e-17, 2.92e-16, 2.2e-16 }
+static const float tol_flexure_rate[N_VECTORS][3] = {
+    { 0.0F, 4.49e-16F, 4.49e-16F },
+    { 5.20e-17F, 2.92e-16F, 2.20e-16F }
 };
 #endif
 static const unsigned short at_flexure_rate[3] = { 0, 1, 2 };
@@ -232,14 +231,14 @@ static const double out_gyro_scale[N_VECTORS][3] = {
     { -0x1.23e27e0000000p-5, -0x1.948ce40000000p-5, -0x1.563eb00000000p-3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_gyro_scale[N_VECTORS][3] = {
-    { 1.19e-38, 1.19e-38, 1.19e-38 },
-    { 2.14e-09, 2.97e-09, 1.01e-08 }
+static const float tol_gyro_scale[N_VECTORS][3] = {
+    { 1.19e-38F, 1.19e-38F, 1.19e-38F },
+    { 2.14e-09F, 2.97e-09F, 1.01e-08F }
 };
 #else
-static const double tol_gyro_scale[N_VECTORS][3] = {
-    { 1.01e-45, 1.01e-45, 1.01e-45 },
-    { 7.99e-18, 1.11e-17, 3.75e-17 }
+static const float tol_gyro_scale[N_VECTORS][3] = {
+    { 0.0F, 0.0F, 0.0F },
+    { 7.99e-18F, 1.11e-17F, 3.75e-17F }
 };
 #endif
 static const unsigned short at_gyro_scale[3] = { 0, 1, 2 };
@@ -249,14 +248,14 @@ static const double out_accel_scale[N_VECTORS][3] = {
     { -0x1.40dc8a8000000p-4, -0x1.c18c0f0000000p-4, -0x1.93a90c0000000p-4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_accel_scale[N_VECTORS][3] = {
-    { 1.2e-08, 1.2e-08, 1.19e-38 },
-    { 4.72e-09, 6.61e-09, 5.93e-09 }
+static const float tol_accel_scale[N_VECTORS][3] = {
+    { 1.20e-08F, 1.20e-08F, 1.19e-38F },
+    { 4.72e-09F, 6.61e-09F, 5.93e-09F }
 };
 #else
-static const double tol_accel_scale[N_VECTORS][3] = {
-    { 4.49e-17, 4.49e-17, 1.01e-45 },
-    { 1.76e-17, 2.46e-17, 2.21e-17 }
+static const float tol_accel_scale[N_VECTORS][3] = {
+    { 4.49e-17F, 4.49e-17F, 0.0F },
+    { 1.76e-17F, 2.46e-17F, 2.21e-17F }
 };
 #endif
 static const unsigned short at_accel_scale[3] = { 0, 1, 2 };
@@ -266,14 +265,14 @@ static const double out_gyro_axes[N_VECTORS][6] = {
     { 0x1.1772e40000000p-5, -0x1.66c6a00000000p-9, -0x1.2ea93e8000000p-4, -0x1.d2fd520000000p-4, -0x1.630dfb0000000p-7, 0x1.ad4bae0000000p-6 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_gyro_axes[N_VECTORS][6] = {
-    { 1.2e-08, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38, 1.19e-38 },
-    { 2.05e-09, 1.65e-10, 4.45e-09, 6.86e-09, 6.52e-10, 1.58e-09 }
+static const float tol_gyro_axes[N_VECTORS][6] = {
+    { 1.20e-08F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F, 1.19e-38F },
+    { 2.05e-09F, 1.65e-10F, 4.45e-09F, 6.86e-09F, 6.52e-10F, 1.58e-09F }
 };
 #else
-static const double tol_gyro_axes[N_VECTORS][6] = {
-    { 4.49e-17, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45, 1.01e-45 },
-    { 7.65e-18, 6.14e-19, 1.66e-17, 2.56e-17, 2.43e-18, 5.88e-18 }
+static const float tol_gyro_axes[N_VECTORS][6] = {
+    { 4.49e-17F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F },
+    { 7.65e-18F, 6.14e-19F, 1.66e-17F, 2.56e-17F, 2.43e-18F, 5.88e-18F }
 };
 #endif
 static const unsigned short at_gyro_axes[6] = { 0, 1, 2, 3, 4, 5 };
@@ -283,14 +282,14 @@ static const double out_accel_axes[N_VECTORS][3] = {
     { 0x1.abbef70000000p-5, 0x1.035e900000000p-8, 0x1.2aa6290000000p-3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_accel_axes[N_VECTORS][3] = {
-    { 1.2e-08, 1.2e-08, 1.2e-08 },
-    { 3.14e-09, 2.38e-10, 8.78e-09 }
+static const float tol_accel_axes[N_VECTORS][3] = {
+    { 1.20e-08F, 1.20e-08F, 1.20e-08F },
+    { 3.14e-09F, 2.38e-10F, 8.78e-09F }
 };
 #else
-static const double tol_accel_axes[N_VECTORS][3] = {
-    { 4.49e-17, 4.49e-17, 4.49e-17 },
-    { 1.17e-17, 8.88e-19, 3.27e-17 }
+static const float tol_accel_axes[N_VECTORS][3] = {
+    { 4.49e-17F, 4.49e-17F, 4.49e-17F },
+    { 1.17e-17F, 8.88e-19F, 3.27e-17F }
 };
 #endif
 static const unsigned short at_accel_axes[3] = { 0, 1, 2 };
@@ -300,14 +299,14 @@ static const double out_gyro_turn_on[N_VECTORS][3] = {
     { -0x1.81ae0f0000000p-6, 0x1.bb404d0000000p-6, 0x1.cb8bdec000000p-7 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_gyro_turn_on[N_VECTORS][3] = {
-    { 1.19e-38, 1.19e-38, 2.1e-09 },
-    { 1.42e-09, 1.63e-09, 8.44e-10 }
+static const float tol_gyro_turn_on[N_VECTORS][3] = {
+    { 1.19e-38F, 1.19e-38F, 2.10e-09F },
+    { 1.42e-09F, 1.63e-09F, 8.44e-10F }
 };
 #else
-static const double tol_gyro_turn_on[N_VECTORS][3] = {
-    { 1.01e-45, 1.01e-45, 7.83e-18 },
-    { 5.28e-18, 6.07e-18, 3.15e-18 }
+static const float tol_gyro_turn_on[N_VECTORS][3] = {
+    { 0.0F, 0.0F, 7.83e-18F },
+    { 5.28e-18F, 6.07e-18F, 3.15e-18F }
 };
 #endif
 static const unsigned short at_gyro_turn_on[3] = { 0, 1, 2 };
@@ -317,14 +316,14 @@ static const double out_accel_turn_on[N_VECTORS][3] = {
     { 0x1.ea5a6c8000000p-1, -0x1.3ffa070000000p+0, -0x1.0ba14cc000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_accel_turn_on[N_VECTORS][3] = {
-    { 1.2e-07, 1.19e-38, 1.19e-38 },
-    { 5.77e-08, 7.52e-08, 6.29e-08 }
+static const float tol_accel_turn_on[N_VECTORS][3] = {
+    { 1.20e-07F, 1.19e-38F, 1.19e-38F },
+    { 5.77e-08F, 7.52e-08F, 6.29e-08F }
 };
 #else
-static const double tol_accel_turn_on[N_VECTORS][3] = {
-    { 4.49e-16, 1.01e-45, 1.01e-45 },
-    { 2.15e-16, 2.8e-16, 2.34e-16 }
+static const float tol_accel_turn_on[N_VECTORS][3] = {
+    { 4.49e-16F, 0.0F, 0.0F },
+    { 2.15e-16F, 2.80e-16F, 2.34e-16F }
 };
 #endif
 static const unsigned short at_accel_turn_on[3] = { 0, 1, 2 };
@@ -501,7 +500,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -565,7 +564,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: x[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -598,7 +597,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -626,7 +625,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -661,7 +660,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -692,7 +691,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -708,8 +707,8 @@ int test_vas_feedback(void)
                          accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate, gyro_scale,
                          accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                          accel_turn_on) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -745,7 +744,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -777,7 +776,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: gyro_bias[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -812,7 +811,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -840,7 +839,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: accel_bias[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -875,7 +874,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -906,7 +905,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -922,8 +921,8 @@ int test_vas_feedback(void)
                          accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate, gyro_scale,
                          accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                          accel_turn_on) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_feedback: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_feedback: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -955,7 +954,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: tau[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: tau[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -983,7 +982,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: tau[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: tau[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1018,7 +1017,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: lever_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -1046,7 +1045,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: lever_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1081,7 +1080,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: flexure[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -1109,7 +1108,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: flexure[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1144,7 +1143,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: flexure_rate[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -1172,7 +1171,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: flexure_rate[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1207,7 +1206,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -1235,7 +1234,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1270,7 +1269,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: accel_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -1298,7 +1297,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: accel_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1335,7 +1334,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -1365,7 +1364,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1400,7 +1399,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: accel_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -1428,7 +1427,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: accel_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1465,7 +1464,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: gyro_turn_on[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: gyro_turn_on[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -1497,7 +1496,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: gyro_turn_on[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: gyro_turn_on[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1532,7 +1531,8 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != expected) {
-                (void)printf("vas_feedback: accel_turn_on[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_feedback: accel_turn_on[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_feedback v_n", v_n, 3);
@@ -1560,7 +1560,7 @@ int test_vas_feedback(void)
                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
                              accel_turn_on) != BS_OK) {
-                (void)printf("vas_feedback: accel_turn_on[%d] end %d refused\n", i, end);
+                selftest_print("vas_feedback: accel_turn_on[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

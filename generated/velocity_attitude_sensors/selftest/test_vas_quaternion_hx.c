@@ -3,91 +3,90 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 5
 
-static const double in_x[N_VECTORS][46] = {
+static const float in_x[N_VECTORS][46] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, -0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p+0, -0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { 0x1.ba8ddc0000000p-6, 0x1.f1a3580000000p-2, 0x1.7f8a960000000p-5, -0x1.cca8340000000p+5, -0x1.6fff460000000p+6, 0x1.62f8fa0000000p+4, -0x1.ea93020000000p-7, -0x1.f3164c0000000p-10, 0x1.dbe15c0000000p-10, -0x1.adcff60000000p-1, -0x1.54cc260000000p-1, -0x1.bfecce0000000p-1, -0x1.42c2420000000p-5, -0x1.55773a0000000p-2, 0x1.a60c220000000p-2, -0x1.44c96e0000000p-1, 0x1.2812380000000p+6, 0x1.45a9960000000p+5, -0x1.b8e8fa0000000p+5, -0x1.2970d60000000p-4, -0x1.8e083c0000000p-5, -0x1.dde6e40000000p-7, 0x1.a7526c0000000p-6, -0x1.bdf9ce0000000p-1, 0x1.5eb4ce0000000p-3, -0x1.a21a0c0000000p-6, -0x1.34d2920000000p-5, 0x1.4d38be0000000p-5, 0x1.191d740000000p-5, -0x1.48456c0000000p-5, -0x1.6e3d3c0000000p-5, 0x1.859e340000000p-4, -0x1.62c2660000000p-4, 0x1.2001840000000p-5, 0x1.c4a6e60000000p-7, 0x1.59b3880000000p-4, 0x1.2be6440000000p-5, -0x1.1b69580000000p-4, 0x1.82fd880000000p-4, -0x1.c8bf200000000p-6, 0x1.a757340000000p-12, -0x1.234b840000000p-8, 0x1.5de3400000000p-8, -0x1.9e77ca0000000p-1, 0x1.2935ee0000000p-2, -0x1.5b58600000000p-2 },
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p+0, -0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { 0x1.26bc6c0000000p-2, -0x1.006cd80000000p-2, 0x1.69b7d20000000p-14, -0x1.1cdba80000000p-6, 0x1.3991360000000p+4, 0x1.359c960000000p+4, -0x1.1bc44c0000000p-18, 0x1.fd2ec00000000p-8, -0x1.189e940000000p-18, 0x1.8c12100000000p-1, -0x1.badb480000000p-13, 0x1.2a81da0000000p-1, 0x1.97853e0000000p-3, 0x1.8e9af40000000p-4, 0x1.9531740000000p-14, 0x1.ee66da0000000p-14, 0x1.4da3180000000p-7, 0x1.3fc7440000000p-6, -0x1.37d9da0000000p-10, -0x1.64c6ba0000000p-19, 0x1.e73e7a0000000p-6, 0x1.ba96480000000p-17, 0x1.558c1a0000000p-15, -0x1.8ccb660000000p-13, -0x1.490e440000000p-1, -0x1.7282680000000p-18, 0x1.3738ba0000000p-4, -0x1.25ba220000000p-17, -0x1.3819d40000000p-6, -0x1.5a76620000000p-20, -0x1.de38680000000p-17, 0x1.5d32ac0000000p-4, -0x1.e1789c0000000p-8, -0x1.c420600000000p-5, -0x1.685dfe0000000p-16, -0x1.ebc9920000000p-7, 0x1.7a2b200000000p-4, 0x1.eac7960000000p-18, -0x1.b639600000000p-6, 0x1.7bec0e0000000p-4, 0x1.140f0c0000000p-19, 0x1.ad72ce0000000p-19, 0x1.476bba0000000p-20, -0x1.a4f7500000000p-13, -0x1.a552060000000p-1, -0x1.345ede0000000p-4 },
     { -0x1.3ec4400000000p-17, -0x1.0d62a00000000p-21, 0x1.f782c40000000p-15, 0x1.03a7820000000p+5, -0x1.b92c400000000p-8, -0x1.2eb9860000000p-6, 0x1.6c9fa40000000p-20, -0x1.2b76d00000000p-21, 0x1.5fcfba0000000p-9, 0x1.c3a4c60000000p-14, -0x1.e432060000000p-4, 0x1.254be80000000p-13, 0x1.de66900000000p-2, -0x1.1ec1fe0000000p-2, 0x1.cd48c80000000p-2, -0x1.02b2440000000p-15, 0x1.59f33c0000000p-6, 0x1.0b99880000000p+6, -0x1.f99c400000000p+3, -0x1.1db9f40000000p-17, -0x1.c329c40000000p-6, -0x1.9182440000000p-18, -0x1.30141e0000000p-13, -0x1.140d1e0000000p-4, -0x1.a0dfa40000000p-3, 0x1.2ed8d80000000p-16, 0x1.e700d00000000p-5, -0x1.3b8f1c0000000p-5, -0x1.520b060000000p-18, 0x1.95b7900000000p-22, -0x1.29bf280000000p-16, -0x1.58c9960000000p-17, 0x1.7add060000000p-4, 0x1.5fcd7a0000000p-6, -0x1.7130780000000p-5, 0x1.9583e20000000p-4, 0x1.833e0c0000000p-16, -0x1.347b940000000p-16, 0x1.d9c7ea0000000p-5, -0x1.aa31a60000000p-5, 0x1.2c27460000000p-19, -0x1.6651b60000000p-19, 0x1.0f85240000000p-8, 0x1.9742a80000000p-1, -0x1.552baa0000000p-1, -0x1.ec70c40000000p-13 }
 };
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.38d7ea0000000p+0, 0x1.c7245a0000000p+1, 0x1.36d3800000000p+13 },
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.8339760000000p-2, 0x1.32225c0000000p-13, 0x1.4132320000000p+10 },
     { 0x1.9e43bc0000000p-5, 0x1.12c0e60000000p-10, 0x1.881cc20000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.0d8a220000000p+9, -0x1.588cf00000000p+8, -0x1.c8d3b40000000p+9 },
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.2a5d4e0000000p-3, -0x1.1df59a0000000p+6, 0x1.9a13c40000000p+7 },
     { 0x1.6d14140000000p+8, 0x1.c3f1e00000000p+9, -0x1.b2a0860000000p-3 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.5f13220000000p-2, 0x1.4df2b60000000p-2, -0x1.502ea60000000p-1, -0x1.2d0e8e0000000p-1 },
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.0011bc0000000p+0, 0x1.182ef60000000p-11, -0x1.0dbb700000000p-11, -0x1.b994b60000000p-12 },
     { 0x1.5a009a0000000p-2, 0x1.12794a0000000p-5, 0x1.32d2d60000000p-15, 0x1.e1bcf40000000p-1 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.73eb880000000p-2, -0x1.7bd42e0000000p-3, -0x1.4e66c60000000p-1, 0x1.470efe0000000p-1 },
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { 0x1.1902dc0000000p-15, 0x1.765f260000000p-1, 0x1.b442060000000p-14, 0x1.5d63000000000p-1 },
     { 0x1.481d8c0000000p-14, 0x1.696d580000000p-13, -0x1.7abf1c0000000p-1, 0x1.58c8620000000p-1 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.db75600000000p+3, -0x1.a54b940000000p+0, 0x1.230ae20000000p+3 },
     { 0x1.4000000000000p+4, 0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { 0x1.29b8d80000000p+4, -0x1.a4b13a0000000p+3, 0x1.13929a0000000p-8 },
     { -0x1.49d4ec0000000p-11, 0x1.a490cc0000000p-9, 0x1.0040600000000p-2 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.077b800000000p-1, 0x1.2367700000000p-1, -0x1.465e840000000p-1, -0x1.f7b1500000000p-5 },
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.9f422a0000000p-3, -0x1.42905c0000000p-1, -0x1.7d7e9e0000000p-14, -0x1.7ff4480000000p-1 },
     { -0x1.1e27f40000000p-9, 0x1.3ac6060000000p-9, 0x1.ffcefa0000000p-1, 0x1.4916a80000000p-8 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { -0x1.0000000000000p+0 },
     { 0x1.9d39ee0000000p-1 },
     { -0x1.0000000000000p+0 },
     { -0x1.20ec8a0000000p-2 },
     { 0x1.818a660000000p-13 }
 };
-static const double in_flexure[N_VECTORS][3] = {
+static const float in_flexure[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.a37fde0000000p-5, -0x1.862cb40000000p-5, -0x1.77470e0000000p-4 },
     { 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.fe0e6c0000000p-17, 0x1.ba31f20000000p-17, 0x1.044f4a0000000p-18 },
     { 0x1.16127a0000000p-4, -0x1.0104aa0000000p-6, 0x1.0ed8280000000p-4 }
 };
-static const double in_flexure_rate[N_VECTORS][3] = {
+static const float in_flexure_rate[N_VECTORS][3] = {
     { -0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { 0x1.fd9c860000000p-1, -0x1.f2ca3c0000000p-2, -0x1.e97b6e0000000p-1 },
     { 0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { 0x1.8ab4160000000p-1, -0x1.1f8d300000000p-15, -0x1.1601b60000000p-1 },
     { 0x1.25cf3e0000000p-13, 0x1.8493820000000p-4, 0x1.4444de0000000p-3 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.afe3a60000000p-5, 0x1.6959020000000p-7, -0x1.af27600000000p-5 },
     { -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.3ac24c0000000p-16, 0x1.1d3fec0000000p-5, -0x1.cef74c0000000p-18 },
     { 0x1.20bcdc0000000p-4, -0x1.1bd62a0000000p-16, 0x1.1c50a60000000p-6 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.70e4ce0000000p-4, 0x1.1672ee0000000p-6, -0x1.0df7f40000000p-4, 0x1.3deee20000000p-4, -0x1.0fa52a0000000p-4, 0x1.29846e0000000p-4 },
     { 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
@@ -103,20 +102,20 @@ static const double out_h[N_VECTORS][3] = {
     { 0x1.2efc3aec73220p-2, -0x1.210ccc2036b29p-1, -0x1.020404649b0a4p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_h[N_VECTORS][3] = {
-    { 5.78e-05, 5.85e-05, 5.78e-05 },
-    { 0.000142, 0.000105, 0.000158 },
-    { 0.000493, 0.000493, 0.000494 },
-    { 2.97e-05, 2.9e-05, 3.01e-05 },
-    { 2.96e-06, 4.39e-06, 5.91e-06 }
+static const float tol_h[N_VECTORS][3] = {
+    { 5.78e-05F, 5.85e-05F, 5.78e-05F },
+    { 1.42e-04F, 1.05e-04F, 1.58e-04F },
+    { 4.93e-04F, 4.93e-04F, 4.94e-04F },
+    { 2.97e-05F, 2.90e-05F, 3.01e-05F },
+    { 2.96e-06F, 4.39e-06F, 5.91e-06F }
 };
 #else
-static const double tol_h[N_VECTORS][3] = {
-    { 1.08e-13, 1.09e-13, 1.08e-13 },
-    { 2.65e-13, 1.96e-13, 2.93e-13 },
-    { 9.18e-13, 9.18e-13, 9.19e-13 },
-    { 5.53e-14, 5.4e-14, 5.61e-14 },
-    { 5.54e-15, 8.24e-15, 1.1e-14 }
+static const float tol_h[N_VECTORS][3] = {
+    { 1.08e-13F, 1.09e-13F, 1.08e-13F },
+    { 2.65e-13F, 1.96e-13F, 2.93e-13F },
+    { 9.18e-13F, 9.18e-13F, 9.19e-13F },
+    { 5.53e-14F, 5.40e-14F, 5.61e-14F },
+    { 5.54e-15F, 8.24e-15F, 1.10e-14F }
 };
 #endif
 static const unsigned short at_h[3] = { 0, 1, 2 };
@@ -215,7 +214,7 @@ int test_vas_quaternion_h(void)
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                (void)printf("vas_quaternion_h: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_h: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -262,7 +261,7 @@ int test_vas_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master, &bending, &triads);
             x[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                (void)printf("vas_quaternion_h: x[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_h: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -280,7 +279,7 @@ int test_vas_quaternion_h(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                (void)printf("vas_quaternion_h: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_h: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -293,7 +292,7 @@ int test_vas_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master, &bending, &triads);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                (void)printf("vas_quaternion_h: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_h: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -309,7 +308,7 @@ int test_vas_quaternion_h(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                (void)printf("vas_quaternion_h: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_h: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -320,7 +319,7 @@ int test_vas_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                (void)printf("vas_quaternion_h: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_h: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -338,7 +337,8 @@ int test_vas_quaternion_h(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                (void)printf("vas_quaternion_h: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_h: q_b2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -352,7 +352,7 @@ int test_vas_quaternion_h(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                (void)printf("vas_quaternion_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -365,8 +365,7 @@ int test_vas_quaternion_h(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_quaternion_h: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_quaternion_h: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -383,7 +382,8 @@ int test_vas_quaternion_h(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                (void)printf("vas_quaternion_h: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_h: q_b2m_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -397,7 +397,7 @@ int test_vas_quaternion_h(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                (void)printf("vas_quaternion_h: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_h: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -410,8 +410,7 @@ int test_vas_quaternion_h(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_quaternion_h: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_quaternion_h: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -428,7 +427,8 @@ int test_vas_quaternion_h(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                (void)printf("vas_quaternion_h: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_h: omega_ib_b[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -439,7 +439,7 @@ int test_vas_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master, &bending, &triads);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                (void)printf("vas_quaternion_h: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_h: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -457,7 +457,8 @@ int test_vas_quaternion_h(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                (void)printf("vas_quaternion_h: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_h: q_m2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -471,7 +472,7 @@ int test_vas_quaternion_h(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                (void)printf("vas_quaternion_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -484,8 +485,7 @@ int test_vas_quaternion_h(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_quaternion_h: q_m2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_quaternion_h: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -500,7 +500,7 @@ int test_vas_quaternion_h(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                (void)printf("vas_quaternion_h: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_h: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -511,7 +511,7 @@ int test_vas_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                (void)printf("vas_quaternion_h: lag[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_h: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -529,7 +529,7 @@ int test_vas_quaternion_h(void)
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                (void)printf("vas_quaternion_h: flexure[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_h: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -540,7 +540,7 @@ int test_vas_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                (void)printf("vas_quaternion_h: flexure[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_h: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -558,8 +558,8 @@ int test_vas_quaternion_h(void)
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                (void)printf("vas_quaternion_h: flexure_rate[%d] bad value %d not refused\n", i,
-                             bad);
+                selftest_print("vas_quaternion_h: flexure_rate[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -570,7 +570,7 @@ int test_vas_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                (void)printf("vas_quaternion_h: flexure_rate[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_h: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -588,7 +588,8 @@ int test_vas_quaternion_h(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                (void)printf("vas_quaternion_h: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_h: gyro_scale[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -599,7 +600,7 @@ int test_vas_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                (void)printf("vas_quaternion_h: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_h: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -619,7 +620,8 @@ int test_vas_quaternion_h(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                (void)printf("vas_quaternion_h: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_h: gyro_axes[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -632,7 +634,7 @@ int test_vas_quaternion_h(void)
             set_point(0, x, &nav, &imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                (void)printf("vas_quaternion_h: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_h: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -3,74 +3,73 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 4
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { -0x1.40af4a0000000p+0, -0x1.8750a00000000p-2, 0x1.484e300000000p+14 },
     { 0x1.44532a0000000p-2, -0x1.531b760000000p+0, 0x1.efbaec0000000p+12 },
     { -0x1.7878460000000p-2, 0x1.3a47380000000p+1, 0x1.5cfab80000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.bef0ee0000000p+8, -0x1.4e253a0000000p+7, 0x1.1fa4c60000000p+6 },
     { 0x1.58a1bc0000000p+9, -0x1.5496a00000000p+8, 0x1.3391b20000000p+7 },
     { -0x1.e3756e0000000p+9, 0x1.7262520000000p+6, -0x1.7760a20000000p+8 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.78cc960000000p-1, -0x1.38cf000000000p-2, 0x1.f607080000000p-9, -0x1.36160c0000000p-1 },
     { 0x1.9ee77c0000000p-3, -0x1.7026680000000p-1, 0x1.0d13ac0000000p-2, 0x1.38dc460000000p-1 },
     { 0x1.ed6e160000000p-4, -0x1.28b8a00000000p-1, 0x1.3c9ffa0000000p-1, 0x1.08cf580000000p-1 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.7bb3240000000p-2, -0x1.64f0400000000p-2, -0x1.36b6240000000p-1, -0x1.3834840000000p-1 },
     { 0x1.9c83a40000000p-2, 0x1.0d8df00000000p-1, -0x1.7adc500000000p-1, 0x1.e403700000000p-4 },
     { -0x1.cb60640000000p-2, -0x1.b42b0a0000000p-2, 0x1.4fce220000000p-1, 0x1.b99e240000000p-2 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, 0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { 0x1.2fa4100000000p+3, -0x1.2b0dde0000000p+1, 0x1.ff30a40000000p+2 },
     { 0x1.090e480000000p+4, -0x1.56bd3e0000000p+3, -0x1.1368060000000p+3 },
     { 0x1.22ec420000000p+2, -0x1.02307c0000000p+4, -0x1.5a1b7e0000000p+3 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.1686940000000p-3, -0x1.2606a80000000p-1, -0x1.6409ba0000000p-1, 0x1.a444f60000000p-2 },
     { -0x1.b432d60000000p-1, 0x1.4ef5500000000p-2, 0x1.8207060000000p-2, 0x1.3ca9ec0000000p-3 },
     { -0x1.8c6aa20000000p-4, 0x1.2ff67c0000000p-1, 0x1.40f0e60000000p-1, 0x1.fadaac0000000p-2 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { -0x1.0000000000000p+0 },
     { -0x1.a2ea320000000p-2 },
     { 0x1.52fc080000000p-2 },
     { 0x1.dc65800000000p-2 }
 };
-static const double in_flexure[N_VECTORS][3] = {
+static const float in_flexure[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.7c16ca0000000p-4, 0x1.7443fe0000000p-4, -0x1.eeba5a0000000p-6 },
     { -0x1.b463620000000p-5, 0x1.22437a0000000p-8, 0x1.9a7b8c0000000p-8 },
     { 0x1.72c1f00000000p-5, 0x1.80050a0000000p-5, 0x1.5674440000000p-5 }
 };
-static const double in_flexure_rate[N_VECTORS][3] = {
+static const float in_flexure_rate[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { 0x1.a9af2e0000000p-4, 0x1.aea9500000000p-1, 0x1.d232500000000p-2 },
     { -0x1.4bc3140000000p-2, -0x1.b5c0aa0000000p-1, 0x1.0dc6d00000000p-1 },
     { 0x1.c6d72c0000000p-5, 0x1.cd5c8e0000000p-1, 0x1.201b540000000p-1 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.9f6fec0000000p-6, -0x1.963a000000000p-5, -0x1.b38d780000000p-5 },
     { 0x1.e334060000000p-5, 0x1.5d20400000000p-4, -0x1.6a50000000000p-4 },
     { -0x1.34843a0000000p-4, -0x1.7d94f20000000p-4, 0x1.edeeba0000000p-5 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.48ad040000000p-8, -0x1.7d2e6c0000000p-5, -0x1.6965e60000000p-6, -0x1.b7908e0000000p-6, -0x1.41da640000000p-4, -0x1.61e6820000000p-4 },
     { -0x1.5fdc400000000p-6, -0x1.580f120000000p-5, 0x1.0cabca0000000p-4, 0x1.73ca880000000p-6, -0x1.eca2f00000000p-5, -0x1.7473d20000000p-4 },
@@ -84,18 +83,18 @@ static const double out_z[N_VECTORS][3] = {
     { 0x1.0ce1f5351a521p-1, -0x1.37e004fe6904ap+0, 0x1.75c111f5e642cp+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 5.94e-05, 5.92e-05, 5.93e-05 },
-    { 1.86e-05, 1.88e-05, 1.96e-05 },
-    { 1.35e-05, 1.38e-05, 1.21e-05 },
-    { 3.15e-05, 3.34e-05, 3.32e-05 }
+static const float tol_z[N_VECTORS][3] = {
+    { 5.94e-05F, 5.92e-05F, 5.93e-05F },
+    { 1.86e-05F, 1.88e-05F, 1.96e-05F },
+    { 1.35e-05F, 1.38e-05F, 1.21e-05F },
+    { 3.15e-05F, 3.34e-05F, 3.32e-05F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 1.11e-13, 1.1e-13, 1.1e-13 },
-    { 3.48e-14, 3.51e-14, 3.66e-14 },
-    { 2.53e-14, 2.58e-14, 2.26e-14 },
-    { 5.86e-14, 6.23e-14, 6.2e-14 }
+static const float tol_z[N_VECTORS][3] = {
+    { 1.11e-13F, 1.10e-13F, 1.10e-13F },
+    { 3.48e-14F, 3.51e-14F, 3.66e-14F },
+    { 2.53e-14F, 2.58e-14F, 2.26e-14F },
+    { 5.86e-14F, 6.23e-14F, 6.20e-14F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -172,7 +171,7 @@ int test_vas_quaternion_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_quaternion_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_z z", z, 3);
@@ -185,7 +184,7 @@ int test_vas_quaternion_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_quaternion_z: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -201,7 +200,7 @@ int test_vas_quaternion_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_quaternion_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_z z", z, 3);
@@ -212,7 +211,7 @@ int test_vas_quaternion_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_quaternion_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -230,7 +229,8 @@ int test_vas_quaternion_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_quaternion_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_z: q_b2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_z z", z, 3);
@@ -244,7 +244,7 @@ int test_vas_quaternion_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_quaternion_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -257,8 +257,7 @@ int test_vas_quaternion_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_quaternion_z: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_quaternion_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -275,7 +274,8 @@ int test_vas_quaternion_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_quaternion_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_z: q_b2m_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_z z", z, 3);
@@ -289,7 +289,7 @@ int test_vas_quaternion_z(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_quaternion_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -302,8 +302,7 @@ int test_vas_quaternion_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_quaternion_z: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_quaternion_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -320,7 +319,8 @@ int test_vas_quaternion_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_quaternion_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_z: omega_ib_b[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_z z", z, 3);
@@ -331,7 +331,7 @@ int test_vas_quaternion_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_quaternion_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -349,7 +349,8 @@ int test_vas_quaternion_z(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_quaternion_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_z: q_m2n_wxyz[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_z z", z, 3);
@@ -363,7 +364,7 @@ int test_vas_quaternion_z(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_quaternion_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -376,8 +377,7 @@ int test_vas_quaternion_z(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_quaternion_z: q_m2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_quaternion_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -392,7 +392,7 @@ int test_vas_quaternion_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_quaternion_z: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_z z", z, 3);
@@ -403,7 +403,7 @@ int test_vas_quaternion_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_quaternion_z: lag[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -421,7 +421,7 @@ int test_vas_quaternion_z(void)
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_quaternion_z: flexure[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_z: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_z z", z, 3);
@@ -432,7 +432,7 @@ int test_vas_quaternion_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_quaternion_z: flexure[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_z: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -450,8 +450,8 @@ int test_vas_quaternion_z(void)
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_quaternion_z: flexure_rate[%d] bad value %d not refused\n", i,
-                             bad);
+                selftest_print("vas_quaternion_z: flexure_rate[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_z z", z, 3);
@@ -462,7 +462,7 @@ int test_vas_quaternion_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_quaternion_z: flexure_rate[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_z: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -480,7 +480,8 @@ int test_vas_quaternion_z(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_quaternion_z: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_z: gyro_scale[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_z z", z, 3);
@@ -491,7 +492,7 @@ int test_vas_quaternion_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_quaternion_z: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_z: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -511,7 +512,8 @@ int test_vas_quaternion_z(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_quaternion_z: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_quaternion_z: gyro_axes[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_z z", z, 3);
@@ -524,7 +526,7 @@ int test_vas_quaternion_z(void)
             set_point(0, &nav, &imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_quaternion_z: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_quaternion_z: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,98 +2,97 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.34e9320000000p+0, -0x1.ff73a80000000p+1, 0x1.f81e480000000p+12 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.e2a5180000000p+8, 0x1.5126040000000p+8, 0x1.aa5e7c0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.0d80c20000000p-1, -0x1.0c59ae0000000p-1, -0x1.4a07600000000p-1, -0x1.7abd7c0000000p-3 }
 };
-static const double in_gyro_bias[N_VECTORS][3] = {
+static const float in_gyro_bias[N_VECTORS][3] = {
     { -0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6 },
     { -0x1.b3d9e60000000p-8, 0x1.0f91760000000p-6, 0x1.d2db580000000p-7 }
 };
-static const double in_accel_bias[N_VECTORS][3] = {
+static const float in_accel_bias[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { -0x1.33e8d40000000p-2, -0x1.9240440000000p-1, 0x1.73d6f60000000p-3 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.9a78d80000000p+2 }
 };
-static const double in_dtheta_ib_b[N_VECTORS][3] = {
+static const float in_dtheta_ib_b[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { -0x1.bc5d120000000p-3, -0x1.4131320000000p-5, 0x1.bad1a20000000p-4 }
 };
-static const double in_dv_b[N_VECTORS][3] = {
+static const float in_dv_b[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { 0x1.1ba66a0000000p+0, -0x1.31b2580000000p+6, -0x1.43ea0a0000000p+6 }
 };
-static const double in_dtheta_before[N_VECTORS][3] = {
+static const float in_dtheta_before[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { 0x1.bcfac60000000p-2, -0x1.5d49bc0000000p-2, -0x1.badc640000000p-2 }
 };
-static const double in_dv_before[N_VECTORS][3] = {
+static const float in_dv_before[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { 0x1.1861ca0000000p+6, -0x1.13e0d00000000p+6, -0x1.c6a4e80000000p+4 }
 };
-static const double in_flexure[N_VECTORS][3] = {
+static const float in_flexure[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.0e158c0000000p-5, 0x1.173f760000000p-4, 0x1.6836160000000p-4 }
 };
-static const double in_flexure_rate[N_VECTORS][3] = {
+static const float in_flexure_rate[N_VECTORS][3] = {
     { -0x1.0000000000000p+0, 0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { 0x1.48dc240000000p-2, -0x1.f100040000000p-3, -0x1.24bf040000000p-1 }
 };
-static const double in_flexure_omega[N_VECTORS][3] = {
+static const float in_flexure_omega[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.47ae160000000p-7 },
     { 0x1.6426fc0000000p+1, 0x1.940e200000000p+0, 0x1.08ee040000000p+5 }
 };
-static const double in_flexure_damping[N_VECTORS][3] = {
+static const float in_flexure_damping[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.4000000000000p+3, 0x1.4000000000000p+3 },
     { 0x1.edfc2c0000000p-2, 0x1.043af40000000p+3, 0x1.af4c2c0000000p+2 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.a60b5a0000000p-5, -0x1.932a5e0000000p-5, 0x1.24f4640000000p-7 }
 };
-static const double in_accel_scale[N_VECTORS][3] = {
+static const float in_accel_scale[N_VECTORS][3] = {
     { -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { -0x1.d401d00000000p-8, 0x1.a130040000000p-7, -0x1.95ddd60000000p-4 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.61d5ca0000000p-5, -0x1.59ae8e0000000p-4, 0x1.b631300000000p-5, -0x1.054c580000000p-4, -0x1.6526340000000p-4, 0x1.6300760000000p-4 }
 };
-static const double in_accel_axes[N_VECTORS][3] = {
+static const float in_accel_axes[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.8441ae0000000p-5, 0x1.d0a7e60000000p-6, 0x1.13f3120000000p-5 }
 };
-static const double in_gyro_turn_on[N_VECTORS][3] = {
+static const float in_gyro_turn_on[N_VECTORS][3] = {
     { 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6 },
     { -0x1.cf04860000000p-10, 0x1.7e92620000000p-10, -0x1.ce21640000000p-7 }
 };
-static const double in_accel_turn_on[N_VECTORS][3] = {
+static const float in_accel_turn_on[N_VECTORS][3] = {
     { -0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { -0x1.6443440000000p-2, -0x1.8ee90e0000000p-4, -0x1.49a2480000000p-1 }
 };
-static const double in_gyro_bias_beta[N_VECTORS][3] = {
+static const float in_gyro_bias_beta[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.4000000000000p+3, 0x1.4000000000000p+3 },
     { 0x1.274a9a0000000p+2, 0x1.126a340000000p+2, 0x1.bf96c20000000p+0 }
 };
-static const double in_accel_bias_beta[N_VECTORS][3] = {
+static const float in_accel_bias_beta[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x0.0p+0 },
     { 0x1.392fa20000000p+2, 0x1.0d81a40000000p+3, 0x1.94c83e0000000p-2 }
 };
@@ -103,14 +102,14 @@ static const double out_position[N_VECTORS][3] = {
     { 0x1.34c8bc3e13577p+0, -0x1.ff5845211b748p+1, 0x1.0fdfbf2ad31bep+11 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_position[N_VECTORS][3] = {
-    { 9.13e-08, 4.18e-07, 0.00743 },
-    { 7.32e-08, 2.42e-07, 0.00304 }
+static const float tol_position[N_VECTORS][3] = {
+    { 9.13e-08F, 4.18e-07F, 7.43e-03F },
+    { 7.32e-08F, 2.42e-07F, 3.04e-03F }
 };
 #else
-static const double tol_position[N_VECTORS][3] = {
-    { 3.36e-16, 1.48e-15, 1.59e-11 },
-    { 2.72e-16, 8.99e-16, 5.91e-12 }
+static const float tol_position[N_VECTORS][3] = {
+    { 3.36e-16F, 1.48e-15F, 1.59e-11F },
+    { 2.72e-16F, 8.99e-16F, 5.91e-12F }
 };
 #endif
 static const unsigned short at_position[3] = { 0, 1, 2 };
@@ -120,14 +119,14 @@ static const double out_v_n[N_VECTORS][3] = {
     { -0x1.f9ac1acb1dc02p+8, 0x1.ec2393124076ep+7, 0x1.e9ead25f97466p+9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 0.000464, 0.000389, 0.000562 },
-    { 0.000226, 0.000183, 0.000323 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 4.64e-04F, 3.89e-04F, 5.62e-04F },
+    { 2.26e-04F, 1.83e-04F, 3.23e-04F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 9.89e-13, 8.28e-13, 1.19e-12 },
-    { 4.79e-13, 3.69e-13, 7.12e-13 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 9.89e-13F, 8.28e-13F, 1.19e-12F },
+    { 4.79e-13F, 3.69e-13F, 7.12e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -137,14 +136,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.b996d42817449p-2, -0x1.292ac24f5b7f9p-1, -0x1.519b828e09ac7p-1, -0x1.a58db324c5b0bp-3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.24e-06, 2.46e-06, 2.22e-06, 2.81e-06 },
-    { 1.07e-06, 1.25e-06, 1.4e-06, 6.12e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 1.24e-06F, 2.46e-06F, 2.22e-06F, 2.81e-06F },
+    { 1.07e-06F, 1.25e-06F, 1.40e-06F, 6.12e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.32e-15, 4.65e-15, 4.19e-15, 5.32e-15 },
-    { 2.05e-15, 2.4e-15, 2.67e-15, 1.16e-15 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 2.32e-15F, 4.65e-15F, 4.19e-15F, 5.32e-15F },
+    { 2.05e-15F, 2.40e-15F, 2.67e-15F, 1.16e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -154,14 +153,14 @@ static const double out_flexure[N_VECTORS][3] = {
     { -0x1.4e3973a5c4106p+4, 0x1.ec95a6782a9f1p+6, 0x1.97b5f9642550fp+11 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_flexure[N_VECTORS][3] = {
-    { 0.0241, 0.0421, 2.41e-06 },
-    { 8.44e-06, 4.65e-05, 0.00213 }
+static const float tol_flexure[N_VECTORS][3] = {
+    { 2.41e-02F, 4.21e-02F, 2.41e-06F },
+    { 8.44e-06F, 4.65e-05F, 2.13e-03F }
 };
 #else
-static const double tol_flexure[N_VECTORS][3] = {
-    { 5.05e-11, 8.41e-11, 4.51e-15 },
-    { 1.81e-14, 1e-13, 4.34e-12 }
+static const float tol_flexure[N_VECTORS][3] = {
+    { 5.05e-11F, 8.41e-11F, 4.51e-15F },
+    { 1.81e-14F, 1.00e-13F, 4.34e-12F }
 };
 #endif
 static const unsigned short at_flexure[3] = { 0, 1, 2 };
@@ -171,14 +170,14 @@ static const double out_flexure_rate[N_VECTORS][3] = {
     { 0x1.db31ef9d36763p+1, -0x1.898cdc40d072cp+11, -0x1.606b6e21fa7d7p+20 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_flexure_rate[N_VECTORS][3] = {
-    { 0.208, 109, 6.04e-07 },
-    { 5.19e-05, 0.00196, 1.31 }
+static const float tol_flexure_rate[N_VECTORS][3] = {
+    { 2.08e-01F, 1.09e+02F, 6.04e-07F },
+    { 5.19e-05F, 1.96e-03F, 1.31e+00F }
 };
 #else
-static const double tol_flexure_rate[N_VECTORS][3] = {
-    { 4.42e-10, 2.13e-07, 1.24e-15 },
-    { 9.71e-14, 4e-12, 2.6e-09 }
+static const float tol_flexure_rate[N_VECTORS][3] = {
+    { 4.42e-10F, 2.13e-07F, 1.24e-15F },
+    { 9.71e-14F, 4.00e-12F, 2.60e-09F }
 };
 #endif
 static const unsigned short at_flexure_rate[3] = { 0, 1, 2 };
@@ -188,14 +187,14 @@ static const double out_gyro_bias[N_VECTORS][3] = {
     { -0x1.0015ea0646916p+1, 0x1.5441df016d1c2p+2, 0x1.7a916fb117065p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_gyro_bias[N_VECTORS][3] = {
-    { 1.05e-09, 1.05e-09, 8.34e-05 },
-    { 1e-06, 2.68e-06, 8.02e-07 }
+static const float tol_gyro_bias[N_VECTORS][3] = {
+    { 1.05e-09F, 1.05e-09F, 8.34e-05F },
+    { 1.00e-06F, 2.68e-06F, 8.02e-07F }
 };
 #else
-static const double tol_gyro_bias[N_VECTORS][3] = {
-    { 3.91e-18, 3.91e-18, 1.75e-13 },
-    { 2.09e-15, 5.59e-15, 1.66e-15 }
+static const float tol_gyro_bias[N_VECTORS][3] = {
+    { 3.91e-18F, 3.91e-18F, 1.75e-13F },
+    { 2.09e-15F, 5.59e-15F, 1.66e-15F }
 };
 #endif
 static const unsigned short at_gyro_bias[3] = { 0, 1, 2 };
@@ -205,14 +204,14 @@ static const double out_accel_bias[N_VECTORS][3] = {
     { 0x1.579578ab41f09p+4, -0x1.e3d761c54faacp+9, 0x1.7bb4553bcf438p-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_accel_bias[N_VECTORS][3] = {
-    { 0.00478, 6.02e-08, 6.02e-08 },
-    { 1.09e-05, 0.000477, 9.11e-07 }
+static const float tol_accel_bias[N_VECTORS][3] = {
+    { 4.78e-03F, 6.02e-08F, 6.02e-08F },
+    { 1.09e-05F, 4.77e-04F, 9.11e-07F }
 };
 #else
-static const double tol_accel_bias[N_VECTORS][3] = {
-    { 1e-11, 2.24e-16, 2.24e-16 },
-    { 2.27e-14, 9.97e-13, 1.78e-15 }
+static const float tol_accel_bias[N_VECTORS][3] = {
+    { 1.00e-11F, 2.24e-16F, 2.24e-16F },
+    { 2.27e-14F, 9.97e-13F, 1.78e-15F }
 };
 #endif
 static const unsigned short at_accel_bias[3] = { 0, 1, 2 };
@@ -353,7 +352,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -373,7 +372,7 @@ int test_vas_strapdown(void)
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -397,7 +396,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -415,7 +414,7 @@ int test_vas_strapdown(void)
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -441,7 +440,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -462,7 +461,7 @@ int test_vas_strapdown(void)
             }
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -477,8 +476,8 @@ int test_vas_strapdown(void)
         if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                           q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                           accel_bias) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -505,7 +504,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -527,7 +526,7 @@ int test_vas_strapdown(void)
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: gyro_bias[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -553,7 +552,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -571,7 +570,7 @@ int test_vas_strapdown(void)
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: accel_bias[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -595,7 +594,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -613,7 +612,7 @@ int test_vas_strapdown(void)
             imu.dt = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: dt[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -639,7 +638,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -657,7 +656,7 @@ int test_vas_strapdown(void)
             increments.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -682,7 +681,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -700,7 +699,7 @@ int test_vas_strapdown(void)
             increments.dv_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: dv_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -726,7 +725,8 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: dtheta_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: dtheta_before[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -744,7 +744,7 @@ int test_vas_strapdown(void)
             increments.dtheta_before[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: dtheta_before[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -770,7 +770,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -788,7 +788,7 @@ int test_vas_strapdown(void)
             increments.dv_before[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: dv_before[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -814,7 +814,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: flexure[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -832,7 +832,7 @@ int test_vas_strapdown(void)
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: flexure[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -858,7 +858,8 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: flexure_rate[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: flexure_rate[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -876,7 +877,7 @@ int test_vas_strapdown(void)
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: flexure_rate[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -902,7 +903,8 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: flexure_omega[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: flexure_omega[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -920,7 +922,7 @@ int test_vas_strapdown(void)
             bending.flexure_omega[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: flexure_omega[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: flexure_omega[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -946,8 +948,8 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: flexure_damping[%d] bad value %d not refused\n", i,
-                             bad);
+                selftest_print("vas_strapdown: flexure_damping[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -965,7 +967,7 @@ int test_vas_strapdown(void)
             bending.flexure_damping[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: flexure_damping[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: flexure_damping[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -991,7 +993,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -1009,7 +1011,7 @@ int test_vas_strapdown(void)
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1035,7 +1037,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: accel_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -1053,7 +1055,7 @@ int test_vas_strapdown(void)
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: accel_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1081,7 +1083,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -1101,7 +1103,7 @@ int test_vas_strapdown(void)
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1127,7 +1129,7 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: accel_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -1145,7 +1147,7 @@ int test_vas_strapdown(void)
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: accel_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1173,7 +1175,8 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: gyro_turn_on[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: gyro_turn_on[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -1195,7 +1198,7 @@ int test_vas_strapdown(void)
             biases.gyro_turn_on[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: gyro_turn_on[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: gyro_turn_on[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1221,7 +1224,8 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: accel_turn_on[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: accel_turn_on[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -1239,7 +1243,7 @@ int test_vas_strapdown(void)
             biases.accel_turn_on[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: accel_turn_on[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: accel_turn_on[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1265,8 +1269,8 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: gyro_bias_beta[%d] bad value %d not refused\n", i,
-                             bad);
+                selftest_print("vas_strapdown: gyro_bias_beta[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -1284,7 +1288,7 @@ int test_vas_strapdown(void)
             biases.gyro_bias_beta[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: gyro_bias_beta[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: gyro_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -1310,8 +1314,8 @@ int test_vas_strapdown(void)
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                (void)printf("vas_strapdown: accel_bias_beta[%d] bad value %d not refused\n", i,
-                             bad);
+                selftest_print("vas_strapdown: accel_bias_beta[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_strapdown position", position, 3);
@@ -1329,7 +1333,7 @@ int test_vas_strapdown(void)
             biases.accel_bias_beta[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                (void)printf("vas_strapdown: accel_bias_beta[%d] end %d refused\n", i, end);
+                selftest_print("vas_strapdown: accel_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,50 +2,49 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { -0x1.011a800000000p+0, -0x1.4182360000000p-1, 0x1.a1058c0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.ab87ea0000000p+9, -0x1.84fd860000000p+9, 0x1.7246100000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.1af8280000000p-1, -0x1.93e7880000000p-2, 0x1.6f08d80000000p-2, -0x1.48a43a0000000p-1 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.8bcb8a0000000p-1, -0x1.dd8b600000000p-2, 0x1.ae967c0000000p-2, 0x1.4602180000000p-4 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, 0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { -0x1.3de0de0000000p+2, -0x1.1775d60000000p+2, -0x1.778f560000000p+3 }
 };
-static const double in_lever_b[N_VECTORS][3] = {
+static const float in_lever_b[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { -0x1.97e78c0000000p+5, -0x1.8969fe0000000p+5, 0x1.83bc140000000p+6 }
 };
-static const double in_a_n[N_VECTORS][3] = {
+static const float in_a_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, 0x1.f400000000000p+8, 0x1.f400000000000p+8 },
     { -0x1.e690d20000000p+5, -0x1.e8d3380000000p+7, 0x1.636b460000000p+8 }
 };
-static const double in_flexure_rate[N_VECTORS][3] = {
+static const float in_flexure_rate[N_VECTORS][3] = {
     { 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { -0x1.c935f00000000p-1, -0x1.f7c2460000000p-2, -0x1.404a3c0000000p-1 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.94daba0000000p-4, -0x1.05af320000000p-8, -0x1.6b1a3c0000000p-4 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { 0x1.aff47c0000000p-6, -0x1.7e75300000000p-5, -0x1.401ff20000000p-5, 0x1.63fd160000000p-5, -0x1.614cfa0000000p-4, -0x1.7dbee40000000p-12 }
 };
@@ -55,14 +54,14 @@ static const double out_H[N_VECTORS][78] = {
     { 0x1.918354f3419c5p-9, -0x1.15f041923c839p+10, -0x1.b57a00754edfap+9, 0x1.0000000000000p+0, -0x1.37f6c827a4ac2p+6, 0x1.45c7acd71e551p+5, -0x1.0ce060f8a8c1dp+5, 0x1.fb682718f6c15p+5, 0x1.b1dbb40a7a29cp+2, -0x1.7f7bc57148573p+6, 0x1.e690d20000000p+5, 0x1.659cb3f5c5f4cp+1, 0x1.3c2f5fe5d301ap+2, -0x1.0b8378511337bp+1, -0x1.6f45f58213c1ap+5, 0x1.484582426074ep+6, -0x1.891c222a24e17p+4, 0x1.a9e89b8dae1e6p+8, -0x1.4ea30e96c3eedp+7, 0x1.2d385d12dc54ap+8, 0x1.766f29e9498cep+8, 0x1.f7316d3bdd8ddp+9, -0x1.7ca3eabc9adadp+7, -0x1.c1b5e0a279340p+8, 0x1.fde9a66703db4p+6, 0x1.c0492746ee719p+6, 0x1.15f092203dcefp+10, 0x1.08e53d010d99dp-6, 0x1.26004d8510d4ep+9, 0x1.0000000000000p+0, 0x1.5460eca6afb9ap+2, -0x1.88c4308f49110p+6, -0x1.46780350e5944p+5, 0x1.12631183deae6p+4, -0x1.b8935a3064250p+6, 0x1.f11ab5af3034ap+5, 0x1.e8d3380000000p+7, -0x1.caa6a352a59f6p+0, 0x1.baa7704c64031p+3, -0x1.79b5df0875bdep+1, 0x1.0642daeb374bcp+6, -0x1.0bb668d001dd3p+5, -0x1.35a648f155703p+6, -0x1.1902516f15f7cp+6, 0x1.a95ddc526ff4bp+8, 0x1.ecb1feabb8c59p+8, -0x1.ee1804cca6a20p+5, -0x1.4c00169cc5b22p+7, 0x1.e3d7c4205916bp+8, 0x1.1dd1e84ca7bd2p+10, 0x1.a105eee653474p+7, 0x1.6e9f66c8468c6p+7, 0x1.b577fde9c9f48p+9, -0x1.25ffd56e335a9p+9, -0x1.907396b4c8e13p-10, 0x1.0000000000000p+0, 0x1.030c5d7d762aap+6, 0x1.f32dbd28b5111p+4, 0x1.ca366d3a41a61p+5, -0x1.0d32ec056326ap+6, 0x1.146c6a70a15ccp+6, 0x1.4dcaed621f689p+5, -0x1.636b460000000p+8, -0x1.c3e3bba139634p+3, 0x1.2845718136895p-2, 0x1.0c0658141e61cp+2, -0x1.1ade2422bdc4fp+2, -0x1.89457fa365aedp+5, 0x1.2929de0c6afe6p+6, -0x1.45963c769081bp+8, -0x1.1e3fe73363b9bp+7, -0x1.2beb17a68fc6cp+9, -0x1.1e3cb5357d654p+8, -0x1.80aac9c5438c0p+9, -0x1.4599dee80172ep+7, -0x1.80af150cc461cp+8, -0x1.fbb57b0826049p+7, -0x1.be592b15a2e54p+7 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][78] = {
-    { 2.68e-07, 0.00479, 0.00458, 1.12e-16, 6.64e-05, 3.12e-05, 7.57e-05, 0.000133, 0.00013, 0.000189, 5.61e-14, 2.28e-05, 4.07e-06, 1.66e-05, 8.1e-05, 8.4e-05, 3.75e-05, 0.000961, 0.000391, 0.000871, 0.000961, 0.000961, 0.000391, 0.000391, 0.000871, 0.000871, 0.00479, 2.67e-07, 0.00494, 1.12e-16, 6.1e-05, 7.84e-05, 3.24e-05, 0.000177, 0.000141, 0.000126, 5.61e-14, 2.04e-05, 1.62e-05, 3.8e-06, 3.9e-05, 7.5e-05, 9e-05, 0.000871, 0.000961, 0.000391, 0.000871, 0.000871, 0.000961, 0.000961, 0.000391, 0.000391, 0.00458, 0.00493, 3.39e-08, 1.12e-16, 2.85e-05, 7.33e-05, 7.78e-05, 0.00013, 0.000181, 0.000141, 5.61e-14, 4.82e-06, 2.32e-05, 2.04e-05, 9e-05, 3.9e-05, 7.95e-05, 0.000391, 0.000871, 0.000961, 0.000391, 0.000391, 0.000871, 0.000871, 0.000961, 0.000961 },
-    { 2.62e-08, 0.00135, 0.00126, 1.12e-16, 5e-05, 3.17e-05, 2.55e-05, 8.14e-05, 0.000102, 0.000103, 6.82e-15, 8.15e-06, 5.36e-06, 2.46e-06, 6.49e-05, 6.69e-05, 6.49e-05, 0.000187, 0.000102, 0.000184, 0.000164, 0.000441, 0.000116, 0.000274, 7.8e-05, 6.85e-05, 0.00135, 2.53e-08, 0.000976, 1.12e-16, 2.04e-05, 5.88e-05, 3.42e-05, 8.62e-05, 0.000119, 0.0001, 2.74e-14, 2.99e-06, 1.24e-05, 3.88e-06, 6.03e-05, 7.05e-05, 7.62e-05, 8.42e-05, 0.000177, 0.000258, 7.41e-05, 0.000199, 0.000201, 0.000476, 0.000109, 9.59e-05, 0.00126, 0.000976, 1.6e-08, 1.12e-16, 4.7e-05, 3.06e-05, 3.8e-05, 8.52e-05, 0.000113, 0.000101, 3.99e-14, 1.09e-05, 4.03e-06, 4.28e-06, 6.91e-05, 6.87e-05, 6.92e-05, 0.000181, 0.000103, 0.000272, 0.000159, 0.000428, 0.000118, 0.000278, 0.000115, 0.000101 }
+static const float tol_H[N_VECTORS][78] = {
+    { 2.68e-07F, 4.79e-03F, 4.58e-03F, 1.12e-16F, 6.64e-05F, 3.12e-05F, 7.57e-05F, 1.33e-04F, 1.30e-04F, 1.89e-04F, 5.61e-14F, 2.28e-05F, 4.07e-06F, 1.66e-05F, 8.10e-05F, 8.40e-05F, 3.75e-05F, 9.61e-04F, 3.91e-04F, 8.71e-04F, 9.61e-04F, 9.61e-04F, 3.91e-04F, 3.91e-04F, 8.71e-04F, 8.71e-04F, 4.79e-03F, 2.67e-07F, 4.94e-03F, 1.12e-16F, 6.10e-05F, 7.84e-05F, 3.24e-05F, 1.77e-04F, 1.41e-04F, 1.26e-04F, 5.61e-14F, 2.04e-05F, 1.62e-05F, 3.80e-06F, 3.90e-05F, 7.50e-05F, 9.00e-05F, 8.71e-04F, 9.61e-04F, 3.91e-04F, 8.71e-04F, 8.71e-04F, 9.61e-04F, 9.61e-04F, 3.91e-04F, 3.91e-04F, 4.58e-03F, 4.93e-03F, 3.39e-08F, 1.12e-16F, 2.85e-05F, 7.33e-05F, 7.78e-05F, 1.30e-04F, 1.81e-04F, 1.41e-04F, 5.61e-14F, 4.82e-06F, 2.32e-05F, 2.04e-05F, 9.00e-05F, 3.90e-05F, 7.95e-05F, 3.91e-04F, 8.71e-04F, 9.61e-04F, 3.91e-04F, 3.91e-04F, 8.71e-04F, 8.71e-04F, 9.61e-04F, 9.61e-04F },
+    { 2.62e-08F, 1.35e-03F, 1.26e-03F, 1.12e-16F, 5.00e-05F, 3.17e-05F, 2.55e-05F, 8.14e-05F, 1.02e-04F, 1.03e-04F, 6.82e-15F, 8.15e-06F, 5.36e-06F, 2.46e-06F, 6.49e-05F, 6.69e-05F, 6.49e-05F, 1.87e-04F, 1.02e-04F, 1.84e-04F, 1.64e-04F, 4.41e-04F, 1.16e-04F, 2.74e-04F, 7.80e-05F, 6.85e-05F, 1.35e-03F, 2.53e-08F, 9.76e-04F, 1.12e-16F, 2.04e-05F, 5.88e-05F, 3.42e-05F, 8.62e-05F, 1.19e-04F, 1.00e-04F, 2.74e-14F, 2.99e-06F, 1.24e-05F, 3.88e-06F, 6.03e-05F, 7.05e-05F, 7.62e-05F, 8.42e-05F, 1.77e-04F, 2.58e-04F, 7.41e-05F, 1.99e-04F, 2.01e-04F, 4.76e-04F, 1.09e-04F, 9.59e-05F, 1.26e-03F, 9.76e-04F, 1.60e-08F, 1.12e-16F, 4.70e-05F, 3.06e-05F, 3.80e-05F, 8.52e-05F, 1.13e-04F, 1.01e-04F, 3.99e-14F, 1.09e-05F, 4.03e-06F, 4.28e-06F, 6.91e-05F, 6.87e-05F, 6.92e-05F, 1.81e-04F, 1.03e-04F, 2.72e-04F, 1.59e-04F, 4.28e-04F, 1.18e-04F, 2.78e-04F, 1.15e-04F, 1.01e-04F }
 };
 #else
-static const double tol_H[N_VECTORS][78] = {
-    { 5.21e-16, 9e-12, 8.95e-12, 1.12e-16, 1.35e-13, 5.82e-14, 1.54e-13, 2.6e-13, 2.54e-13, 3.74e-13, 5.61e-14, 4.56e-14, 7.58e-15, 3.27e-14, 1.62e-13, 1.68e-13, 6.98e-14, 2.01e-12, 7.28e-13, 1.85e-12, 2.01e-12, 2.01e-12, 7.28e-13, 7.28e-13, 1.85e-12, 1.85e-12, 9e-12, 5.19e-16, 9.68e-12, 1.12e-16, 1.23e-13, 1.57e-13, 6.27e-14, 3.3e-13, 2.74e-13, 2.46e-13, 5.61e-14, 4.04e-14, 3.2e-14, 7.08e-15, 7.26e-14, 1.51e-13, 1.79e-13, 1.85e-12, 2.01e-12, 7.28e-13, 1.85e-12, 1.85e-12, 2.01e-12, 2.01e-12, 7.28e-13, 7.28e-13, 8.95e-12, 9.68e-12, 6.66e-17, 1.12e-16, 5.54e-14, 1.48e-13, 1.56e-13, 2.54e-13, 3.38e-13, 2.74e-13, 5.61e-14, 8.98e-15, 4.63e-14, 4.04e-14, 1.79e-13, 7.26e-14, 1.59e-13, 7.28e-13, 1.85e-12, 2.01e-12, 7.28e-13, 7.28e-13, 1.85e-12, 1.85e-12, 2.01e-12, 2.01e-12 },
-    { 4.91e-17, 2.65e-12, 2.45e-12, 1.12e-16, 1.02e-13, 6.36e-14, 5.12e-14, 1.59e-13, 1.91e-13, 2.03e-13, 6.82e-15, 1.55e-14, 1.05e-14, 4.81e-15, 1.26e-13, 1.34e-13, 1.24e-13, 3.95e-13, 2.09e-13, 3.77e-13, 3.48e-13, 9.34e-13, 2.38e-13, 5.61e-13, 1.6e-13, 1.4e-13, 2.65e-12, 4.89e-17, 1.88e-12, 1.12e-16, 3.86e-14, 1.21e-13, 6.82e-14, 1.62e-13, 2.34e-13, 1.93e-13, 2.74e-14, 5.78e-15, 2.46e-14, 7.55e-15, 1.2e-13, 1.35e-13, 1.51e-13, 1.65e-13, 3.77e-13, 5.35e-13, 1.45e-13, 3.89e-13, 4.29e-13, 1.01e-12, 2.27e-13, 1.99e-13, 2.45e-12, 1.88e-12, 3e-17, 1.12e-16, 9.49e-14, 6.05e-14, 7.72e-14, 1.66e-13, 2.19e-13, 1.92e-13, 3.99e-14, 2.19e-14, 7.53e-15, 8.44e-15, 1.29e-13, 1.34e-13, 1.37e-13, 3.74e-13, 2.09e-13, 5.73e-13, 3.29e-13, 8.83e-13, 2.37e-13, 5.61e-13, 2.43e-13, 2.13e-13 }
+static const float tol_H[N_VECTORS][78] = {
+    { 5.21e-16F, 9.00e-12F, 8.95e-12F, 1.12e-16F, 1.35e-13F, 5.82e-14F, 1.54e-13F, 2.60e-13F, 2.54e-13F, 3.74e-13F, 5.61e-14F, 4.56e-14F, 7.58e-15F, 3.27e-14F, 1.62e-13F, 1.68e-13F, 6.98e-14F, 2.01e-12F, 7.28e-13F, 1.85e-12F, 2.01e-12F, 2.01e-12F, 7.28e-13F, 7.28e-13F, 1.85e-12F, 1.85e-12F, 9.00e-12F, 5.19e-16F, 9.68e-12F, 1.12e-16F, 1.23e-13F, 1.57e-13F, 6.27e-14F, 3.30e-13F, 2.74e-13F, 2.46e-13F, 5.61e-14F, 4.04e-14F, 3.20e-14F, 7.08e-15F, 7.26e-14F, 1.51e-13F, 1.79e-13F, 1.85e-12F, 2.01e-12F, 7.28e-13F, 1.85e-12F, 1.85e-12F, 2.01e-12F, 2.01e-12F, 7.28e-13F, 7.28e-13F, 8.95e-12F, 9.68e-12F, 6.66e-17F, 1.12e-16F, 5.54e-14F, 1.48e-13F, 1.56e-13F, 2.54e-13F, 3.38e-13F, 2.74e-13F, 5.61e-14F, 8.98e-15F, 4.63e-14F, 4.04e-14F, 1.79e-13F, 7.26e-14F, 1.59e-13F, 7.28e-13F, 1.85e-12F, 2.01e-12F, 7.28e-13F, 7.28e-13F, 1.85e-12F, 1.85e-12F, 2.01e-12F, 2.01e-12F },
+    { 4.91e-17F, 2.65e-12F, 2.45e-12F, 1.12e-16F, 1.02e-13F, 6.36e-14F, 5.12e-14F, 1.59e-13F, 1.91e-13F, 2.03e-13F, 6.82e-15F, 1.55e-14F, 1.05e-14F, 4.81e-15F, 1.26e-13F, 1.34e-13F, 1.24e-13F, 3.95e-13F, 2.09e-13F, 3.77e-13F, 3.48e-13F, 9.34e-13F, 2.38e-13F, 5.61e-13F, 1.60e-13F, 1.40e-13F, 2.65e-12F, 4.89e-17F, 1.88e-12F, 1.12e-16F, 3.86e-14F, 1.21e-13F, 6.82e-14F, 1.62e-13F, 2.34e-13F, 1.93e-13F, 2.74e-14F, 5.78e-15F, 2.46e-14F, 7.55e-15F, 1.20e-13F, 1.35e-13F, 1.51e-13F, 1.65e-13F, 3.77e-13F, 5.35e-13F, 1.45e-13F, 3.89e-13F, 4.29e-13F, 1.01e-12F, 2.27e-13F, 1.99e-13F, 2.45e-12F, 1.88e-12F, 3.00e-17F, 1.12e-16F, 9.49e-14F, 6.05e-14F, 7.72e-14F, 1.66e-13F, 2.19e-13F, 1.92e-13F, 3.99e-14F, 2.19e-14F, 7.53e-15F, 8.44e-15F, 1.29e-13F, 1.34e-13F, 1.37e-13F, 3.74e-13F, 2.09e-13F, 5.73e-13F, 3.29e-13F, 8.83e-13F, 2.37e-13F, 5.61e-13F, 2.43e-13F, 2.13e-13F }
 };
 #endif
 static const unsigned short at_H[78] = { 0, 1, 2, 3, 6, 7, 8, 12, 13, 14, 15, 16, 17, 18, 22, 23,
@@ -144,7 +143,7 @@ int test_vas_velocity_H(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_velocity_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_H: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_H H", H, 138);
@@ -157,7 +156,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_velocity_H: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_H: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -173,7 +172,7 @@ int test_vas_velocity_H(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_velocity_H: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_H H", H, 138);
@@ -184,7 +183,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_velocity_H: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -202,7 +201,7 @@ int test_vas_velocity_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_velocity_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_H H", H, 138);
@@ -216,7 +215,7 @@ int test_vas_velocity_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_velocity_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -230,8 +229,8 @@ int test_vas_velocity_H(void)
         }
         if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads,
                            H) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_velocity_H: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_velocity_H: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -248,7 +247,7 @@ int test_vas_velocity_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_velocity_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_H H", H, 138);
@@ -262,7 +261,7 @@ int test_vas_velocity_H(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_velocity_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -276,8 +275,8 @@ int test_vas_velocity_H(void)
         }
         if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads,
                            H) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_velocity_H: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_velocity_H: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -294,7 +293,7 @@ int test_vas_velocity_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_velocity_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_H H", H, 138);
@@ -305,7 +304,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_velocity_H: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -323,7 +322,7 @@ int test_vas_velocity_H(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_velocity_H: lever_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_H: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_H H", H, 138);
@@ -334,7 +333,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_velocity_H: lever_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_H: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -350,7 +349,7 @@ int test_vas_velocity_H(void)
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_H H", H, 138);
@@ -361,7 +360,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_velocity_H: a_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_H: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -379,7 +378,8 @@ int test_vas_velocity_H(void)
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_velocity_H: flexure_rate[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_H: flexure_rate[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_H H", H, 138);
@@ -390,7 +390,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_velocity_H: flexure_rate[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_H: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -408,7 +408,7 @@ int test_vas_velocity_H(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_velocity_H: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_H: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_H H", H, 138);
@@ -419,7 +419,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_velocity_H: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_H: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -439,7 +439,7 @@ int test_vas_velocity_H(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
-                (void)printf("vas_velocity_H: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_H: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_H H", H, 138);
@@ -452,7 +452,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
-                (void)printf("vas_velocity_H: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_H: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

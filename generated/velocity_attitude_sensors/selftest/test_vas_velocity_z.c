@@ -2,58 +2,57 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_attitude_sensors.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.c4029a0000000p-2, -0x1.038caa0000000p-2, 0x1.86db0a0000000p+14 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.29f91e0000000p+8, 0x1.02373c0000000p+4, -0x1.68a8960000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.a0be5c0000000p-2, -0x1.22152e0000000p-1, 0x1.85d5200000000p-2, -0x1.3655840000000p-1 }
 };
-static const double in_q_b2m_wxyz[N_VECTORS][4] = {
+static const float in_q_b2m_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { 0x1.d808980000000p-2, -0x1.0390b80000000p-1, 0x1.15469a0000000p-1, -0x1.f4234c0000000p-2 }
 };
-static const double in_omega_ib_b[N_VECTORS][3] = {
+static const float in_omega_ib_b[N_VECTORS][3] = {
     { 0x1.4000000000000p+4, -0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { 0x1.0aaae20000000p+1, -0x1.03b0380000000p+3, -0x1.1ba4240000000p+4 }
 };
-static const double in_lever_b[N_VECTORS][3] = {
+static const float in_lever_b[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { -0x1.62a42e0000000p+3, 0x1.e6a4660000000p+4, 0x1.2b13c60000000p+3 }
 };
-static const double in_v_m_n[N_VECTORS][3] = {
+static const float in_v_m_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { -0x1.7866780000000p+9, -0x1.a888b40000000p+9, -0x1.6562280000000p+8 }
 };
-static const double in_a_n[N_VECTORS][3] = {
+static const float in_a_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, 0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { -0x1.3f674c0000000p+7, 0x1.ad4c4c0000000p+3, -0x1.5c47640000000p+6 }
 };
-static const double in_lag[N_VECTORS][1] = {
+static const float in_lag[N_VECTORS][1] = {
     { 0x1.0000000000000p+0 },
     { -0x1.df221c0000000p-1 }
 };
-static const double in_flexure_rate[N_VECTORS][3] = {
+static const float in_flexure_rate[N_VECTORS][3] = {
     { -0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p+0 },
     { -0x1.cc1e820000000p-1, 0x1.80e3ee0000000p-1, -0x1.b6934e0000000p-1 }
 };
-static const double in_gyro_scale[N_VECTORS][3] = {
+static const float in_gyro_scale[N_VECTORS][3] = {
     { 0x1.9999980000000p-4, -0x1.9999980000000p-4, -0x1.9999980000000p-4 },
     { -0x1.2832e60000000p-6, 0x1.8178d00000000p-4, -0x1.17401c0000000p-4 }
 };
-static const double in_gyro_axes[N_VECTORS][6] = {
+static const float in_gyro_axes[N_VECTORS][6] = {
     { 0x1.9999980000000p-4, -0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4, 0x1.9999980000000p-4 },
     { 0x1.680ffe0000000p-5, -0x1.95b6280000000p-4, 0x1.a26e100000000p-10, 0x1.3b5e9c0000000p-4, -0x1.8bace20000000p-4, -0x1.536e960000000p-4 }
 };
@@ -63,14 +62,14 @@ static const double out_z[N_VECTORS][3] = {
     { 0x1.14368e616a43fp+10, 0x1.bc1a82096f25cp+9, -0x1.d66ab0b603c40p+9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 0.00445, 0.00402, 0.00494 },
-    { 0.000644, 0.000489, 0.000824 }
+static const float tol_z[N_VECTORS][3] = {
+    { 4.45e-03F, 4.02e-03F, 4.94e-03F },
+    { 6.44e-04F, 4.89e-04F, 8.24e-04F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 8.79e-12, 7.61e-12, 9.86e-12 },
-    { 1.32e-12, 1.01e-12, 1.64e-12 }
+static const float tol_z[N_VECTORS][3] = {
+    { 8.79e-12F, 7.61e-12F, 9.86e-12F },
+    { 1.32e-12F, 1.01e-12F, 1.64e-12F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -152,7 +151,7 @@ int test_vas_velocity_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_velocity_z: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_z: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_z z", z, 3);
@@ -165,7 +164,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_velocity_z: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_z: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -181,7 +180,7 @@ int test_vas_velocity_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_velocity_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_z z", z, 3);
@@ -192,7 +191,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_velocity_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -210,7 +209,7 @@ int test_vas_velocity_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_velocity_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_z z", z, 3);
@@ -224,7 +223,7 @@ int test_vas_velocity_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_velocity_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -238,8 +237,8 @@ int test_vas_velocity_z(void)
         }
         if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads,
                            z) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_velocity_z: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_velocity_z: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -256,7 +255,7 @@ int test_vas_velocity_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_velocity_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_z z", z, 3);
@@ -270,7 +269,7 @@ int test_vas_velocity_z(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_velocity_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -284,8 +283,8 @@ int test_vas_velocity_z(void)
         }
         if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads,
                            z) != BS_OUT_OF_RANGE) {
-            (void)printf("vas_velocity_z: q_b2m_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vas_velocity_z: q_b2m_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -302,7 +301,7 @@ int test_vas_velocity_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_velocity_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_z z", z, 3);
@@ -313,7 +312,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_velocity_z: omega_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -331,7 +330,7 @@ int test_vas_velocity_z(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_velocity_z: lever_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_z: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_z z", z, 3);
@@ -342,7 +341,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_velocity_z: lever_b[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_z: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -360,7 +359,7 @@ int test_vas_velocity_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_velocity_z: v_m_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_z: v_m_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_z z", z, 3);
@@ -371,7 +370,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             master.v_m_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_velocity_z: v_m_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_z: v_m_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -387,7 +386,7 @@ int test_vas_velocity_z(void)
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_velocity_z: a_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_z: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_z z", z, 3);
@@ -398,7 +397,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_velocity_z: a_n[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_z: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -414,7 +413,7 @@ int test_vas_velocity_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_velocity_z: lag[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_z z", z, 3);
@@ -425,7 +424,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_velocity_z: lag[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -443,7 +442,8 @@ int test_vas_velocity_z(void)
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_velocity_z: flexure_rate[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_z: flexure_rate[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_z z", z, 3);
@@ -454,7 +454,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_velocity_z: flexure_rate[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_z: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -472,7 +472,7 @@ int test_vas_velocity_z(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_velocity_z: gyro_scale[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_z: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_z z", z, 3);
@@ -483,7 +483,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_velocity_z: gyro_scale[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_z: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -503,7 +503,7 @@ int test_vas_velocity_z(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != expected) {
-                (void)printf("vas_velocity_z: gyro_axes[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_velocity_z: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_z z", z, 3);
@@ -516,7 +516,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &imu, &mounting, &master, &bending, &triads, z) != BS_OK) {
-                (void)printf("vas_velocity_z: gyro_axes[%d] end %d refused\n", i, end);
+                selftest_print("vas_velocity_z: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -121,6 +121,35 @@ BS_INLINE bs_lanes bs_magnitude(bs_lanes x)
  * itself. */
 #ifdef BORESIGHT_MATH_H
 
+/* Functions of their own, not expected to be called: what the caller computes with then stays in
+ * registers. */
+#define BS_RARE static __attribute__((noinline, cold, unused))
+
+BS_RARE void bs_sincos_rare(const bs_lanes *angle,
+                            const bs_bits *usual,
+                            bs_lanes *sine,
+                            bs_lanes *cosine)
+{
+    for (int l = 0; l < BORESIGHT_LANES; ++l) {
+        if ((*usual)[l] == 0) {
+            double one;
+            double other;
+            bs_sincos((*angle)[l], &one, &other);
+            (*sine)[l] = one;
+            (*cosine)[l] = other;
+        }
+    }
+}
+
+BS_RARE void bs_log_rare(const bs_lanes *x, const bs_bits *usual, bs_lanes *log)
+{
+    for (int l = 0; l < BORESIGHT_LANES; ++l) {
+        if ((*usual)[l] == 0) {
+            (*log)[l] = bs_log((*x)[l]);
+        }
+    }
+}
+
 BS_INLINE void bs_sincos_lanes(bs_lanes angle, bs_lanes *sine, bs_lanes *cosine)
 {
     const bs_lanes shifted = (angle * 0.6366197723675814) + BS_MATH_SHIFT;
@@ -156,21 +185,15 @@ BS_INLINE void bs_sincos_lanes(bs_lanes angle, bs_lanes *sine, bs_lanes *cosine)
     const bs_lanes along = bs_choose(odd, c, s);
     const bs_lanes across = bs_choose(odd, s, c);
     const bs_bits usual = bs_magnitude(angle) <= BS_MATH_ANGLE;
-    bs_lanes sines = (bs_lanes)((bs_bits)along ^ ((quadrant & 2) << 62));
-    bs_lanes cosines = (bs_lanes)((bs_bits)across ^ (((quadrant + 1) & 2) << 62));
-    if (!bs_everywhere(usual)) {
-        for (int l = 0; l < BORESIGHT_LANES; ++l) {
-            if (usual[l] == 0) {
-                double one;
-                double other;
-                bs_sincos(angle[l], &one, &other);
-                sines[l] = one;
-                cosines[l] = other;
-            }
-        }
+    *sine = (bs_lanes)((bs_bits)along ^ ((quadrant & 2) << 62));
+    *cosine = (bs_lanes)((bs_bits)across ^ (((quadrant + 1) & 2) << 62));
+    if (__builtin_expect(!bs_everywhere(usual), 0)) {
+        bs_lanes sines = *sine;
+        bs_lanes cosines = *cosine;
+        bs_sincos_rare(&angle, &usual, &sines, &cosines);
+        *sine = sines;
+        *cosine = cosines;
     }
-    *sine = sines;
-    *cosine = cosines;
 }
 
 BS_INLINE bs_lanes bs_log_lanes(bs_lanes x)
@@ -197,12 +220,10 @@ BS_INLINE bs_lanes bs_log_lanes(bs_lanes x)
     const bs_lanes more = s * (half + (z * polynomial));
     const bs_bits usual = (x >= 2.2250738585072014e-308) & (x <= 1.7976931348623157e+308);
     bs_lanes log = (k * BS_MATH_LOG_2_1) - ((half - (more + (k * BS_MATH_LOG_2_2))) - f);
-    if (!bs_everywhere(usual)) {
-        for (int l = 0; l < BORESIGHT_LANES; ++l) {
-            if (usual[l] == 0) {
-                log[l] = bs_log(x[l]);
-            }
-        }
+    if (__builtin_expect(!bs_everywhere(usual), 0)) {
+        bs_lanes logs = log;
+        bs_log_rare(&x, &usual, &logs);
+        log = logs;
     }
     return log;
 }

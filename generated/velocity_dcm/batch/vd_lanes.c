@@ -262,7 +262,7 @@ static void correct_lanes(block *b, const chosen *runs, const bs_given *given, b
 
 #if !BORESIGHT_UD
 
-/* out = the sum of coefficients times 5 numbers each. */
+/* out = the sum of coefficients times 10 numbers each. */
 BS_INLINE void wide_sums(const bs_lanes *coefficient,
                          const unsigned short *at,
                          int count,
@@ -275,6 +275,11 @@ BS_INLINE void wide_sums(const bs_lanes *coefficient,
     bs_lanes s2 = bs_all_of(0.0);
     bs_lanes s3 = bs_all_of(0.0);
     bs_lanes s4 = bs_all_of(0.0);
+    bs_lanes s5 = bs_all_of(0.0);
+    bs_lanes s6 = bs_all_of(0.0);
+    bs_lanes s7 = bs_all_of(0.0);
+    bs_lanes s8 = bs_all_of(0.0);
+    bs_lanes s9 = bs_all_of(0.0);
     for (int p = 0; p < count; ++p) {
         const bs_lanes a = coefficient[p];
         const bs_lanes *const from = &x[at[p]];
@@ -283,12 +288,22 @@ BS_INLINE void wide_sums(const bs_lanes *coefficient,
         s2 += a * from[2];
         s3 += a * from[3];
         s4 += a * from[4];
+        s5 += a * from[5];
+        s6 += a * from[6];
+        s7 += a * from[7];
+        s8 += a * from[8];
+        s9 += a * from[9];
     }
     out[0] = s0;
     out[1 * stride] = s1;
     out[2 * stride] = s2;
     out[3 * stride] = s3;
     out[4 * stride] = s4;
+    out[5 * stride] = s5;
+    out[6 * stride] = s6;
+    out[7 * stride] = s7;
+    out[8 * stride] = s8;
+    out[9 * stride] = s9;
 }
 
 /* out = the sum of coefficients times 3 numbers each. */
@@ -631,7 +646,7 @@ static void predict(scratch *s, bs_lanes *P)
         }
     }
     for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j < 10; j += 5) {
+        for (int j = 0; j < 10; j += 10) {
             wide_sums(&s->Phi[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &s->X[j],
                       &s->Y[(j * 6) + i], 6);
         }

@@ -40,7 +40,7 @@ extern "C" {
  * What is left out of Phi begins with (F dt)^3 / 6, and dt^2 / 2 times the rate of F;
  * of the integral over the step, with F as it is at the start, Q leaves out (A^3 W + W A'^3) /
  * 24 + (A^2 W A' + A W A'^2) / 72 and higher powers of dt, W = Qc dt.
- * It costs 1811 additions, multiplications and divisions.
+ * It costs 1631 additions, multiplications and divisions.
  * in   F, Qc: non-zeros
  * out  Phi: the rows that move; Q: packed */
 void vd_discretize(const bs_real F[VD_N_F],

@@ -3,7 +3,9 @@
  * sha256sum prints of them in the order of their names (LC_ALL=C).  It is the same in both
  * precisions.
  * In single precision each function has the ending _f32, so that both precisions link into one
- * program and a header of one does not link with a library of the other. */
+ * program and a header of one does not link with a library of the other.
+ * In a form that is not that of its precision (BORESIGHT_UD) each function of the filter has the
+ * ending _ud, or _f32_joseph: P of one form is never read as the other. */
 #ifndef VELOCITY_DCM_IDENTITY_H
 #define VELOCITY_DCM_IDENTITY_H
 
@@ -18,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "f5baf1c75e6ef49910bfe5c8223d4faf60dd9bfe00c62a76afb5912eb7438f7a"
+#define VD_MODEL_HASH "8eef85881809a33b74204cfe461a35199d688151f5ce9700c6acd2c40aac7610"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
@@ -48,24 +50,6 @@
 #define vd_dcm_z vd_dcm_z_f32
 #define vd_discretize vd_discretize_f32
 #define vd_feedback vd_feedback_f32
-#define vd_filter_consider vd_filter_consider_f32
-#define vd_filter_correct vd_filter_correct_f32
-#define vd_filter_covariance vd_filter_covariance_f32
-#define vd_filter_digest vd_filter_digest_f32
-#define vd_filter_health vd_filter_health_f32
-#define vd_filter_init vd_filter_init_f32
-#define vd_filter_init_blocks vd_filter_init_blocks_f32
-#define vd_filter_init_sigmas vd_filter_init_sigmas_f32
-#define vd_filter_measure_dcm vd_filter_measure_dcm_f32
-#define vd_filter_measure_dcm_exact vd_filter_measure_dcm_exact_f32
-#define vd_filter_measure_velocity vd_filter_measure_velocity_f32
-#define vd_filter_propagate vd_filter_propagate_f32
-#define vd_filter_restore vd_filter_restore_f32
-#define vd_filter_set_nav vd_filter_set_nav_f32
-#define vd_filter_sigmas vd_filter_sigmas_f32
-#define vd_filter_snapshot vd_filter_snapshot_f32
-#define vd_filter_strapdown vd_filter_strapdown_f32
-#define vd_filter_variance vd_filter_variance_f32
 #define vd_identity vd_identity_f32
 #define vd_joseph_add vd_joseph_add_f32
 #define vd_joseph_dense vd_joseph_dense_f32
@@ -82,6 +66,26 @@
 #define vd_velocity_H vd_velocity_H_f32
 #define vd_velocity_H_nz vd_velocity_H_nz_f32
 #define vd_velocity_z vd_velocity_z_f32
+#endif
+#ifdef BS_FORM
+#define vd_filter_consider BS_FORM(vd_filter_consider)
+#define vd_filter_correct BS_FORM(vd_filter_correct)
+#define vd_filter_covariance BS_FORM(vd_filter_covariance)
+#define vd_filter_digest BS_FORM(vd_filter_digest)
+#define vd_filter_health BS_FORM(vd_filter_health)
+#define vd_filter_init BS_FORM(vd_filter_init)
+#define vd_filter_init_blocks BS_FORM(vd_filter_init_blocks)
+#define vd_filter_init_sigmas BS_FORM(vd_filter_init_sigmas)
+#define vd_filter_measure_dcm BS_FORM(vd_filter_measure_dcm)
+#define vd_filter_measure_dcm_exact BS_FORM(vd_filter_measure_dcm_exact)
+#define vd_filter_measure_velocity BS_FORM(vd_filter_measure_velocity)
+#define vd_filter_propagate BS_FORM(vd_filter_propagate)
+#define vd_filter_restore BS_FORM(vd_filter_restore)
+#define vd_filter_set_nav BS_FORM(vd_filter_set_nav)
+#define vd_filter_sigmas BS_FORM(vd_filter_sigmas)
+#define vd_filter_snapshot BS_FORM(vd_filter_snapshot)
+#define vd_filter_strapdown BS_FORM(vd_filter_strapdown)
+#define vd_filter_variance BS_FORM(vd_filter_variance)
 #endif
 
 #ifdef __cplusplus

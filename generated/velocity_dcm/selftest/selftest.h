@@ -8,6 +8,10 @@
 extern "C" {
 #endif
 
+/* As printf, of %s, %d and %e alone, this with three digits behind the point: that of the C library
+ * takes 20 kB. */
+void selftest_print(const char *format, ...);
+
 double selftest_nan(void);
 double selftest_infinity(void);
 void selftest_paint(bs_real *out, int n);
@@ -20,7 +24,7 @@ int selftest_compare(const char *what,
                      const bs_real *out,
                      int n,
                      const double *expected,
-                     const double *tolerance,
+                     const float *tolerance,
                      const unsigned short *at,
                      int nnz,
                      unsigned int angles);

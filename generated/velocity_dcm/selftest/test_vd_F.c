@@ -2,26 +2,25 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.276f940000000p+2, 0x1.1146bc0000000p+0, 0x1.828c860000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.24b27c0000000p+9, -0x1.1b64100000000p+7, -0x1.a8cd640000000p+7 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { 0x1.df81ec0000000p-4, -0x1.1fa6a40000000p-1, -0x1.93d88e0000000p-1, 0x1.c426ec0000000p-3 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { -0x1.e2ad340000000p+8, 0x1.4e9f320000000p+8, -0x1.c2cd1e0000000p+4 }
 };
@@ -31,14 +30,14 @@ static const double out_F[N_VECTORS][18] = {
     { 0x1.33f6cfa58cf86p-12, -0x1.5322bd3129f85p-13, 0x1.a52f26dbf2ae2p+6, -0x1.63cac129763b7p+8, -0x1.33f6cfa58cf86p-12, 0x1.739fa78bcf34cp-16, -0x1.a52f26dbf2ae2p+6, -0x1.c851c9baf6167p+8, 0x1.5322bd3129f85p-13, -0x1.739fa78bcf34cp-16, 0x1.63cac129763b7p+8, 0x1.c851c9baf6167p+8, 0x1.e1f741a1a08c1p-13, -0x1.095ff2ac39bbep-13, -0x1.e1f741a1a08c1p-13, 0x1.739fa78bcf34cp-16, 0x1.095ff2ac39bbep-13, -0x1.739fa78bcf34cp-16 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_F[N_VECTORS][18] = {
-    { 1.27e-09, 5.43e-11, 0.00021, 0.000188, 1.27e-09, 7.12e-11, 0.00021, 0.000218, 5.43e-11, 7.12e-11, 0.000188, 0.000218, 1.25e-09, 5.31e-11, 1.25e-09, 7.12e-11, 5.31e-11, 7.12e-11 },
-    { 1.53e-10, 5.15e-11, 6.56e-05, 0.00017, 1.53e-10, 1.01e-11, 6.56e-05, 0.000184, 5.15e-11, 1.01e-11, 0.00017, 0.000184, 1.34e-10, 4.09e-11, 1.34e-10, 1.01e-11, 4.09e-11, 1.01e-11 }
+static const float tol_F[N_VECTORS][18] = {
+    { 1.27e-09F, 5.43e-11F, 2.10e-04F, 1.88e-04F, 1.27e-09F, 7.12e-11F, 2.10e-04F, 2.18e-04F, 5.43e-11F, 7.12e-11F, 1.88e-04F, 2.18e-04F, 1.25e-09F, 5.31e-11F, 1.25e-09F, 7.12e-11F, 5.31e-11F, 7.12e-11F },
+    { 1.53e-10F, 5.15e-11F, 6.56e-05F, 1.70e-04F, 1.53e-10F, 1.01e-11F, 6.56e-05F, 1.84e-04F, 5.15e-11F, 1.01e-11F, 1.70e-04F, 1.84e-04F, 1.34e-10F, 4.09e-11F, 1.34e-10F, 1.01e-11F, 4.09e-11F, 1.01e-11F }
 };
 #else
-static const double tol_F[N_VECTORS][18] = {
-    { 2.54e-18, 1.17e-19, 4.48e-13, 4.06e-13, 2.54e-18, 1.5e-19, 4.48e-13, 4.62e-13, 1.17e-19, 1.5e-19, 4.06e-13, 4.62e-13, 2.52e-18, 1.16e-19, 2.52e-18, 1.5e-19, 1.16e-19, 1.5e-19 },
-    { 3.19e-19, 1.14e-19, 1.34e-13, 3.57e-13, 3.19e-19, 2.12e-20, 1.34e-13, 3.94e-13, 1.14e-19, 2.12e-20, 3.57e-13, 3.94e-13, 2.76e-19, 9.04e-20, 2.76e-19, 2.12e-20, 9.04e-20, 2.12e-20 }
+static const float tol_F[N_VECTORS][18] = {
+    { 2.54e-18F, 1.17e-19F, 4.48e-13F, 4.06e-13F, 2.54e-18F, 1.50e-19F, 4.48e-13F, 4.62e-13F, 1.17e-19F, 1.50e-19F, 4.06e-13F, 4.62e-13F, 2.52e-18F, 1.16e-19F, 2.52e-18F, 1.50e-19F, 1.16e-19F, 1.50e-19F },
+    { 3.19e-19F, 1.14e-19F, 1.34e-13F, 3.57e-13F, 3.19e-19F, 2.12e-20F, 1.34e-13F, 3.94e-13F, 1.14e-19F, 2.12e-20F, 3.57e-13F, 3.94e-13F, 2.76e-19F, 9.04e-20F, 2.76e-19F, 2.12e-20F, 9.04e-20F, 2.12e-20F }
 };
 #endif
 static const unsigned short at_F[18] = { 1, 2, 4, 5, 10, 12, 13, 15, 20, 21, 23, 24, 34, 35, 43, 45,
@@ -87,7 +86,7 @@ int test_vd_F(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 100);
             if (vd_F(&nav, &imu, F) != expected) {
-                (void)printf("vd_F: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_F: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_F F", F, 100);
@@ -100,7 +99,7 @@ int test_vd_F(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vd_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("vd_F: position[%d] end %d refused\n", i, end);
+                selftest_print("vd_F: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -116,7 +115,7 @@ int test_vd_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 100);
             if (vd_F(&nav, &imu, F) != expected) {
-                (void)printf("vd_F: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_F F", F, 100);
@@ -127,7 +126,7 @@ int test_vd_F(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vd_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("vd_F: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vd_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -145,7 +144,7 @@ int test_vd_F(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 100);
             if (vd_F(&nav, &imu, F) != expected) {
-                (void)printf("vd_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_F F", F, 100);
@@ -159,7 +158,7 @@ int test_vd_F(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("vd_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -172,7 +171,7 @@ int test_vd_F(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_F(&nav, &imu, F) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vd_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -187,7 +186,7 @@ int test_vd_F(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 100);
             if (vd_F(&nav, &imu, F) != expected) {
-                (void)printf("vd_F: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_F F", F, 100);
@@ -198,7 +197,7 @@ int test_vd_F(void)
             set_point(0, &nav, &imu);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (vd_F(&nav, &imu, F) != BS_OK) {
-                (void)printf("vd_F: f_b[%d] end %d refused\n", i, end);
+                selftest_print("vd_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

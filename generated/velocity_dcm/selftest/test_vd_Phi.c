@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { -0x1.e087120000000p+1, -0x1.29283a0000000p-1, 0x1.ae1bde0000000p+11 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, -0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { 0x1.70f5920000000p+9, -0x1.b4f50e0000000p+9, 0x1.579ec20000000p+8 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { 0x1.cb59e40000000p-1, 0x1.6aba4c0000000p-2, 0x1.d45af40000000p-4, 0x1.ed5cd40000000p-3 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, -0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { -0x1.a8b6f40000000p+6, 0x1.46ccc60000000p+8, 0x1.f9ee240000000p+7 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.0c6f7c0000000p-20 },
     { 0x1.06660c0000000p+0 }
 };
@@ -35,14 +34,14 @@ static const double out_Phi[N_VECTORS][31] = {
     { 0x1.fffffe941ba2ap-1, -0x1.4eb0f053f62f8p-13, -0x1.fe7f4190943d8p-13, -0x1.d7510e5a9a549p-5, -0x1.a6edf89a005f2p+8, 0x1.8730e15eb9fe3p+2, 0x1.4ec3599082e7ep-13, 0x1.ffffff3d558e4p-1, 0x1.276adc8d78230p-13, 0x1.a6f3ed0c847e6p+8, -0x1.32a1627499bfdp-4, 0x1.c6bf361452c46p+6, 0x1.fe732f01acf56p-13, -0x1.277fb83821961p-13, 0x1.fffffeac4650dp-1, -0x1.8c045bb3fb108p+2, -0x1.c71a386549a21p+6, -0x1.e23fcb9c0f4b3p-7, 0x1.ffffff36ff47dp-1, -0x1.f17ecf6e8505fp-14, -0x1.7b68ccafaf796p-13, 0x1.f19a2d553d4a4p-14, 0x1.ffffff6e4ff13p-1, 0x1.276f87a6e11a6p-13, 0x1.7b5fd3bc41ccap-13, -0x1.277b0d1eb89ebp-13, 0x1.ffffff1e2f930p-1, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Phi[N_VECTORS][31] = {
-    { 6.02e-08, 1.45e-15, 7.11e-17, 1.5e-18, 3.32e-10, 3.39e-10, 1.45e-15, 6.02e-08, 8.94e-17, 3.32e-10, 1.48e-18, 3.09e-10, 7.11e-17, 8.94e-17, 6.02e-08, 3.39e-10, 3.09e-10, 1.72e-19, 6.02e-08, 1.45e-15, 7.07e-17, 1.45e-15, 6.02e-08, 8.94e-17, 7.07e-17, 8.94e-17, 6.02e-08, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 6.02e-08, 9.77e-11, 1.06e-10, 1.04e-07, 0.000201, 0.000137, 9.77e-11, 6.02e-08, 8.07e-11, 0.000201, 1.03e-07, 0.000121, 1.06e-10, 8.07e-11, 6.02e-08, 0.000137, 0.000121, 5.74e-08, 6.02e-08, 8.04e-11, 7.99e-11, 8.04e-11, 6.02e-08, 8.07e-11, 7.99e-11, 8.07e-11, 6.02e-08, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][31] = {
+    { 6.02e-08F, 1.45e-15F, 7.11e-17F, 1.50e-18F, 3.32e-10F, 3.39e-10F, 1.45e-15F, 6.02e-08F, 8.94e-17F, 3.32e-10F, 1.48e-18F, 3.09e-10F, 7.11e-17F, 8.94e-17F, 6.02e-08F, 3.39e-10F, 3.09e-10F, 1.72e-19F, 6.02e-08F, 1.45e-15F, 7.07e-17F, 1.45e-15F, 6.02e-08F, 8.94e-17F, 7.07e-17F, 8.94e-17F, 6.02e-08F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 6.02e-08F, 9.77e-11F, 1.06e-10F, 1.04e-07F, 2.01e-04F, 1.37e-04F, 9.77e-11F, 6.02e-08F, 8.07e-11F, 2.01e-04F, 1.03e-07F, 1.21e-04F, 1.06e-10F, 8.07e-11F, 6.02e-08F, 1.37e-04F, 1.21e-04F, 5.74e-08F, 6.02e-08F, 8.04e-11F, 7.99e-11F, 8.04e-11F, 6.02e-08F, 8.07e-11F, 7.99e-11F, 8.07e-11F, 6.02e-08F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #else
-static const double tol_Phi[N_VECTORS][31] = {
-    { 2.24e-16, 2.89e-24, 1.48e-25, 2.9e-27, 6.74e-19, 6.88e-19, 2.89e-24, 2.24e-16, 1.84e-25, 6.74e-19, 2.84e-27, 6.32e-19, 1.48e-25, 1.84e-25, 2.24e-16, 6.88e-19, 6.32e-19, 3.2e-28, 2.24e-16, 2.89e-24, 1.48e-25, 2.89e-24, 2.24e-16, 1.84e-25, 1.48e-25, 1.84e-25, 2.24e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 },
-    { 2.24e-16, 2e-19, 2.25e-19, 2e-16, 4.22e-13, 2.56e-13, 2e-19, 2.24e-16, 1.66e-19, 4.22e-13, 2e-16, 2.37e-13, 2.25e-19, 1.66e-19, 2.24e-16, 2.56e-13, 2.38e-13, 1.09e-16, 2.24e-16, 1.63e-19, 1.69e-19, 1.63e-19, 2.24e-16, 1.66e-19, 1.69e-19, 1.66e-19, 2.24e-16, 1.12e-16, 1.12e-16, 1.12e-16, 1.12e-16 }
+static const float tol_Phi[N_VECTORS][31] = {
+    { 2.24e-16F, 2.89e-24F, 1.48e-25F, 2.90e-27F, 6.74e-19F, 6.88e-19F, 2.89e-24F, 2.24e-16F, 1.84e-25F, 6.74e-19F, 2.84e-27F, 6.32e-19F, 1.48e-25F, 1.84e-25F, 2.24e-16F, 6.88e-19F, 6.32e-19F, 3.20e-28F, 2.24e-16F, 2.89e-24F, 1.48e-25F, 2.89e-24F, 2.24e-16F, 1.84e-25F, 1.48e-25F, 1.84e-25F, 2.24e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F },
+    { 2.24e-16F, 2.00e-19F, 2.25e-19F, 2.00e-16F, 4.22e-13F, 2.56e-13F, 2.00e-19F, 2.24e-16F, 1.66e-19F, 4.22e-13F, 2.00e-16F, 2.37e-13F, 2.25e-19F, 1.66e-19F, 2.24e-16F, 2.56e-13F, 2.38e-13F, 1.09e-16F, 2.24e-16F, 1.63e-19F, 1.69e-19F, 1.63e-19F, 2.24e-16F, 1.66e-19F, 1.69e-19F, 1.66e-19F, 2.24e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F }
 };
 #endif
 static const unsigned short at_Phi[31] = { 0, 1, 2, 3, 4, 5, 10, 11, 12, 13, 14, 15, 20, 21, 22, 23,
@@ -96,7 +95,7 @@ int test_vd_Phi(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 100);
             if (vd_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("vd_Phi: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Phi: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Phi Phi", Phi, 100);
@@ -109,7 +108,7 @@ int test_vd_Phi(void)
             set_point(0, &nav, &imu);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vd_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("vd_Phi: position[%d] end %d refused\n", i, end);
+                selftest_print("vd_Phi: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -125,7 +124,7 @@ int test_vd_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 100);
             if (vd_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("vd_Phi: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Phi Phi", Phi, 100);
@@ -136,7 +135,7 @@ int test_vd_Phi(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vd_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("vd_Phi: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vd_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -154,7 +153,7 @@ int test_vd_Phi(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 100);
             if (vd_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("vd_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Phi Phi", Phi, 100);
@@ -168,7 +167,7 @@ int test_vd_Phi(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("vd_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -181,7 +180,7 @@ int test_vd_Phi(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_Phi(&nav, &imu, Phi) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vd_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -196,7 +195,7 @@ int test_vd_Phi(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 100);
             if (vd_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("vd_Phi: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Phi Phi", Phi, 100);
@@ -207,7 +206,7 @@ int test_vd_Phi(void)
             set_point(0, &nav, &imu);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (vd_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("vd_Phi: f_b[%d] end %d refused\n", i, end);
+                selftest_print("vd_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -223,7 +222,7 @@ int test_vd_Phi(void)
                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 100);
             if (vd_Phi(&nav, &imu, Phi) != expected) {
-                (void)printf("vd_Phi: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Phi Phi", Phi, 100);
@@ -234,7 +233,7 @@ int test_vd_Phi(void)
             set_point(0, &nav, &imu);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (vd_Phi(&nav, &imu, Phi) != BS_OK) {
-                (void)printf("vd_Phi: dt[%d] end %d refused\n", i, end);
+                selftest_print("vd_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,38 +2,37 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { 0x1.7fc4f20000000p+2, -0x1.49f5740000000p+0, 0x1.b204360000000p+13 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, -0x1.f400000000000p+9 },
     { -0x1.baee020000000p+8, 0x1.ed83f40000000p+9, 0x1.840b9c0000000p+6 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { 0x1.1c47f00000000p-4, -0x1.985ea60000000p-1, -0x1.373db00000000p-2, -0x1.086ec20000000p-1 }
 };
-static const double in_f_b[N_VECTORS][3] = {
+static const float in_f_b[N_VECTORS][3] = {
     { -0x1.f400000000000p+8, 0x1.f400000000000p+8, -0x1.f400000000000p+8 },
     { 0x1.39c70c0000000p+7, -0x1.6580320000000p+5, -0x1.02daa00000000p+7 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 },
     { 0x1.c8cad00000000p+1 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.9999980000000p-4, 0x0.0p+0 },
     { 0x1.16a9760000000p-4, 0x1.2f5cec0000000p-6, 0x1.d9c65e0000000p-5 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x1.4000000000000p+3, 0x0.0p+0 },
     { 0x1.b85ed00000000p-1, 0x1.95fbac0000000p+2, 0x1.f128820000000p+2 }
 };
@@ -43,14 +42,14 @@ static const double out_Q[N_VECTORS][36] = {
     { 0x1.c6e1b2266d493p+9, -0x1.7c2c704edb92ep+9, 0x1.c3e7795a52894p+8, -0x1.c7355e7f4d042p+0, -0x1.a24cb31368ec4p+0, 0x1.8cb7e9f12794bp-4, -0x1.7c2c704edb92ep+9, 0x1.d224adf37cbcep+10, -0x1.9e872874d555ep+9, 0x1.7c11c40251027p+1, 0x1.21f349b6d7eebp+1, 0x1.133ae4e263837p+1, 0x1.c3e7795a52894p+8, -0x1.9e872874d555ep+9, 0x1.d2994e6f8a106p+8, -0x1.83a57b4f17486p+0, -0x1.46fab0e8321bdp+0, -0x1.f31f2e8f48f6ep-2, -0x1.c7355e7f4d042p+0, 0x1.7c11c40251027p+1, -0x1.83a57b4f17486p+0, 0x1.26828d4e3ce0dp-7, 0x1.5dbd288802e47p-8, -0x1.7baee247877dcp-14, -0x1.a24cb31368ec4p+0, 0x1.21f349b6d7eebp+1, -0x1.46fab0e8321bdp+0, 0x1.5dbd288802e47p-8, 0x1.7994ae3a75dfap-8, 0x1.bc6858013e43ap-9, 0x1.8cb7e9f12794bp-4, 0x1.133ae4e263837p+1, -0x1.f31f2e8f48f6ep-2, -0x1.7baee247877dcp-14, 0x1.bc6858013e43ap-9, 0x1.e95df7c6a9e0dp-7 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Q[N_VECTORS][36] = {
-    { 0.00545, 0.206, 0.206, 5.83e-05, 9.72e-07, 4.12e-07, 0.206, 2.63, 2.58, 0.0005, 2.82e-05, 3.1e-05, 0.206, 2.58, 2.52, 0.000482, 2.81e-05, 3.12e-05, 5.83e-05, 0.0005, 0.000482, 1.07e-07, 9.53e-09, 1.22e-08, 9.72e-07, 2.82e-05, 2.81e-05, 9.53e-09, 1.76e-10, 1.21e-10, 4.12e-07, 3.1e-05, 3.12e-05, 1.22e-08, 1.21e-10, 1.97e-11 },
-    { 0.00273, 0.00382, 0.00206, 4.67e-06, 4.05e-06, 5.45e-06, 0.00382, 0.00609, 0.00301, 6.85e-06, 5.66e-06, 8.58e-06, 0.00206, 0.00301, 0.0016, 3.73e-06, 2.98e-06, 4.02e-06, 4.67e-06, 6.85e-06, 3.73e-06, 1.01e-08, 6.93e-09, 8.02e-09, 4.05e-06, 5.66e-06, 2.98e-06, 6.93e-09, 6.34e-09, 7.96e-09, 5.45e-06, 8.58e-06, 4.02e-06, 8.02e-09, 7.96e-09, 1.64e-08 }
+static const float tol_Q[N_VECTORS][36] = {
+    { 5.45e-03F, 2.06e-01F, 2.06e-01F, 5.83e-05F, 9.72e-07F, 4.12e-07F, 2.06e-01F, 2.63e+00F, 2.58e+00F, 5.00e-04F, 2.82e-05F, 3.10e-05F, 2.06e-01F, 2.58e+00F, 2.52e+00F, 4.82e-04F, 2.81e-05F, 3.12e-05F, 5.83e-05F, 5.00e-04F, 4.82e-04F, 1.07e-07F, 9.53e-09F, 1.22e-08F, 9.72e-07F, 2.82e-05F, 2.81e-05F, 9.53e-09F, 1.76e-10F, 1.21e-10F, 4.12e-07F, 3.10e-05F, 3.12e-05F, 1.22e-08F, 1.21e-10F, 1.97e-11F },
+    { 2.73e-03F, 3.82e-03F, 2.06e-03F, 4.67e-06F, 4.05e-06F, 5.45e-06F, 3.82e-03F, 6.09e-03F, 3.01e-03F, 6.85e-06F, 5.66e-06F, 8.58e-06F, 2.06e-03F, 3.01e-03F, 1.60e-03F, 3.73e-06F, 2.98e-06F, 4.02e-06F, 4.67e-06F, 6.85e-06F, 3.73e-06F, 1.01e-08F, 6.93e-09F, 8.02e-09F, 4.05e-06F, 5.66e-06F, 2.98e-06F, 6.93e-09F, 6.34e-09F, 7.96e-09F, 5.45e-06F, 8.58e-06F, 4.02e-06F, 8.02e-09F, 7.96e-09F, 1.64e-08F }
 };
 #else
-static const double tol_Q[N_VECTORS][36] = {
-    { 1.03e-11, 3.85e-10, 3.86e-10, 1.09e-13, 1.81e-15, 7.68e-16, 3.85e-10, 5e-09, 4.89e-09, 9.6e-13, 5.28e-14, 5.78e-14, 3.86e-10, 4.89e-09, 4.79e-09, 9.26e-13, 5.26e-14, 5.81e-14, 1.09e-13, 9.6e-13, 9.26e-13, 2.11e-16, 1.79e-17, 2.28e-17, 1.81e-15, 5.28e-14, 5.26e-14, 1.79e-17, 3.28e-19, 2.25e-19, 7.68e-16, 5.78e-14, 5.81e-14, 2.28e-17, 2.25e-19, 3.66e-20 },
-    { 5.19e-12, 7.21e-12, 3.88e-12, 8.9e-15, 7.73e-15, 1.02e-14, 7.21e-12, 1.16e-11, 5.7e-12, 1.31e-14, 1.08e-14, 1.62e-14, 3.88e-12, 5.7e-12, 3.02e-12, 7.11e-15, 5.69e-15, 7.54e-15, 8.9e-15, 1.31e-14, 7.11e-15, 1.97e-17, 1.35e-17, 1.5e-17, 7.73e-15, 1.08e-14, 5.69e-15, 1.35e-17, 1.25e-17, 1.52e-17, 1.02e-14, 1.62e-14, 7.54e-15, 1.5e-17, 1.52e-17, 3.22e-17 }
+static const float tol_Q[N_VECTORS][36] = {
+    { 1.03e-11F, 3.85e-10F, 3.86e-10F, 1.09e-13F, 1.81e-15F, 7.68e-16F, 3.85e-10F, 5.00e-09F, 4.89e-09F, 9.60e-13F, 5.28e-14F, 5.78e-14F, 3.86e-10F, 4.89e-09F, 4.79e-09F, 9.26e-13F, 5.26e-14F, 5.81e-14F, 1.09e-13F, 9.60e-13F, 9.26e-13F, 2.11e-16F, 1.79e-17F, 2.28e-17F, 1.81e-15F, 5.28e-14F, 5.26e-14F, 1.79e-17F, 3.28e-19F, 2.25e-19F, 7.68e-16F, 5.78e-14F, 5.81e-14F, 2.28e-17F, 2.25e-19F, 3.66e-20F },
+    { 5.19e-12F, 7.21e-12F, 3.88e-12F, 8.90e-15F, 7.73e-15F, 1.02e-14F, 7.21e-12F, 1.16e-11F, 5.70e-12F, 1.31e-14F, 1.08e-14F, 1.62e-14F, 3.88e-12F, 5.70e-12F, 3.02e-12F, 7.11e-15F, 5.69e-15F, 7.54e-15F, 8.90e-15F, 1.31e-14F, 7.11e-15F, 1.97e-17F, 1.35e-17F, 1.50e-17F, 7.73e-15F, 1.08e-14F, 5.69e-15F, 1.35e-17F, 1.25e-17F, 1.52e-17F, 1.02e-14F, 1.62e-14F, 7.54e-15F, 1.50e-17F, 1.52e-17F, 3.22e-17F }
 };
 #endif
 static const unsigned short at_Q[36] = { 0, 1, 2, 3, 4, 5, 10, 11, 12, 13, 14, 15, 20, 21, 22, 23,
@@ -110,7 +109,7 @@ int test_vd_Q(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 100);
             if (vd_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("vd_Q: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Q: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Q Q", Q, 100);
@@ -123,7 +122,7 @@ int test_vd_Q(void)
             set_point(0, &nav, &imu, &noise);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vd_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("vd_Q: position[%d] end %d refused\n", i, end);
+                selftest_print("vd_Q: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -139,7 +138,7 @@ int test_vd_Q(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 100);
             if (vd_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("vd_Q: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Q Q", Q, 100);
@@ -150,7 +149,7 @@ int test_vd_Q(void)
             set_point(0, &nav, &imu, &noise);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vd_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("vd_Q: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vd_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -168,7 +167,7 @@ int test_vd_Q(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 100);
             if (vd_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("vd_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Q Q", Q, 100);
@@ -182,7 +181,7 @@ int test_vd_Q(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("vd_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -195,7 +194,7 @@ int test_vd_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_Q(&nav, &imu, &noise, Q) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vd_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -210,7 +209,7 @@ int test_vd_Q(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 100);
             if (vd_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("vd_Q: f_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Q: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Q Q", Q, 100);
@@ -221,7 +220,7 @@ int test_vd_Q(void)
             set_point(0, &nav, &imu, &noise);
             imu.f_b[i] = (end == 0) ? low[i] : high[i];
             if (vd_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("vd_Q: f_b[%d] end %d refused\n", i, end);
+                selftest_print("vd_Q: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -237,7 +236,7 @@ int test_vd_Q(void)
                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 100);
             if (vd_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("vd_Q: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Q Q", Q, 100);
@@ -248,7 +247,7 @@ int test_vd_Q(void)
             set_point(0, &nav, &imu, &noise);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (vd_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("vd_Q: dt[%d] end %d refused\n", i, end);
+                selftest_print("vd_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -266,7 +265,7 @@ int test_vd_Q(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 100);
             if (vd_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("vd_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Q Q", Q, 100);
@@ -277,7 +276,7 @@ int test_vd_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (vd_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("vd_Q: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("vd_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -295,7 +294,7 @@ int test_vd_Q(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 100);
             if (vd_Q(&nav, &imu, &noise, Q) != expected) {
-                (void)printf("vd_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Q Q", Q, 100);
@@ -306,7 +305,7 @@ int test_vd_Q(void)
             set_point(0, &nav, &imu, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (vd_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                (void)printf("vd_Q: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("vd_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.c2f4ba0000000p-2, -0x1.d597cc0000000p-2, 0x1.9ef9e20000000p-3, -0x1.7da25a0000000p-1 }
 };
-static const double in_gyro_noise[N_VECTORS][3] = {
+static const float in_gyro_noise[N_VECTORS][3] = {
     { 0x0.0p+0, 0x0.0p+0, 0x1.9999980000000p-4 },
     { 0x1.0b0bda0000000p-4, 0x1.1788520000000p-4, 0x1.a86ea40000000p-5 }
 };
-static const double in_accel_noise[N_VECTORS][3] = {
+static const float in_accel_noise[N_VECTORS][3] = {
     { 0x1.4000000000000p+3, 0x0.0p+0, 0x1.4000000000000p+3 },
     { 0x1.c42d140000000p+2, 0x1.232ce00000000p+2, 0x1.e0f4840000000p+2 }
 };
@@ -27,14 +26,14 @@ static const double out_Qc[N_VECTORS][18] = {
     { 0x1.8340e7f04c6bfp+5, 0x1.f81bfc767e739p+2, 0x1.90c9ae7747993p+3, 0x1.f81bfc767e739p+2, 0x1.4eb6f36a4e591p+5, -0x1.53cafd5964e67p+3, 0x1.90c9ae7747993p+3, -0x1.53cafd5964e67p+3, 0x1.28917438c9df9p+5, 0x1.a15ba500d2bd4p-9, -0x1.f59325882e145p-13, -0x1.a78c8dbd71c61p-11, -0x1.f59325882e145p-13, 0x1.1d839ce9db5c9p-8, 0x1.3227ef101b53cp-14, -0x1.a78c8dbd71c61p-11, 0x1.3227ef101b53cp-14, 0x1.0ae0884d5bc32p-8 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_Qc[N_VECTORS][18] = {
-    { 7.15e-13, 6e-06, 6e-06, 6e-06, 4.8e-05, 1.65e-05, 6e-06, 1.65e-05, 5.4e-05, 3.58e-17, 6e-10, 6.26e-17, 6e-10, 4.8e-09, 1.05e-09, 6.26e-17, 1.05e-09, 1.09e-16 },
-    { 2.57e-05, 1.43e-05, 2.16e-05, 1.43e-05, 2.44e-05, 1.8e-05, 2.16e-05, 1.8e-05, 2.31e-05, 1.84e-09, 1.48e-09, 1.86e-09, 1.48e-09, 2.68e-09, 1.9e-09, 1.86e-09, 1.9e-09, 2.39e-09 }
+static const float tol_Qc[N_VECTORS][18] = {
+    { 7.15e-13F, 6.00e-06F, 6.00e-06F, 6.00e-06F, 4.80e-05F, 1.65e-05F, 6.00e-06F, 1.65e-05F, 5.40e-05F, 3.58e-17F, 6.00e-10F, 6.26e-17F, 6.00e-10F, 4.80e-09F, 1.05e-09F, 6.26e-17F, 1.05e-09F, 1.09e-16F },
+    { 2.57e-05F, 1.43e-05F, 2.16e-05F, 1.43e-05F, 2.44e-05F, 1.80e-05F, 2.16e-05F, 1.80e-05F, 2.31e-05F, 1.84e-09F, 1.48e-09F, 1.86e-09F, 1.48e-09F, 2.68e-09F, 1.90e-09F, 1.86e-09F, 1.90e-09F, 2.39e-09F }
 };
 #else
-static const double tol_Qc[N_VECTORS][18] = {
-    { 2.48e-30, 1.12e-14, 1.12e-14, 1.12e-14, 1.01e-13, 3.07e-14, 1.12e-14, 3.07e-14, 1.12e-13, 1.24e-34, 1.12e-18, 2.17e-34, 1.12e-18, 1.01e-17, 1.96e-18, 2.17e-34, 1.96e-18, 3.8e-34 },
-    { 5.33e-14, 2.76e-14, 4.16e-14, 2.76e-14, 5.01e-14, 3.47e-14, 4.16e-14, 3.47e-14, 4.71e-14, 3.78e-18, 2.79e-18, 3.55e-18, 2.79e-18, 5.47e-18, 3.55e-18, 3.55e-18, 3.55e-18, 4.91e-18 }
+static const float tol_Qc[N_VECTORS][18] = {
+    { 2.48e-30F, 1.12e-14F, 1.12e-14F, 1.12e-14F, 1.01e-13F, 3.07e-14F, 1.12e-14F, 3.07e-14F, 1.12e-13F, 1.24e-34F, 1.12e-18F, 2.17e-34F, 1.12e-18F, 1.01e-17F, 1.96e-18F, 2.17e-34F, 1.96e-18F, 3.80e-34F },
+    { 5.33e-14F, 2.76e-14F, 4.16e-14F, 2.76e-14F, 5.01e-14F, 3.47e-14F, 4.16e-14F, 3.47e-14F, 4.71e-14F, 3.78e-18F, 2.79e-18F, 3.55e-18F, 2.79e-18F, 5.47e-18F, 3.55e-18F, 3.55e-18F, 3.55e-18F, 4.91e-18F }
 };
 #endif
 static const unsigned short at_Qc[18] = { 0, 1, 2, 10, 11, 12, 20, 21, 22, 33, 34, 35, 43, 44, 45,
@@ -80,7 +79,7 @@ int test_vd_Qc(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 100);
             if (vd_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("vd_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Qc Qc", Qc, 100);
@@ -94,7 +93,7 @@ int test_vd_Qc(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("vd_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -107,7 +106,7 @@ int test_vd_Qc(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_Qc(&nav, &noise, Qc) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vd_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -124,7 +123,7 @@ int test_vd_Qc(void)
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 100);
             if (vd_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("vd_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Qc Qc", Qc, 100);
@@ -135,7 +134,7 @@ int test_vd_Qc(void)
             set_point(0, &nav, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
             if (vd_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("vd_Qc: gyro_noise[%d] end %d refused\n", i, end);
+                selftest_print("vd_Qc: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -153,7 +152,7 @@ int test_vd_Qc(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Qc, 100);
             if (vd_Qc(&nav, &noise, Qc) != expected) {
-                (void)printf("vd_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Qc Qc", Qc, 100);
@@ -164,7 +163,7 @@ int test_vd_Qc(void)
             set_point(0, &nav, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
             if (vd_Qc(&nav, &noise, Qc) != BS_OK) {
-                (void)printf("vd_Qc: accel_noise[%d] end %d refused\n", i, end);
+                selftest_print("vd_Qc: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,18 +2,17 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.76c1aa0000000p-4, 0x1.39a5260000000p-1, -0x1.f89f2c0000000p-2, 0x1.38cf120000000p-1 }
 };
-static const double in_omega_nm_n[N_VECTORS][3] = {
+static const float in_omega_nm_n[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, 0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { -0x1.1a66a00000000p+3, -0x1.dcbe3a0000000p+1, -0x1.4be9500000000p+3 }
 };
@@ -23,14 +22,14 @@ static const double out_H[N_VECTORS][15] = {
     { 0x1.0000000000000p+0, -0x1.dc1d007240e0ep-3, -0x1.f7c55c42778b0p-2, 0x1.ad6a5d7d749f8p-1, -0x1.1a66a00000000p+3, 0x1.0000000000000p+0, -0x1.6e5d7829c0c28p-1, -0x1.fd3f73094bf07p-2, -0x1.f5d106fc70c90p-2, -0x1.dcbe3a0000000p+1, 0x1.0000000000000p+0, 0x1.5113945138b88p-1, -0x1.6db1a6518cb38p-1, -0x1.e44c78d1d260ep-3, -0x1.4be9500000000p+3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][15] = {
-    { 1.12e-16, 6.01e-08, 1.2e-07, 6.01e-08, 2.24e-15, 1.12e-16, 6.01e-08, 6.01e-08, 1.2e-07, 2.24e-15, 1.12e-16, 1.2e-07, 6.01e-08, 1.05e-07, 2.24e-15 },
-    { 1.12e-16, 1.04e-07, 7.27e-08, 1.01e-07, 9.9e-16, 1.12e-16, 8.62e-08, 1.2e-07, 7.25e-08, 4.18e-16, 1.12e-16, 9.01e-08, 8.6e-08, 1.48e-07, 1.16e-15 }
+static const float tol_H[N_VECTORS][15] = {
+    { 1.12e-16F, 6.01e-08F, 1.20e-07F, 6.01e-08F, 2.24e-15F, 1.12e-16F, 6.01e-08F, 6.01e-08F, 1.20e-07F, 2.24e-15F, 1.12e-16F, 1.20e-07F, 6.01e-08F, 1.05e-07F, 2.24e-15F },
+    { 1.12e-16F, 1.04e-07F, 7.27e-08F, 1.01e-07F, 9.90e-16F, 1.12e-16F, 8.62e-08F, 1.20e-07F, 7.25e-08F, 4.18e-16F, 1.12e-16F, 9.01e-08F, 8.60e-08F, 1.48e-07F, 1.16e-15F }
 };
 #else
-static const double tol_H[N_VECTORS][15] = {
-    { 1.12e-16, 1.12e-16, 3.36e-16, 1.12e-16, 2.24e-15, 1.12e-16, 1.12e-16, 1.12e-16, 3.36e-16, 2.24e-15, 1.12e-16, 3.36e-16, 1.12e-16, 1.96e-16, 2.24e-15 },
-    { 1.12e-16, 2.2e-16, 1.91e-16, 2.82e-16, 9.9e-16, 1.12e-16, 2.41e-16, 2.79e-16, 1.9e-16, 4.18e-16, 1.12e-16, 2.42e-16, 2.4e-16, 3.03e-16, 1.16e-15 }
+static const float tol_H[N_VECTORS][15] = {
+    { 1.12e-16F, 1.12e-16F, 3.36e-16F, 1.12e-16F, 2.24e-15F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 3.36e-16F, 2.24e-15F, 1.12e-16F, 3.36e-16F, 1.12e-16F, 1.96e-16F, 2.24e-15F },
+    { 1.12e-16F, 2.20e-16F, 1.91e-16F, 2.82e-16F, 9.90e-16F, 1.12e-16F, 2.41e-16F, 2.79e-16F, 1.90e-16F, 4.18e-16F, 1.12e-16F, 2.42e-16F, 2.40e-16F, 3.03e-16F, 1.16e-15F }
 };
 #endif
 static const unsigned short at_H[15] = { 3, 6, 7, 8, 9, 14, 16, 17, 18, 19, 25, 26, 27, 28, 29 };
@@ -71,7 +70,7 @@ int test_vd_dcm_H(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 30);
             if (vd_dcm_H(&master, H) != expected) {
-                (void)printf("vd_dcm_H: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_H: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_H H", H, 30);
@@ -85,7 +84,7 @@ int test_vd_dcm_H(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_dcm_H(&master, H) != BS_OK) {
-                (void)printf("vd_dcm_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -98,7 +97,7 @@ int test_vd_dcm_H(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_dcm_H(&master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_dcm_H: q_m2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vd_dcm_H: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -115,7 +114,7 @@ int test_vd_dcm_H(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 30);
             if (vd_dcm_H(&master, H) != expected) {
-                (void)printf("vd_dcm_H: omega_nm_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_H: omega_nm_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_H H", H, 30);
@@ -126,7 +125,7 @@ int test_vd_dcm_H(void)
             set_point(0, &master);
             master.omega_nm_n[i] = (end == 0) ? low[i] : high[i];
             if (vd_dcm_H(&master, H) != BS_OK) {
-                (void)printf("vd_dcm_H: omega_nm_n[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_H: omega_nm_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_x[N_VECTORS][10] = {
+static const float in_x[N_VECTORS][10] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p+0 },
     { -0x1.0d8ed20000000p+6, 0x1.6250b20000000p+5, 0x1.58e9360000000p+4, 0x1.eda5020000000p-4, -0x1.ca9b940000000p-2, 0x1.8e3c900000000p-8, -0x1.7b2f260000000p-2, -0x1.1484660000000p-6, 0x1.53bb0c0000000p-2, 0x1.d01e1c0000000p-1 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.6d774c0000000p-1, -0x1.32b58c0000000p-1, 0x1.eeb7060000000p-4, 0x1.5ba2ce0000000p-2 }
 };
-static const double in_mu[N_VECTORS][3] = {
+static const float in_mu[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { -0x1.4c43fc0000000p-2, 0x1.04c66e0000000p-2, -0x1.e8c0e40000000p-5 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.4df3f20000000p-1, 0x1.15d8e20000000p-2, -0x1.1bffa00000000p-1, 0x1.c42c900000000p-2 }
 };
-static const double in_omega_nm_n[N_VECTORS][3] = {
+static const float in_omega_nm_n[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, 0x1.4000000000000p+4, 0x1.4000000000000p+4 },
     { 0x1.5b49f00000000p+3, -0x1.688efa0000000p+3, -0x1.2031760000000p+2 }
 };
@@ -35,14 +34,14 @@ static const double out_H[N_VECTORS][21] = {
     { -0x1.3311fa95f35c7p-2, 0x1.5d66f7a430129p-2, 0x1.610a592b10fa6p-1, -0x1.8054924d1599ap-2, 0x1.778b5117d3387p-1, 0x1.48b1ecf7c97a4p-5, -0x1.63be2bd315808p+3, 0x1.3eb137758e585p-4, 0x1.6540ba71b1837p-4, -0x1.5398b81523f3dp-2, -0x1.51a857d1c8260p-5, -0x1.4499020d8d3b9p-2, -0x1.2aff53bbf74dep-3, 0x1.c9792ca81714bp+0, 0x1.0134748b04bbfp-3, 0x1.06dbe21fcfa93p-3, 0x1.0571a6f40c247p-2, 0x1.98ac2c919d256p-6, 0x1.15a3eb3b74cfcp-2, -0x1.4113e843238f3p-3, -0x1.d97315566581fp+0 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][21] = {
-    { 2.31e-05, 2.14e-05, 2.6e-05, 4.49e-06, 1.08e-05, 5.15e-06, 0.000349, 2.58e-05, 2.3e-05, 2.14e-05, 5.48e-06, 4.61e-06, 1.14e-05, 0.000245, 2.07e-05, 2.53e-05, 2.24e-05, 1.12e-05, 5.1e-06, 5e-06, 0.000195 },
-    { 1.27e-05, 2.75e-05, 9.54e-06, 1.59e-05, 4.03e-05, 4.82e-05, 0.000208, 1.31e-05, 2.77e-05, 6.94e-06, 1.56e-05, 3.51e-05, 4.67e-05, 0.000173, 1.21e-05, 2.95e-05, 6.41e-06, 1.88e-05, 3.59e-05, 4.6e-05, 0.000156 }
+static const float tol_H[N_VECTORS][21] = {
+    { 2.31e-05F, 2.14e-05F, 2.60e-05F, 4.49e-06F, 1.08e-05F, 5.15e-06F, 3.49e-04F, 2.58e-05F, 2.30e-05F, 2.14e-05F, 5.48e-06F, 4.61e-06F, 1.14e-05F, 2.45e-04F, 2.07e-05F, 2.53e-05F, 2.24e-05F, 1.12e-05F, 5.10e-06F, 5.00e-06F, 1.95e-04F },
+    { 1.27e-05F, 2.75e-05F, 9.54e-06F, 1.59e-05F, 4.03e-05F, 4.82e-05F, 2.08e-04F, 1.31e-05F, 2.77e-05F, 6.94e-06F, 1.56e-05F, 3.51e-05F, 4.67e-05F, 1.73e-04F, 1.21e-05F, 2.95e-05F, 6.41e-06F, 1.88e-05F, 3.59e-05F, 4.60e-05F, 1.56e-04F }
 };
 #else
-static const double tol_H[N_VECTORS][21] = {
-    { 4.3e-14, 3.99e-14, 4.84e-14, 8.38e-15, 2.01e-14, 9.63e-15, 6.5e-13, 4.82e-14, 4.29e-14, 3.98e-14, 1.03e-14, 8.62e-15, 2.12e-14, 4.57e-13, 3.86e-14, 4.73e-14, 4.17e-14, 2.09e-14, 9.52e-15, 9.36e-15, 3.63e-13 },
-    { 2.36e-14, 5.13e-14, 1.79e-14, 2.97e-14, 7.52e-14, 8.97e-14, 3.89e-13, 2.44e-14, 5.15e-14, 1.3e-14, 2.9e-14, 6.54e-14, 8.71e-14, 3.23e-13, 2.26e-14, 5.49e-14, 1.2e-14, 3.5e-14, 6.69e-14, 8.57e-14, 2.91e-13 }
+static const float tol_H[N_VECTORS][21] = {
+    { 4.30e-14F, 3.99e-14F, 4.84e-14F, 8.38e-15F, 2.01e-14F, 9.63e-15F, 6.50e-13F, 4.82e-14F, 4.29e-14F, 3.98e-14F, 1.03e-14F, 8.62e-15F, 2.12e-14F, 4.57e-13F, 3.86e-14F, 4.73e-14F, 4.17e-14F, 2.09e-14F, 9.52e-15F, 9.36e-15F, 3.63e-13F },
+    { 2.36e-14F, 5.13e-14F, 1.79e-14F, 2.97e-14F, 7.52e-14F, 8.97e-14F, 3.89e-13F, 2.44e-14F, 5.15e-14F, 1.30e-14F, 2.90e-14F, 6.54e-14F, 8.71e-14F, 3.23e-13F, 2.26e-14F, 5.49e-14F, 1.20e-14F, 3.50e-14F, 6.69e-14F, 8.57e-14F, 2.91e-13F }
 };
 #endif
 static const unsigned short at_H[21] = { 3, 4, 5, 6, 7, 8, 9, 13, 14, 15, 16, 17, 18, 19, 23, 24,
@@ -95,7 +94,7 @@ int test_vd_dcm_exact_H(void)
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 30);
             if (vd_dcm_exact_H(x, &nav, &master, H) != expected) {
-                (void)printf("vd_dcm_exact_H: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_H: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_H H", H, 30);
@@ -112,7 +111,7 @@ int test_vd_dcm_exact_H(void)
             set_point(0, x, &nav, &master);
             x[i] = (end == 0) ? low[i] : high[i];
             if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OK) {
-                (void)printf("vd_dcm_exact_H: x[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_H: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -130,7 +129,7 @@ int test_vd_dcm_exact_H(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 30);
             if (vd_dcm_exact_H(x, &nav, &master, H) != expected) {
-                (void)printf("vd_dcm_exact_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_H H", H, 30);
@@ -144,7 +143,7 @@ int test_vd_dcm_exact_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OK) {
-                (void)printf("vd_dcm_exact_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -157,8 +156,8 @@ int test_vd_dcm_exact_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_dcm_exact_H: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vd_dcm_exact_H: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -173,7 +172,7 @@ int test_vd_dcm_exact_H(void)
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 30);
             if (vd_dcm_exact_H(x, &nav, &master, H) != expected) {
-                (void)printf("vd_dcm_exact_H: mu[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_H: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_H H", H, 30);
@@ -184,7 +183,7 @@ int test_vd_dcm_exact_H(void)
             set_point(0, x, &nav, &master);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
             if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OK) {
-                (void)printf("vd_dcm_exact_H: mu[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_H: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -202,7 +201,7 @@ int test_vd_dcm_exact_H(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 30);
             if (vd_dcm_exact_H(x, &nav, &master, H) != expected) {
-                (void)printf("vd_dcm_exact_H: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_H: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_H H", H, 30);
@@ -216,7 +215,7 @@ int test_vd_dcm_exact_H(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OK) {
-                (void)printf("vd_dcm_exact_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -229,8 +228,8 @@ int test_vd_dcm_exact_H(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_dcm_exact_H: q_m2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vd_dcm_exact_H: q_m2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -247,7 +246,7 @@ int test_vd_dcm_exact_H(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 30);
             if (vd_dcm_exact_H(x, &nav, &master, H) != expected) {
-                (void)printf("vd_dcm_exact_H: omega_nm_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_H: omega_nm_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_H H", H, 30);
@@ -258,7 +257,7 @@ int test_vd_dcm_exact_H(void)
             set_point(0, x, &nav, &master);
             master.omega_nm_n[i] = (end == 0) ? low[i] : high[i];
             if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OK) {
-                (void)printf("vd_dcm_exact_H: omega_nm_n[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_H: omega_nm_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_x[N_VECTORS][10] = {
+static const float in_x[N_VECTORS][10] = {
     { -0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p+0 },
     { 0x1.604b2c0000000p+3, 0x1.ca9b9a0000000p+5, -0x1.1602f00000000p+5, 0x1.533b040000000p-3, 0x1.45a1bc0000000p-2, -0x1.210d580000000p-3, -0x1.55d62e0000000p-3, -0x1.add8c20000000p-5, -0x1.1889460000000p-2, -0x1.a852fc0000000p-3 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.b4ea440000000p-2, -0x1.28b1820000000p-1, 0x1.d9d6ba0000000p-2, -0x1.08c4620000000p-1 }
 };
-static const double in_mu[N_VECTORS][3] = {
+static const float in_mu[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { -0x1.bf69440000000p-2, -0x1.72a4ae0000000p-6, -0x1.36e3880000000p-2 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.2abfbc0000000p-1, -0x1.647f8a0000000p-1, 0x1.7f783c0000000p-4, -0x1.9f454e0000000p-2 }
 };
-static const double in_omega_nm_n[N_VECTORS][3] = {
+static const float in_omega_nm_n[N_VECTORS][3] = {
     { -0x1.4000000000000p+4, 0x1.4000000000000p+4, -0x1.4000000000000p+4 },
     { -0x1.dffdac0000000p+3, 0x1.e30db60000000p+2, -0x1.29de6a0000000p+4 }
 };
@@ -35,14 +34,14 @@ static const double out_h[N_VECTORS][3] = {
     { -0x1.7690f722d3805p-1, 0x1.b2c3aeb0a36f8p-2, -0x1.cd4a3c1d3ed4dp-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_h[N_VECTORS][3] = {
-    { 1.86e-05, 1.75e-05, 1.74e-05 },
-    { 7.27e-06, 8.03e-06, 8.08e-06 }
+static const float tol_h[N_VECTORS][3] = {
+    { 1.86e-05F, 1.75e-05F, 1.74e-05F },
+    { 7.27e-06F, 8.03e-06F, 8.08e-06F }
 };
 #else
-static const double tol_h[N_VECTORS][3] = {
-    { 3.47e-14, 3.28e-14, 3.25e-14 },
-    { 1.36e-14, 1.5e-14, 1.51e-14 }
+static const float tol_h[N_VECTORS][3] = {
+    { 3.47e-14F, 3.28e-14F, 3.25e-14F },
+    { 1.36e-14F, 1.50e-14F, 1.51e-14F }
 };
 #endif
 static const unsigned short at_h[3] = { 0, 1, 2 };
@@ -94,7 +93,7 @@ int test_vd_dcm_exact_h(void)
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vd_dcm_exact_h(x, &nav, &master, h) != expected) {
-                (void)printf("vd_dcm_exact_h: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_h: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_h h", h, 3);
@@ -111,7 +110,7 @@ int test_vd_dcm_exact_h(void)
             set_point(0, x, &nav, &master);
             x[i] = (end == 0) ? low[i] : high[i];
             if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OK) {
-                (void)printf("vd_dcm_exact_h: x[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_h: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -129,7 +128,7 @@ int test_vd_dcm_exact_h(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vd_dcm_exact_h(x, &nav, &master, h) != expected) {
-                (void)printf("vd_dcm_exact_h: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_h: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_h h", h, 3);
@@ -143,7 +142,7 @@ int test_vd_dcm_exact_h(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OK) {
-                (void)printf("vd_dcm_exact_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -156,8 +155,8 @@ int test_vd_dcm_exact_h(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_dcm_exact_h: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vd_dcm_exact_h: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -172,7 +171,7 @@ int test_vd_dcm_exact_h(void)
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vd_dcm_exact_h(x, &nav, &master, h) != expected) {
-                (void)printf("vd_dcm_exact_h: mu[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_h: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_h h", h, 3);
@@ -183,7 +182,7 @@ int test_vd_dcm_exact_h(void)
             set_point(0, x, &nav, &master);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
             if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OK) {
-                (void)printf("vd_dcm_exact_h: mu[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_h: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -201,7 +200,7 @@ int test_vd_dcm_exact_h(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vd_dcm_exact_h(x, &nav, &master, h) != expected) {
-                (void)printf("vd_dcm_exact_h: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_h: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_h h", h, 3);
@@ -215,7 +214,7 @@ int test_vd_dcm_exact_h(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OK) {
-                (void)printf("vd_dcm_exact_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -228,8 +227,8 @@ int test_vd_dcm_exact_h(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_dcm_exact_h: q_m2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vd_dcm_exact_h: q_m2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -246,7 +245,7 @@ int test_vd_dcm_exact_h(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
             if (vd_dcm_exact_h(x, &nav, &master, h) != expected) {
-                (void)printf("vd_dcm_exact_h: omega_nm_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_h: omega_nm_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_h h", h, 3);
@@ -257,7 +256,7 @@ int test_vd_dcm_exact_h(void)
             set_point(0, x, &nav, &master);
             master.omega_nm_n[i] = (end == 0) ? low[i] : high[i];
             if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OK) {
-                (void)printf("vd_dcm_exact_h: omega_nm_n[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_h: omega_nm_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.d01ad60000000p-2, -0x1.b3e7960000000p-2, -0x1.1d7e340000000p-1, -0x1.18f1140000000p-1 }
 };
-static const double in_mu[N_VECTORS][3] = {
+static const float in_mu[N_VECTORS][3] = {
     { 0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { 0x1.636de00000000p-2, 0x1.f015ea0000000p-2, -0x1.1107c20000000p-2 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { -0x1.4d44da0000000p-3, -0x1.6c0c380000000p-5, 0x1.6d74fc0000000p-1, -0x1.5bebf60000000p-1 }
 };
@@ -27,14 +26,14 @@ static const double out_z[N_VECTORS][3] = {
     { 0x1.52b4239b7d797p-2, -0x1.f0c384e384aaap-2, -0x1.00ed5d3180c2bp-4 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 1.11e-06, 1.2e-06, 1.15e-06 },
-    { 9.81e-07, 1.13e-06, 1.38e-06 }
+static const float tol_z[N_VECTORS][3] = {
+    { 1.11e-06F, 1.20e-06F, 1.15e-06F },
+    { 9.81e-07F, 1.13e-06F, 1.38e-06F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 2.08e-15, 2.31e-15, 2.21e-15 },
-    { 1.87e-15, 2.15e-15, 2.59e-15 }
+static const float tol_z[N_VECTORS][3] = {
+    { 2.08e-15F, 2.31e-15F, 2.21e-15F },
+    { 1.87e-15F, 2.15e-15F, 2.59e-15F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -79,7 +78,7 @@ int test_vd_dcm_exact_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vd_dcm_exact_z(&nav, &master, z) != expected) {
-                (void)printf("vd_dcm_exact_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_z z", z, 3);
@@ -93,7 +92,7 @@ int test_vd_dcm_exact_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_dcm_exact_z(&nav, &master, z) != BS_OK) {
-                (void)printf("vd_dcm_exact_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -106,8 +105,8 @@ int test_vd_dcm_exact_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_dcm_exact_z(&nav, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_dcm_exact_z: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vd_dcm_exact_z: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -122,7 +121,7 @@ int test_vd_dcm_exact_z(void)
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vd_dcm_exact_z(&nav, &master, z) != expected) {
-                (void)printf("vd_dcm_exact_z: mu[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_z: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_z z", z, 3);
@@ -133,7 +132,7 @@ int test_vd_dcm_exact_z(void)
             set_point(0, &nav, &master);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
             if (vd_dcm_exact_z(&nav, &master, z) != BS_OK) {
-                (void)printf("vd_dcm_exact_z: mu[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_z: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -151,7 +150,7 @@ int test_vd_dcm_exact_z(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vd_dcm_exact_z(&nav, &master, z) != expected) {
-                (void)printf("vd_dcm_exact_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_exact_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_exact_z z", z, 3);
@@ -165,7 +164,7 @@ int test_vd_dcm_exact_z(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_dcm_exact_z(&nav, &master, z) != BS_OK) {
-                (void)printf("vd_dcm_exact_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_exact_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -178,8 +177,8 @@ int test_vd_dcm_exact_z(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_dcm_exact_z(&nav, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_dcm_exact_z: q_m2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vd_dcm_exact_z: q_m2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }

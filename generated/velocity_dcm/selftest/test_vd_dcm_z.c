@@ -2,22 +2,21 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1 },
     { -0x1.a2874c0000000p-1, 0x1.640d580000000p-4, 0x1.13968a0000000p-1, -0x1.72a9700000000p-3 }
 };
-static const double in_mu[N_VECTORS][3] = {
+static const float in_mu[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { -0x1.c961e20000000p-3, 0x1.d417460000000p-2, -0x1.742b600000000p-4 }
 };
-static const double in_q_m2n_wxyz[N_VECTORS][4] = {
+static const float in_q_m2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2, 0x1.ff8a0a0000000p-2 },
     { -0x1.eec30e0000000p-2, -0x1.058b780000000p-1, 0x1.562e7e0000000p-1, 0x1.ec78640000000p-3 }
 };
@@ -27,14 +26,14 @@ static const double out_z[N_VECTORS][3] = {
     { 0x1.fce1ed433ac2ap-1, 0x1.a1ceba0b6b4bdp-5, 0x1.6e80ba1fa1f5bp-5 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 9.49e-07, 9.63e-07, 1.01e-06 },
-    { 1.63e-06, 1.33e-06, 1.18e-06 }
+static const float tol_z[N_VECTORS][3] = {
+    { 9.49e-07F, 9.63e-07F, 1.01e-06F },
+    { 1.63e-06F, 1.33e-06F, 1.18e-06F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 1.78e-15, 1.81e-15, 1.93e-15 },
-    { 3.15e-15, 2.47e-15, 2.19e-15 }
+static const float tol_z[N_VECTORS][3] = {
+    { 1.78e-15F, 1.81e-15F, 1.93e-15F },
+    { 3.15e-15F, 2.47e-15F, 2.19e-15F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -79,7 +78,7 @@ int test_vd_dcm_z(void)
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vd_dcm_z(&nav, &master, z) != expected) {
-                (void)printf("vd_dcm_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_z z", z, 3);
@@ -93,7 +92,7 @@ int test_vd_dcm_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_dcm_z(&nav, &master, z) != BS_OK) {
-                (void)printf("vd_dcm_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -106,7 +105,7 @@ int test_vd_dcm_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_dcm_z(&nav, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_dcm_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vd_dcm_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }
@@ -121,7 +120,7 @@ int test_vd_dcm_z(void)
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vd_dcm_z(&nav, &master, z) != expected) {
-                (void)printf("vd_dcm_z: mu[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_z: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_z z", z, 3);
@@ -132,7 +131,7 @@ int test_vd_dcm_z(void)
             set_point(0, &nav, &master);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
             if (vd_dcm_z(&nav, &master, z) != BS_OK) {
-                (void)printf("vd_dcm_z: mu[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_z: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -150,7 +149,7 @@ int test_vd_dcm_z(void)
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vd_dcm_z(&nav, &master, z) != expected) {
-                (void)printf("vd_dcm_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_dcm_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_dcm_z z", z, 3);
@@ -164,7 +163,7 @@ int test_vd_dcm_z(void)
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_dcm_z(&nav, &master, z) != BS_OK) {
-                (void)printf("vd_dcm_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_dcm_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -177,7 +176,7 @@ int test_vd_dcm_z(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_dcm_z(&nav, &master, z) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_dcm_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vd_dcm_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
     }

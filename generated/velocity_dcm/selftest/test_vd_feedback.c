@@ -2,30 +2,29 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_x[N_VECTORS][10] = {
+static const float in_x[N_VECTORS][10] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p+0 },
     { -0x1.2780920000000p-1, -0x1.baf0de0000000p+2, -0x1.a949220000000p+5, 0x1.9222740000000p-2, -0x1.f3e3920000000p-4, -0x1.5a5cb60000000p-2, 0x1.434b2a0000000p-2, -0x1.d1be200000000p-4, 0x1.6262080000000p-3, 0x1.9d14c80000000p-1 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.e5292e0000000p+8, -0x1.a360940000000p+8, 0x1.8b1c7e0000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2, -0x1.ff8a0a0000000p-2 },
     { 0x1.6632940000000p-2, 0x1.716acc0000000p-1, 0x1.3189580000000p-1, 0x1.4a69920000000p-5 }
 };
-static const double in_mu[N_VECTORS][3] = {
+static const float in_mu[N_VECTORS][3] = {
     { 0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { -0x1.3442dc0000000p-2, 0x1.01b35c0000000p-2, 0x1.01dc520000000p-3 }
 };
-static const double in_tau[N_VECTORS][1] = {
+static const float in_tau[N_VECTORS][1] = {
     { 0x1.0000000000000p+0 },
     { 0x1.15c9f60000000p-1 }
 };
@@ -35,14 +34,14 @@ static const double out_v_n[N_VECTORS][3] = {
     { 0x1.e5bcee4900000p+8, -0x1.9c74d08800000p+8, 0x1.a5b1102000000p+9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 6.62e-05, 6.62e-05, 5.42e-05 },
-    { 2.92e-05, 2.48e-05, 5.08e-05 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 6.62e-05F, 6.62e-05F, 5.42e-05F },
+    { 2.92e-05F, 2.48e-05F, 5.08e-05F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 2.47e-13, 2.47e-13, 2.02e-13 },
-    { 1.09e-13, 9.25e-14, 1.89e-13 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 2.47e-13F, 2.47e-13F, 2.02e-13F },
+    { 1.09e-13F, 9.25e-14F, 1.89e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -52,14 +51,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.ebc260bc53aecp-3, 0x1.b8d29703b8ba0p-1, 0x1.b44beeaed3e75p-2, 0x1.1e1eb21b6f421p-3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.05e-06, 4.7e-07, 1.02e-06, 1.02e-06 },
-    { 4.26e-07, 1.1e-06, 6.48e-07, 2.91e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 1.05e-06F, 4.70e-07F, 1.02e-06F, 1.02e-06F },
+    { 4.26e-07F, 1.10e-06F, 6.48e-07F, 2.91e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.03e-15, 8.86e-16, 1.97e-15, 1.97e-15 },
-    { 8.2e-16, 2.15e-15, 1.25e-15, 5.58e-16 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 2.03e-15F, 8.86e-16F, 1.97e-15F, 1.97e-15F },
+    { 8.20e-16F, 2.15e-15F, 1.25e-15F, 5.58e-16F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -69,14 +68,14 @@ static const double out_mu[N_VECTORS][3] = {
     { -0x1.3bc7030000000p-1, 0x1.7622e40000000p-2, -0x1.8216d80000000p-5 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_mu[N_VECTORS][3] = {
-    { 1.19e-38, 6.02e-08, 1.19e-38 },
-    { 3.71e-08, 2.2e-08, 2.84e-09 }
+static const float tol_mu[N_VECTORS][3] = {
+    { 1.19e-38F, 6.02e-08F, 1.19e-38F },
+    { 3.71e-08F, 2.20e-08F, 2.84e-09F }
 };
 #else
-static const double tol_mu[N_VECTORS][3] = {
-    { 1.01e-45, 2.24e-16, 1.01e-45 },
-    { 1.38e-16, 8.19e-17, 1.06e-17 }
+static const float tol_mu[N_VECTORS][3] = {
+    { 0.0F, 2.24e-16F, 0.0F },
+    { 1.38e-16F, 8.19e-17F, 1.06e-17F }
 };
 #endif
 static const unsigned short at_mu[3] = { 0, 1, 2 };
@@ -86,14 +85,14 @@ static const double out_tau[N_VECTORS][1] = {
     { -0x1.0e95a40000000p-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_tau[N_VECTORS][1] = {
-    { 1.19e-38 },
-    { 1.59e-08 }
+static const float tol_tau[N_VECTORS][1] = {
+    { 1.19e-38F },
+    { 1.59e-08F }
 };
 #else
-static const double tol_tau[N_VECTORS][1] = {
-    { 1.01e-45 },
-    { 5.93e-17 }
+static const float tol_tau[N_VECTORS][1] = {
+    { 0.0F },
+    { 5.93e-17F }
 };
 #endif
 static const unsigned short at_tau[1] = { 0 };
@@ -156,7 +155,7 @@ int test_vd_feedback(void)
             selftest_paint(mu, 3);
             selftest_paint(tau, 1);
             if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != expected) {
-                (void)printf("vd_feedback: x[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_feedback v_n", v_n, 3);
@@ -176,7 +175,7 @@ int test_vd_feedback(void)
             set_point(0, x, &nav);
             x[i] = (end == 0) ? low[i] : high[i];
             if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OK) {
-                (void)printf("vd_feedback: x[%d] end %d refused\n", i, end);
+                selftest_print("vd_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -195,7 +194,7 @@ int test_vd_feedback(void)
             selftest_paint(mu, 3);
             selftest_paint(tau, 1);
             if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != expected) {
-                (void)printf("vd_feedback: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_feedback v_n", v_n, 3);
@@ -209,7 +208,7 @@ int test_vd_feedback(void)
             set_point(0, x, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OK) {
-                (void)printf("vd_feedback: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vd_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -230,7 +229,7 @@ int test_vd_feedback(void)
             selftest_paint(mu, 3);
             selftest_paint(tau, 1);
             if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != expected) {
-                (void)printf("vd_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_feedback v_n", v_n, 3);
@@ -247,7 +246,7 @@ int test_vd_feedback(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OK) {
-                (void)printf("vd_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -260,7 +259,8 @@ int test_vd_feedback(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_feedback: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vd_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -278,7 +278,7 @@ int test_vd_feedback(void)
             selftest_paint(mu, 3);
             selftest_paint(tau, 1);
             if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != expected) {
-                (void)printf("vd_feedback: mu[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_feedback: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_feedback v_n", v_n, 3);
@@ -292,7 +292,7 @@ int test_vd_feedback(void)
             set_point(0, x, &nav);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
             if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OK) {
-                (void)printf("vd_feedback: mu[%d] end %d refused\n", i, end);
+                selftest_print("vd_feedback: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -311,7 +311,7 @@ int test_vd_feedback(void)
             selftest_paint(mu, 3);
             selftest_paint(tau, 1);
             if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != expected) {
-                (void)printf("vd_feedback: tau[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_feedback: tau[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_feedback v_n", v_n, 3);
@@ -325,7 +325,7 @@ int test_vd_feedback(void)
             set_point(0, x, &nav);
             nav.tau = (end == 0) ? low[i] : high[i];
             if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OK) {
-                (void)printf("vd_feedback: tau[%d] end %d refused\n", i, end);
+                selftest_print("vd_feedback: tau[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -2,42 +2,41 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_position[N_VECTORS][3] = {
+static const float in_position[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.b6f8ea0000000p+0, 0x1.fd58780000000p-1, 0x1.47889a0000000p+12 }
 };
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.ce69a80000000p+5, 0x1.5026100000000p+1, -0x1.2b41e00000000p+9 }
 };
-static const double in_q_b2n_wxyz[N_VECTORS][4] = {
+static const float in_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.003afc0000000p-1, -0x1.003afc0000000p-1, 0x1.003afc0000000p-1, -0x1.003afc0000000p-1 },
     { -0x1.0af7900000000p-8, -0x1.e850f40000000p-1, -0x1.eaa93c0000000p-3, -0x1.73c50a0000000p-3 }
 };
-static const double in_dt[N_VECTORS][1] = {
+static const float in_dt[N_VECTORS][1] = {
     { 0x1.0c6f7c0000000p-20 },
     { 0x1.1cac340000000p+3 }
 };
-static const double in_dtheta_ib_b[N_VECTORS][3] = {
+static const float in_dtheta_ib_b[N_VECTORS][3] = {
     { 0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1 },
     { -0x1.67ffa40000000p-5, -0x1.ac6f740000000p-5, 0x1.b52b300000000p-2 }
 };
-static const double in_dv_b[N_VECTORS][3] = {
+static const float in_dv_b[N_VECTORS][3] = {
     { -0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6 },
     { -0x1.2439c80000000p+5, -0x1.5e71e00000000p+6, -0x1.9df9020000000p+4 }
 };
-static const double in_dtheta_before[N_VECTORS][3] = {
+static const float in_dtheta_before[N_VECTORS][3] = {
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, -0x1.0000000000000p-1 },
     { -0x1.f744840000000p-4, -0x1.2a27740000000p-2, 0x1.d79ef40000000p-2 }
 };
-static const double in_dv_before[N_VECTORS][3] = {
+static const float in_dv_before[N_VECTORS][3] = {
     { 0x1.9000000000000p+6, -0x1.9000000000000p+6, 0x1.9000000000000p+6 },
     { 0x1.88d97e0000000p+4, -0x1.5438be0000000p+1, 0x1.9ac6180000000p+5 }
 };
@@ -47,14 +46,14 @@ static const double out_position[N_VECTORS][3] = {
     { -0x1.b6f31cf616eebp+0, 0x1.fd5ee8b7be8eep-1, -0x1.d3d19c3da258ap+8 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_position[N_VECTORS][3] = {
-    { 3.78e-07, 8.93e-08, 3.01e-05 },
-    { 1.03e-07, 6e-08, 0.00384 }
+static const float tol_position[N_VECTORS][3] = {
+    { 3.78e-07F, 8.93e-08F, 3.01e-05F },
+    { 1.03e-07F, 6.00e-08F, 3.84e-03F }
 };
 #else
-static const double tol_position[N_VECTORS][3] = {
-    { 1.41e-15, 3.33e-16, 1.12e-13 },
-    { 3.85e-16, 2.23e-16, 7.21e-12 }
+static const float tol_position[N_VECTORS][3] = {
+    { 1.41e-15F, 3.33e-16F, 1.12e-13F },
+    { 3.85e-16F, 2.23e-16F, 7.21e-12F }
 };
 #endif
 static const unsigned short at_position[3] = { 0, 1, 2 };
@@ -64,14 +63,14 @@ static const double out_v_n[N_VECTORS][3] = {
     { -0x1.cf041eb76b578p+1, 0x1.40beecd03e143p+6, -0x1.520070a6fb145p+9 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_v_n[N_VECTORS][3] = {
-    { 0.000357, 0.000267, 0.000304 },
-    { 6.51e-05, 9.69e-05, 0.000215 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 3.57e-04F, 2.67e-04F, 3.04e-04F },
+    { 6.51e-05F, 9.69e-05F, 2.15e-04F }
 };
 #else
-static const double tol_v_n[N_VECTORS][3] = {
-    { 7.93e-13, 6.14e-13, 6.88e-13 },
-    { 1.22e-13, 1.89e-13, 4.76e-13 }
+static const float tol_v_n[N_VECTORS][3] = {
+    { 7.93e-13F, 6.14e-13F, 6.88e-13F },
+    { 1.22e-13F, 1.89e-13F, 4.76e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -81,14 +80,14 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
     { 0x1.ec0d9c8adfaa1p-9, -0x1.f91e22287250ap-1, -0x1.bca0778c1f47dp-6, -0x1.49edfa59c446bp-3 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.31e-06, 1.24e-06, 1.28e-06, 1.19e-06 },
-    { 8.64e-08, 1.83e-06, 3.39e-07, 3.28e-07 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 2.31e-06F, 1.24e-06F, 1.28e-06F, 1.19e-06F },
+    { 8.64e-08F, 1.83e-06F, 3.39e-07F, 3.28e-07F }
 };
 #else
-static const double tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 4.4e-15, 2.34e-15, 2.43e-15, 2.26e-15 },
-    { 1.61e-16, 3.52e-15, 6.34e-16, 6.3e-16 }
+static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
+    { 4.40e-15F, 2.34e-15F, 2.43e-15F, 2.26e-15F },
+    { 1.61e-16F, 3.52e-15F, 6.34e-16F, 6.30e-16F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -158,7 +157,7 @@ int test_vd_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("vd_strapdown: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_strapdown: position[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_strapdown position", position, 3);
@@ -173,7 +172,7 @@ int test_vd_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.position[i] = (end == 0) ? low[i] : high[i];
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("vd_strapdown: position[%d] end %d refused\n", i, end);
+                selftest_print("vd_strapdown: position[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -191,7 +190,7 @@ int test_vd_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("vd_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_strapdown position", position, 3);
@@ -204,7 +203,7 @@ int test_vd_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("vd_strapdown: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vd_strapdown: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -224,7 +223,7 @@ int test_vd_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("vd_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_strapdown position", position, 3);
@@ -240,7 +239,7 @@ int test_vd_strapdown(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("vd_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
+                selftest_print("vd_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -253,8 +252,8 @@ int test_vd_strapdown(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
-            (void)printf("vd_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
-                         end);
+            selftest_print("vd_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
+                           end);
             ++failures;
         }
     }
@@ -271,7 +270,7 @@ int test_vd_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("vd_strapdown: dt[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_strapdown position", position, 3);
@@ -284,7 +283,7 @@ int test_vd_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             imu.dt = (end == 0) ? low[i] : high[i];
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("vd_strapdown: dt[%d] end %d refused\n", i, end);
+                selftest_print("vd_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -304,7 +303,7 @@ int test_vd_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("vd_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_strapdown position", position, 3);
@@ -317,7 +316,7 @@ int test_vd_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("vd_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
+                selftest_print("vd_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -336,7 +335,7 @@ int test_vd_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("vd_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_strapdown position", position, 3);
@@ -349,7 +348,7 @@ int test_vd_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dv_b[i] = (end == 0) ? low[i] : high[i];
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("vd_strapdown: dv_b[%d] end %d refused\n", i, end);
+                selftest_print("vd_strapdown: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -369,7 +368,8 @@ int test_vd_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("vd_strapdown: dtheta_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_strapdown: dtheta_before[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vd_strapdown position", position, 3);
@@ -382,7 +382,7 @@ int test_vd_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dtheta_before[i] = (end == 0) ? low[i] : high[i];
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("vd_strapdown: dtheta_before[%d] end %d refused\n", i, end);
+                selftest_print("vd_strapdown: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -402,7 +402,7 @@ int test_vd_strapdown(void)
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                (void)printf("vd_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_strapdown position", position, 3);
@@ -415,7 +415,7 @@ int test_vd_strapdown(void)
             set_point(0, &nav, &imu, &increments);
             increments.dv_before[i] = (end == 0) ? low[i] : high[i];
             if (vd_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                (void)printf("vd_strapdown: dv_before[%d] end %d refused\n", i, end);
+                selftest_print("vd_strapdown: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

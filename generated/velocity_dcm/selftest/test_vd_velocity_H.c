@@ -2,14 +2,13 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_a_n[N_VECTORS][3] = {
+static const float in_a_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+8, 0x1.f400000000000p+8, 0x1.f400000000000p+8 },
     { -0x1.8716300000000p+5, -0x1.cb64de0000000p+8, 0x1.65dbc80000000p+5 }
 };
@@ -19,14 +18,14 @@ static const double out_H[N_VECTORS][6] = {
     { 0x1.0000000000000p+0, 0x1.8716300000000p+5, 0x1.0000000000000p+0, 0x1.cb64de0000000p+8, 0x1.0000000000000p+0, -0x1.65dbc80000000p+5 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_H[N_VECTORS][6] = {
-    { 1.12e-16, 5.61e-14, 1.12e-16, 5.61e-14, 1.12e-16, 5.61e-14 },
-    { 1.12e-16, 5.48e-15, 1.12e-16, 5.15e-14, 1.12e-16, 5.02e-15 }
+static const float tol_H[N_VECTORS][6] = {
+    { 1.12e-16F, 5.61e-14F, 1.12e-16F, 5.61e-14F, 1.12e-16F, 5.61e-14F },
+    { 1.12e-16F, 5.48e-15F, 1.12e-16F, 5.15e-14F, 1.12e-16F, 5.02e-15F }
 };
 #else
-static const double tol_H[N_VECTORS][6] = {
-    { 1.12e-16, 5.61e-14, 1.12e-16, 5.61e-14, 1.12e-16, 5.61e-14 },
-    { 1.12e-16, 5.48e-15, 1.12e-16, 5.15e-14, 1.12e-16, 5.02e-15 }
+static const float tol_H[N_VECTORS][6] = {
+    { 1.12e-16F, 5.61e-14F, 1.12e-16F, 5.61e-14F, 1.12e-16F, 5.61e-14F },
+    { 1.12e-16F, 5.48e-15F, 1.12e-16F, 5.15e-14F, 1.12e-16F, 5.02e-15F }
 };
 #endif
 static const unsigned short at_H[6] = { 0, 9, 11, 19, 22, 29 };
@@ -62,7 +61,7 @@ int test_vd_velocity_H(void)
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 30);
             if (vd_velocity_H(&master, H) != expected) {
-                (void)printf("vd_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_velocity_H H", H, 30);
@@ -73,7 +72,7 @@ int test_vd_velocity_H(void)
             set_point(0, &master);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
             if (vd_velocity_H(&master, H) != BS_OK) {
-                (void)printf("vd_velocity_H: a_n[%d] end %d refused\n", i, end);
+                selftest_print("vd_velocity_H: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

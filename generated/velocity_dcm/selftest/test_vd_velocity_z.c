@@ -2,18 +2,17 @@
  * Inputs that a float holds.  Reference: the model's SymPy expressions in 50 digits.  Tolerance of
  * each output, in either precision: a bound on the rounding errors of the instruction list,
  * elementary functions within 1 ulp. */
-#include <stdio.h>
 
 #include "velocity_dcm.h"
 #include "selftest.h"
 
 #define N_VECTORS 2
 
-static const double in_v_n[N_VECTORS][3] = {
+static const float in_v_n[N_VECTORS][3] = {
     { -0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.310cd80000000p+9, 0x1.2296da0000000p+8, 0x1.9113600000000p+9 }
 };
-static const double in_v_m_n[N_VECTORS][3] = {
+static const float in_v_m_n[N_VECTORS][3] = {
     { 0x1.f400000000000p+9, 0x1.f400000000000p+9, 0x1.f400000000000p+9 },
     { 0x1.56abaa0000000p+9, -0x1.7ebc920000000p+8, -0x1.d570080000000p+9 }
 };
@@ -23,14 +22,14 @@ static const double out_z[N_VECTORS][3] = {
     { -0x1.2cf6900000000p+6, 0x1.50a9b60000000p+9, 0x1.b341b40000000p+10 }
 };
 #ifdef BORESIGHT_FLOAT
-static const double tol_z[N_VECTORS][3] = {
-    { 0.00012, 1.19e-38, 1.19e-38 },
-    { 4.53e-06, 4.05e-05, 0.000105 }
+static const float tol_z[N_VECTORS][3] = {
+    { 1.20e-04F, 1.19e-38F, 1.19e-38F },
+    { 4.53e-06F, 4.05e-05F, 1.05e-04F }
 };
 #else
-static const double tol_z[N_VECTORS][3] = {
-    { 4.49e-13, 1.01e-45, 1.01e-45 },
-    { 1.69e-14, 1.51e-13, 3.9e-13 }
+static const float tol_z[N_VECTORS][3] = {
+    { 4.49e-13F, 0.0F, 0.0F },
+    { 1.69e-14F, 1.51e-13F, 3.90e-13F }
 };
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
@@ -70,7 +69,7 @@ int test_vd_velocity_z(void)
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vd_velocity_z(&nav, &master, z) != expected) {
-                (void)printf("vd_velocity_z: v_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_velocity_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_velocity_z z", z, 3);
@@ -81,7 +80,7 @@ int test_vd_velocity_z(void)
             set_point(0, &nav, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vd_velocity_z(&nav, &master, z) != BS_OK) {
-                (void)printf("vd_velocity_z: v_n[%d] end %d refused\n", i, end);
+                selftest_print("vd_velocity_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -99,7 +98,7 @@ int test_vd_velocity_z(void)
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
             if (vd_velocity_z(&nav, &master, z) != expected) {
-                (void)printf("vd_velocity_z: v_m_n[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vd_velocity_z: v_m_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_velocity_z z", z, 3);
@@ -110,7 +109,7 @@ int test_vd_velocity_z(void)
             set_point(0, &nav, &master);
             master.v_m_n[i] = (end == 0) ? low[i] : high[i];
             if (vd_velocity_z(&nav, &master, z) != BS_OK) {
-                (void)printf("vd_velocity_z: v_m_n[%d] end %d refused\n", i, end);
+                selftest_print("vd_velocity_z: v_m_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
