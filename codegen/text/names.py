@@ -77,7 +77,7 @@ def rows_of(rows: Any, printed: Callable[[float], str] = float.hex) -> str:
 
 
 def three_digits(value: float) -> str:
-    """A float in C: not smaller, and larger by 1.5 % at most; below the least of floats none is left."""
+    """A float in C: where it is a normal one not smaller, and larger by 1.5 % at most."""
     return f"{value * 1.01:.2e}F" if value > 1e-45 else "0.0F"
 
 

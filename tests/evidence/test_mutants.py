@@ -51,7 +51,7 @@ def test_mutants_are_those_of_the_text():
 
 
 def test_a_self_test_that_compares_nothing_kills_nothing_of_the_numbers(em_copy, tmp_path):
-    right, wrong = "allowed = printed ? tolerance[k] : 0.0;", "allowed = 1e300;"
+    right, wrong = "allowed = printed ? (double)tolerance[k] : 0.0;", "allowed = 1e300;"
     folder = spoilt(em_copy, "selftest/selftest.c", right, wrong)
     found = mutants(folder, tmp_path, 100)
     kernel = [word for word in found["em_Q"]["survivors"] if " to " in word]
