@@ -53,6 +53,10 @@ def minute(compiled_once, example, tmp_path_factory):
     return path, setup, records, truth
 
 
+def test_a_folder_in_single_precision_is_flown_on_the_m4f_too(example, filters):
+    assert [example[2].in_float(filters / precision) for precision in ("double", "float")] == [False, True]
+
+
 @pytest.fixture(scope="module")
 def here(example, filters, tmp_path_factory):
     """A flight on this machine: of records in a precision."""

@@ -138,7 +138,7 @@ def first_seconds(setup: Setup, records: np.ndarray, seconds: float = COUNTED_S)
 
 
 def in_float(filter_folder: Path) -> bool:
-    return "exported in single precision" in (filter_folder / "include" / "boresight.h").read_text()
+    return "#define BORESIGHT_FLOAT" in (filter_folder / "include" / "boresight_precision.h").read_text()
 
 
 def main(filter_folder: Path, recording: Path) -> None:
