@@ -131,3 +131,16 @@ def test_the_page_is_written_between_its_markers_alone(tmp_path):
     assert page.read_text() == "no marker"
     committed = (ROOT / "docs" / "benchmarks.md").read_text()
     assert committed.count(report.BEGIN) == committed.count(report.END) == 1
+
+
+def test_the_readme_quotes_the_page():
+    page, readme = ((ROOT / name).read_text() for name in ("docs/benchmarks.md", "README.md"))
+    won = {}
+    for label in compiled.HOSTS:
+        lines = page.split(f"**One call at {label}: ns / instructions.**")[1].splitlines()[2:]
+        columns = [cell.strip() for cell in lines[0].split("|")[2:-1]]
+        (row,) = [line for line in lines[: lines.index("", 1)] if line.startswith("| Boresight over the best peer")]
+        won[label] = dict(zip(columns, (cell.split(",")[0].strip() for cell in row.split("|")[2:-1]), strict=True))
+    quoted = readme.split("| one call | -O2 | -O3 v3 |")[1].split("\n\n")[0].splitlines()[2:]
+    kinds = [kind for kind in formulas.KINDS if kind != "updates, plain"]
+    assert quoted == [f"| {kind} | {won['-O2'][kind]} | {won['-O3 v3'][kind]} |" for kind in kinds]
