@@ -62,14 +62,31 @@ def parsed(unit: Source) -> Any:
     return c_parser.CParser().parse("\n".join(text) + "\n", filename=str(unit.path))
 
 
+def of_headers(function: Any) -> bool:
+    """Whether it stands in a header that the folder's units share."""
+    return Path(function.coord.file).parent.name == "include"
+
+
 class Types(c_ast.NodeVisitor):
     """Names that hold, point to, or return real numbers, each with its depth: how often it must be indexed to be one
-    (0 for a number and for a function that returns one); and the functions that are called."""
+    (0 for a number and for a function that returns one); and the functions that those of the unit's own files call,
+    through others too."""
 
     def __init__(self, tree: Any):
         self.real: dict[str, int] = dict.fromkeys(LIBRARY, 0)
-        self.called: set[str] = set()
+        self.calls: dict[str, set[str]] = {}
+        self.function = ""
         self.visit(tree)
+        left = [f.decl.name for f in tree.ext if isinstance(f, c_ast.FuncDef) and not of_headers(f)]
+        self.called: set[str] = set()
+        while left:
+            more = self.calls.get(left.pop(), set()) - self.called
+            self.called |= more
+            left += more
+
+    def visit_FuncDef(self, node: Any) -> None:
+        self.function = node.decl.name
+        self.generic_visit(node)
 
     def visit_Decl(self, node: Any) -> None:
         inner, depth = node.type, 0
@@ -82,7 +99,7 @@ class Types(c_ast.NodeVisitor):
 
     def visit_FuncCall(self, node: Any) -> None:
         if isinstance(node.name, c_ast.ID):
-            self.called.add(node.name.name)
+            self.calls.setdefault(self.function, set()).add(node.name.name)
         self.generic_visit(node)
 
     def is_real(self, node: Any) -> bool:
@@ -139,7 +156,7 @@ class Mutator(c_generator.CGenerator):
         # what all units share is mutated in each that calls it, a kernel in its own unit
         file, own = Path(n.coord.file), (self.unit.path.name, f"{self.unit.name}_kernel.h")
         shared = n.decl.name in self.types.called and n.decl.name not in PROBES
-        self.inside = shared if file.parent.name == "include" else file.name in own
+        self.inside = shared if of_headers(n) else file.name in own
         text = str(super().visit_FuncDef(n))
         self.inside = False
         return text

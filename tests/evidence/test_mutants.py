@@ -9,14 +9,13 @@ BAR = 0.99
 # Below the bar, as far as the self-test reaches today; what survives is told under "What fell short" in
 # docs/evidence.md: ends of norms, ties, what only saves work.
 BELOW = {
-    **dict.fromkeys((f"{prefix}_filter" for prefix in ("ah", "ahr", "va", "val")), 0.885),
-    "vd_filter": 0.87,
-    "em_filter": 0.84,
-    **dict.fromkeys((f"{prefix}_covariance" for prefix in ("ah", "ahr", "va", "val")), 0.925),
-    "vd_covariance": 0.88,
-    "em_covariance": 0.82,
-    "stationary_detector": 0.96,
-    **dict.fromkeys((f"{prefix}_digest" for prefix in ("ah", "ahr", "em", "va", "val", "vd")), 0.90),
+    **dict.fromkeys((f"{prefix}_filter" for prefix in ("ah", "ahr")), 0.855),
+    **dict.fromkeys((f"{prefix}_filter" for prefix in ("va", "val")), 0.875),
+    "vd_filter": 0.86,
+    "em_filter": 0.825,
+    **dict.fromkeys((f"{prefix}_covariance" for prefix in ("ah", "ahr", "va", "val")), 0.93),
+    "vd_covariance": 0.89,
+    "em_covariance": 0.825,
 }
 
 
@@ -50,9 +49,15 @@ def test_mutants_are_those_of_the_text():
     assert types.real["omega_in_n"] == types.real["F_nz"] == 1 and "status" not in types.real
 
 
+def test_a_function_of_a_header_is_mutated_where_the_unit_calls_it_itself_or_through_others():
+    units = {unit.name: unit for unit in folder_of("euler_matching").units}
+    by_filter, by_digest = (Types(parsed(units[name])).called for name in ("em_filter", "em_digest"))
+    assert "bs_clamp" in by_filter and "bs_clamp" not in by_digest
+
+
 def test_a_self_test_that_compares_nothing_kills_nothing_of_the_numbers(em_copy, tmp_path):
     right, wrong = "allowed = printed ? (double)tolerance[k] : 0.0;", "allowed = 1e300;"
     folder = spoilt(em_copy, "selftest/selftest.c", right, wrong)
     found = mutants(folder, tmp_path, 100)
     kernel = [word for word in found["em_Q"]["survivors"] if " to " in word]
-    assert share(found["em_Q"]) < 0.5 and kernel
+    assert share(found["em_Q"]) < 0.6 and kernel  # what is killed are guards: bad input is still refused or not
