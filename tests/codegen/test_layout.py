@@ -27,13 +27,14 @@ def kernel(unit):
 
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
-def test_no_line_ends_beyond_the_width_but_rows_of_numbers(folder):
+def test_no_line_ends_beyond_the_width_but_rows_of_numbers_and_messages(folder):
     texts = [path for path in folder.manifest["files"] if path.endswith((".h", ".c")) and "_casadi.c" not in path]
     assert any(path.startswith("include/") for path in texts)
     for path in texts:
         for number, line in enumerate((folder.path / path).read_text().splitlines(), 1):
             row = not path.startswith("include/") and re.fullmatch(r"    \{ [-+\w., ]* \},?", line)
-            assert len(line) <= WIDTH or row, f"{path}:{number} has {len(line)} columns"
+            message = path.startswith("selftest/") and re.fullmatch(r' *selftest_print\("[^"]*", \w+\);', line)
+            assert len(line) <= WIDTH or row or message, f"{path}:{number} has {len(line)} columns"
 
 
 def words(text):
