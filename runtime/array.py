@@ -1,10 +1,21 @@
-"""The one name for arrays in signatures: a docstring says their shape, unit and frame.  And angles less whole turns."""
+"""The one name for arrays in signatures: a docstring says their shape, unit and frame.  And what many need of them."""
 
 from typing import Any
 
 import numpy as np
 
 Array = np.ndarray
+
+
+def carried(P: Array, rows: slice, T: Array) -> Array:
+    """T P T' (..., n, n) of a symmetric P and a T that is the identity but in k rows, which are given, (..., k, n)."""
+    some = T @ P
+    out = P.copy()
+    out[..., rows, :] = some
+    out[..., :, rows] = np.swapaxes(some, -1, -2)
+    square = some @ np.swapaxes(T, -1, -2)
+    out[..., rows, rows] = (square + np.swapaxes(square, -1, -2)) / 2
+    return out
 
 
 def wrapped(angle: Any) -> Array:

@@ -127,6 +127,7 @@ class Filter:
         joint: float | None = None,
         iterations: int = 1,
         considered: Any = None,
+        H: Any = None,
         **inputs: Any,
     ) -> Innovation:
         """Take one measurement, row after row, in Joseph form.
@@ -145,6 +146,7 @@ class Filter:
         considered: (..., n) bool, states whose rows of the whole measurement's gain are zero, instead of the attribute
         `considered`: they and their covariance among themselves stay, and their covariance with the others is right.
         nu and S are those of the optimal filter, so that nis is chi-square.
+        H: (..., m, n) as `NAME_H` gives it where the filter is, of a caller who has it already.
         z: (..., m) the measured value, of a measurement that has no `NAME_z`.
         """
         check_taking(measurement, rows, gate, joint, iterations)
@@ -152,17 +154,17 @@ class Filter:
         z, rows = self._measured(measurement, inputs), np.asarray(rows, dtype=bool)
         D, L_inverse = self._noise(measurement, R, z.shape, rows)
         if L_inverse is not None and gate is not None:  # what a rejected row says has no part in the others
-            rows, gate = self._within(gate, rows, R, *self._linear(measurement, z, self.x, inputs)), None
+            rows, gate = self._within(gate, rows, R, *self._linear(measurement, z, self.x, inputs, H)), None
             D, L_inverse = self._noise(measurement, R, z.shape, rows)
 
-        def linear(at: Array) -> tuple[Array, Array]:
+        def linear(at: Array, H: Array | None = None) -> tuple[Array, Array]:
             """Rows z and H that are linear in the state about `at`."""
-            target, H = self._linear(measurement, z, at, inputs)
+            target, H = self._linear(measurement, z, at, inputs, H)
             if L_inverse is None:
                 return target, H
             return np.einsum("...ij,...j->...i", L_inverse, target), L_inverse @ H
 
-        target, H = linear(self.x)
+        target, H = linear(self.x, H)
         x, P, innovation = self._rows(target, H, D, rows, gate, kept)
         if not (np.isfinite(innovation.nu).all() and np.isfinite(innovation.S).all() and (innovation.S > 0).all()):
             raise BoresightError(f"{measurement}: an innovation or its variance is no number; start from a new P")
@@ -242,10 +244,16 @@ class Filter:
         S = np.einsum("...ij,...jk,...ik->...i", H, self.P, H) + np.diagonal(np.asarray(R, float), axis1=-2, axis2=-1)
         return rows & (nu**2 <= gate**2 * S)
 
-    def _linear(self, measurement: str, z: Array, at: Array, inputs: dict[str, Any]) -> tuple[Array, Array]:
-        """z and H (..., m, n) of rows that are linear in the state about `at`: an h is taken there; angles turn."""
+    def _linear(
+        self, measurement: str, z: Array, at: Array, inputs: dict[str, Any], H: Array | None = None
+    ) -> tuple[Array, Array]:
+        """z and H (..., m, n) of rows that are linear in the state about `at`: an h is taken there; angles turn.
+
+        H: as it is there, if it is known.
+        """
         inside, angles = self.wrapped(at), self._angles(measurement)
-        H = self.call(f"{measurement}_H", **{**inputs, "x": inside})
+        if H is None:
+            H = self.call(f"{measurement}_H", **{**inputs, "x": inside})
         explicit = hasattr(self.model, f"{measurement}_h")
         if not (explicit or angles.any()):
             return z, H

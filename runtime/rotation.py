@@ -41,10 +41,10 @@ def matrix_from_quaternion(q_b2n_wxyz: Any) -> Array:
             [2 * (x * y + w * z), ww - xx + yy - zz, 2 * (y * z - w * x)],
             [2 * (x * z - w * y), 2 * (y * z + w * x), ww - xx - yy + zz]]  # fmt: skip
     C = np.empty((*np.shape(w), 3, 3))
-    norm = ww + xx + yy + zz
     for i, row in enumerate(rows):
         for j, value in enumerate(row):
-            C[..., i, j] = value / norm
+            C[..., i, j] = value
+    C /= (ww + xx + yy + zz)[..., None, None]
     return C
 
 

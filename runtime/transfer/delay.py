@@ -46,7 +46,7 @@ def rate_variances(
     )
     # the lever arm's part of the acceleration is a difference of two rates
     white = accel * factor + np.sum(np.square(lever), axis=-1) * gyro * 2 * factor / span**2
-    error = np.einsum("...ij,...jk,...ik->...i", F[..., DV, :], P, F[..., DV, :])
+    error = np.sum((F[..., DV, :] @ P) * F[..., DV, :], axis=-1)
     return {
         "omega_ib_b": (gyro * factor)[..., None] + np.einsum("...ii->...i", P[..., GYRO_BIAS, GYRO_BIAS]),
         "a_n": white[..., None] + error,
@@ -56,10 +56,10 @@ def rate_variances(
 def uninformed(
     loop: Filter, measurement: str, R: Array, rows: Array, inputs: dict[str, Any], variances: dict[str, Array],
     sigmas: float,
-) -> Array:  # fmt: skip
-    """(..., n) bool: the delay, where the rates that make up its column are not clearly above their noise.
+) -> tuple[Array, Array]:  # fmt: skip
+    """(..., n) bool: the delay, where the rates that make up its column are not clearly above their noise; and H.
 
-    R, rows: (..., m).  variances: of `rate_variances`.
+    R, rows: (..., m).  variances: of `rate_variances`.  H: (..., m, n) of the measurement as the filter is.
 
     The noise of such a rate passes for a motion that the residual does not follow: for a delay without error, and so
     for knowledge of it.  What it adds is its variance over R, what the motion adds the rate's square over R; over all
@@ -70,13 +70,13 @@ def uninformed(
     # attitude turns with the rate, velocity with the acceleration; the column is linear in them
     name = "a_n" if measurement == "velocity" else "omega_ib_b"
     steps = 1e-3 * np.concatenate([np.zeros((1, 3)), np.eye(3)]).reshape((4, *(1 for _ in loop.P.shape[:-2]), 3))
-    columns = loop.call(f"{measurement}_H", **{**inputs, name: inputs[name] + steps})[..., TAU]
-    now, by_axis = columns[0], (columns[1:] - columns[0]) / 1e-3
+    H = loop.call(f"{measurement}_H", **{**inputs, name: inputs[name] + steps})
+    now, by_axis = H[0, ..., TAU], (H[1:, ..., TAU] - H[0, ..., TAU]) / 1e-3
     variance = np.einsum("a...m,...a->...m", by_axis**2, variances[name])
     weight = rows * (R.min(-1, keepdims=True) / R)  # by the smallest, so that none overflows
     out = np.zeros((*now.shape[:-1], loop.P.shape[-1]), bool)
     out[..., TAU] = np.sum(weight * now**2, axis=-1) <= sigmas**2 * np.sum(weight * variance, axis=-1)
-    return out
+    return out, H[0]
 
 
 @dataclass(frozen=True)
@@ -150,7 +150,7 @@ class Suspects:
         then = moment(loop, history, now - lag.reshape((len(lag), -1)), rules.half_span_s, constants)[0]
         A = F * lag[..., None, None]
         there = eye - A + A @ A / 2
-        given = {**inputs, **then, "lag": np.zeros(lag.shape), "x": np.zeros(self.n)}
+        given = {**inputs, **constants, **then, "lag": np.zeros(lag.shape), "x": np.zeros(self.n)}
         nus, Hs, variances, rows = [], [], [], []
         for name, (variance, there_are) in measured.items():
             z = loop.call(f"{name}_z", **given)

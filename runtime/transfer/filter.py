@@ -9,7 +9,7 @@ from scipy.special import chdtri
 
 from boresight import BoresightError
 from boresight.runtime import rotation
-from boresight.runtime.array import Array
+from boresight.runtime.array import Array, carried
 from boresight.runtime.calibration import Calibration
 from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.transfer.delay import CLEAR, Explanation, Stamps, Suspects, cause, rate_variances, uninformed
@@ -406,7 +406,12 @@ class Transfer:
             )
         believed, lag = lag, np.where(verdict == Verdict.TAKEN, lag, 0.0)
 
-        inputs, rate_factor = self._match(lag)
+        variance, step = loop.P[..., TAU, TAU], 2 * rules.half_span_s
+        # 10 ms: a turn that changes by 1 rad/s^2 leaves 0.05 mrad
+        curved = variance >= (step / 4) ** 2
+        around, rate_factor = self._match(lag + np.array([0.0, -step, step][: 3 if curved.any() else 1]).reshape(
+            (-1, *(1 for _ in runs))))  # fmt: skip
+        inputs = self.constants | {name: value[0] for name, value in around.items()}
         expected = loop.call("expected", **inputs)
         said = self._filled(given.said, rows, expected)
         inputs |= said
@@ -414,7 +419,8 @@ class Transfer:
         # the gyros' own noise comes with the rate into the lever arm's velocity
         noise = np.max(np.asarray(self.constants["gyro_noise"]), axis=-1)
         R[..., :3] += (np.sum(np.square(self._lever()), axis=-1) * noise**2 * rate_factor)[..., None]
-        R += self._curved(lag, inputs, stamp - self.watch.stamp)
+        if curved.any():
+            R += self._curved(curved * variance**2, around, inputs, stamp - self.watch.stamp)
 
         # The residual speaks of the error at the message's time: the covariance goes there and comes back.
         # It says nothing of the noise since then, which leaves P for that time; by extrapolation that noise is in it.
@@ -422,14 +428,16 @@ class Transfer:
         F = loop.call("F", **since)
         # Of the noise before the last message that was taken P has been told: a delay found longer takes none out.
         noisy = np.maximum(np.minimum(lag, self.time - self._told_of), SHORTEST)
-        Q = (self.way == "buffer") * loop.call("Q", **{**since, "dt": noisy})
-        A = F * lag[..., None, None]
-        half = A @ A / 2
-        eye = np.eye(A.shape[-1])
+        Q = loop.call("Q", **{**since, "dt": noisy}) if self.way == "buffer" else np.zeros_like(F)
+        # of a state that nothing moves the row is that of the identity, and so it is beyond the last that moves
+        moving = slice(0, 1 + int(np.max(np.nonzero(F.any(-1))[-1], initial=0)))
+        A = F[..., moving, :] * lag[..., None, None]
+        half = A[..., moving] @ A / 2
+        eye = np.eye(*A.shape[-2:])
         there, back = eye - A + half, eye + A + half
         P_before = loop.P
         P_now = P_before + self._tilted(F)
-        P = there @ (P_now - Q) @ np.swapaxes(there, -1, -2)
+        P = carried(P_now - Q, moving, there)
         rows = rows & (verdict == Verdict.TAKEN)[..., None]
         repeated = self.watch.repeats(said, rows, expected, self._expected_variance(P, inputs), R)
         verdict[repeated] = Verdict.REPEATED
@@ -473,10 +481,13 @@ class Transfer:
         part = np.where(
             beyond | (verdict > Verdict.REOPENED), 0.0, np.minimum(1.0, LARGEST / np.maximum(reach, 1e-300))
         )
-        carried, opened = (back @ one @ np.swapaxes(back, -1, -2) + Q for one in (loop.P, P))
-        whole = (part == 1.0)[..., None, None]
-        corrected = np.where(whole, carried, np.where(reopen[..., None, None], opened, P_now))
-        loop.x = np.einsum("...ij,...j->...i", back, part[..., None] * loop.x)
+        opened = carried(P, moving, back) + Q if reopen.any() else P_now
+        corrected = np.where(
+            (part == 1.0)[..., None, None], carried(loop.P, moving, back) + Q,
+            np.where(reopen[..., None, None], opened, P_now),
+        )  # fmt: skip
+        loop.x = part[..., None] * loop.x
+        loop.x[..., moving] = (back @ loop.x[..., None])[..., 0]
         if by_delay.any():
             corrected = np.where(by_delay[..., None, None], found.P + Q, corrected)
             loop.x = np.where(by_delay[..., None], found.x, loop.x)
@@ -491,7 +502,6 @@ class Transfer:
         if self.score is not None:
             self.score.end(taken)
         loop.P = np.where(taken[..., None, None], self._turned(corrected, nav), P_before)
-        loop.P = (loop.P + np.swapaxes(loop.P, -1, -2)) / 2
         loop.x = np.where(taken[..., None], loop.x, 0.0)
         self._correct_past(F)
         self.guard.taken()
@@ -604,12 +614,11 @@ class Transfer:
                     H, z = self.filter.call(f"{name}_H", **inputs), self.filter.call(f"{name}_z", **inputs)
                     nu = z - np.einsum("...ij,...j->...i", H, self.filter.x)
                     self.score.take(nu, H, self.filter.P, R_part, there)
-                kept = uninformed(self.filter, name, R_part, there, inputs, variances, self.rules.delay_sigmas)
+                kept, H = uninformed(self.filter, name, R_part, there, inputs, variances, self.rules.delay_sigmas)
                 if self.filter.considered is not None:
                     kept = kept | self.filter.considered
                 x, P = self.filter.x, self.filter.P
-                out[name] = self.filter.update(name, R_part, rows=there, considered=kept, **inputs)
-                H = self.filter.call(f"{name}_H", **inputs | {"x": x})
+                out[name] = self.filter.update(name, R_part, rows=there, considered=kept, H=H, **inputs)
                 self._keep_heading(x, P, H, R_part, there, kept, inputs)
         return out
 
@@ -624,7 +633,7 @@ class Transfer:
     def _expected_variance(self, P: Array, inputs: dict[str, Any]) -> Array:
         """(..., 6) of the velocity and the attitude (about the axes n) that are expected of the master."""
         H = np.concatenate([self.filter.call(f"{name}_H", **inputs) for name in ("velocity", "dcm")], axis=-2)
-        variance: Array = np.einsum("...ij,...jk,...ik->...i", H, P, H)
+        variance: Array = np.sum((H @ P) * H, axis=-1)
         return variance
 
     def _filled(self, said: dict[str, Array], rows: Array, expected: dict[str, Array]) -> dict[str, Array]:
@@ -643,12 +652,12 @@ class Transfer:
         return out
 
     def _match(self, lag: Array) -> tuple[dict[str, Any], Array]:
-        """The slave at the message's time, or now, with its rates; and the rates' variance over the gyros' density."""
-        back = lag.reshape(-1) if self.way == "buffer" else np.zeros(self.history.runs)
-        inputs, rate_factor = moment(
-            self.filter, self.history, self.time - back, self.rules.half_span_s, self.constants
-        )
-        return {**inputs, "lag": np.zeros(self.runs) if self.way == "buffer" else lag}, rate_factor
+        """The slave so long ago (K, ...), or now, with its rates; and the first rates' variance over the gyros' density."""
+        kept = np.zeros_like(lag)
+        back, lag = (lag, kept) if self.way == "buffer" else (kept[:1], lag)
+        at = self.time - back.reshape(len(back), -1)
+        state, rate_factor = moment(self.filter, self.history, at, self.rules.half_span_s, self.constants)
+        return state | {"lag": lag}, rate_factor[0]
 
     def _position(self, said: Array, sigma: Array, taken: Array, lag: Array) -> None:
         """The master's position, carried to now, where it fits to the slave's own way since the last one."""
@@ -700,11 +709,12 @@ class Transfer:
 
         So phi - C_m2n dmu, which alone shows at rest, stays the same sum, whatever noise the corrections bring into C.
         """
-        T = np.broadcast_to(np.eye(P.shape[-1]), P.shape).copy()
         for name, block in (("q_b2n_wxyz", PHI), ("q_b2m_wxyz", MOUNT)):
             old, new = (rotation.matrix_from_quaternion(of[name]) for of in (self.nav, nav))
-            T[..., block, block] = (np.eye(3) + new @ np.swapaxes(old, -1, -2)) / 2
-        return T @ P @ np.swapaxes(T, -1, -2)
+            T = np.zeros((*P.shape[:-2], 3, P.shape[-1]))
+            T[..., block] = (np.eye(3) + new @ np.swapaxes(old, -1, -2)) / 2
+            P = carried(P, block, T)
+        return P
 
     def _keep_heading(
         self, x: Array, P: Array, H: Array, R: Array, rows: Array, kept: Array, inputs: dict[str, Any]
@@ -718,42 +728,39 @@ class Transfer:
         C_b2m, C_b2n = (rotation.matrix_from_quaternion(q) for q in (self.nav["q_b2m_wxyz"], inputs["q_b2n_wxyz"]))
         w = np.zeros(P.shape[:-1])  # of the mounting, which alone keeps it where the slave's attitude is opened
         w[..., MOUNT] = np.einsum("...ij,...j->...i", C_b2m, C_b2n[..., DOWN, :])
-        Pw, PH = np.einsum("...ij,...j->...i", P, w), P @ np.swapaxes(H, -1, -2)
+        Pw, HP = (P @ w[..., None])[..., 0], H @ P
         level = np.sum(w * Pw, axis=-1)
-        by = np.einsum("...i,...ij->...j", w, PH) / np.maximum(level, 1e-300)[..., None]
-        rest = np.einsum("...ij,...ji->...i", H, PH) - by**2 * level[..., None]
+        by = (HP @ w[..., None])[..., 0] / np.maximum(level, 1e-300)[..., None]
+        rest = np.sum(H * HP, axis=-1) - by**2 * level[..., None]
         weight = rows * (R.min(-1, keepdims=True) / R)
         blind = np.sum(weight * by**2, axis=-1) <= self.rules.delay_sigmas**2 * np.sum(weight * rest, axis=-1)
         # an attitude that is unknown, or was opened, is corrected whatever else that does
         blind = blind & (np.einsum("...ii->...i", P)[..., PHI].max(-1) < self.rules.coarse_rad**2)
+        if not blind.any():
+            return
         u = np.where(blind[..., None] & ~kept, w + (np.arange(P.shape[-1]) == DOWN), 0.0)
         # the gain less u times its row of the heading: P gains S times the outer product of what is left out
-        gained = Pw - np.einsum("...ij,...j->...i", self.filter.P, w)
+        gained = Pw - (self.filter.P @ w[..., None])[..., 0]
         out = np.where(kept, gained, 0.0) + u * np.sum(w * gained, axis=-1, keepdims=True) / 2
         both = u[..., :, None] * out[..., None, :]
         self.filter.P = self.filter.P + both + np.swapaxes(both, -1, -2)
         self.filter.x = self.filter.x - u * np.sum(w * (self.filter.x - x), axis=-1, keepdims=True)
 
-    def _curved(self, lag: Array, inputs: dict[str, Any], since: Array) -> Array | float:
+    def _curved(self, fourth: Array, around: dict[str, Any], inputs: dict[str, Any], since: Array) -> Array:
         """(..., 6) variance of the residuals by the delay's error d in the second order, E[d^4] = 3 sigma^4.
 
-        It is one error in all messages of a swing, so that SWING_S of messages weigh as one.  since: (...,) s.
+        It is one error in all messages of a swing, so that SWING_S of messages weigh as one.  fourth: (...,) sigma^4.
+        around: of `_match`, at the message's time, later and earlier.  since: (...,) s.
         """
-        variance, step = self.filter.P[..., TAU, TAU], 2 * self.rules.half_span_s
-        matters = variance >= (step / 4) ** 2  # 10 ms: a turn that changes by 1 rad/s^2 leaves 0.05 mrad
-        if not matters.any():
-            return 0.0
-        change: Any = 0.0
-        for sign in (1, -1):
-            at = {**inputs, **self._match(lag - sign * step)[0]}
-            fields = "v_m_n", self._attitude_field()
-            rows = [
-                self.filter.call(f"{name}_H", **at)[..., TAU] if field in inputs else np.zeros((*self.runs, 3))
-                for name, field in zip(self.matching, fields, strict=True)
-            ]
-            change = change + sign * np.concatenate(rows, axis=-1) / (2 * step)
+        at = inputs | {name: value[-2:] for name, value in around.items()}
+        rows = [
+            self.filter.call(f"{name}_H", **at)[..., TAU] if field in inputs else np.zeros(3)
+            for name, field in zip(self.matching, ("v_m_n", self._attitude_field()), strict=True)
+        ]
+        later, earlier = np.concatenate([np.broadcast_to(row, (2, *self.runs, 3)) for row in rows], axis=-1)
         messages = np.maximum(1.0, SWING_S / np.fmax(since, 1e-3))
-        curved: Array = 0.75 * (matters * messages * variance**2)[..., None] * np.square(change)
+        change = (later - earlier) / (4 * self.rules.half_span_s)
+        curved: Array = 0.75 * (messages * fourth)[..., None] * np.square(change)
         return curved
 
     def _opening(self, reopen: Array, rows: Array, inputs: dict[str, Any]) -> Array:
@@ -771,7 +778,7 @@ class Transfer:
         """Take out of the kept samples what the feedback takes out of now: the error was x - F x age, age ago."""
         loop, history = self.filter, self.history
         age = (self.time - history.time).reshape((-1, *(1 for _ in self.runs), 1))
-        x = loop.x - age * np.einsum("...ij,...j->...i", F, loop.x)
+        x = loop.x - age * (F @ loop.x[..., None])[..., 0]
         shape = (len(history), *self.runs)
         past = {name: history.recent(name).reshape((*shape, -1)) for name in ("v_n", "q_b2n_wxyz")}
         corrected = loop.call("feedback", x=x, **past)

@@ -71,9 +71,11 @@ class History:
     def at(self, name: str, times: Array) -> Array:
         """(..., R, size) at times (..., R), on the chord between two samples, extended beyond the first and last."""
         i = self.time[1:-1].searchsorted(times, "right") + self.start
-        part = ((times - self.times[i]) / (self.times[i + 1] - self.times[i]))[..., None]
-        run = np.arange(self.runs)
-        low, high = self.values[name][i, run], self.values[name][i + 1, run]
+        before = self.times.take(i)
+        part = ((times - before) / (self.times.take(i + 1) - before))[..., None]
+        flat = self.values[name].reshape(-1, SIZES[name])
+        i = i * self.runs + np.arange(self.runs)
+        low, high = flat.take(i, axis=0), flat.take(i + self.runs, axis=0)
         if name == "q_b2n_wxyz":
             high = np.where(np.sum(low * high, axis=-1, keepdims=True) < 0, -high, high)
         value = low + part * (high - low)
@@ -91,7 +93,7 @@ class History:
 def moment(
     loop: Filter, history: History, at: Array, half_span_s: float, constants: Mapping[str, Any]
 ) -> tuple[dict[str, Any], Array]:
-    """The slave at times (..., R), with its rates; and the rates' variance over the gyros' density.
+    """The slave at times (..., R), and its rates; and their variance over the gyros' density.
 
     A rate is the mean over a span about its time.  Where the span would reach beyond the newest sample it ends there,
     and the rate is extended along its change over the two last spans.
@@ -102,7 +104,8 @@ def moment(
 
     def rate(times: Array) -> Array:
         middle = np.minimum(times, history.time[-1] - h)
-        last, earlier = (history.mean("angle", m - h, m + h) for m in (middle, middle - 2 * h))
+        sums = history.at("angle", np.stack([middle + h, middle - h, middle - 3 * h]))
+        last, earlier = (sums[:2] - sums[1:]) / (2 * h)
         extended = last + ((times - middle) / (2 * h))[..., None] * (last - earlier)
         return extended.reshape((*times.shape[:-1], *runs, 3)) - loop.nav["gyro_bias"]
 
@@ -114,4 +117,4 @@ def moment(
     beyond = ((at - centre) / (2 * h)).reshape(shape)
     a_n = (v1 - v2) / (2 * h) + beyond[..., None] * (v1 - 2 * v2 + v3) / (2 * h)
     inputs: dict[str, Any] = {name: value[0] for name, value in state.items()}
-    return {**inputs, "a_n": a_n, **constants}, ((1 + beyond) ** 2 + beyond**2) / (2 * h)
+    return {**inputs, "a_n": a_n}, ((1 + beyond) ** 2 + beyond**2) / (2 * h)

@@ -112,4 +112,5 @@ class LeverSeen:
     @property
     def suspect(self) -> Array:
         """(...,) bool, after 50 messages, three times as many beyond the bound as there should be."""
-        return (self.messages >= 50) & (self.large > 0.15 * self.messages) & (self.share > 0.15)
+        large = (self.messages >= 50) & (self.large > 0.15 * self.messages)
+        return large & (self.share > 0.15) if large.any() else large
