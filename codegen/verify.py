@@ -95,7 +95,9 @@ def verify_all(
     The points of a model are shared out to as many processes as there are processors; meanwhile this one prepares the
     next model.
     """
-    libraries = [[load(folder or target, backend) for backend in ("flight", "casadi")] for target, folder in targets]
+    libraries = [
+        [load(folder or target, backend, lanes=1) for backend in ("flight", "casadi")] for target, folder in targets
+    ]
     total, done = sum(len(flight.units) for flight, _ in libraries), 0
     checks: list[Check] = []
 

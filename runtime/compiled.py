@@ -15,16 +15,10 @@ from boresight import BoresightError
 from boresight.runtime.arguments import check_inputs, check_taking
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation
-from boresight.runtime.library import Library
+from boresight.runtime.library import Given, Library
 from boresight.runtime.status import Status
 
 ALIGNED = 64  # bytes: the widest block of numbers that C reads at once
-
-
-class Given(ctypes.Structure):
-    """bs_given of boresight_lanes.h."""
-
-    _fields_ = [("at", ctypes.c_void_p), ("stride", ctypes.c_size_t), ("step", ctypes.c_ssize_t)]
 
 
 class Taking(ctypes.Structure):

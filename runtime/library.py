@@ -21,7 +21,14 @@ from boresight.runtime.manifest import built_in, folder_of, read_manifest
 from boresight.runtime.status import Status
 
 BACKENDS = ("flight", "casadi")
-WIDTHS = (1, 2, 4, 8)  # runs that one call of the filter's C computes at a time
+WIDTHS = (1, 2, 4, 8)  # runs that the C of many runs computes at a time
+MANY = 64  # runs from which on a function is worth its C of many runs, which has to be compiled first
+
+
+class Given(ctypes.Structure):
+    """bs_given of boresight_lanes.h."""
+
+    _fields_ = [("at", ctypes.c_void_p), ("stride", ctypes.c_size_t), ("step", ctypes.c_ssize_t)]
 
 
 def build(
@@ -42,12 +49,11 @@ def build(
 
 
 def build_lanes(folder: Path, manifest: dict[str, Any], width: int) -> tuple[Path, str]:
-    """The compiled library of a generated folder's filter over blocks of `width` runs."""
+    """The compiled library of a generated folder's functions and filter over blocks of `width` runs."""
     sources: dict[Path, tuple[str, ...]]
     sources = {folder / path: () for path in manifest["files"] if path.startswith("src/") and path.endswith(".c")}
-    lanes = folder / "batch" / f"{manifest['c_prefix']}_lanes.c"
+    sources |= {folder / path: in_lanes(width) for path in manifest["files"] if path.endswith("_lanes.c")}
     contents = json.dumps(manifest["files"], sort_keys=True)
-    sources[lanes] = in_lanes(width)
     return shared_library(f"{folder.name}-lanes{width}", contents, sources, folder / "include")
 
 
@@ -107,11 +113,19 @@ class Unit:
 
         given, runs: of `Library.arrange`.  A run that is refused leaves its outputs as they were; nothing is raised.
         """
-        n = len(outputs[0])
+        n, library = len(outputs[0]), self.library
         status = np.empty(n, dtype=np.uint8)
-        kept = self.library.pack(self.structs, given, runs)
-        inputs = [word for packed, stride in kept for word in (packed.ctypes.data, stride)]
-        return self._many(n, *inputs, *(out.ctypes.data for out in (*outputs, status))), status
+        ends = [out.ctypes.data for out in (*outputs, status)]
+        if n < MANY or library.widest == 1:
+            packed = library.pack(self.structs, given, runs)
+            return self._many(n, *(word for array, stride in packed for word in (array.ctypes.data, stride)), *ends), status
+        each = [array if array.ndim == 1 else np.ascontiguousarray(np.broadcast_to(array, (*runs, array.shape[-1])))
+                for array in (given[name] for name in self.fields)]  # fmt: skip
+        fields = (Given * len(each))(*((array.ctypes.data, array.shape[-1] * (array.ndim > 1), 0) for array in each))
+        in_lanes = getattr(library.lanes(n)[1], self.described["c_name"] + "_lanes")
+        in_lanes.argtypes = ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p
+        in_lanes.restype = ctypes.c_size_t
+        return in_lanes(n, fields, (ctypes.c_void_p * len(outputs))(*ends[:-1]), ends[-1]), status
 
     def bind(self, runs: tuple[int, ...] = ()) -> "Bound":
         """The function for one run, or these, bound to its own arrays: for loops where a microsecond counts."""
@@ -172,7 +186,7 @@ class Library:
     ceiling: (n,) the largest variance that a filter of it lets each state have, or None.
     manifest: what was generated, and the hash of each function.
     real: the NumPy type of the precision, in which the numbers go to the C and come back.
-    folder: where it was generated.  widest: how many runs its filter in C computes at a time, where there are several.
+    folder: where it was generated.  widest: how many runs its C computes at a time, where there are several.
     """
 
     def __init__(
@@ -290,8 +304,8 @@ def load(model: str | Path, backend: str = "flight", precision: str = "double", 
 
     backend: "flight" for our C, "casadi" for CasADi's own; both have the same functions and give the same bits.
     precision: "double" or "float"; CasADi's C knows double alone.
-    lanes: 1, 2, 4 or 8, how many runs the filter in C computes at a time, which changes no bit of them; by default as
-    many as the processor has room for.  Fewer where there are fewer runs.
+    lanes: 1, 2, 4 or 8, how many runs the C computes at a time, which changes no bit of them; by default as many as the
+    processor has room for.  Fewer where there are fewer runs.  With 1 a function of many runs is the flight C itself.
     Raises BoresightError on an unknown model, an edited file, a missing compiler, or a library that is out of date.
     """
     for what, given, known in (("backend", backend, BACKENDS), ("precision", precision, tuple(PRECISIONS))):
@@ -306,4 +320,5 @@ def load(model: str | Path, backend: str = "flight", precision: str = "double", 
     if "component" in manifest:
         raise BoresightError(f"{manifest['model']} comes from no model; models are {', '.join(built_in())}")
     dll = open_library(*build(folder, manifest, backend, precision))
-    return Library(manifest, dll, precision, folder, lanes or compiler.lanes())
+    widest = lanes or compiler.lanes()
+    return Library(manifest, dll, precision, folder, widest if (backend, precision) == ("flight", "double") else 1)

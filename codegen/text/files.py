@@ -25,7 +25,7 @@ from boresight.codegen.text.elementary import called, tests
 from boresight.codegen.text.equations import FILE, equations_text
 from boresight.codegen.text.filter import filter_view, has_filter, test_view
 from boresight.codegen.text.identity import identity_view, numbers
-from boresight.codegen.text.lanes import lanes_view
+from boresight.codegen.text.lanes import lanes_view, unit_lanes_view
 from boresight.codegen.text.layout import laid_out
 from boresight.codegen.text.manifest import described
 from boresight.codegen.text.names import file_stem, snake
@@ -132,9 +132,11 @@ def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
             *("src/PREFIX_covariance.c", "src/PREFIX_filter.c", "selftest/test_PREFIX_filter.c"),
             *("include/boresight_digest.h", "include/MODEL_digest.h"),
             *("src/PREFIX_digest.c", "selftest/test_PREFIX_digest.c"),
-            *("batch/boresight_lanes.h", "batch/PREFIX_lanes.c"),
+            "batch/PREFIX_lanes.c",
         )
-    return rendered(paths, {"MODEL": m["snake"], "PREFIX": model.c_prefix}, m=m, **extra)
+    words = {"MODEL": m["snake"], "PREFIX": model.c_prefix}
+    blocks = ("batch/boresight_lanes.h", "batch/PREFIX_unit_lanes.c")
+    return rendered(paths, words, m=m, **extra) | rendered(blocks, words, m=m, l=unit_lanes_view(model, made, views))
 
 
 def covariance_test(model: Model, made: list[Unit]) -> str:

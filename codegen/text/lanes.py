@@ -10,6 +10,33 @@ from boresight.derive.model import Model, Variable
 WIDE, TALL = 16, 3  # sums of a product that are made at a time
 
 
+def unit_lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Every function of something over blocks of runs: the fields that it reads, its box, and what it writes where."""
+    found = []
+    for unit, seen in zip(made, views, strict=True):
+        if not unit.args:
+            continue
+        place, to = {}, 0
+        for a in unit.args:
+            place[a.name], to = to, to + a.size
+        results = [
+            {"name": r["name"], "nz": r["nz_name"], "count": r["nnz"], "total": r["total"], "index": r["index"],
+             "checked": r["checked"], "low": bool(r["low"]), "least": ", ".join(map(number, r["low"] or ())),
+             "most": ", ".join(map(number, result.high or ()))}
+            for r, result in zip(seen["results"], unit.results, strict=True)
+        ]  # fmt: skip
+        inputs = [f"&in[{place[a.name]}]" for a in unit.args]
+        out = [f"&out[{k}][run * {r['total']}U]" for k, r in enumerate(results)]
+        found.append({
+            "c_name": seen["c_name"], "file": seen["file"], "count": to, "box": boxes(unit.args, place), "results": results,
+            "loads": [(shown["element"], a.size, place[a.name]) for a, shown in zip(unit.args, seen["args"], strict=True)],
+            "structs": [struct["declaration"] for struct in seen["structs"]],
+            "call": f"{seen['c_name']}_kernel({', '.join([*inputs, *(r['nz'] for r in results)])})",
+            "alone": f"{seen['c_name']}({', '.join([*([seen['inputs']] if seen['inputs'] else []), *out])})",
+        })  # fmt: skip
+    return found
+
+
 def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: dict[str, Any]) -> dict[str, Any]:
     """f: `text.filter.filter_view` of the model.
 

@@ -7,6 +7,7 @@ import json
 import numpy as np
 import pytest
 
+from boresight.runtime import library
 from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.epoch import Epoch
 from boresight.runtime.library import WIDTHS, load
@@ -248,17 +249,70 @@ MUTANTS = {  # of the text of em_lanes.c: each spoils one step in lanes, in the 
 }
 
 
+def spoil(folder, path, old, new):
+    """Other text in a generated folder, whose manifest knows of it."""
+    text = (folder / path).read_text()
+    assert old in text
+    (folder / path).write_text(text.replace(old, new))
+    manifest = json.loads((folder / "manifest.json").read_text())
+    manifest["files"][path] = hashlib.sha256((folder / path).read_bytes()).hexdigest()
+    (folder / "manifest.json").write_text(json.dumps(manifest))
+
+
 @pytest.mark.parametrize("name", MUTANTS)
 def test_one_operation_changed_in_the_lanes_is_seen(name, em_copy):
-    path, (old, new) = em_copy / "batch" / "em_lanes.c", MUTANTS[name]
-    text = path.read_text()
-    assert old in text
-    path.write_text(text.replace(old, new))
-    manifest = json.loads((em_copy / "manifest.json").read_text())
-    manifest["files"]["batch/em_lanes.c"] = hashlib.sha256(path.read_bytes()).hexdigest()
-    (em_copy / "manifest.json").write_text(json.dumps(manifest))
+    spoil(em_copy, "batch/em_lanes.c", *MUTANTS[name])
     library, rng = load(em_copy, lanes=4), np.random.default_rng(5)
     assert any(apart(library, name.split(",")[0], rng, spoilt)[0] for spoilt in (False, *12 * (True,)))
+
+
+def unlike(model, function, width, rng, spoilt):
+    """Whether a function in lanes differs by a bit from itself run by run; and what it said of the runs."""
+    flight, in_lanes = (load(model, lanes=lanes) for lanes in (1, width))
+    fields = {name: drawn(flight, name, rng, spoilt) for name in getattr(flight, function).fields}
+    for shared in rng.choice(list(fields), len(fields) // 3, replace=False):
+        fields[shared] = fields[shared][0]
+    given, runs = flight.arrange(function, fields)
+    runs = runs or (1,)
+    outputs = [[np.full_like(out, 7.0) for out in getattr(flight, function).outputs(runs[0])] for _ in range(2)]
+    (_, said), (failed, again) = (
+        getattr(one, function).evaluate(given, runs, out) for one, out in zip((flight, in_lanes), outputs, strict=True)
+    )
+    same = all(np.array_equal(bits(a), bits(b)) for a, b in zip(*outputs, strict=True))
+    return not (same and np.array_equal(said, again) and failed == np.count_nonzero(said)), said
+
+
+@pytest.mark.parametrize("width", WIDTHS[1:])
+@pytest.mark.parametrize("model", [name for name in built_in() if load(name).units])
+def test_every_function_has_the_bits_that_it_has_alone(model, width, monkeypatch):
+    monkeypatch.setattr(library, "MANY", 1)
+    for function in (name for name, unit in load(model).units.items() if unit.fields):
+        rng, met = np.random.default_rng([7, len(function), width]), set()
+        for spoilt in (False, *4 * (True,)):
+            differs, said = unlike(model, function, width, rng, spoilt)
+            assert not differs, (function, spoilt)
+            met |= set(said.tolist())
+        assert Status.OK in met and met & {Status.NOT_FINITE, Status.OUT_OF_RANGE}, function
+
+
+UNIT_MUTANTS = {  # of em_unit_lanes.c
+    "the last bit": ("#define BS_REAL(x) bs_all_of(x)", "#define BS_REAL(x) bs_all_of((x) * (1 + 0x1p-52))"),
+    "a bad lane written": ("if (good[l] != 0) {", "if ((good[l] | 1) != 0) {"),
+    "a box": ("good = bs_inside(in, low, high,", "good = ~bs_inside(in, high, low,"),
+    "a status": ("status[run] = (unsigned char)BS_OK;", ""),
+}
+
+
+@pytest.mark.parametrize("name", UNIT_MUTANTS)
+def test_one_change_of_the_functions_in_lanes_is_seen(name, em_copy, monkeypatch):
+    monkeypatch.setattr(library, "MANY", 1)
+    spoil(em_copy, "batch/em_unit_lanes.c", *UNIT_MUTANTS[name])
+    assert any(
+        unlike(em_copy, function, 4, np.random.default_rng([8, k]), spoilt)[0]
+        for function in load(em_copy).units
+        if load(em_copy).units[function].fields
+        for k, spoilt in enumerate((False, *6 * (True,)))
+    )
 
 
 def test_a_bad_run_has_its_own_status_and_the_others_go_on():
