@@ -127,7 +127,7 @@ class Filter:
         joint: float | None = None,
         iterations: int = 1,
         considered: Any = None,
-        H: Any = None,
+        jacobian: Any = None,
         **inputs: Any,
     ) -> Innovation:
         """Take one measurement, row after row, in Joseph form.
@@ -146,7 +146,7 @@ class Filter:
         considered: (..., n) bool, states whose rows of the whole measurement's gain are zero, instead of the attribute
         `considered`: they and their covariance among themselves stay, and their covariance with the others is right.
         nu and S are those of the optimal filter, so that nis is chi-square.
-        H: (..., m, n) as `NAME_H` gives it where the filter is, of a caller who has it already.
+        jacobian: (..., m, n) what `NAME_H` gives where the filter is, of a caller who has it already.
         z: (..., m) the measured value, of a measurement that has no `NAME_z`.
         """
         check_taking(measurement, rows, gate, joint, iterations)
@@ -154,7 +154,7 @@ class Filter:
         z, rows = self._measured(measurement, inputs), np.asarray(rows, dtype=bool)
         D, L_inverse = self._noise(measurement, R, z.shape, rows)
         if L_inverse is not None and gate is not None:  # what a rejected row says has no part in the others
-            rows, gate = self._within(gate, rows, R, *self._linear(measurement, z, self.x, inputs, H)), None
+            rows, gate = self._within(gate, rows, R, *self._linear(measurement, z, self.x, inputs, jacobian)), None
             D, L_inverse = self._noise(measurement, R, z.shape, rows)
 
         def linear(at: Array, H: Array | None = None) -> tuple[Array, Array]:
@@ -164,7 +164,7 @@ class Filter:
                 return target, H
             return np.einsum("...ij,...j->...i", L_inverse, target), L_inverse @ H
 
-        target, H = linear(self.x, H)
+        target, H = linear(self.x, jacobian)
         x, P, innovation = self._rows(target, H, D, rows, gate, kept)
         if not (np.isfinite(innovation.nu).all() and np.isfinite(innovation.S).all() and (innovation.S > 0).all()):
             raise BoresightError(f"{measurement}: an innovation or its variance is no number; start from a new P")
@@ -335,12 +335,15 @@ class Filter:
     def _rows(
         self, z: Array, H: Array, R: Array, rows: Array, gate: float | None, kept: Array | None
     ) -> tuple[Array, Array, Innovation]:
-        x, P = self.x, self.P
-        rows = np.broadcast_to(rows, np.broadcast_shapes(rows.shape, x.shape[:-1] + z.shape[-1:]))
+        x, n = self.x, self.P.shape[-1]
+        runs = np.broadcast_shapes(self.P.shape[:-2], *(one.shape[:-1] for one in (x, z, R, rows)), H.shape[:-2])
+        rows = np.broadcast_to(rows, (*runs, z.shape[-1]))
+        P, product = np.empty((*runs, n, n)), np.empty((*runs, n, n))  # in place: new memory is slower than the sums
+        P[:] = self.P
         nus, Ss, used = [], [], []
         for i in range(z.shape[-1]):
             h = H[..., i, :]
-            Ph = np.einsum("...ij,...j->...i", P, h)
+            Ph = (P @ h[..., None])[..., 0]
             S = np.einsum("...i,...i->...", h, Ph) + R[..., i]
             nu = z[..., i] - np.einsum("...i,...i->...", h, x)
             use = rows[..., i] & (np.ones_like(S, bool) if gate is None else nu**2 <= gate**2 * S)
@@ -348,13 +351,14 @@ class Filter:
             x = x + K * nu[..., None]
             # Joseph form in its two products, (I - K h') P and that times (I - K h')': multiplied out at once it would
             # lose as much as the first alone does where a good measurement meets a coarse start.
-            A = P - K[..., :, None] * Ph[..., None, :]
-            b = np.einsum("...ij,...j->...i", A, h) - R[..., i, None] * K
-            P = A - b[..., :, None] * K[..., None, :]
-            P = (P + np.swapaxes(P, -1, -2)) / 2
+            P -= np.multiply(K[..., :, None], Ph[..., None, :], out=product)
+            b = (P @ h[..., None])[..., 0] - R[..., i, None] * K
+            P -= np.multiply(b[..., :, None], K[..., None, :], out=product)
             nus.append(nu)
             Ss.append(S)
             used.append(use)
+        P = np.add(P, np.swapaxes(P, -1, -2), out=product)
+        P /= 2
         stack = [np.stack(np.broadcast_arrays(*part), axis=-1) for part in (nus, Ss, used)]
         if kept is not None:
             x, P = left(kept, x, P, self.x, self.P)

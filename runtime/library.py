@@ -119,8 +119,11 @@ class Unit:
         if n < MANY or library.widest == 1:
             packed = library.pack(self.structs, given, runs)
             return self._many(n, *(word for array, stride in packed for word in (array.ctypes.data, stride)), *ends), status
-        each = [array if array.ndim == 1 else np.ascontiguousarray(np.broadcast_to(array, (*runs, array.shape[-1])))
-                for array in (given[name] for name in self.fields)]  # fmt: skip
+        each = [given[name] for name in self.fields]
+        for i, array in enumerate(each):
+            if array.ndim > 1 and array.shape[:-1] != runs:
+                array = np.broadcast_to(array, (*runs, array.shape[-1]))
+            each[i] = np.ascontiguousarray(array)
         fields = (Given * len(each))(*((array.ctypes.data, array.shape[-1] * (array.ndim > 1), 0) for array in each))
         in_lanes = getattr(library.lanes(n)[1], self.described["c_name"] + "_lanes")
         in_lanes.argtypes = ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p

@@ -601,6 +601,9 @@ class Transfer:
         variances: of the rates in the delay's column, which decide whether a measurement informs the delay.
         """
         self.filter.x, self.filter.P = np.zeros(P.shape[:-1]), P
+        C_b2m, C_b2n = (rotation.matrix_from_quaternion(q) for q in (self.nav["q_b2m_wxyz"], inputs["q_b2n_wxyz"]))
+        heading = np.zeros(P.shape[:-1])  # of the mounting, which alone keeps it where the slave's attitude is opened
+        heading[..., MOUNT] = (C_b2m @ C_b2n[..., DOWN, :, None])[..., 0]
         if self.score is not None:
             self.score.begin()
         out = {}
@@ -618,8 +621,8 @@ class Transfer:
                 if self.filter.considered is not None:
                     kept = kept | self.filter.considered
                 x, P = self.filter.x, self.filter.P
-                out[name] = self.filter.update(name, R_part, rows=there, considered=kept, H=H, **inputs)
-                self._keep_heading(x, P, H, R_part, there, kept, inputs)
+                out[name] = self.filter.update(name, R_part, rows=there, considered=kept, jacobian=H, **inputs)
+                self._keep_heading(heading, x, P, H, R_part, there, kept)
         return out
 
     def _attitude_field(self) -> str:
@@ -716,18 +719,13 @@ class Transfer:
             P = carried(P, block, T)
         return P
 
-    def _keep_heading(
-        self, x: Array, P: Array, H: Array, R: Array, rows: Array, kept: Array, inputs: dict[str, Any]
-    ) -> None:
+    def _keep_heading(self, w: Array, x: Array, P: Array, H: Array, R: Array, rows: Array, kept: Array) -> None:
         """Take back what a measurement says of the heading by noise alone; as `uninformed` does with the delay.
 
-        x, P: before.  H, R, rows: its own.  kept: (..., n) the states considered in it.
+        w: (..., n) the heading's row.  x, P: before.  H, R, rows: its own.  kept: (..., n) the states considered in it.
         The heading is here what turns slave and mounting about the vertical together.  It shows as the hull moves, and
         noise of the slave's sensors passes for that; so the residual's part by it has to be above the part by all else.
         """
-        C_b2m, C_b2n = (rotation.matrix_from_quaternion(q) for q in (self.nav["q_b2m_wxyz"], inputs["q_b2n_wxyz"]))
-        w = np.zeros(P.shape[:-1])  # of the mounting, which alone keeps it where the slave's attitude is opened
-        w[..., MOUNT] = np.einsum("...ij,...j->...i", C_b2m, C_b2n[..., DOWN, :])
         Pw, HP = (P @ w[..., None])[..., 0], H @ P
         level = np.sum(w * Pw, axis=-1)
         by = (HP @ w[..., None])[..., 0] / np.maximum(level, 1e-300)[..., None]
@@ -777,8 +775,9 @@ class Transfer:
     def _correct_past(self, F: Array) -> None:
         """Take out of the kept samples what the feedback takes out of now: the error was x - F x age, age ago."""
         loop, history = self.filter, self.history
-        age = (self.time - history.time).reshape((-1, *(1 for _ in self.runs), 1))
-        x = loop.x - age * (F @ loop.x[..., None])[..., 0]
+        age = (history.time - self.time).reshape((-1, *(1 for _ in self.runs), 1))
+        x = age * (F @ loop.x[..., None])[..., 0]
+        x += loop.x
         shape = (len(history), *self.runs)
         past = {name: history.recent(name).reshape((*shape, -1)) for name in ("v_n", "q_b2n_wxyz")}
         corrected = loop.call("feedback", x=x, **past)

@@ -224,7 +224,8 @@ def test_the_buffer_meets_the_master_and_extrapolation_misses_it_by_the_second_d
 
 def loop_residuals(loop, message):
     """(6,) velocity and attitude, before any update."""
-    inputs, _ = loop._match(np.asarray(loop.time - message.time))
+    around, _ = loop._match(np.array([loop.time - message.time]))
+    inputs = loop.constants | {name: value[0] for name, value in around.items()}
     inputs |= {"v_m_n": message.v_m_n, "q_m2n_wxyz": message.q_m2n_wxyz}
     return np.concatenate([loop.filter.call(f"{name}_z", **inputs) for name in ("velocity", "dcm")])
 
