@@ -6,7 +6,8 @@ give it, whatever stands beside it; they are those of the Python loop, to roundi
 """
 
 import ctypes
-from collections.abc import Iterator, MutableMapping
+import functools
+from collections.abc import Callable, Iterator, MutableMapping
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.library import Given, Library
 from boresight.runtime.status import Status
 
+AT_CEILING = int(Status.AT_CEILING)  # compared with an array, the enum takes five times as long
 ALIGNED = 64  # bytes: the widest block of numbers that C reads at once
 
 
@@ -139,6 +141,9 @@ class Prepared:
         self._blocks = blocks  # from the collector
         self.given = (Given * max(1, len(blocks)))(*(Given(each.ctypes.data, stride, 0) for each, stride in blocks))
         self.status = np.zeros(int(np.prod(self.runs, dtype=int)), dtype=np.uint8)
+        self.bound: Any = None
+        self.memory: Memory | None = None  # of the last call
+        taking: tuple[Any, ...] = ()
         if measured:
             m = described["m"]
             self.rows, self.gates = np.zeros((*self.runs, m), dtype=np.uint8), np.zeros(2)
@@ -146,7 +151,8 @@ class Prepared:
             self.out = np.zeros((*self.runs, m)), np.zeros((*self.runs, m)), np.zeros(self.runs)
             self.used = np.zeros((*self.runs, m), dtype=np.uint8)
             ends = (part.ctypes.data for part in (self.gates, self.iterations, *self.out, self.used))
-            self.taking = Taking(self.rows.ctypes.data, m, *ends)
+            taking = (ctypes.byref(Taking(self.rows.ctypes.data, m, *ends)),)
+        self.asked = (ctypes.byref(self.given), *taking, ctypes.c_void_p.from_param(self.status.ctypes.data))
 
     @staticmethod
     def value(loop: "CompiledFilter", name: str, inputs: dict[str, Any]) -> Any:
@@ -204,10 +210,7 @@ class CompiledFilter(Filter):
             self._part[name] = slice(start, start + size)
             start += size
         self._size = start
-        columns, rows = np.tril_indices(n)  # column after column of the upper triangle
-        self._upper = rows, columns
-        self._place = np.zeros((n, n), dtype=int)
-        self._place[rows, columns] = self._place[columns, rows] = np.arange(len(rows))
+        self._upper, self._place = packed(n)
         self._diagonal = self._part["P"].start + self._place.diagonal()
 
     # ------------------------------------------------------------ what the caller sees
@@ -290,7 +293,6 @@ class CompiledFilter(Filter):
                     self._lend(name)
             width, self._dll = self._library.lanes(int(np.prod(runs, dtype=int)))
             self._memory, self._runs = Memory(int(np.prod(runs, dtype=int)), self._size, width), runs
-            self._functions: dict[str, Any] = {}
             for name in self._carried:
                 if name not in self._held:  # it stands in no function that is called
                     self._write(name, inside(self._library.field[name]))
@@ -341,7 +343,7 @@ class CompiledFilter(Filter):
         R, rows = np.atleast_1d(np.asarray(R, dtype=float)), np.atleast_1d(np.asarray(rows, dtype=bool))
         L_inverse, correlated = None, self._described(measurement, "correlated")
         plain = R.shape == (m,) and rows.shape[-1] in (1, m) and not correlated
-        if not (plain and R.min() > 0 and R.max() < np.inf):
+        if not (plain and all([0 < variance < np.inf for variance in R.tolist()])):
             _, L_inverse = self._noise(measurement, R, (m,) if z is None else z.shape, rows)
         if L_inverse is not None:
             if not correlated:
@@ -394,20 +396,22 @@ class CompiledFilter(Filter):
                 self._lend(name)
             self._write(name, np.asarray(inputs[name], dtype=float))
         name = function
-        asked: tuple[Any, ...] = (call.given,)
         if measured is not None:
             call.rows[...], call.gates[...], call.iterations[0] = measured[:3]
             self._consider(measured[3])
-            name, asked = "measure", (described["index"], call.given, ctypes.byref(call.taking))
+            name = "measure"
+        if call.memory is not memory:
+            which = () if measured is None else (ctypes.c_int.from_param(described["index"]),)
+            call.memory, call.bound = memory, self._bind(name, *which, *call.asked)
         changed = self._changed(name)
         memory.keep(changed)
-        call.status[...] = 0
-        if self._called(name)(memory.n, memory.address, *asked, call.status.ctypes.data):
+        call.status.fill(0)
+        if call.bound():
             memory.give_back(changed)
             given = call.arranged(self, function, inputs)
             self._explain(function, {**{n: self._column(n) for n in self.nav if n in self._part}, **given}, call.status)
         if function == "propagate":
-            self.at_ceiling = (call.status == Status.AT_CEILING).reshape(call.runs)
+            self.at_ceiling = (call.status == AT_CEILING).reshape(call.runs)
         self._forget((*described.get("written", ()), *(("x", "P") if name != "strapdown" else ())))
         return (*(part.copy() for part in call.out), call.used.astype(bool)) if measured is not None else None
 
@@ -415,18 +419,16 @@ class CompiledFilter(Filter):
         """How many axes of a value are none of runs."""
         return 2 if name == "P" else 1 if name == "x" or self._library.field[name]["size"] > 1 else 0
 
-    def _called(self, name: str) -> Any:
-        """The C function of a call, for the width that is flown."""
-        if name in self._functions:
-            return self._functions[name]
+    def _bind(self, name: str, *asked: Any) -> Callable[[], int]:
+        """The C function PREFIX_lanes_NAME for the runs as they are settled; a call of it converts no argument.
+
+        asked: its parameters after the state, made by `byref` or `from_param`.
+        """
+        assert self._memory is not None
         function = getattr(self._dll, f"{self._library.manifest['c_prefix']}_lanes_{name}")
         function.restype = ctypes.c_size_t
-        pointers = 4 if name == "measure" else 3
-        function.argtypes = [ctypes.c_size_t, *pointers * [ctypes.c_void_p]]
-        if name == "measure":
-            function.argtypes = [ctypes.c_size_t, ctypes.c_void_p, ctypes.c_int, *3 * [ctypes.c_void_p]]
-        self._functions[name] = function
-        return function
+        n, address = ctypes.c_size_t.from_param(self._memory.n), ctypes.c_void_p.from_param(self._memory.address)
+        return functools.partial(function, n, address, *asked)
 
     def _changed(self, name: str) -> slice:
         """What of a run a function changes."""
@@ -463,6 +465,15 @@ class CompiledFilter(Filter):
                 "from a new P"
             )
         self.model.explain(function, {**given, "x": self._column("x")}, self._runs, np.where(bad, status, Status.OK))
+
+
+@functools.cache
+def packed(n: int) -> tuple[tuple[Array, Array], Array]:
+    """Rows and columns of a packed symmetric matrix, and (n, n) the place of each element in it."""
+    columns, rows = np.tril_indices(n)  # column after column of the upper triangle
+    place = np.zeros((n, n), dtype=int)
+    place[rows, columns] = place[columns, rows] = np.arange(len(rows))
+    return (rows, columns), place
 
 
 def inside(field: dict[str, Any]) -> Array:

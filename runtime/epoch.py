@@ -5,7 +5,6 @@ A readable loop spends most of its time on the way from Python to C and back; an
 """
 
 import ctypes
-import functools
 from collections.abc import Collection
 from typing import Any
 
@@ -155,19 +154,19 @@ class Epoch:
             int(feedback),
         )  # fmt: skip
         self._bound: Any = None
-        self._memory: Any = None
+        self._memory: Any = self  # of the last call: none yet
 
     def __call__(self) -> int:
         """How many runs a step refused; 0 is all well."""
         loop = self.loop
-        if loop._lent or self._bound is None or self._memory is not loop._memory or loop._runs != self.runs:
-            self._memory = loop._settle(self.runs)
-            function = getattr(loop._dll, f"{loop._library.manifest['c_prefix']}_lanes_epoch")
-            function.restype = ctypes.c_size_t
-            addresses = (self._memory.address, ctypes.addressof(self._cycle), self.status.ctypes.data)
-            self._bound = functools.partial(function, ctypes.c_size_t(self._memory.n), *map(ctypes.c_void_p, addresses))
+        if loop._lent or self._memory is not loop._memory:
+            memory = loop._settle(self.runs)
+            if self._memory is not memory:
+                asked = ctypes.byref(self._cycle), ctypes.c_void_p.from_param(self.status.ctypes.data)
+                self._memory, self._bound = memory, loop._bind("epoch", *asked)
         refused: int = self._bound()
-        loop._forget(self._changed)
+        if loop._held:
+            loop._forget(self._changed)
         return refused
 
     def refused(self) -> str:

@@ -19,6 +19,7 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.simulation import sea
 
+TOGETHER = 128  # instants: their waves stay in the cache, and products of this size are not split among threads
 FREEDOMS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 
 
@@ -35,6 +36,8 @@ class Harmonics:
     def at(self, time: Any) -> Array:
         """(T,) s, or (T, ...) if each run has its own -> (T, ..., D)."""
         time = np.asarray(time, float)
+        if time.ndim == 1 and len(time) > TOGETHER:
+            return np.concatenate([self.at(time[k : k + TOGETHER]) for k in range(0, len(time), TOGETHER)])
         # Re(a w) = Re a Re w - Im a Im w, as one product of real matrices
         amplitude = np.concatenate([self.amplitude.real, -self.amplitude.imag], axis=-1)
         if time.ndim == 1:  # the frequencies may serve many runs: their sines only once
