@@ -85,6 +85,7 @@ def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: d
             view["measurements"][u["name"]] = {
                 **taken, "z": kernel(f"{u['name']}_z", taken, ["z"]) if u["z"] else None,
                 "H": kernel(f"{u['name']}_H", taken, ["H"]),
+                "starts": [sum(row < i for row, _ in H) for i in range(u["m"] + 1)],
             }  # fmt: skip
     sparse = discretized(model, made) if model.order == 2 else None
     if sparse:
