@@ -176,7 +176,19 @@ def discretized(model: Model, made: list[Unit]) -> dict[str, Any] | None:
         for k in coupled(first)
     ]  # fmt: skip
     upper = sorted((i >= m, p, j * (j + 1) // 2 + i) for p, (i, j) in enumerate(Qc) if i <= j)
+    noise = {at for _, _, at in upper}
+    met = {at for k in steps for l in k["left"] for at in (l["u"], *(q for q, _ in l["inner"]))}
+    written = noise | met | {j * (j + 1) // 2 + i for i, j in filled}
+    zeros = {
+        "Phi": sorted(set(range(Phi_tiles.size)) - set(Phi_tiles.slot.values())),
+        "B": sorted(set(range(B_tiles.size)) - set(B_tiles.slot.values())),
+        "T": [k * down + i for k in range(n) for i in range(down) if (i, k) not in filled],
+        "Q": sorted({j * (j + 1) // 2 + i for j in range(m, n) for i in range(j + 1)} - written),
+        "X": [i * wide + j for i in range(n) for j in range(n, wide)],
+    }
     return {
+        "zeros": {name: (len(at), ", ".join(map(str, at))) for name, at in zeros.items() if at},
+        "met": sorted(met - noise),
         "m": m, "row": wide, "block": size, "tall": tall, "down": down, "groups": down // tall,
         "Phi": {"size": Phi_tiles.size, "start": Phi_tiles.start, **{
             name: Phi_tiles.places(stride) for name, stride in (("at", wide), ("across", down), ("x", 1))}},
