@@ -164,7 +164,7 @@ def discretized(model: Model, made: list[Unit]) -> dict[str, Any] | None:
         for k in coupled(first):
             line["gains"] += [(k, l) for l in range(k - 1, first[k] - 1, -1) if (i, l) in phi]
         rows.append(line)
-    steps = [
+    steps: list[dict[str, Any]] = [
         {
             "k": k, "diagonal": k * (k + 3) // 2,
             "left": [
@@ -235,4 +235,3 @@ def entry(place: tuple[int, int], a: str | None, twice: str | None, of_a: float 
     first = "0.0" if a is None else a if of_a is None else f"({of_a!r} * {a})"
     value = f"{first} + {f'({of_twice!r} * {twice})' if twice else '0.0'}"
     return f"({value}) + 1.0" if place[0] == place[1] else value
-
