@@ -75,6 +75,14 @@ class Held(MutableMapping[str, Array]):
             raise KeyError(name)
         return self._loop._lend(name)
 
+    def seen(self, name: str) -> Array:
+        """A field to be read alone, which the next call need not look at."""
+        if name not in self._names:
+            raise KeyError(name)
+        value = self._loop._seen(name).view()
+        value.flags.writeable = False
+        return value
+
     def __setitem__(self, name: str, value: Any) -> None:
         if name not in self._names:
             self._names.append(name)

@@ -1,5 +1,7 @@
 """The filter over blocks of runs, as its template sees it: what of it goes in lanes, and its sparse products."""
 
+from collections.abc import Collection
+from itertools import accumulate
 from typing import Any
 
 from boresight.codegen.functions.units import Unit
@@ -7,7 +9,7 @@ from boresight.codegen.text.covariance import coupled, even, movers, nonzeros, r
 from boresight.codegen.text.names import number
 from boresight.derive.model import Model, Variable
 
-WIDE, TALL = 16, 3  # sums of a product that are made at a time
+WIDE, TALL = 5, 3  # columns and rows of a product that are summed at a time
 
 
 def unit_lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -110,6 +112,7 @@ def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: d
             view["measurements"][u["name"]] = {
                 **taken, "z": kernel(f"{u['name']}_z", taken, ["z"]) if u["z"] else None,
                 "H": kernel(f"{u['name']}_H", taken, ["H"]),
+                "starts": [sum(row < i for row, _ in H) for i in range(u["m"] + 1)],
             }  # fmt: skip
     sparse = discretized(model, made) if model.order == 2 else None
     if sparse:
@@ -162,54 +165,94 @@ def discretized(model: Model, made: list[Unit]) -> dict[str, Any] | None:
     }
     squared = {place: pairs for place, pairs in squared.items() if pairs}
     Phi = sorted({*F, *squared, *((i, i) for i in range(m))})
-    phi = {place: p for p, place in enumerate(Phi)}
+    phi = set(Phi)
     noisy = {j for i, j in Qc if i == j} | {k for k in coupled(first)}  # states that noise drives
     # of B = I + 2/3 A + 2/9 A^2, times the factor of Qc, only the columns that meet noise
     filled = {place for place in Phi if place[1] in noisy}
     for k in coupled(first):
         filled |= {(i, k) for i, j in phi if first[k] <= j < k}
-    B = sorted(filled)
-    b = {place: p for p, place in enumerate(B)}
-    lines = []
-    for place in Phi:
-        own, twice = f"A[{a[place]}]" if place in a else None, "twice" if place in squared else None
-        lines.append(
-            {
-                "twice": " + ".join(["0.0", *(f"(A[{p}] * A[{q}])" for p, q in squared.get(place, ()))]),
-                "Phi": (phi[place], entry(place, own, twice, None, 0.5)),
-                "B": (b[place], entry(place, own, twice, 2 / 3, 2 / 9)) if place in b else None,
-            }
-        )
-    steps = [
+    size, wide = even(n, WIDE)
+    tall, down = even(m, TALL)
+    Phi_tiles, B_tiles = Tiles(phi, m, tall), Tiles(filled, m, tall)
+    rows = []
+    for i in range(m):
+        line: dict[str, Any] = {"i": i, "begin": [], "gains": [], "end": []}
+        for k in range(n):
+            place = (i, k)
+            own, twice = f"A[{a[place]}]" if place in a else None, f"t{k}" if place in squared else None
+            if twice:
+                line["begin"].append(f"const bs_lanes {twice} = {sum_of(squared[place])}")
+            if place in phi:
+                line["begin"].append(f"Phi[{Phi_tiles.slot[place]}] = {entry(place, own, twice, None, 0.5)}")
+            if place in filled:
+                value = entry(place, own, twice, 2 / 3, 2 / 9) if place in phi else "bs_all_of(0.0)"
+                line["begin"].append(f"bs_lanes b{k} = {value}")
+                line["end"].append((k, B_tiles.slot[place], k * down + i, k * (k + 1) // 2 + i if k >= m else None))
+        for k in coupled(first):
+            line["gains"] += [(k, l) for l in range(k - 1, first[k] - 1, -1) if (i, l) in phi]
+        rows.append(line)
+    steps: list[dict[str, Any]] = [
         {
             "k": k, "diagonal": k * (k + 3) // 2,
             "left": [
                 {"l": l, "u": k * (k + 1) // 2 + l,
-                 "inner": [(l * (l + 1) // 2 + i, k * (k + 1) // 2 + i) for i in range(first[k], l)],
-                 "B": [(b[i, k], b[i, l]) for i in range(m) if (i, l) in phi]}
+                 "inner": [(l * (l + 1) // 2 + i, k * (k + 1) // 2 + i) for i in range(first[k], l)]}
                 for l in range(k - 1, first[k] - 1, -1)
             ],
         }
         for k in coupled(first)
     ]  # fmt: skip
-    size, wide = even(n, WIDE)
-    tall, down = even(m, TALL)
     upper = sorted((i >= m, p, j * (j + 1) // 2 + i) for p, (i, j) in enumerate(Qc) if i <= j)
+    noise = {at for _, _, at in upper}
+    met = {at for k in steps for l in k["left"] for at in (l["u"], *(q for q, _ in l["inner"]))}
+    written = noise | met | {j * (j + 1) // 2 + i for i, j in filled}
+    zeros = {
+        "Phi": sorted(set(range(Phi_tiles.size)) - set(Phi_tiles.slot.values())),
+        "B": sorted(set(range(B_tiles.size)) - set(B_tiles.slot.values())),
+        "T": [k * down + i for k in range(n) for i in range(down) if (i, k) not in filled],
+        "Q": sorted({j * (j + 1) // 2 + i for j in range(m, n) for i in range(j + 1)} - written),
+        "X": [i * wide + j for i in range(n) for j in range(n, wide)],
+    }
     return {
-        "m": m, "row": wide, "block": size, "tall": tall, "down": down,
-        "n_Phi": len(Phi), "n_B": len(B), "lines": lines, "steps": steps,
-        "fresh": [b[p] for p in B if p not in phi],
-        "Phi_at": rows(Phi, m, lambda k: k * wide), "Phi_tall": rows(Phi, m, lambda k: k * down),
-        "Phi_x": rows(Phi, m, lambda k: k),
-        "B_at": rows(B, m, lambda k: k * down),
-        "T": [(k * down + i, b[i, k], k) for i, k in B],
+        "zeros": {name: (len(at), ", ".join(map(str, at))) for name, at in zeros.items() if at},
+        "met": sorted(met - noise),
+        "m": m, "row": wide, "block": size, "tall": tall, "down": down, "groups": down // tall,
+        "Phi": {"size": Phi_tiles.size, "start": Phi_tiles.start, **{
+            name: Phi_tiles.places(stride) for name, stride in (("at", wide), ("across", down), ("x", 1))}},
+        "B": {"size": B_tiles.size, "start": B_tiles.start, "at": B_tiles.places(down)},
+        "rows": rows, "steps": steps,
         "noise": [(p, at) for _, p, at in upper],
         "moving": [(p, f"S[{j * down + i}]" if j < m else f"Q[{j * (j + 1) // 2 + i}]")
                    for p, (i, j) in enumerate(Qc) if i <= j and i < m],
         "staying": [(p, at) for stays, p, at in upper if stays],
-        "beyond": [(j * (j + 1) // 2 + i, j * down + i) for i, j in B if j >= m],
         "noisy": [(k, k * (k + 3) // 2) for k in sorted(noisy)],
     }  # fmt: skip
+
+
+class Tiles:
+    """A sparse matrix by groups of `tall` rows: of each column that one of them meets, the elements of all, zeros
+    included, one after the other.
+
+    slot: where each element stands.  start: of each group, how many columns stand before it, as text.  size: elements.
+    """
+
+    def __init__(self, places: Collection[tuple[int, int]], m: int, tall: int):
+        columns = [sorted({k for i, k in places if i // tall == group}) for group in range(-(-m // tall))]
+        starts = [0, *accumulate(map(len, columns))]
+        self.slot = {
+            (i, k): tall * (starts[i // tall] + columns[i // tall].index(k)) + i % tall for i, k in sorted(places)
+        }
+        self.start = ", ".join(map(str, starts))
+        self.size = tall * starts[-1]
+        self._columns = [k for group in columns for k in group]
+
+    def places(self, stride: int) -> str:
+        """Where stands what the columns meet, as text."""
+        return ", ".join(str(k * stride) for k in self._columns)
+
+
+def sum_of(pairs: list[tuple[int, int]]) -> str:
+    return " + ".join(["0.0", *(f"(A[{p}] * A[{q}])" for p, q in pairs)])
 
 
 def entry(place: tuple[int, int], a: str | None, twice: str | None, of_a: float | None, of_twice: float) -> str:
@@ -217,15 +260,5 @@ def entry(place: tuple[int, int], a: str | None, twice: str | None, of_a: float 
     if not (a or twice):
         return "bs_all_of(1.0)"
     first = "0.0" if a is None else a if of_a is None else f"({of_a!r} * {a})"
-    value = f"{first} + {f'({of_twice!r} * twice)' if twice else '0.0'}"
+    value = f"{first} + {f'({of_twice!r} * {twice})' if twice else '0.0'}"
     return f"({value}) + 1.0" if place[0] == place[1] else value
-
-
-def rows(places: list[tuple[int, int]], m: int, stride: Any) -> dict[str, str]:
-    """Where rows begin, and where what their non-zeros meet stands."""
-    starts = [sum(i < row for i, _ in places) for row in range(m + 1)]
-    return {
-        "start": ", ".join(map(str, starts)),
-        "at": ", ".join(str(stride(j)) for _, j in places),
-        "count": str(len(places)),
-    }

@@ -203,13 +203,13 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
         random.normals(seed, runs, 6 * per_update, 6 * per_update * k, SLAVE, newest, width, scale, exact)
         if k == 0:
             samples[:, -1] = samples[:, -2]
-        biases = loop.nav["gyro_bias"], loop.nav["accel_bias"]
-        few = samples[:, step // 2 : per_update : step, 3:].swapaxes(0, 1)  # F wants the force to a hundredth
-        before.predict["f_b"] = summed(few) / (len(few) * dt) - biases[1]
+        biases = loop.nav.seen("gyro_bias"), loop.nav.seen("accel_bias")
+        few = np.ascontiguousarray(samples[:, step // 2 : per_update : step, 3:].T).swapaxes(0, 1)
+        before.predict["f_b"] = (summed(few) / (len(few) * dt)).T - biases[1]  # F wants the force to a hundredth
         failed = before() + after()
-        omega, a_n = moving(samples[:, : 2 * SPAN], loop.nav["q_b2n_wxyz"], *biases, dt, lever)
+        omega, a_n = moving(samples[:, : 2 * SPAN], loop.nav.seen("q_b2n_wxyz"), *biases, dt, lever)
         for measured in (attitude, velocity):
-            measured["omega_ib_b"], measured["lag"] = omega, loop.nav["tau"]
+            measured["omega_ib_b"], measured["lag"] = omega, loop.nav.seen("tau")
         attitude["q_m2n_wxyz"] = q_m2n[k + 1]
         velocity["v_m_n"], velocity["a_n"] = v_m_n[k + 1], a_n
         if failed + update():

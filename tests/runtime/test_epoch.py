@@ -78,6 +78,22 @@ def test_what_is_assigned_or_changed_in_place_is_flown():
     assert np.allclose(loops[0].variances(), np.diagonal(loops[1].P, axis1=-2, axis2=-1), rtol=1e-12)
 
 
+def test_what_is_seen_is_what_stands_there_and_cannot_be_changed():
+    loop = begun((5,), lanes=4)
+    epoch = Epoch(loop, 1, predict=False, feedback=False, runs=(5,))
+    epoch.strapdown["dt"], epoch.strapdown["dv_b"] = 0.01, np.array([0.01, 0, 0.098])
+    for _ in range(3):
+        before = loop.nav.seen("v_n").copy()
+        assert epoch() == 0
+        seen = loop.nav.seen("v_n")
+        assert np.array_equal(seen, loop.nav["v_n"]) and not np.array_equal(seen, before)
+        with pytest.raises(ValueError):
+            seen[0] = 1.0
+        loop.nav["v_n"][1] = 0.5
+    with pytest.raises(KeyError):
+        loop.nav.seen("nothing")
+
+
 def test_an_epoch_without_a_part_leaves_it_out():
     loop = begun((2,))
     step = Epoch(loop, 1, predict=False, feedback=False, runs=(2,))

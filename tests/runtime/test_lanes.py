@@ -236,15 +236,18 @@ def test_every_run_has_the_bits_that_it_has_alone(model, width):
 
 MUTANTS = {  # of the text of em_lanes.c: each spoils one step in lanes, in the last bit or in a rare lane
     "strapdown": ("#define BS_REAL(x) bs_all_of(x)", "#define BS_REAL(x) bs_all_of((x) * (1 + 0x1p-52))"),
-    "propagate, a sum reordered": ("s0 += a * from[0];", "s0 = (a * from[0]) + (s0 * (1 + 0x1p-52));"),
+    "propagate, a sum reordered": (
+        "s0_0 += a0 * from[0];",
+        "s0_0 = (a0 * from[0]) + (s0_0 * (1 + 0x1p-52));",
+    ),
     "propagate, Q": ("const bs_lanes share = 0.75 *", "const bs_lanes share = 0.7500000000000001 *"),
     "propagate, a bad lane written": ("*to = bs_choose(good, *to,", "*to = bs_choose(~good, *to,"),
     "measure_euler, a sum reordered": (
-        "(to[i] - (K[i] * gj)) - (own[i] * Kj)",
-        "to[i] - ((K[i] * gj) + (own[i] * Kj))",
+        "(other[i] - (K[i] * g[j + 1])) - (own[i] * K[j + 1])",
+        "other[i] - ((K[i] * g[j + 1]) + (own[i] * K[j + 1]))",
     ),
-    "measure_euler, a gate": ("*good &= (*nu * *nu) <= ((gate * gate) * *S);", ""),
-    "measure_euler, a bad lane written": ("b->x[i] = bs_choose(*good, b->x[i], x[i]);", ""),
+    "measure_euler, a gate": ("t->good &= (nu * nu) <= ((gate * gate) * S);", ""),
+    "measure_euler, a bad lane written": ("b->x[i] = bs_choose(t->good, b->x[i], t->x[i]);", ""),
     "correct": ("b->x[i] = bs_choose(good, bs_all_of(0.0), b->x[i]);", "b->x[i] = bs_all_of(0.0) * b->x[i];"),
 }
 
